@@ -1,0 +1,160 @@
+//! What rodete has to say about an input or a result: graded, placed, with the value, the limit and the remedy.
+
+use serde::Serialize;
+
+use crate::text::Text;
+
+/// How grave a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Grade {
+    /// Worth knowing; also a check that was passed.
+    Note,
+    /// To be judged by a person before the program is run.
+    Caution,
+    /// No program is written.
+    Stop,
+}
+
+impl Grade {
+    /// The grade's name.
+    #[must_use]
+    pub const fn name(self) -> Text {
+        match self {
+            Self::Note => Text::fixed("Nota", "Note"),
+            Self::Caution => Text::fixed("Precaución", "Caution"),
+            Self::Stop => Text::fixed("Parada", "Stop"),
+        }
+    }
+}
+
+/// A cell of an input workbook.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct CellPlace {
+    /// The sheet's name as it stands in the workbook.
+    pub sheet: String,
+    /// The cell's address, as `C9`.
+    pub cell: String,
+}
+
+/// Where a finding belongs.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Place {
+    /// The file as a whole.
+    File,
+    /// A part of the file's package, as `xl/worksheets/sheet1.xml`.
+    Part(String),
+    /// A sheet of the workbook.
+    Sheet(String),
+    /// Cells of the workbook.
+    Cells(Vec<CellPlace>),
+    /// Parameters by key; the schema turns them into [`Place::Cells`] with [`crate::parameter::Values::locate`].
+    Parameters(Vec<&'static str>),
+    /// A row of a result table.
+    Point {
+        /// The table's key.
+        table: &'static str,
+        /// The point index i.
+        index: usize,
+    },
+    /// A block of a program.
+    Block {
+        /// The program's key, as `blade`.
+        program: &'static str,
+        /// The line in the program's text, counted from 1.
+        line: usize,
+    },
+}
+
+/// One thing found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// How grave it is.
+    pub grade: Grade,
+    /// What was found, as a sentence without a full stop.
+    pub what: Text,
+    /// Where.
+    pub place: Place,
+    /// The value found, with its unit; empty where there is none.
+    pub value: String,
+    /// The limit it was held against, with its unit; empty where there is none.
+    pub limit: String,
+    /// What to do about it; empty for a passed check.
+    pub remedy: Text,
+}
+
+impl Finding {
+    /// A finding without value and limit.
+    #[must_use]
+    pub const fn new(grade: Grade, place: Place, what: Text, remedy: Text) -> Self {
+        Self { grade, what, place, value: String::new(), limit: String::new(), remedy }
+    }
+
+    /// A finding that stops the work.
+    #[must_use]
+    pub const fn stop(place: Place, what: Text, remedy: Text) -> Self {
+        Self::new(Grade::Stop, place, what, remedy)
+    }
+
+    /// A finding for a person to judge.
+    #[must_use]
+    pub const fn caution(place: Place, what: Text, remedy: Text) -> Self {
+        Self::new(Grade::Caution, place, what, remedy)
+    }
+
+    /// A finding worth knowing.
+    #[must_use]
+    pub const fn note(place: Place, what: Text) -> Self {
+        Self::new(Grade::Note, place, what, Text::fixed("", ""))
+    }
+
+    /// The finding with the value found and the limit it was held against.
+    #[must_use]
+    pub fn with(mut self, value: impl Into<String>, limit: impl Into<String>) -> Self {
+        self.value = value.into();
+        self.limit = limit.into();
+        self
+    }
+}
+
+/// How a command ends: the process exit codes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[repr(u8)]
+pub enum Exit {
+    /// Done.
+    Done = 0,
+    /// A fault in rodete itself.
+    Fault = 1,
+    /// Wrong command line.
+    CommandLine = 2,
+    /// The input was read and is refused.
+    Refused = 3,
+    /// The input cannot be read.
+    Unreadable = 4,
+    /// The output cannot be written.
+    Unwritable = 5,
+    /// The report failed; sheets and programs are delivered.
+    ReportFailed = 6,
+    /// A limit was reached.
+    Limit = 7,
+    /// Interrupted by the user.
+    Interrupted = 130,
+}
+
+/// Why nothing was made: the exit code and every finding.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Refusal {
+    /// The exit code.
+    pub exit: Exit,
+    /// All findings; at least one of them is a [`Grade::Stop`].
+    pub findings: Vec<Finding>,
+}
+
+impl Refusal {
+    /// A refusal for one reason.
+    #[must_use]
+    pub fn new(exit: Exit, finding: Finding) -> Self {
+        Self { exit, findings: vec![finding] }
+    }
+}

@@ -1,0 +1,618 @@
+//! The form of the impeller workbook: every parameter with its meaning, unit, limits and note.
+//!
+//! Source: the design parameters of the thesis (its section 4.4.1, first group of cells), the machine (section 4.2 and
+//! 5.2), the turning of the blank (section 4.1); what the source leaves to the operator (feed, speed, dialect, travel)
+//! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
+
+use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet, Value};
+use crate::table::Unit;
+use crate::text::{Language, Text};
+
+const fn real(
+    key: &'static str,
+    name: &'static str,
+    unit: Unit,
+    [min, max]: [f64; 2],
+    required: bool,
+    meaning: Text,
+    note: Text,
+) -> Parameter {
+    Parameter { key, name, meaning, unit, kind: Kind::Real { min, max }, required, note }
+}
+
+const fn whole(
+    key: &'static str,
+    name: &'static str,
+    unit: Unit,
+    [min, max]: [u32; 2],
+    required: bool,
+    meaning: Text,
+    note: Text,
+) -> Parameter {
+    Parameter { key, name, meaning, unit, kind: Kind::Whole { min, max }, required, note }
+}
+
+const fn other(
+    key: &'static str,
+    name: &'static str,
+    kind: Kind,
+    required: bool,
+    meaning: Text,
+    note: Text,
+) -> Parameter {
+    Parameter { key, name, meaning, unit: Unit::None, kind, required, note }
+}
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// Name and version of the form.
+pub const SCHEMA: &str = "rodete-impeller 1";
+
+const YES_NO: &[Choice] = &[Choice { key: "yes", label: t("sí", "yes") }, Choice { key: "no", label: t("no", "no") }];
+
+const DIALECTS: &[Choice] = &[
+    Choice { key: "fagor-8055", label: t("fagor-8055", "fagor-8055") },
+    Choice { key: "fagor-8070", label: t("fagor-8070", "fagor-8070") },
+    Choice { key: "linuxcnc", label: t("linuxcnc", "linuxcnc") },
+];
+
+const STYLES: &[Choice] =
+    &[Choice { key: "annex", label: t("annex", "annex") }, Choice { key: "full", label: t("full", "full") }];
+
+const DISTANCES: &[Choice] =
+    &[Choice { key: "G90", label: t("G90", "G90") }, Choice { key: "G91", label: t("G91", "G91") }];
+
+const MM: Unit = Unit::Millimetre;
+const TRAVEL: [f64; 2] = [-10_000.0, 10_000.0];
+const TRAVEL_NOTE: Text =
+    t("En coordenadas de programa; vacío: no se comprueba", "In program coordinates; empty: not checked");
+
+const GEOMETRY: &[Parameter] = &[
+    real(
+        "R",
+        "torus_R",
+        MM,
+        [5.0, 1000.0],
+        true,
+        t("Radio del toro, del eje al centro del meridiano", "Torus radius, axis to the centre of the meridian"),
+        t("Mayor que r", "Greater than r"),
+    ),
+    real(
+        "r",
+        "meridian_r",
+        MM,
+        [1.0, 900.0],
+        true,
+        t("Radio del meridiano del toro", "Radius of the torus's meridian"),
+        t("Menor que R", "Less than R"),
+    ),
+    whole(
+        "n",
+        "intervals_n",
+        Unit::Count,
+        [2, 100_000],
+        true,
+        t("Número de intervalos de la discretización", "Number of intervals of the discretisation"),
+        t("n + 1 puntos por pasada", "n + 1 points a pass"),
+    ),
+    real(
+        "eps_v",
+        "end_backoff_eps_v",
+        Unit::Step,
+        [0.0, 0.5],
+        true,
+        t("Retroceso del último punto, en pasos", "Back-off of the last point, in steps"),
+        t(
+            "0: llega al final; 1e-5: como los anexos publicados",
+            "0: up to the very end; 1e-5: as in the published annexes",
+        ),
+    ),
+    whole(
+        "N",
+        "blades_N",
+        Unit::Count,
+        [1, 60],
+        true,
+        t("Número de álabes", "Number of blades"),
+        t("No mayor que N_max", "Not above N_max"),
+    ),
+    real(
+        "e",
+        "thickness_e",
+        MM,
+        [0.05, 100.0],
+        true,
+        t("Espesor del álabe", "Blade thickness"),
+        t("No mayor que e_max", "Not above e_max"),
+    ),
+    real(
+        "a_p",
+        "depth_a_p",
+        MM,
+        [0.01, 100.0],
+        true,
+        t("Profundidad de mecanizado", "Depth of cut"),
+        t("Menor que R − r", "Less than R − r"),
+    ),
+    other(
+        "splitters",
+        "splitters",
+        Kind::Choice(YES_NO),
+        true,
+        t("Álabes intermedios", "Splitter blades"),
+        t("sí o no", "yes or no"),
+    ),
+];
+
+const TOOL: &[Parameter] = &[
+    real(
+        "d_t",
+        "tool_diameter_d_t",
+        MM,
+        [0.2, 100.0],
+        true,
+        t("Diámetro de la herramienta", "Tool diameter"),
+        t("Fresa cilíndrica frontal; no mayor que 2·r", "Flat end mill; not above 2·r"),
+    ),
+    real(
+        "L_t",
+        "tool_length_L_t",
+        MM,
+        [1.0, 1000.0],
+        true,
+        t("Longitud de la herramienta", "Tool length"),
+        t("L = R_p + L_t", "L = R_p + L_t"),
+    ),
+    whole("T", "tool_T", Unit::Count, [1, 9999], true, t("Número de herramienta", "Tool number"), t("", "")),
+    whole("D", "tool_offset_D", Unit::Count, [1, 999], true, t("Número de corrector", "Tool offset number"), t("", "")),
+];
+
+const MACHINE: &[Parameter] = &[
+    real(
+        "R_p",
+        "spindle_height_R_p",
+        MM,
+        [1.0, 5000.0],
+        true,
+        t("Altura del husillo sobre el eje de giro B", "Spindle height above the B axis of rotation"),
+        t("De la calibración", "From the calibration"),
+    ),
+    real(
+        "B_min",
+        "B_min",
+        Unit::Degree,
+        [-360.0, 360.0],
+        true,
+        t("Límite inferior de B", "Lower limit of B"),
+        t("Menor que B_max", "Less than B_max"),
+    ),
+    real(
+        "B_max",
+        "B_max",
+        Unit::Degree,
+        [-360.0, 360.0],
+        true,
+        t("Límite superior de B", "Upper limit of B"),
+        t("Mayor que B_min", "Greater than B_min"),
+    ),
+    real("X_min", "X_min", MM, TRAVEL, false, t("Límite inferior de X", "Lower limit of X"), TRAVEL_NOTE),
+    real("X_max", "X_max", MM, TRAVEL, false, t("Límite superior de X", "Upper limit of X"), TRAVEL_NOTE),
+    real("Y_min", "Y_min", MM, TRAVEL, false, t("Límite inferior de Y", "Lower limit of Y"), TRAVEL_NOTE),
+    real("Y_max", "Y_max", MM, TRAVEL, false, t("Límite superior de Y", "Upper limit of Y"), TRAVEL_NOTE),
+    real("Z_min", "Z_min", MM, TRAVEL, false, t("Límite inferior de Z", "Lower limit of Z"), TRAVEL_NOTE),
+    real("Z_max", "Z_max", MM, TRAVEL, false, t("Límite superior de Z", "Upper limit of Z"), TRAVEL_NOTE),
+    real(
+        "F_max",
+        "feed_limit_F_max",
+        Unit::MillimetrePerMinute,
+        [1.0, 200_000.0],
+        false,
+        t("Velocidad máxima de cada eje (°/min en B y C)", "Greatest speed of any axis (°/min in B and C)"),
+        t("Vacío: no se comprueba", "Empty: not checked"),
+    ),
+];
+
+const CUTTING: &[Parameter] = &[
+    real(
+        "d_s",
+        "safety_d_s",
+        MM,
+        [0.1, 500.0],
+        true,
+        t("Distancia de seguridad", "Safety distance"),
+        t("Del filo de la herramienta a la pieza", "From the tool's edge to the part"),
+    ),
+    real(
+        "F",
+        "feed_F",
+        Unit::MillimetrePerMinute,
+        [0.1, 50_000.0],
+        false,
+        t("Avance de la punta sobre la pieza", "Feed of the tool tip over the part"),
+        t("Obligatorio con style = full", "Required with style = full"),
+    ),
+    real(
+        "S",
+        "speed_S",
+        Unit::RevolutionPerMinute,
+        [1.0, 200_000.0],
+        false,
+        t("Velocidad del husillo", "Spindle speed"),
+        t("Obligatorio con style = full", "Required with style = full"),
+    ),
+];
+
+const PROGRAM: &[Parameter] = &[
+    other("part", "part", Kind::Line { max: 200 }, true, t("Pieza", "Part"), t("", "")),
+    other("material", "material", Kind::Line { max: 200 }, false, t("Material", "Material"), t("", "")),
+    whole(
+        "program",
+        "program_number",
+        Unit::Count,
+        [1, 9999],
+        true,
+        t("Número de programa", "Program number"),
+        t("En la cabecera de los programas", "In the programs' header"),
+    ),
+    other(
+        "dialect",
+        "dialect",
+        Kind::Choice(DIALECTS),
+        true,
+        t("Dialecto del control", "Dialect of the control"),
+        t("", ""),
+    ),
+    other(
+        "style",
+        "style",
+        Kind::Choice(STYLES),
+        true,
+        t("Estilo de los programas", "Style of the programs"),
+        t("annex: como los anexos publicados; full: completo", "annex: as in the published annexes; full: complete"),
+    ),
+    other(
+        "distance",
+        "distance",
+        Kind::Choice(DISTANCES),
+        true,
+        t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
+        t("Sólo con style = full; annex es siempre G91", "With style = full only; annex is always G91"),
+    ),
+    other(
+        "start_codes",
+        "start_codes",
+        Kind::Codes,
+        true,
+        t("Códigos de máquina al empezar", "Machine codes at the start"),
+        t("Publicado: M3 M11 M13", "Published: M3 M11 M13"),
+    ),
+    other(
+        "end_codes",
+        "end_codes",
+        Kind::Codes,
+        true,
+        t("Códigos de máquina al terminar", "Machine codes at the end"),
+        t("Publicado: M30", "Published: M30"),
+    ),
+    whole(
+        "block_step",
+        "block_step",
+        Unit::Count,
+        [1, 1000],
+        true,
+        t("Paso de la numeración de bloques", "Step of the block numbers"),
+        t("Publicado: 10", "Published: 10"),
+    ),
+];
+
+const BLANK: &[Parameter] = &[
+    real(
+        "C",
+        "blank_step_C",
+        MM,
+        [0.01, 20.0],
+        true,
+        t("Paso C del ciclo G85, en radios", "Step C of the G85 cycle, on the radius"),
+        t("Publicado: 1", "Published: 1"),
+    ),
+    real(
+        "F_b",
+        "blank_feed_F_b",
+        Unit::MillimetrePerRevolution,
+        [0.001, 5.0],
+        true,
+        t("Avance del torno", "Feed of the lathe"),
+        t("Publicado: 0.1", "Published: 0.1"),
+    ),
+    real(
+        "S_b",
+        "blank_speed_S_b",
+        Unit::MetrePerMinute,
+        [1.0, 5000.0],
+        true,
+        t("Velocidad de corte constante del torno", "Constant surface speed of the lathe"),
+        t("Publicado: 300", "Published: 300"),
+    ),
+    whole(
+        "T_b",
+        "blank_tool_T_b",
+        Unit::Count,
+        [1, 9999],
+        true,
+        t("Herramienta del torno", "Tool of the lathe"),
+        t("", ""),
+    ),
+    whole(
+        "D_b",
+        "blank_tool_offset_D_b",
+        Unit::Count,
+        [1, 999],
+        true,
+        t("Corrector del torno", "Tool offset of the lathe"),
+        t("", ""),
+    ),
+    real(
+        "L_b",
+        "blank_length_L_b",
+        MM,
+        [1.0, 5000.0],
+        true,
+        t("Longitud del bruto", "Length of the stock"),
+        t("Mayor que r; diámetro 2·R", "Greater than r; diameter 2·R"),
+    ),
+    real(
+        "Z_b",
+        "blank_start_Z_b",
+        MM,
+        [1.0, 5000.0],
+        true,
+        t("Z de aproximación", "Approach Z"),
+        t("Publicado: 50", "Published: 50"),
+    ),
+    real(
+        "c_f",
+        "blank_facing_c_f",
+        MM,
+        [0.1, 100.0],
+        true,
+        t("Holgura en diámetro al refrentar", "Clearance on the diameter for facing"),
+        t("Publicado: 1", "Published: 1"),
+    ),
+    real(
+        "c_o",
+        "blank_overrun_c_o",
+        MM,
+        [0.0, 10.0],
+        true,
+        t("Rebase del centro al refrentar, en diámetro", "Overrun past the centre when facing, on the diameter"),
+        t("Publicado: 0.4", "Published: 0.4"),
+    ),
+    real(
+        "c_c",
+        "blank_cycle_c_c",
+        MM,
+        [0.1, 100.0],
+        true,
+        t("Holgura en diámetro antes del ciclo", "Clearance on the diameter before the cycle"),
+        t("Publicado: 5", "Published: 5"),
+    ),
+    real(
+        "X_e",
+        "blank_end_X_e",
+        MM,
+        [1.0, 5000.0],
+        true,
+        t("X final, en diámetro", "End X, on the diameter"),
+        t("Publicado: 80; mayor que 2·R", "Published: 80; greater than 2·R"),
+    ),
+    real("Z_e", "blank_end_Z_e", MM, [1.0, 5000.0], true, t("Z final", "End Z"), t("Publicado: 80", "Published: 80")),
+];
+
+const CALIBRATION: &[Parameter] = &[
+    real(
+        "calibration/H",
+        "calibration_H",
+        MM,
+        [0.0, 5000.0],
+        true,
+        t("Altura de la pieza sobre el husillo", "Height of the part above the spindle"),
+        t("", ""),
+    ),
+    real(
+        "calibration/d_w",
+        "calibration_d_w",
+        MM,
+        [0.0, 5000.0],
+        true,
+        t("Anchura de la pieza por su centro", "Width of the part through its centre"),
+        t("", ""),
+    ),
+    real(
+        "calibration/e_z",
+        "calibration_e_z",
+        MM,
+        [-1000.0, 1000.0],
+        true,
+        t("Profundidad de la ranura en Z", "Depth of the slot in Z"),
+        t("", ""),
+    ),
+    real(
+        "calibration/e_x",
+        "calibration_e_x",
+        MM,
+        [-1000.0, 1000.0],
+        true,
+        t("Profundidad de la ranura en X", "Depth of the slot in X"),
+        t("", ""),
+    ),
+    real(
+        "calibration/d_t",
+        "calibration_d_t",
+        MM,
+        [0.2, 100.0],
+        true,
+        t("Diámetro de la herramienta", "Tool diameter"),
+        t("", ""),
+    ),
+    real(
+        "calibration/x0",
+        "calibration_x0",
+        MM,
+        TRAVEL,
+        true,
+        t("X programada con B = 90°", "X programmed at B = 90°"),
+        t("", ""),
+    ),
+    real(
+        "calibration/z0",
+        "calibration_z0",
+        MM,
+        TRAVEL,
+        true,
+        t("Z programada con B = 90°", "Z programmed at B = 90°"),
+        t("", ""),
+    ),
+];
+
+/// The impeller workbook.
+pub static FORM: Form = Form {
+    kind: "impeller",
+    schema: SCHEMA,
+    sheets: &[
+        Sheet {
+            name: t("DATOS", "DATA"),
+            title: t("Parámetros de diseño del rodete", "Design parameters of the impeller"),
+            optional: false,
+            sections: &[
+                Section {
+                    title: t("Esquema", "Schema"),
+                    parameters: &[other(
+                        "schema",
+                        "schema",
+                        Kind::Schema,
+                        true,
+                        t("Esquema y versión de este libro", "Schema and version of this workbook"),
+                        t("No se cambia", "Not to be changed"),
+                    )],
+                },
+                Section { title: t("Geometría", "Geometry"), parameters: GEOMETRY },
+                Section { title: t("Herramienta", "Tool"), parameters: TOOL },
+                Section { title: t("Máquina", "Machine"), parameters: MACHINE },
+                Section { title: t("Corte", "Cutting"), parameters: CUTTING },
+                Section { title: t("Programa", "Program"), parameters: PROGRAM },
+                Section { title: t("Torneado del bruto", "Turning of the blank"), parameters: BLANK },
+            ],
+        },
+        Sheet {
+            name: t("CALIBRACION", "CALIBRATION"),
+            title: t("Calibración del eje B", "Calibration of the B axis"),
+            optional: true,
+            sections: &[Section { title: t("Ranuras de prueba", "Test slots"), parameters: CALIBRATION }],
+        },
+    ],
+};
+
+/// A filled-in form to start from.
+#[derive(Debug)]
+pub struct Case {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// A sentence on where the values come from, for the sheet.
+    pub note: Text,
+    values: fn(Language) -> Vec<(&'static str, Value)>,
+}
+
+impl Case {
+    /// The values by key; parameters not named stay empty.
+    #[must_use]
+    pub fn values(&self, language: Language) -> Vec<(&'static str, Value)> {
+        (self.values)(language)
+    }
+}
+
+/// The cases that a new workbook can start from, the usual one first.
+pub static CASES: [Case; 2] = [
+    Case {
+        name: "full",
+        note: t(
+            "La pieza publicada, con programas completos. F, S y F_max están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
+            "The published part, with complete programs. F, S and F_max are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
+        ),
+        values: full,
+    },
+    Case {
+        name: "tfg-2021",
+        note: t(
+            "El caso publicado (UPCT, 2021). Las tablas fijan e + d_t = 8 y d_s + d_t/2 = 8; aquí d_t = 6, e = 2, d_s = 5. L = 147.5 + 95.4 = 242.9.",
+            "The published case (UPCT, 2021). Its tables fix e + d_t = 8 and d_s + d_t/2 = 8; here d_t = 6, e = 2, d_s = 5. L = 147.5 + 95.4 = 242.9.",
+        ),
+        values: published,
+    },
+];
+
+fn published(language: Language) -> Vec<(&'static str, Value)> {
+    let line = |es: &str, en: &str| {
+        Value::Line(match language {
+            Language::Es => es.to_owned(),
+            Language::En => en.to_owned(),
+        })
+    };
+    vec![
+        ("schema", Value::Line(SCHEMA.to_owned())),
+        ("R", Value::Real(25.0)),
+        ("r", Value::Real(15.0)),
+        ("n", Value::Whole(40)),
+        ("eps_v", Value::Real(1e-5)),
+        ("N", Value::Whole(4)),
+        ("e", Value::Real(2.0)),
+        ("a_p", Value::Real(2.0)),
+        ("splitters", Value::Choice("yes")),
+        ("d_t", Value::Real(6.0)),
+        ("L_t", Value::Real(95.4)),
+        ("T", Value::Whole(1)),
+        ("D", Value::Whole(1)),
+        ("R_p", Value::Real(147.5)),
+        ("B_min", Value::Real(-10.0)),
+        ("B_max", Value::Real(100.0)),
+        ("d_s", Value::Real(5.0)),
+        ("part", line("Rodete TFG 2021", "Impeller TFG 2021")),
+        ("material", line("Aluminio", "Aluminium")),
+        ("program", Value::Whole(1)),
+        ("dialect", Value::Choice("fagor-8055")),
+        ("style", Value::Choice("annex")),
+        ("distance", Value::Choice("G91")),
+        ("start_codes", line("M3 M11 M13", "M3 M11 M13")),
+        ("end_codes", line("M30", "M30")),
+        ("block_step", Value::Whole(10)),
+        ("C", Value::Real(1.0)),
+        ("F_b", Value::Real(0.1)),
+        ("S_b", Value::Real(300.0)),
+        ("T_b", Value::Whole(1)),
+        ("D_b", Value::Whole(1)),
+        ("L_b", Value::Real(40.0)),
+        ("Z_b", Value::Real(50.0)),
+        ("c_f", Value::Real(1.0)),
+        ("c_o", Value::Real(0.4)),
+        ("c_c", Value::Real(5.0)),
+        ("X_e", Value::Real(80.0)),
+        ("Z_e", Value::Real(80.0)),
+    ]
+}
+
+fn full(language: Language) -> Vec<(&'static str, Value)> {
+    let mut values = published(language);
+    for (key, value) in [
+        ("eps_v", Value::Real(0.0)),
+        ("style", Value::Choice("full")),
+        ("distance", Value::Choice("G90")),
+        ("start_codes", Value::Line("M3".to_owned())),
+    ] {
+        if let Some(entry) = values.iter_mut().find(|entry| entry.0 == key) {
+            entry.1 = value;
+        }
+    }
+    values.extend([("F", Value::Real(300.0)), ("S", Value::Real(6000.0)), ("F_max", Value::Real(6000.0))]);
+    values
+}

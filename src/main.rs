@@ -1,0 +1,3 @@
+//! The command `rodete`.
+
+fn main() {}

@@ -1,0 +1,195 @@
+//! The parameters of a workbook kind: one table of meanings, units and limits.
+//!
+//! The input sheet, its cell validation, the refusals, the ranges of the property tests and the documentation all
+//! follow from it, so that a limit is written once.
+
+use std::collections::BTreeMap;
+
+use crate::finding::{CellPlace, Finding, Place};
+use crate::table::Unit;
+use crate::text::{Language, Text};
+
+/// A word of a drop-down list.
+#[derive(Debug)]
+pub struct Choice {
+    /// The key that the design uses.
+    pub key: &'static str,
+    /// What stands in the cell. Either language is accepted when reading.
+    pub label: Text,
+}
+
+/// What may stand in a value cell.
+#[derive(Debug)]
+pub enum Kind {
+    /// A real number within bounds (both included).
+    Real {
+        /// Least value.
+        min: f64,
+        /// Greatest value.
+        max: f64,
+    },
+    /// A whole number within bounds (both included).
+    Whole {
+        /// Least value.
+        min: u32,
+        /// Greatest value.
+        max: u32,
+    },
+    /// One of a list.
+    Choice(&'static [Choice]),
+    /// One line of text.
+    Line {
+        /// Most characters.
+        max: usize,
+    },
+    /// Machine codes as `M3 M11 M13`: letters G or M with whole numbers, separated by blanks.
+    Codes,
+    /// The name and version of the schema: text that must equal [`Form::schema`].
+    Schema,
+}
+
+/// One parameter of a workbook kind.
+#[derive(Debug)]
+pub struct Parameter {
+    /// Unique in its form. The symbol, preceded by `sheet/` on any but the first sheet (`calibration/d_t`).
+    pub key: &'static str,
+    /// The defined name of its value cell in the workbook.
+    pub name: &'static str,
+    /// What it is.
+    pub meaning: Text,
+    /// The unit that must stand in its unit cell.
+    pub unit: Unit,
+    /// What may stand in the cell.
+    pub kind: Kind,
+    /// An empty cell is refused.
+    pub required: bool,
+    /// A note on the allowed range, for column E and the input message.
+    pub note: Text,
+}
+
+impl Parameter {
+    /// The symbol that stands in column A.
+    #[must_use]
+    pub fn symbol(&self) -> &'static str {
+        self.key.rsplit_once('/').map_or(self.key, |(_, symbol)| symbol)
+    }
+}
+
+/// A group of parameters under one heading.
+#[derive(Debug)]
+pub struct Section {
+    /// The heading on the sheet.
+    pub title: Text,
+    /// The parameters, in order.
+    pub parameters: &'static [Parameter],
+}
+
+/// One sheet of an input workbook.
+#[derive(Debug)]
+pub struct Sheet {
+    /// The sheet's name.
+    pub name: Text,
+    /// The title in its first row.
+    pub title: Text,
+    /// The sheet may be missing; or present with every value cell empty, which means the same.
+    pub optional: bool,
+    /// The parameters.
+    pub sections: &'static [Section],
+}
+
+/// A workbook kind: the form that a user fills in.
+#[derive(Debug)]
+pub struct Form {
+    /// The kind's name on the command line, as `impeller`.
+    pub kind: &'static str,
+    /// Name and version, as `rodete-impeller 1`.
+    pub schema: &'static str,
+    /// The sheets; the first is required and holds the schema cell.
+    pub sheets: &'static [Sheet],
+}
+
+impl Form {
+    /// Every parameter with its sheet, in order.
+    pub fn parameters(&self) -> impl Iterator<Item = (&'static Sheet, &'static Parameter)> {
+        self.sheets.iter().flat_map(|sheet| {
+            sheet.sections.iter().flat_map(move |section| section.parameters.iter().map(move |one| (sheet, one)))
+        })
+    }
+
+    /// The parameter with a key.
+    #[must_use]
+    pub fn parameter(&self, key: &str) -> Option<&'static Parameter> {
+        self.parameters().map(|(_, parameter)| parameter).find(|parameter| parameter.key == key)
+    }
+}
+
+/// A checked value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A finite number within its limits, -0 as 0.
+    Real(f64),
+    /// A whole number within its limits.
+    Whole(u32),
+    /// The key of a choice.
+    Choice(&'static str),
+    /// A line of text or of codes, trimmed.
+    Line(String),
+}
+
+/// The values of a filled-in form, each known to be within its own limits, with the cells they came from.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Values {
+    /// The language of the workbook.
+    pub language: Language,
+    /// The values by key; an optional parameter left empty is absent.
+    pub values: BTreeMap<&'static str, Value>,
+    /// The value cell of every parameter whose symbol was found, filled or not.
+    pub cells: BTreeMap<&'static str, CellPlace>,
+}
+
+impl Values {
+    /// A real number; `None` where the cell is empty.
+    #[must_use]
+    pub fn real(&self, key: &str) -> Option<f64> {
+        match self.values.get(key) {
+            Some(Value::Real(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// A whole number; `None` where the cell is empty.
+    #[must_use]
+    pub fn whole(&self, key: &str) -> Option<u32> {
+        match self.values.get(key) {
+            Some(Value::Whole(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// The key of a choice; `None` where the cell is empty.
+    #[must_use]
+    pub fn choice(&self, key: &str) -> Option<&'static str> {
+        match self.values.get(key) {
+            Some(Value::Choice(value)) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// A line of text; empty where the cell is empty.
+    #[must_use]
+    pub fn line(&self, key: &str) -> &str {
+        match self.values.get(key) {
+            Some(Value::Line(value)) => value,
+            _ => "",
+        }
+    }
+
+    /// The finding with its parameters turned into the cells they came from.
+    #[must_use]
+    pub fn locate(&self, mut finding: Finding) -> Finding {
+        if let Place::Parameters(keys) = &finding.place {
+            finding.place = Place::Cells(keys.iter().filter_map(|key| self.cells.get(key).cloned()).collect());
+        }
+        finding
+    }
+}

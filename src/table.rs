@@ -1,0 +1,217 @@
+//! A table of the method: named, with its source, its columns with symbols and units, and the values.
+//!
+//! Sheets, JSON and the report's tables are views of it. Values are shared, never copied per view.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use crate::text::Text;
+
+/// The unit of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Unit {
+    /// A pure number.
+    One,
+    /// A count.
+    Count,
+    /// Text: no unit.
+    None,
+    /// Millimetres.
+    Millimetre,
+    /// Radians.
+    Radian,
+    /// Degrees.
+    Degree,
+    /// Intervals of the discretisation.
+    Step,
+    /// Millimetres a minute.
+    MillimetrePerMinute,
+    /// Millimetres a revolution.
+    MillimetrePerRevolution,
+    /// Metres a minute.
+    MetrePerMinute,
+    /// Revolutions a minute.
+    RevolutionPerMinute,
+    /// Seconds.
+    Second,
+}
+
+impl Unit {
+    /// What stands in a unit cell; empty for a pure number and for text.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::One | Self::Count | Self::None => "",
+            Self::Millimetre => "mm",
+            Self::Radian => "rad",
+            Self::Degree => "°",
+            Self::Step => "h",
+            Self::MillimetrePerMinute => "mm/min",
+            Self::MillimetrePerRevolution => "mm/rev",
+            Self::MetrePerMinute => "m/min",
+            Self::RevolutionPerMinute => "rpm",
+            Self::Second => "s",
+        }
+    }
+}
+
+/// The values of a column, one for each row.
+#[derive(Clone, Debug)]
+pub enum Values {
+    /// Numbers.
+    Numbers(Arc<[f64]>),
+    /// One component (0, 1, 2) of a list of vectors.
+    Component(Arc<[Vector3<f64>]>, usize),
+    /// Texts.
+    Texts(Arc<[Text]>),
+}
+
+/// One cell of a table.
+#[derive(Clone, Copy, Debug)]
+pub enum Entry<'a> {
+    /// A number.
+    Number(f64),
+    /// A text.
+    Text(&'a Text),
+}
+
+impl Values {
+    /// How many rows there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.len(),
+            Self::Component(values, _) => values.len(),
+            Self::Texts(values) => values.len(),
+        }
+    }
+
+    /// True for a column without rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The entry of one row.
+    ///
+    /// # Panics
+    /// For a row that is not there.
+    #[must_use]
+    pub fn get(&self, row: usize) -> Entry<'_> {
+        match self {
+            Self::Numbers(values) => Entry::Number(values[row]),
+            Self::Component(values, axis) => Entry::Number(values[row][*axis]),
+            Self::Texts(values) => Entry::Text(&values[row]),
+        }
+    }
+}
+
+/// A column of a table.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// The symbol, as in the source.
+    pub symbol: Text,
+    /// The unit.
+    pub unit: Unit,
+    /// How the value is computed, as a formula in the source's letters.
+    pub formula: &'static str,
+    /// The values.
+    pub values: Values,
+}
+
+impl Column {
+    /// A column of numbers.
+    #[must_use]
+    pub fn numbers(symbol: &'static str, unit: Unit, formula: &'static str, values: impl Into<Arc<[f64]>>) -> Self {
+        Self { symbol: Text::fixed(symbol, symbol), unit, formula, values: Values::Numbers(values.into()) }
+    }
+
+    /// Three columns from a list of vectors.
+    #[must_use]
+    pub fn vectors(
+        symbols: [&'static str; 3],
+        unit: Unit,
+        formula: &'static str,
+        values: &Arc<[Vector3<f64>]>,
+    ) -> [Self; 3] {
+        [0, 1, 2].map(|axis| Self {
+            symbol: Text::fixed(symbols[axis], symbols[axis]),
+            unit,
+            formula,
+            values: Values::Component(Arc::clone(values), axis),
+        })
+    }
+
+    /// A column of texts.
+    #[must_use]
+    pub fn texts(symbol: Text, formula: &'static str, values: Vec<Text>) -> Self {
+        Self { symbol, unit: Unit::None, formula, values: Values::Texts(values.into()) }
+    }
+}
+
+/// What stands in column A of a table's sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Index {
+    /// The point index i, from 0.
+    Point,
+    /// Nothing is counted: the first column is the table's own.
+    None,
+}
+
+/// A table of the method.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// The name in JSON and in findings, as `annex-1`.
+    pub key: &'static str,
+    /// The sheet's name.
+    pub name: Text,
+    /// The title.
+    pub title: Text,
+    /// Equation and annex, or "derived here".
+    pub source: Text,
+    /// What column A holds.
+    pub index: Index,
+    /// The columns, all of one length.
+    pub columns: Vec<Column>,
+}
+
+impl Table {
+    /// How many rows there are.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |column| column.values.len())
+    }
+
+    /// The first value that is not finite, as column and row: a table with one is a fault in rodete.
+    #[must_use]
+    pub fn not_finite(&self) -> Option<(usize, usize)> {
+        self.columns.iter().enumerate().find_map(|(at, column)| {
+            (0..column.values.len())
+                .find(|&row| matches!(column.values.get(row), Entry::Number(value) if !value.is_finite()))
+                .map(|row| (at, row))
+        })
+    }
+
+    /// The column with a symbol.
+    #[must_use]
+    pub fn column(&self, symbol: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.symbol.en == symbol)
+    }
+}
+
+/// A single derived value: a limit, an angle, a length of the design.
+#[derive(Clone, Debug, Serialize)]
+pub struct Quantity {
+    /// The symbol, as in the source; also the name in JSON.
+    pub symbol: &'static str,
+    /// What it is.
+    pub meaning: Text,
+    /// The value.
+    pub value: f64,
+    /// The unit.
+    pub unit: Unit,
+    /// Equation or derivation.
+    pub source: Text,
+}

@@ -1,0 +1,78 @@
+//! Text in the two languages that rodete speaks.
+//!
+//! Everything a person reads on a sheet, in a report or in a finding is a [`Text`]; the language is chosen only where
+//! the text is shown.
+
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
+/// A language of sheets, reports and findings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Language {
+    /// Spanish.
+    Es,
+    /// English.
+    #[default]
+    En,
+}
+
+impl Language {
+    /// Both languages, Spanish first.
+    pub const ALL: [Self; 2] = [Self::Es, Self::En];
+
+    /// The ISO 639-1 code, `es` or `en`.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::Es => "es",
+            Self::En => "en",
+        }
+    }
+}
+
+/// One text in Spanish and English.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Text {
+    /// Spanish.
+    pub es: Cow<'static, str>,
+    /// English.
+    pub en: Cow<'static, str>,
+}
+
+impl Text {
+    /// A text known when rodete was compiled.
+    #[must_use]
+    pub const fn fixed(es: &'static str, en: &'static str) -> Self {
+        Self { es: Cow::Borrowed(es), en: Cow::Borrowed(en) }
+    }
+
+    /// A text that carries values.
+    #[must_use]
+    pub const fn new(es: String, en: String) -> Self {
+        Self { es: Cow::Owned(es), en: Cow::Owned(en) }
+    }
+
+    /// A text that is the same in both languages: a symbol, a name typed by the user.
+    #[must_use]
+    pub fn same(text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self::new(text.clone(), text)
+    }
+
+    /// The text in one language.
+    #[must_use]
+    pub fn get(&self, language: Language) -> &str {
+        match language {
+            Language::Es => &self.es,
+            Language::En => &self.en,
+        }
+    }
+
+    /// True where there is nothing to read in either language.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.es.is_empty() && self.en.is_empty()
+    }
+}
