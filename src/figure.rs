@@ -1,0 +1,74 @@
+//! A drawing: strokes and labels in millimetres of the thing drawn, to be scaled by whoever shows it.
+
+use crate::text::Text;
+
+/// How a stroke looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ink {
+    /// Outline of the part.
+    Outline,
+    /// Hidden or constructional line: thin and grey.
+    Thin,
+    /// Centre line: dash-dotted.
+    Centre,
+    /// Mean line of a blade.
+    Blade,
+    /// Path along the obverse.
+    Obverse,
+    /// Path along the reverse.
+    Reverse,
+    /// Splitter blade.
+    Splitter,
+    /// Rapid or safe move: dashed.
+    Safe,
+    /// The first, second and third vector of a frame.
+    Axis(u8),
+}
+
+/// A polyline.
+#[derive(Clone, Debug)]
+pub struct Stroke {
+    /// How it looks.
+    pub ink: Ink,
+    /// The points (x right, y up).
+    pub points: Vec<[f64; 2]>,
+    /// Closed and filled with a light tint of its ink.
+    pub filled: bool,
+    /// Ends in an arrow head.
+    pub arrow: bool,
+}
+
+/// A word on a drawing.
+#[derive(Clone, Debug)]
+pub struct Label {
+    /// Where it stands.
+    pub at: [f64; 2],
+    /// The word.
+    pub text: Text,
+}
+
+/// Titles of a graph's axes; a figure without is a drawing of shapes with one scale both ways.
+#[derive(Clone, Debug)]
+pub struct Axes {
+    /// Title of the abscissa with its unit.
+    pub x: Text,
+    /// Title of the ordinate with its unit.
+    pub y: Text,
+}
+
+/// A drawing or graph.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Its name in the report's data, as `cover`.
+    pub key: &'static str,
+    /// The caption.
+    pub caption: Text,
+    /// Titles of the axes, for a graph.
+    pub axes: Option<Axes>,
+    /// Strokes, the first drawn first.
+    pub strokes: Vec<Stroke>,
+    /// Labels.
+    pub labels: Vec<Label>,
+    /// Legend: ink and meaning.
+    pub legend: Vec<(Ink, Text)>,
+}

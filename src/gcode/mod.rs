@@ -1,0 +1,3 @@
+//! ISO programs: words, blocks, dialects, and the writer.
+
+pub mod program;

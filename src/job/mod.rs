@@ -1,0 +1,82 @@
+//! The pure whole of a workbook kind: from checked values to tables, programs, figures and findings.
+
+use crate::finding::{Finding, Grade};
+use crate::gcode::program::Program;
+use crate::parameter::{Form, Values};
+use crate::table::{Quantity, Table};
+use crate::text::Text;
+
+/// Where an outcome comes from, for headers and reports. All of it is input: nothing below the edge reads a clock or a
+/// file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// The workbook's file name, cleaned for print.
+    pub workbook: String,
+    /// SHA-256 of the workbook's bytes, in lower-case hexadecimal.
+    pub sha256: String,
+    /// The version of rodete.
+    pub version: &'static str,
+}
+
+/// A curve of a chart: two columns of tables.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The curve's name.
+    pub name: Text,
+    /// Table key and column symbol of the abscissa; an empty symbol means the point index.
+    pub x: (&'static str, &'static str),
+    /// Table key and column symbol of the ordinate.
+    pub y: (&'static str, &'static str),
+}
+
+/// A chart on the sheet of a table.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// The key of the table on whose sheet it stands.
+    pub table: &'static str,
+    /// The title.
+    pub title: Text,
+    /// Titles of the x and y axes, with units.
+    pub axes: [Text; 2],
+    /// Both axes have one scale (a drawing of shapes).
+    pub equal: bool,
+    /// The curves.
+    pub series: Vec<Series>,
+}
+
+/// What came of a design.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The workbook kind.
+    pub form: &'static Form,
+    /// The values it was computed from.
+    pub values: Values,
+    /// Where they come from.
+    pub source: Source,
+    /// Derived limits, angles and lengths.
+    pub quantities: Vec<Quantity>,
+    /// The tables, in the order of their sheets.
+    pub tables: Vec<Table>,
+    /// The programs; empty where a finding stops the work.
+    pub programs: Vec<Program>,
+    /// Charts for the sheets.
+    pub charts: Vec<Chart>,
+    /// Drawings for the report.
+    pub figures: Vec<crate::figure::Figure>,
+    /// All findings, passed checks among them, gravest first.
+    pub findings: Vec<Finding>,
+}
+
+impl Outcome {
+    /// True where a finding stops the work: no program may be written.
+    #[must_use]
+    pub fn stopped(&self) -> bool {
+        self.findings.iter().any(|finding| finding.grade == Grade::Stop)
+    }
+
+    /// The table with a key.
+    #[must_use]
+    pub fn table(&self, key: &str) -> Option<&Table> {
+        self.tables.iter().find(|table| table.key == key)
+    }
+}
