@@ -8,3 +8,4 @@ pub mod job;
 pub mod parameter;
 pub mod table;
 pub mod text;
+pub mod workbook;
