@@ -1,5 +1,7 @@
 //! The pure whole of a workbook kind: from checked values to tables, programs, figures and findings.
 
+pub mod checks;
+
 use crate::finding::{Finding, Grade};
 use crate::gcode::program::Program;
 use crate::parameter::{Form, Values};
