@@ -12,6 +12,7 @@ pub mod header;
 pub mod parameters;
 pub mod programs;
 pub mod safety;
+pub mod slips;
 pub mod splitter;
 pub mod tables;
 pub mod tool_path;
