@@ -7,9 +7,8 @@ use crate::text::{Language, Text};
 /// The table of all findings, in their order: grade, place, what, value, limit, remedy.
 #[must_use]
 pub fn table(findings: &[Finding]) -> Table {
-    let column = |symbol: Text, entry: fn(&Finding) -> Text| {
-        Column::texts(symbol, "", findings.iter().map(entry).collect())
-    };
+    let column =
+        |symbol: Text, entry: fn(&Finding) -> Text| Column::texts(symbol, "", findings.iter().map(entry).collect());
     Table {
         key: "checks",
         name: Text::fixed("Comprobaciones", "Checks"),
@@ -41,7 +40,11 @@ pub fn summary(findings: &[Finding]) -> Text {
             .join(", ")
     };
     Text::new(
-        line([["parada", "paradas"], ["precaución", "precauciones"], ["nota o comprobación superada", "notas o comprobaciones superadas"]]),
+        line([
+            ["parada", "paradas"],
+            ["precaución", "precauciones"],
+            ["nota o comprobación superada", "notas o comprobaciones superadas"],
+        ]),
         line([["stop", "stops"], ["caution", "cautions"], ["note or passed check", "notes or passed checks"]]),
     )
 }
@@ -76,7 +79,9 @@ pub fn place(place: &Place) -> Text {
             Text::new(list(Language::Es), list(Language::En))
         }
         Place::Parameters(keys) => Text::same(keys.join(", ")),
-        Place::Point { table, index } => Text::new(format!("{table}, punto {index}"), format!("{table}, point {index}")),
+        Place::Point { table, index } => {
+            Text::new(format!("{table}, punto {index}"), format!("{table}, point {index}"))
+        }
         Place::Block { program, line } => {
             Text::new(format!("Programa {program}, línea {line}"), format!("Program {program}, line {line}"))
         }
@@ -109,9 +114,6 @@ mod tests {
             Finding::note(Place::File, text()),
         ];
         assert_eq!(summary(&findings).en, "1 stop, 0 cautions, 2 notes or passed checks");
-        assert_eq!(
-            summary(&findings).es,
-            "1 parada, 0 precauciones, 2 notas o comprobaciones superadas"
-        );
+        assert_eq!(summary(&findings).es, "1 parada, 0 precauciones, 2 notas o comprobaciones superadas");
     }
 }

@@ -157,7 +157,8 @@ pub fn save<W: Write + Seek + Send>(
         long.into_iter().map(|rows| (format!("xl/worksheets/sheet{}.xml", rows.sheet + 1), rows)).collect();
     for index in 0..skeleton.len() {
         let mut part = skeleton.by_index(index)?;
-        let Some(at) = long.iter().position(|(name, _)| name == part.name()) else {
+        let name = part.name_raw().to_vec();
+        let Some(at) = long.iter().position(|(one, _)| one.as_bytes() == name) else {
             package.raw_copy_file(part)?;
             continue;
         };
@@ -222,10 +223,10 @@ fn tags(row: &str) -> Result<Vec<Tag>, WriteError> {
     loop {
         match reader.read_event().map_err(|_| ODD)? {
             Event::Eof => return Ok(tags),
-            Event::Empty(cell) | Event::Start(cell) if cell.name().as_ref() == b"c" => {
+            Event::Empty(cell) | Event::Start(cell) if cell.name().as_ref() == "c" => {
                 let text = |name: &str| -> Result<String, WriteError> {
                     let attribute = cell.try_get_attribute(name).map_err(|_| ODD)?;
-                    Ok(attribute.map_or_else(String::new, |one| String::from_utf8_lossy(&one.value).into_owned()))
+                    Ok(attribute.map_or_else(String::new, |one| one.value.into_owned()))
                 };
                 let column: String = text("r")?.chars().filter(char::is_ascii_alphabetic).collect();
                 let style = text("s")?;
@@ -275,7 +276,7 @@ fn escape(text: &str, xml: &mut Vec<u8>) {
 /// True for `x001B_…`, what follows an underscore in an escaped character.
 fn looks_escaped(rest: &str) -> bool {
     match rest.as_bytes() {
-        [b'x', digits @ .., ] if digits.len() >= 5 => {
+        [b'x', digits @ ..] if digits.len() >= 5 => {
             digits.iter().take(4).all(u8::is_ascii_hexdigit) && digits.get(4) == Some(&b'_')
         }
         _ => false,

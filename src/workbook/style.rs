@@ -54,6 +54,8 @@ pub struct Styles {
     pub index: Format,
     /// Text in a table.
     pub entry: Format,
+    /// The number of a block.
+    pub block_number: Format,
     /// A block of a program.
     pub block: Format,
 }
@@ -97,6 +99,7 @@ impl Default for Styles {
             number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right).set_indent(1)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
             entry: wrapped(),
+            block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
             block: Format::new().set_font_name("Consolas").set_font_size(10),
         }
     }
