@@ -1,5 +1,6 @@
 //! `rodete`: from a workbook of design parameters to checked tables, ISO programs and a report.
 
+pub mod escape;
 pub mod figure;
 pub mod finding;
 pub mod gcode;
@@ -8,3 +9,4 @@ pub mod job;
 pub mod parameter;
 pub mod table;
 pub mod text;
+pub mod workbook;
