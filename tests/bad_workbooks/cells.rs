@@ -388,8 +388,7 @@ fn a_value_inside_merged_cells_is_refused_with_their_corner() {
 #[test]
 fn symbols_must_be_there_once() {
     let parts = Parts::sound();
-    let doubled =
-        format!("<row r=\"300\"><c r=\"A300\" t=\"str\"><v>R</v></c><c r=\"C300\"><v>26</v></c></row></sheetData>");
+    let doubled = "<row r=\"300\"><c r=\"A300\" t=\"str\"><v>R</v></c><c r=\"C300\"><v>26</v></c></row></sheetData>";
     let renamed = parts.clone().cell(DATA, "A7", "<c r=\"A7\" t=\"str\"><v>radius</v></c>");
     compare(vec![
         at(
