@@ -23,10 +23,12 @@ pub mod limits;
 mod number;
 mod open;
 mod package;
+mod raw_value;
 pub mod schema;
 mod survey;
 mod unit;
 mod value;
+mod words;
 mod xml;
 
 pub use gate::gate;
