@@ -13,7 +13,8 @@ use crate::text::{Language, Text};
 
 use super::book::Book;
 use super::cells::{Content, SheetCells};
-use super::gate::{self, SheetEntry, gate};
+use super::gate::gate;
+use super::listing::{self, SheetEntry};
 use super::value::{self, VALUE, expected, named};
 use super::words;
 
@@ -158,7 +159,7 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
             ))
         }
         [(entry, language)] if alike.len() == 1 => {
-            if entry.kind == gate::Kind::Cells {
+            if entry.kind == listing::Kind::Cells {
                 Ok(((*entry).clone(), *language))
             } else {
                 Err(no_cells(entry))
@@ -176,7 +177,7 @@ fn find(sheets: &[SheetEntry], described: &Sheet, findings: &mut Vec<Finding>) -
     let [entry] = alike.as_slice() else {
         return if alike.is_empty() { Ok(None) } else { Err(ambiguous(&alike)) };
     };
-    if entry.kind != gate::Kind::Cells {
+    if entry.kind != listing::Kind::Cells {
         return Err(no_cells(entry));
     }
     if names.contains(&entry.name.as_str()) {

@@ -112,7 +112,13 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "clear",
         ),
         value("B7 blanks", "R", &sound().number("R", " 12 "), "holds \" 12 \" as if it were a number", "clear"),
-        value("B7 plus", "R", &sound().value("R", "t=\"n\"", "<v>+infinity</v>"), "as if it were a number", "clear"),
+        value(
+            "B7 plus",
+            "R",
+            &sound().value("R", "t=\"n\"", "<v>+infinity</v>"),
+            "holds +infinity, which is not a finite number",
+            "clear",
+        ),
         at(
             "B7 reference",
             &sound().number("R", "1&#50;"),
