@@ -6,6 +6,8 @@
 pub mod assembly;
 pub mod blade;
 pub mod blade_count;
+pub mod cases;
+pub mod contradictions;
 pub mod design;
 pub mod discretisation;
 pub mod header;
