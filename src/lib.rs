@@ -1,5 +1,6 @@
 //! `rodete`: from a workbook of design parameters to checked tables, ISO programs and a report.
 
+//pub mod cli;
 pub mod figure;
 pub mod finding;
 pub mod gcode;

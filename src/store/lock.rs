@@ -16,7 +16,7 @@ use crate::text::{Text, printable};
 pub(super) const NAME: &str = ".rodete.lock";
 
 /// How long another run may take for its renames before this one gives up.
-const PATIENCE: Duration = Duration::from_secs(10);
+const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The lock of a folder, held until it is dropped. The system lets go of it when the process ends, however it ends.
 #[derive(Debug)]
@@ -30,7 +30,7 @@ impl Lock {
     /// Waits for the lock of a folder.
     ///
     /// # Errors
-    /// Exit 5 where the lock file cannot be made, or where another run holds it for more than ten seconds.
+    /// Exit 5 where the lock file cannot be made, or where another run holds it for more than five seconds.
     pub(super) fn wait(folder: &Path) -> Result<Self, Refusal> {
         let started = Instant::now();
         loop {

@@ -23,7 +23,7 @@ mod reason;
 mod set;
 mod target;
 
-pub use draft::{Output, abandon};
+pub use draft::{Output, abandon, sha256};
 pub use folder::Folder;
 pub use name::{file_name, stem};
 pub use set::{Existing, Set, Written};
