@@ -233,11 +233,11 @@ const CUTTING: &[Parameter] = &[
         t("Avance de la punta sobre la pieza", "Feed of the tool tip over the part"),
         t("Obligatorio con style = full", "Required with style = full"),
     ),
-    real(
+    whole(
         "S",
         "speed_S",
         Unit::RevolutionPerMinute,
-        [1.0, 200_000.0],
+        [1, 200_000],
         false,
         t("Velocidad del husillo", "Spindle speed"),
         t("Obligatorio con style = full", "Required with style = full"),
@@ -326,14 +326,26 @@ const BLANK: &[Parameter] = &[
         t("Avance del torno", "Feed of the lathe"),
         t("Publicado: 0.1", "Published: 0.1"),
     ),
-    real(
+    whole(
         "S_b",
         "blank_speed_S_b",
         Unit::MetrePerMinute,
-        [1.0, 5000.0],
+        [1, 5000],
         true,
         t("Velocidad de corte constante del torno", "Constant surface speed of the lathe"),
         t("Publicado: 300", "Published: 300"),
+    ),
+    whole(
+        "S_m",
+        "blank_speed_limit_S_m",
+        Unit::RevolutionPerMinute,
+        [1, 20_000],
+        false,
+        t("Límite de velocidad del cabezal del torno", "Limit of the lathe's spindle speed"),
+        t(
+            "Con velocidad de corte constante el cabezal se acelera hacia el centro; sólo con style = full",
+            "Under constant surface speed the spindle speeds up towards the centre; with style = full only",
+        ),
     ),
     whole(
         "T_b",
@@ -588,7 +600,7 @@ fn published(language: Language) -> Vec<(&'static str, Value)> {
         ("block_step", Value::Whole(10)),
         ("C", Value::Real(1.0)),
         ("F_b", Value::Real(0.1)),
-        ("S_b", Value::Real(300.0)),
+        ("S_b", Value::Whole(300)),
         ("T_b", Value::Whole(1)),
         ("D_b", Value::Whole(1)),
         ("L_b", Value::Real(40.0)),
@@ -613,6 +625,11 @@ fn full(language: Language) -> Vec<(&'static str, Value)> {
             entry.1 = value;
         }
     }
-    values.extend([("F", Value::Real(300.0)), ("S", Value::Real(6000.0)), ("F_max", Value::Real(6000.0))]);
+    values.extend([
+        ("F", Value::Real(300.0)),
+        ("S", Value::Whole(6000)),
+        ("F_max", Value::Real(6000.0)),
+        ("S_m", Value::Whole(3000)),
+    ]);
     values
 }
