@@ -1,7 +1,8 @@
 //! `rodete`: from a workbook of design parameters to checked tables, ISO programs and a report.
 
 pub mod blank;
-//pub mod cli;
+pub mod cli;
+pub mod escape;
 pub mod figure;
 pub mod finding;
 pub mod gcode;
@@ -15,3 +16,4 @@ pub mod store;
 pub mod table;
 pub mod text;
 pub mod verify;
+pub mod workbook;

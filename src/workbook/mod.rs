@@ -1,0 +1,34 @@
+//! Reading an input workbook: from a path to checked values, or to a refusal that lists everything found.
+//!
+//! [`open`] is the only place that opens a path for reading; [`gate`] walks the package under caps and refuses what is
+//! damaged, hostile or not an `.xlsx`; the cells of the form's sheets are then streamed, and [`schema`] turns them into
+//! [`Values`](crate::parameter::Values).
+//!
+//! # Limits
+//! See [`limits`]. Whatever the bytes are, reading ends in bounded time and memory.
+
+/// A [`Text`](crate::text::Text) from a Spanish and an English format string over the same values; a named value is a
+/// text itself and enters in each language.
+macro_rules! say {
+    ($es:literal, $en:literal $(, $name:ident = $text:expr)* $(,)?) => {
+        $crate::text::Text::new(format!($es $(, $name = $text.es)*), format!($en $(, $name = $text.en)*))
+    };
+}
+
+mod address;
+mod book;
+mod cells;
+pub mod gate;
+pub mod limits;
+mod number;
+mod open;
+mod package;
+pub mod schema;
+mod survey;
+mod unit;
+mod value;
+mod xml;
+
+pub use gate::gate;
+pub use open::open;
+pub use schema::{Filled, read};
