@@ -1,3 +1,7 @@
 //! The command `rodete`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    rodete::cli::run(std::env::args_os())
+}

@@ -3,8 +3,9 @@
 use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 
+use crate::escape::printable;
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::{Text, printable};
+use crate::text::Text;
 
 thread_local! {
     /// What the last panic of this thread said, and where.
@@ -33,7 +34,7 @@ fn sentence(panic: &PanicHookInfo<'_>) -> String {
     let message = panic.payload_as_str().unwrap_or("no message");
     let line = message.lines().next().unwrap_or_default();
     let place = panic.location().map(|at| format!(", {}:{}", at.file(), at.line())).unwrap_or_default();
-    printable(&format!("{line}{place}")).into_owned()
+    printable(&format!("{line}{place}"))
 }
 
 /// Does a piece of work; a panic in it becomes a refusal of exit 1.

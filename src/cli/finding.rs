@@ -3,8 +3,9 @@
 use anstyle::{AnsiColor, Style};
 use textwrap::{Options, fill};
 
+use crate::escape::printable;
 use crate::finding::{CellPlace, Finding, Grade, Place};
-use crate::text::{Language, Text, printable};
+use crate::text::{Language, Text};
 
 /// Most findings of a workbook that are printed; the rest is counted.
 const MOST: usize = 50;
@@ -41,6 +42,11 @@ pub(super) fn general(finding: &Finding, language: Language, width: Option<usize
 pub(super) fn one(finding: &Finding, workbook: &str, language: Language, width: Option<usize>) -> String {
     let arrow = Style::new().fg_color(Some(AnsiColor::Blue.into()));
     let mut text = head(finding, language, width);
+    // A note on a result names it in its sentence.
+    if finding.grade == Grade::Note && matches!(finding.place, Place::File | Place::Point { .. } | Place::Block { .. })
+    {
+        return text;
+    }
     text.push_str(&wrapped(&format!("  {arrow}-->{arrow:#} {}", place(&finding.place, workbook, language)), 6, width));
     text.push_str(&hint(finding, language, width));
     text
@@ -70,7 +76,7 @@ fn sentence(finding: &Finding, language: Language) -> String {
     let bound = if what.contains(finding.limit.as_str()) { "" } else { finding.limit.as_str() };
     let bound = if bound.is_empty() { String::new() } else { format!("{} {}", limit.get(language), printable(bound)) };
     match (value.is_empty(), bound.is_empty()) {
-        (true, true) => what.into_owned(),
+        (true, true) => what,
         (false, true) => format!("{what}: {}", printable(value)),
         (true, false) => format!("{what} ({bound})"),
         (false, false) => format!("{what}: {} ({bound})", printable(value)),

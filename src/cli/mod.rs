@@ -29,8 +29,13 @@ use clap::error::{Error, ErrorKind};
 use self::args::{Arguments, Check, Command};
 use self::terminal::Terminal;
 use self::verdict::{Verdict, code, gravest};
+use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::text::{Language, printable};
+use crate::text::Language;
+
+/// The commands' names in JSON.
+const CHECK: &str = "check";
+const BUILD: &str = "build";
 
 /// Runs a command line, the program's name first, and gives the process exit code.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
@@ -86,7 +91,7 @@ fn check(arguments: &Check, terminal: &mut Terminal) -> Exit {
         return refused(&refusal, language, terminal);
     }
     interrupt::listen();
-    let mut sink = Sink::new("check", language, arguments.json);
+    let mut sink = Sink::new(CHECK, language, arguments.json);
     let work = |workbook: &PathBuf| reading::check(workbook);
     side_by_side::run(&arguments.workbooks, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
     sink.end(terminal)
@@ -95,8 +100,7 @@ fn check(arguments: &Check, terminal: &mut Terminal) -> Exit {
 /// Says why a command was not begun.
 fn refused(refusal: &Refusal, language: Language, terminal: &mut Terminal) -> Exit {
     let width = terminal.width;
-    let text: String =
-        refusal.findings.iter().map(|one: &Finding| finding::general(one, language, width)).collect();
+    let text: String = refusal.findings.iter().map(|one: &Finding| finding::general(one, language, width)).collect();
     terminal.err(&text);
     refusal.exit
 }
@@ -119,7 +123,7 @@ impl Sink {
         self.exit = gravest(self.exit, verdict.exit);
         match &mut self.kept {
             Some(kept) => kept.push(verdict),
-            None => show::verdict(&verdict, self.language, terminal),
+            None => show::verdict(&verdict, self.command == BUILD, self.language, terminal),
         }
     }
 

@@ -5,9 +5,10 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::escape::printable_path;
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::store;
-use crate::text::{Text, printable};
+use crate::text::Text;
 
 /// One workbook with the place of its outputs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -91,7 +92,7 @@ fn real(path: &Path) -> PathBuf {
 }
 
 fn shown(path: &Path) -> String {
-    printable(&path.to_string_lossy()).into_owned()
+    printable_path(path)
 }
 
 fn refusal(what: Text, remedy: Text) -> Refusal {

@@ -3,8 +3,9 @@
 use textwrap::core::display_width;
 
 use super::finding::wrapped;
+use crate::escape::printable;
 use crate::table::{Quantity, Unit};
-use crate::text::{Language, printable};
+use crate::text::Language;
 
 /// Decimals shown; the results workbook has the values whole.
 const DECIMALS: usize = 4;

@@ -6,7 +6,7 @@ use super::fault;
 use super::kinds::FORMS;
 use super::verdict::Verdict;
 use crate::escape::printable;
-use crate::finding::{Exit, Grade, Refusal};
+use crate::finding::{Exit, Refusal};
 use crate::job::{self, Outcome, Source};
 use crate::store;
 use crate::workbook::{self, Filled};
@@ -50,7 +50,7 @@ pub(super) fn read(path: &Path, verdict: &mut Verdict) -> Result<(Vec<u8>, Fille
 /// The outcome of a filled-in form, with what was found when it was read.
 ///
 /// # Errors
-/// Exit 3 where a finding stops the work; exit 1 for a value that is not finite, which is a fault.
+/// Whatever the computation refuses. An outcome that a finding stops is no error: its derived values are shown.
 pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Verdict) -> Result<Outcome, Refusal> {
     let source = Source {
         workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
@@ -63,14 +63,8 @@ pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Verdict) -> Res
     outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     verdict.findings.clone_from(&outcome.findings);
     verdict.quantities.clone_from(&outcome.quantities);
-    for table in &outcome.tables {
-        if let Some((column, row)) = table.not_finite() {
-            return Err(fault::refusal(&format!("{}, column {}, i = {row}: not a finite number", table.key, column + 1)));
-        }
-    }
     if outcome.stopped() {
         verdict.exit = Exit::Refused;
     }
-    debug_assert_eq!(outcome.stopped(), verdict.findings.iter().any(|finding| finding.grade == Grade::Stop));
     Ok(outcome)
 }

@@ -7,12 +7,14 @@ use anstyle::{AnsiColor, Style};
 use super::terminal::Terminal;
 use super::verdict::Verdict;
 use super::{finding, quantity};
+use crate::escape::printable_path;
 use crate::finding::{Exit, Grade};
-use crate::text::{Language, Text, printable};
+use crate::text::{Language, Text};
 
 /// Prints what is to say about one workbook: derived values, findings, files, and a closing line. Findings that stop
-/// the work go to standard error, the rest to standard output.
-pub(super) fn verdict(verdict: &Verdict, language: Language, terminal: &mut Terminal) {
+/// the work go to standard error, with the closing line then, the rest to standard output. `writes`: the command is one
+/// that writes files.
+pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, terminal: &mut Terminal) {
     let workbook = path(&verdict.workbook);
     let width = terminal.width;
     let bold = Style::new().bold();
@@ -25,7 +27,12 @@ pub(super) fn verdict(verdict: &Verdict, language: Language, terminal: &mut Term
     terminal.err(&stops);
     terminal.out(&finding::list(&verdict.findings, |grade| grade != Grade::Stop, &workbook, language, width));
     terminal.out(&files(verdict));
-    terminal.out(&closing(verdict, &workbook, language));
+    let closing = closing(verdict, writes, &workbook, language);
+    if matches!(verdict.exit, Exit::Done | Exit::ReportFailed) {
+        terminal.out(&closing)
+    } else {
+        terminal.err(&closing)
+    }
 }
 
 /// The files with size and SHA-256, one a line.
@@ -42,7 +49,7 @@ fn files(verdict: &Verdict) -> String {
         .collect()
 }
 
-fn closing(verdict: &Verdict, workbook: &str, language: Language) -> String {
+fn closing(verdict: &Verdict, writes: bool, workbook: &str, language: Language) -> String {
     let colour = match verdict.exit {
         Exit::Done if verdict.count(Grade::Caution) == 0 => AnsiColor::Green,
         Exit::Done | Exit::ReportFailed => AnsiColor::Yellow,
@@ -52,12 +59,13 @@ fn closing(verdict: &Verdict, workbook: &str, language: Language) -> String {
     let folder = verdict.folder.as_deref().map(path).unwrap_or_default();
     let count = verdict.files.len();
     let end = match (verdict.exit, count) {
-        (Exit::Done, 0) => Text::fixed("se puede construir", "can be built"),
+        (Exit::Done, 0) if !writes => Text::fixed("se puede construir", "can be built"),
         (Exit::Done, _) => Text::new(format!("{count} ficheros en {folder}"), format!("{count} files in {folder}")),
         (Exit::ReportFailed, _) => Text::new(
             format!("{count} ficheros en {folder}, sin informe"),
             format!("{count} files in {folder}, without a report"),
         ),
+        _ if !writes => Text::fixed("no se puede construir", "cannot be built"),
         (Exit::Refused, _) => Text::fixed("rechazado; no se ha escrito nada", "refused; nothing was written"),
         _ => Text::fixed("no se ha escrito nada", "nothing was written"),
     };
@@ -79,7 +87,7 @@ fn closing(verdict: &Verdict, workbook: &str, language: Language) -> String {
 
 /// A path as it may be shown.
 pub(super) fn path(path: &Path) -> String {
-    printable(&path.to_string_lossy()).into_owned()
+    printable_path(path)
 }
 
 /// The first characters of a SHA-256.

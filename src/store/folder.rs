@@ -1,5 +1,6 @@
 //! The folder that outputs go to.
 
+use std::ffi::OsStr;
 use std::fs::{self, OpenOptions};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -17,6 +18,7 @@ const LEFTOVER: Duration = Duration::from_secs(60);
 /// A folder known to exist and to take files.
 #[derive(Debug)]
 pub struct Folder {
+    /// As it was given; empty for the current folder.
     path: PathBuf,
     /// The folders made for it, outermost first.
     made: Vec<PathBuf>,
@@ -29,8 +31,8 @@ impl Folder {
     /// # Errors
     /// Exit 5 where the path is not a folder, or where no file can be made in it.
     pub fn open(path: &Path) -> Result<Self, Refusal> {
-        let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
         let mut folder = Self { path: path.to_owned(), made: Vec::new() };
+        let path = here(path);
         folder.make().map_err(|error| match fs::metadata(path) {
             Ok(found) if !found.is_dir() => refusal(
                 Text::new(format!("{} no es una carpeta", shown(path)), format!("{} is not a folder", shown(path))),
@@ -43,10 +45,14 @@ impl Folder {
         Ok(folder)
     }
 
-    /// The folder's path, as it was given.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
+    /// The folder's path as the system wants it: `.` for the current folder.
+    pub(super) fn place(&self) -> &Path {
+        here(&self.path)
+    }
+
+    /// The path of a file in the folder, beginning with the folder as it was given.
+    pub(super) fn join(&self, name: &OsStr) -> PathBuf {
+        self.path.join(name)
     }
 
     fn make(&mut self) -> io::Result<()> {
@@ -67,19 +73,19 @@ impl Folder {
                 Err(error) => return Err(error),
             }
         }
-        if fs::metadata(&self.path)?.is_dir() { Ok(()) } else { Err(ErrorKind::NotADirectory.into()) }
+        if fs::metadata(self.place())?.is_dir() { Ok(()) } else { Err(ErrorKind::NotADirectory.into()) }
     }
 
     /// Removes leftovers: temporary files of ours that are old and that nobody has locked. What cannot be removed does
     /// no harm and stays.
     fn sweep(&self) {
-        let Ok(entries) = fs::read_dir(&self.path) else { return };
+        let Ok(entries) = fs::read_dir(self.place()) else { return };
         let old: Vec<_> = entries.flatten().filter(is_ours_and_old).map(|entry| entry.path()).collect();
         if old.is_empty() {
             return;
         }
         // Under the lock, so that no set is just being renamed: its way back lies in such files.
-        let Ok(Some(_lock)) = Lock::attempt(&self.path) else { return };
+        let Ok(Some(_lock)) = Lock::attempt(self.place()) else { return };
         for path in old {
             let unlocked = OpenOptions::new().write(true).open(&path).is_ok_and(|file| file.try_lock().is_ok());
             if unlocked {
@@ -87,6 +93,10 @@ impl Folder {
             }
         }
     }
+}
+
+fn here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
 }
 
 fn is_ours_and_old(entry: &fs::DirEntry) -> bool {

@@ -9,8 +9,9 @@ use std::time::{Duration, Instant};
 use same_file::Handle;
 
 use super::reason::{refusal, shown, unwritable};
+use crate::escape::printable;
 use crate::finding::Refusal;
-use crate::text::{Text, printable};
+use crate::text::Text;
 
 /// The lock file's name.
 pub(super) const NAME: &str = ".rodete.lock";

@@ -3,7 +3,7 @@
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
-use crate::text::unprintable;
+use crate::escape::hidden;
 
 /// Most bytes of a stem: with the longest ending it stays below the 255 bytes that file systems allow.
 const LONGEST: usize = 200;
@@ -41,7 +41,7 @@ pub fn file_name(stem: &OsStr, ending: &str) -> OsString {
 }
 
 fn forbidden(character: char) -> bool {
-    matches!(character, '<' | '>' | ':' | '"' | '/' | '\\' | '|' | '?' | '*') || unprintable(character)
+    matches!(character, '<' | '>' | ':' | '"' | '/' | '\\' | '|' | '?' | '*') || hidden(character)
 }
 
 fn end(mut clean: Vec<u8>) -> Vec<u8> {

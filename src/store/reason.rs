@@ -3,8 +3,9 @@
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
+use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::{Text, printable};
+use crate::text::Text;
 
 /// A refusal of exit 5 for a path, with the reason that the system gives.
 pub(super) fn unwritable(path: &Path, error: &io::Error) -> Refusal {
@@ -26,7 +27,7 @@ pub(super) fn refusal(what: Text, remedy: Text) -> Refusal {
 
 /// A path as it may be shown.
 pub(super) fn shown(path: &Path) -> String {
-    printable(&path.to_string_lossy()).into_owned()
+    printable_path(path)
 }
 
 /// The reason and the remedy for an error of the system.
@@ -67,6 +68,6 @@ pub(super) fn words(error: &io::Error) -> (Text, Text) {
             Text::fixed("está en uso", "it is in use"),
             Text::fixed("ciérrelo en los demás programas", "close it in the other programs"),
         ),
-        _ => (Text::same(printable(&error.to_string()).into_owned()), another),
+        _ => (Text::same(printable(&error.to_string())), another),
     }
 }

@@ -4,7 +4,7 @@ use std::ffi::{OsStr, OsString};
 use std::fmt::Display;
 use std::fs;
 use std::io::{self, ErrorKind};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use tempfile::{Builder, TempPath};
 
@@ -13,8 +13,9 @@ use super::folder::Folder;
 use super::lock::Lock;
 use super::reason::{shown, unwritable, words};
 use super::target;
+use crate::escape::printable;
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::{Text, printable};
+use crate::text::Text;
 
 /// What happens to a file that already has the name of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,9 +68,10 @@ impl<'f> Set<'f> {
     /// Exit 2 where it is an input or already in the set. Exit 5 where the name is not one of a file, is taken by a
     /// link, a folder or a device, is open in Excel or LibreOffice, or exists and is to be kept.
     pub fn check(&self, name: &OsStr) -> Result<(), Refusal> {
-        let path = self.folder.path().join(name);
+        let path = self.folder.join(name);
         // A separator would lead out of the folder.
-        if path.file_name() != Some(name) || path.parent() != Some(self.folder.path()) {
+        let mut steps = Path::new(name).components();
+        if !matches!((steps.next(), steps.next()), (Some(Component::Normal(only)), None) if only == name) {
             return Err(unwritable(&path, &ErrorKind::InvalidFilename.into()));
         }
         if self.pending.iter().any(|one| one.written.name == name) {
@@ -100,8 +102,8 @@ impl<'f> Set<'f> {
         fill: impl FnOnce(&mut Output<'_>) -> Result<(), E>,
     ) -> Result<&Written, Refusal> {
         self.check(name)?;
-        let path = self.folder.path().join(name);
-        let draft = Draft::new(self.folder.path()).map_err(|error| unwritable(&path, &error))?;
+        let path = self.folder.join(name);
+        let draft = Draft::new(self.folder.place()).map_err(|error| unwritable(&path, &error))?;
         let mut output = draft.output().map_err(|error| unwritable(&path, &error))?;
         let filled = fill(&mut output);
         output.finish().map_err(|error| unwritable(&path, &error))?;
@@ -112,7 +114,7 @@ impl<'f> Set<'f> {
         self.pending
             .last()
             .map(|one| &one.written)
-            .ok_or_else(|| unwritable(self.folder.path(), &ErrorKind::Other.into()))
+            .ok_or_else(|| unwritable(self.folder.place(), &ErrorKind::Other.into()))
     }
 
     /// The files written so far, in order.
@@ -138,11 +140,11 @@ impl<'f> Set<'f> {
         for one in &self.pending {
             target::check(&one.written.path, &self.inputs)?;
         }
-        let _lock = Lock::wait(self.folder.path())?;
+        let _lock = Lock::wait(self.folder.place())?;
         let mut unfinished = unfinished();
         let mut replaced = Vec::with_capacity(self.pending.len());
         for one in &mut self.pending {
-            match replace(one, self.existing, &mut unfinished) {
+            match replace(one, self.folder, self.existing, &mut unfinished) {
                 Ok(step) => replaced.push(step),
                 Err(error) => {
                     let stuck = put_back(replaced);
@@ -157,7 +159,7 @@ impl<'f> Set<'f> {
         drop(replaced);
         drop(unfinished);
         // The renames themselves survive a power cut once the folder is on the disk; not every system can do that.
-        let _ = fs::File::open(self.folder.path()).and_then(|folder| folder.sync_all());
+        let _ = fs::File::open(self.folder.place()).and_then(|folder| folder.sync_all());
         Ok(self.pending.drain(..).map(|one| one.written).collect())
     }
 }
@@ -169,28 +171,33 @@ struct Replaced {
     before: Option<TempPath>,
 }
 
-fn replace(one: &mut Pending, existing: Existing, unfinished: &mut Unfinished) -> io::Result<Replaced> {
+fn replace(
+    one: &mut Pending,
+    folder: &Folder,
+    existing: Existing,
+    unfinished: &mut Unfinished,
+) -> io::Result<Replaced> {
     let target = &one.written.path;
-    let before = if existing == Existing::Replace { second_name(target)? } else { None };
+    let before = if existing == Existing::Replace { second_name(target, folder)? } else { None };
     one.draft.become_final(target, existing == Existing::Replace, unfinished)?;
     Ok(Replaced { target: target.clone(), before })
 }
 
 /// A second name for a file, so that its first one can be replaced and put back; `None` where there is no file. On a
 /// file system without hard links the file is copied.
-fn second_name(target: &Path) -> io::Result<Option<TempPath>> {
+fn second_name(target: &Path, folder: &Folder) -> io::Result<Option<TempPath>> {
     if let Err(error) = fs::symlink_metadata(target) {
         return if error.kind() == ErrorKind::NotFound { Ok(None) } else { Err(error) };
     }
-    let folder = target.parent().unwrap_or(Path::new("."));
     let second =
-        Builder::new().prefix(PREFIX).suffix(SUFFIX).rand_bytes(8).make_in(folder, |path| {
-            match fs::hard_link(target, path) {
+        Builder::new().prefix(PREFIX).suffix(SUFFIX).rand_bytes(8).make_in(
+            folder.place(),
+            |path| match fs::hard_link(target, path) {
                 Err(error) if matches!(error.kind(), ErrorKind::AlreadyExists | ErrorKind::NotFound) => Err(error),
                 Err(_) => fs::copy(target, path).map(|_| ()),
                 Ok(()) => Ok(()),
-            }
-        })?;
+            },
+        )?;
     Ok(Some(second.into_temp_path()))
 }
 

@@ -1,3 +1,5 @@
+//! Workbooks: reading a filled-in form, writing forms and results.
+//!
 //! Reading an input workbook: from a path to checked values, or to a refusal that lists everything found.
 //!
 //! [`open`] is the only place that opens a path for reading; [`gate`] walks the package under caps and refuses what is
@@ -17,15 +19,22 @@ macro_rules! say {
 
 mod address;
 mod book;
+pub mod cell;
 mod cells;
+pub mod error;
+pub mod form_sheet;
 pub mod gate;
 pub mod limits;
 mod number;
 mod open;
 mod package;
+pub mod page;
 pub mod schema;
+pub mod style;
 mod survey;
+pub mod template;
 mod unit;
+pub mod validation;
 mod value;
 mod xml;
 
