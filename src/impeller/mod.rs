@@ -6,12 +6,15 @@
 pub mod assembly;
 pub mod blade;
 pub mod blade_count;
+pub mod cases;
+pub mod contradictions;
 pub mod design;
 pub mod discretisation;
 pub mod header;
 pub mod parameters;
 pub mod programs;
 pub mod safety;
+pub mod slips;
 pub mod splitter;
 pub mod tables;
 pub mod tool_path;

@@ -2,6 +2,7 @@
 
 pub mod charts;
 pub mod impeller;
+mod impeller_remarks;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
