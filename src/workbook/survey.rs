@@ -149,10 +149,8 @@ impl Walk<'_> {
         let name = start.local_name();
         let name = name.as_ref();
         match (self.state, name) {
-            (State::Before, "dimension") => {
-                if raw(start, "ref").is_none_or(|range| Range::parse(&range).is_none()) {
-                    return Err(self.broken(&Text::fixed("su extensión no es válida", "its dimension is not valid")));
-                }
+            (State::Before, "dimension") if raw(start, "ref").is_none_or(|range| Range::parse(&range).is_none()) => {
+                return Err(self.broken(&Text::fixed("su extensión no es válida", "its dimension is not valid")));
             }
             (State::Before, "sheetData") if depth == 2 => self.state = State::Rows,
             (State::Rows, "row") => {
@@ -301,7 +299,8 @@ impl Walk<'_> {
                     } else {
                         say!("guarda \"{shown}\" como si fuera un número", "holds \"{shown}\" as if it were a number")
                     };
-                    self.fault(position, true, what);
+                    // Without a type given, calamine takes it for a text; with one, it gives the sheet up.
+                    self.fault(position, kind.is_some(), what);
                 } else if near && !value.parse::<f64>().is_ok_and(f64::is_finite) {
                     let what = say!(
                         "guarda {shown}, que no es un número finito",
