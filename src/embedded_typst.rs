@@ -241,3 +241,21 @@ impl FileLoader for Folder {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rodete::report::characters::SHOWN;
+    use typst_kit::fonts::embedded;
+
+    #[test]
+    fn the_embedded_fonts_have_every_character_that_reports_show() {
+        let fonts: Vec<_> = embedded().map(|(_, font)| font).collect();
+        let missing: Vec<String> = SHOWN
+            .iter()
+            .flat_map(|&(first, last)| first..=last)
+            .filter(|&one| !fonts.iter().any(|font| font.coverage.contains(u32::from(one))))
+            .map(|one| format!("U+{:04X}", u32::from(one)))
+            .collect();
+        assert_eq!(missing, Vec::<String>::new());
+    }
+}

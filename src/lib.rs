@@ -6,5 +6,6 @@ pub mod gcode;
 pub mod impeller;
 pub mod job;
 pub mod parameter;
+pub mod report;
 pub mod table;
 pub mod text;

@@ -110,8 +110,12 @@ impl ReportFailure {
                         format!("the report could not be typeset: cannot run '{program}' ({error})"),
                     ),
                     Text::new(
-                        format!("indique con --typst o RODETE_TYPST un typst {TYPST_VERSION}, o ninguno para usar el incorporado"),
-                        format!("name a typst {TYPST_VERSION} with --typst or RODETE_TYPST, or none to use the built-in one"),
+                        format!(
+                            "indique con --typst o RODETE_TYPST un typst {TYPST_VERSION}, o ninguno para usar el incorporado"
+                        ),
+                        format!(
+                            "name a typst {TYPST_VERSION} with --typst or RODETE_TYPST, or none to use the built-in one"
+                        ),
                     ),
                 )
             }
@@ -126,8 +130,12 @@ impl ReportFailure {
                         format!("the report could not be typeset: '{program}' {en}{lines}"),
                     ),
                     Text::new(
-                        format!("las plantillas son para typst {TYPST_VERSION}; sin --typst ni RODETE_TYPST se usa el incorporado; las hojas y los programas están completos"),
-                        format!("the templates are for typst {TYPST_VERSION}; without --typst and RODETE_TYPST the built-in one is used; the sheets and programs are complete"),
+                        format!(
+                            "las plantillas son para typst {TYPST_VERSION}; sin --typst ni RODETE_TYPST se usa el incorporado; las hojas y los programas están completos"
+                        ),
+                        format!(
+                            "the templates are for typst {TYPST_VERSION}; without --typst and RODETE_TYPST the built-in one is used; the sheets and programs are complete"
+                        ),
                     ),
                 )
             }
@@ -150,14 +158,17 @@ impl Ending {
                     format!("did not end within {seconds} s and was killed"),
                 )
             }
-            Self::Interrupted => ("se ha detenido a petición del usuario".to_owned(), "was stopped by the user".to_owned()),
+            Self::Interrupted => {
+                ("se ha detenido a petición del usuario".to_owned(), "was stopped by the user".to_owned())
+            }
             Self::Lost(error) => (format!("no responde ({error})"), format!("cannot be waited for ({error})")),
             Self::Output(error) => {
                 (format!("no dejó ningún PDF legible ({error})"), format!("left no readable PDF ({error})"))
             }
-            Self::NotPdf { length } => {
-                (format!("dejó {length} bytes que no son un PDF completo"), format!("left {length} bytes that are no whole PDF"))
-            }
+            Self::NotPdf { length } => (
+                format!("dejó {length} bytes que no son un PDF completo"),
+                format!("left {length} bytes that are no whole PDF"),
+            ),
         }
     }
 }
