@@ -12,6 +12,7 @@ pub mod job;
 pub mod machine;
 pub mod number;
 pub mod parameter;
+pub mod report;
 pub mod store;
 pub mod table;
 pub mod text;
