@@ -11,8 +11,11 @@ use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Verdict;
 use super::{BUILD, Sink, reading, refused, show, side_by_side};
+use crate::escape::printable;
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
+use crate::job::Outcome;
+use crate::report::{self, Attachment, Content, Role, Typst};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, Text};
 
@@ -27,7 +30,7 @@ struct Settings<'a> {
     /// The language of sheets and report, if not the workbook's.
     language: Option<Language>,
     /// The typst that sets the report; `None`: no report.
-    typst: Option<PathBuf>,
+    typst: Option<Typst>,
     /// The folder of all outputs, if there is one.
     folder: Option<&'a Folder>,
     /// Every workbook named: no output may replace one.
@@ -65,10 +68,14 @@ pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
 
 /// The typst that was asked for: on the command line, in the environment, else the one inside rodete, or an installed
 /// one where rodete was built without.
-fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> PathBuf {
+fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     let named = named.or_else(|| env::var_os(TYPST).filter(|path| !path.is_empty()).map(PathBuf::from));
-    let _ = interrupted;
-    named.unwrap_or_default()
+    let typst = match (named, env::current_exe()) {
+        (Some(program), _) => Typst::installed(program),
+        (None, Ok(rodete)) if cfg!(feature = "embedded-typst") => Typst::embedded(rodete),
+        (None, _) => Typst::installed("typst"),
+    };
+    typst.with_interrupt(interrupted)
 }
 
 fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<(), Refusal> {
@@ -87,11 +94,9 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
     for program in &outcome.programs {
         set.write(&program_name(item, program), |out| program.write(out))?;
     }
-    let failed = None;
-    let _ = (bytes, language);
+    let mut failed = None;
     if let Some(typst) = &settings.typst {
-        let _at_work = AtWork::begin();
-        let _ = typst;
+        failed = typeset(item, &bytes, &outcome, language, typst, &mut set, verdict)?;
     }
     verdict.files = set.commit()?;
     verdict.findings.extend(leftovers(item, verdict));
@@ -103,6 +108,55 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
 
 fn program_name(item: &Item, program: &Program) -> std::ffi::OsString {
     store::file_name(&item.stem, &format!("-{}.nc", program.key))
+}
+
+/// Adds the report to the set; gives the finding where it fails, which keeps nothing else from being delivered.
+///
+/// # Errors
+/// Exit 5 where a program cannot be read back or the report cannot be written.
+fn typeset(
+    item: &Item,
+    workbook: &[u8],
+    outcome: &Outcome,
+    language: Language,
+    typst: &Typst,
+    set: &mut Set<'_>,
+    verdict: &mut Verdict,
+) -> Result<Option<Finding>, Refusal> {
+    let mut programs = Vec::with_capacity(outcome.programs.len());
+    for program in &outcome.programs {
+        let name = program_name(item, program);
+        if let Some(contents) = set.contents(&name)? {
+            programs.push((program, printable(&name.to_string_lossy()), contents));
+        }
+    }
+    let input = Attachment {
+        name: outcome.source.workbook.clone(),
+        role: Role::Input,
+        mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
+        description: Text::fixed("Libro de entrada", "Input workbook"),
+        content: Content::Bytes(workbook),
+    };
+    let programs = programs.iter().map(|(program, name, contents)| Attachment {
+        name: name.clone(),
+        role: Role::Program(program.key),
+        mime: "text/plain",
+        description: program.title.clone(),
+        content: Content::Bytes(contents),
+    });
+    let attachments: Vec<_> = std::iter::once(input).chain(programs).collect();
+    let at_work = AtWork::begin();
+    let report = report::typeset(outcome, &attachments, language, typst);
+    drop(at_work);
+    match report {
+        Ok(report) => {
+            verdict.findings.extend(report.findings);
+            let name = store::file_name(&item.stem, "-report.pdf");
+            set.write(&name, |out| std::io::Write::write_all(out, &report.pdf))?;
+            Ok(None)
+        }
+        Err(failure) => Ok(Some(failure.finding())),
+    }
 }
 
 /// A caution for each file in the folder that bears the name of an output and is not of this build: a program of an
