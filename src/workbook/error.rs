@@ -14,7 +14,19 @@ pub enum WriteError {
     /// The workbook could not be put together or written out.
     #[error(transparent)]
     Workbook(#[from] XlsxError),
-    /// A program's text could not be produced.
+    /// The package could not be written.
     #[error(transparent)]
-    Text(#[from] std::io::Error),
+    Package(#[from] zip::result::ZipError),
+    /// The output refused the bytes.
+    #[error(transparent)]
+    Output(#[from] std::io::Error),
+    /// A table does not fit on a sheet.
+    #[error("{0} is larger than a sheet can be")]
+    TooLarge(&'static str),
+    /// A table's columns are not of one length: a fault in rodete.
+    #[error("the columns of {0} are not of one length")]
+    Uneven(&'static str),
+    /// The frame for a long sheet is not as it was made: a fault in rodete.
+    #[error("the frame of a long sheet has {0}")]
+    Skeleton(&'static str),
 }

@@ -3,6 +3,8 @@
 //! Column A holds the symbol, B the meaning, C the value, D the unit, E the allowed range and a note. The same sheet
 //! opens a new workbook and a results workbook, so that results can be edited and built again.
 
+use std::collections::BTreeMap;
+
 use rust_xlsxwriter::{ColNum, IgnoreError, ProtectionOptions, RowNum, Worksheet};
 
 use super::cell::{row_height, write_text};
@@ -18,6 +20,9 @@ const MEANING: ColNum = 1;
 const VALUE: ColNum = 2;
 const UNIT: ColNum = 3;
 const RANGE: ColNum = 4;
+
+/// The last column of a form.
+pub const LAST: ColNum = RANGE;
 
 /// Widths of columns A to E, in characters.
 const WIDTHS: [f64; 5] = [12.0, 38.0, 19.0, 8.0, 42.0];
@@ -44,9 +49,44 @@ pub struct Layout {
     pub last: RowNum,
     /// The defined name and row of every value cell; all are in column C.
     pub names: Vec<(&'static str, RowNum)>,
+    /// The heights of rows in points.
+    heights: BTreeMap<RowNum, f64>,
 }
 
 impl Layout {
+    /// Makes a row at least so many points high.
+    pub fn raise(&mut self, row: RowNum, height: f64) {
+        let least = self.heights.entry(row).or_insert(height);
+        *least = least.max(height);
+        self.last = self.last.max(row);
+    }
+
+    /// Sets heights, panes, printing and protection, when everything is written.
+    ///
+    /// # Errors
+    /// For rows outside the sheet.
+    pub fn finish(
+        &self,
+        sheet: &mut Worksheet,
+        last_column: ColNum,
+        page: &Page<'_>,
+        language: Language,
+    ) -> Result<(), WriteError> {
+        for (&row, &height) in &self.heights {
+            sheet.set_row_height(row, height)?;
+        }
+        sheet.set_freeze_panes(self.header + 1, 0)?;
+        sheet.set_print_area(0, SYMBOL, self.last, last_column)?;
+        Page { repeat: (self.header, self.header), ..*page }.set_up(sheet, language)?;
+        sheet.protect_with_options(&ProtectionOptions {
+            format_cells: true,
+            format_columns: true,
+            format_rows: true,
+            ..ProtectionOptions::new()
+        });
+        Ok(())
+    }
+
     /// The defined names with the cells they stand for, as `=DATOS!$C$7`.
     pub fn defined_names<'a>(&'a self, sheet: &'a str) -> impl Iterator<Item = (&'static str, String)> + 'a {
         let quoted = rust_xlsxwriter::quote_sheet_name(sheet);
@@ -55,18 +95,19 @@ impl Layout {
 }
 
 impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
-    /// Writes the sheet: protected without a password, value cells unlocked and validated.
+    /// Writes the sheet's cells, value cells unlocked and validated; [`Layout::finish`] protects it, without a
+    /// password.
     ///
     /// # Errors
     /// For a value that is not finite, and for a form that a workbook cannot hold.
-    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, page: &Page<'_>) -> Result<Layout, WriteError> {
+    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<Layout, WriteError> {
         let language = self.language;
         sheet.set_name(self.sheet.name.get(language))?;
         for (column, width) in (0..).zip(WIDTHS) {
             sheet.set_column_width(column, width)?;
         }
         let header = self.write_head(sheet, styles)?;
-        let mut layout = Layout { header, last: header, names: Vec::new() };
+        let mut layout = Layout { header, last: header, names: Vec::new(), heights: BTreeMap::new() };
         for section in self.sheet.sections {
             layout.last += 1;
             for column in SYMBOL..=RANGE {
@@ -75,21 +116,13 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             write_text(sheet, layout.last, SYMBOL, section.title.get(language), &styles.section)?;
             for parameter in section.parameters {
                 layout.last += 1;
-                self.write_parameter(sheet, styles, layout.last, parameter)?;
+                let height = self.write_parameter(sheet, styles, layout.last, parameter)?;
+                layout.raise(layout.last, height);
                 layout.names.push((parameter.name, layout.last));
             }
         }
         sheet.ignore_error_range(header, VALUE, layout.last, VALUE, IgnoreError::NumberStoredAsText)?;
-        sheet.set_freeze_panes(header + 1, 0)?;
         sheet.set_selection(header + 2, VALUE, header + 2, VALUE)?;
-        sheet.set_print_area(0, SYMBOL, layout.last, RANGE)?;
-        Page { repeat: (header, header), ..*page }.set_up(sheet, language)?;
-        sheet.protect_with_options(&ProtectionOptions {
-            format_cells: true,
-            format_columns: true,
-            format_rows: true,
-            ..ProtectionOptions::new()
-        });
         Ok(layout)
     }
 
@@ -126,7 +159,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         styles: &Styles,
         row: RowNum,
         parameter: &Parameter,
-    ) -> Result<(), WriteError> {
+    ) -> Result<f64, WriteError> {
         let language = self.language;
         let meaning = parameter.meaning.get(language);
         let range = range_and_note(parameter, language);
@@ -165,7 +198,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             let optional = !parameter.required || self.sheet.optional;
             sheet.add_data_validation(row, VALUE, row, VALUE, &validation(parameter, optional, language)?)?;
         }
-        Ok(())
+        Ok(row_height(&[(meaning, WIDTHS[1]), (line, WIDTHS[2]), (range.as_str(), WIDTHS[4])]))
     }
 }
 

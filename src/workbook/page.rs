@@ -26,6 +26,13 @@ impl Page<'_> {
     /// # Errors
     /// For rows outside the sheet.
     pub fn set_up(&self, sheet: &mut Worksheet, language: Language) -> Result<(), XlsxError> {
+        self.set_up_plain(sheet, language);
+        sheet.set_repeat_rows(self.repeat.0, self.repeat.1)?;
+        Ok(())
+    }
+
+    /// The same without repeated rows.
+    pub fn set_up_plain(&self, sheet: &mut Worksheet, language: Language) {
         static PAGES: Text = Text::fixed("Página &P de &N", "Page &P of &N");
         sheet.set_paper_size(A4).set_print_fit_to_pages(1, 0).set_margins(0.6, 0.6, 0.8, 0.7, 0.35, 0.35);
         if self.landscape {
@@ -33,10 +40,8 @@ impl Page<'_> {
         } else {
             sheet.set_portrait();
         }
-        sheet.set_repeat_rows(self.repeat.0, self.repeat.1)?;
         sheet.set_header(format!("&L{}&R&A", header_text(self.part)));
         sheet.set_footer(format!("&L{}&R{}", header_text(self.origin), PAGES.get(language)));
-        Ok(())
     }
 }
 

@@ -18,6 +18,8 @@ pub struct Styles {
     pub title: Format,
     /// A note under the title: wrapped.
     pub note: Format,
+    /// Where a table comes from.
+    pub source: Format,
     /// A column heading.
     pub header: Format,
     /// A section heading.
@@ -36,8 +38,14 @@ pub struct Styles {
     pub input_text: Format,
     /// A value cell that stays as it is.
     pub fixed: Format,
-    /// A computed value.
+    /// A computed value beside the form: boxed.
     pub number: Format,
+    /// A computed count beside the form: boxed.
+    pub whole: Format,
+    /// A value of a table.
+    pub value: Format,
+    /// A count of a table.
+    pub count: Format,
     /// A column heading over numbers.
     pub number_header: Format,
     /// A unit over numbers.
@@ -46,6 +54,8 @@ pub struct Styles {
     pub index: Format,
     /// Text in a table.
     pub entry: Format,
+    /// The number of a block.
+    pub block_number: Format,
     /// A block of a program.
     pub block: Format,
 }
@@ -64,6 +74,7 @@ impl Default for Styles {
         Self {
             title: Format::new().set_bold().set_font_size(14).set_font_color(INK),
             note: wrapped().set_font_color(FAINT),
+            source: Format::new().set_italic().set_font_color(FAINT),
             header: header().set_align(FormatAlign::VerticalCenter).set_text_wrap(),
             section: Format::new()
                 .set_bold()
@@ -81,10 +92,14 @@ impl Default for Styles {
             ),
             fixed: ruled(top().set_align(FormatAlign::Right).set_indent(1).set_font_color(FAINT)),
             number: ruled(top().set_num_format("0.000000").set_align(FormatAlign::Right).set_indent(1)),
+            whole: ruled(top().set_align(FormatAlign::Right)),
+            value: Format::new().set_num_format("0.000000"),
+            count: Format::new(),
             number_header: header().set_align(FormatAlign::Right),
             number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right).set_indent(1)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
             entry: wrapped(),
+            block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
             block: Format::new().set_font_name("Consolas").set_font_size(10),
         }
     }

@@ -5,7 +5,8 @@ use std::io::{Seek, Write};
 use rust_xlsxwriter::Workbook;
 
 use super::error::WriteError;
-use super::form_sheet::Filling;
+use super::form_sheet::{Filling, LAST};
+use super::long_rows::save;
 use super::page::{Page, properties};
 use super::style::Styles;
 use crate::parameter::{Form, Value};
@@ -53,11 +54,12 @@ pub fn write<W: Write + Seek + Send>(
             [note.get(language), HOW.get(language)]
         };
         let filling = Filling { sheet, values: find, notes: &notes, language };
-        let layout = filling.write(workbook.add_worksheet(), &styles, &page)?;
+        let worksheet = workbook.add_worksheet();
+        let layout = filling.write(worksheet, &styles)?;
+        layout.finish(worksheet, LAST, &page, language)?;
         for (name, cell) in layout.defined_names(sheet.name.get(language)) {
             workbook.define_name(name, &cell)?;
         }
     }
-    workbook.save_to_writer(out)?;
-    Ok(())
+    save(&mut workbook, Vec::new(), out)
 }
