@@ -393,7 +393,7 @@ fn symbols_must_be_there_once() {
     compare(vec![
         at(
             "B27 twice",
-            &parts.clone().replace(DATA, "</sheetData>", &doubled),
+            &parts.clone().replace(DATA, "</sheetData>", doubled),
             Refused,
             "A7,A300",
             "the symbol R stands in 2 rows",
