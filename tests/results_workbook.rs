@@ -252,7 +252,9 @@ fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
 fn the_same_outcome_gives_the_same_bytes() {
     let outcome = common::outcome("full", &[("n", Value::Whole(2_500))]);
     assert!(written(&outcome, Language::Es) == written(&outcome, Language::Es));
-    assert!(written(&common::outcome("full", &[]), Language::En) == written(&common::outcome("full", &[]), Language::En));
+    assert!(
+        written(&common::outcome("full", &[]), Language::En) == written(&common::outcome("full", &[]), Language::En)
+    );
 }
 
 #[test]

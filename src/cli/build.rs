@@ -18,6 +18,7 @@ use crate::job::Outcome;
 use crate::report::{self, Attachment, Content, Role, Typst};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, Text};
+use crate::workbook::results;
 
 /// Endings of every file that a build may write; one that is not of this build may be left from an earlier one.
 const ENDINGS: [&str; 6] = ["-results.xlsx", "-blade.nc", "-splitter.nc", "-impeller.nc", "-blank.nc", "-report.pdf"];
@@ -91,6 +92,7 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
     if outcome.stopped() {
         return Ok(());
     }
+    set.write(&store::file_name(&item.stem, "-results.xlsx"), |out| results::write(&outcome, language, out))?;
     for program in &outcome.programs {
         set.write(&program_name(item, program), |out| program.write(out))?;
     }

@@ -1,6 +1,6 @@
 //! The commands: what is typed, what is printed, how it ends.
 //!
-//! Standard output carries what was asked for, standard error what stops it. The exit codes are those of
+//! Standard output carries what was asked for, standard error what needs attention. The exit codes are those of
 //! [`Exit`](crate::finding::Exit); of several workbooks the gravest counts.
 
 mod args;

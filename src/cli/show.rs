@@ -11,9 +11,9 @@ use crate::escape::printable_path;
 use crate::finding::{Exit, Grade};
 use crate::text::{Language, Text};
 
-/// Prints what is to say about one workbook: derived values, findings, files, and a closing line. Findings that stop
-/// the work go to standard error, with the closing line then, the rest to standard output. `writes`: the command is one
-/// that writes files.
+/// Prints what is to say about one workbook: derived values, findings, files, and a closing line. What needs
+/// attention, stops and cautions, goes to standard error, the rest to standard output. `writes`: the command is one that
+/// writes files.
 pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, terminal: &mut Terminal) {
     let workbook = path(&verdict.workbook);
     let width = terminal.width;
@@ -23,9 +23,8 @@ pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, termi
         terminal.out(&format!("{bold}{workbook}{bold:#}  {schema}  SHA-256 {sha256}\n"));
         terminal.out(&quantity::table(&verdict.quantities, language, width));
     }
-    let stops = finding::list(&verdict.findings, |grade| grade == Grade::Stop, &workbook, language, width);
-    terminal.err(&stops);
-    terminal.out(&finding::list(&verdict.findings, |grade| grade != Grade::Stop, &workbook, language, width));
+    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, &workbook, language, width));
+    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, &workbook, language, width));
     terminal.out(&files(verdict));
     let closing = closing(verdict, writes, &workbook, language);
     if matches!(verdict.exit, Exit::Done | Exit::ReportFailed) {
