@@ -35,7 +35,8 @@ pub fn printable_path(path: &Path) -> String {
 }
 
 /// True for a character that a terminal does not show as itself.
-fn hidden(character: char) -> bool {
+#[must_use]
+pub fn hidden(character: char) -> bool {
     character.is_control()
         || matches!(character,
             '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}' | '\u{200e}' | '\u{200f}'

@@ -128,6 +128,13 @@ impl Column {
         Self { symbol: Text::fixed(symbol, symbol), unit, formula, values: Values::Numbers(values.into()) }
     }
 
+    /// The column under another name.
+    #[must_use]
+    pub fn named(mut self, symbol: Text) -> Self {
+        self.symbol = symbol;
+        self
+    }
+
     /// Three columns from a list of vectors.
     #[must_use]
     pub fn vectors(

@@ -1,3 +1,12 @@
-//! ISO programs: words, blocks, dialects, and the writer.
+//! ISO programs: axes, words, comments, dialects, and the program with its text.
+//!
+//! A [`program::Program`] holds positions on the output grid, not text; its text is made line by line wherever it is
+//! needed (file, sheet, report), so that a program of a million blocks costs no more memory than its points.
 
+pub mod axis;
+pub mod comment;
+pub mod dialect;
+pub mod lines;
 pub mod program;
+pub mod summary;
+pub mod word;

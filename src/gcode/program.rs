@@ -1,56 +1,125 @@
-//! A program: blocks of words in a dialect.
+//! A program: parts in order, and its text line by line.
 
-use std::io;
+use std::sync::Arc;
 
+use crate::gcode::axis::{Axis, Position};
+use crate::gcode::dialect::Dialect;
+use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::number::grid::Milli;
 use crate::text::Text;
 
-/// What a program amounts to.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Summary {
-    /// Numbered blocks.
-    pub blocks: u64,
-    /// Bytes of the text.
-    pub bytes: u64,
-    /// Least and greatest position of each axis that moves, by letter; mm or degrees.
-    pub extents: Vec<(char, f64, f64)>,
-    /// Length of the path of the linear axes in mm.
-    pub path: f64,
-    /// Estimated time in seconds; `None` where the program carries no feed.
-    pub seconds: Option<f64>,
+/// The F words of a path.
+#[derive(Clone, Debug)]
+pub enum Feed {
+    /// None: a rapid move, or a program that carries no feed.
+    None,
+    /// One for each move.
+    Each(Arc<[Milli]>),
+}
+
+/// Moves through positions.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// The positions to go to, one block each. Shared: the same pass is cut many times.
+    pub positions: Arc<[Position]>,
+    /// Run from the last to the first.
+    pub backwards: bool,
+    /// How far C has been turned on beyond the positions.
+    pub turn: Milli,
+    /// The axes that a block names; the others stand still.
+    pub axes: &'static [Axis],
+    /// G0 instead of G1.
+    pub rapid: bool,
+    /// Absolute or incremental words.
+    pub distance: Distance,
+    /// The F words.
+    pub feed: Feed,
+    /// The time of each move in seconds where it is known, in the order of the moves.
+    pub seconds: Option<Arc<[f64]>>,
+}
+
+impl Path {
+    /// The position of the `step`th move.
+    #[must_use]
+    pub fn position(&self, step: usize) -> Option<Position> {
+        let at = if self.backwards { self.positions.len().checked_sub(step + 1)? } else { step };
+        self.positions.get(at).map(|position| position.moved(Axis::C, self.turn))
+    }
+}
+
+/// A part of a program.
+#[derive(Clone, Debug)]
+pub enum Part {
+    /// A line as it stands: the dialect's first line.
+    Opening(String),
+    /// A comment, cleaned already.
+    Comment(String),
+    /// A block of words without moves, or of a turning program.
+    Block(Vec<Word>),
+    /// Moves.
+    Path(Path),
 }
 
 /// A program.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Program {
     /// Its name in files and findings: `blade`, `splitter`, `impeller`, `blank`.
     pub key: &'static str,
     /// What it does.
     pub title: Text,
+    /// The dialect.
+    pub dialect: &'static Dialect,
+    /// How numbers are written.
+    pub format: NumberFormat,
+    /// First block number and step between block numbers; `None` where blocks are not numbered.
+    pub block_step: Option<u32>,
+    /// Where the first path starts.
+    pub start: Position,
+    /// The parts.
+    pub parts: Vec<Part>,
+}
+
+/// One move of a program.
+#[derive(Clone, Copy, Debug)]
+pub struct Move<'a> {
+    /// The path it belongs to.
+    pub path: &'a Path,
+    /// Its number in the path.
+    pub step: usize,
+    /// Where it starts.
+    pub from: Position,
+    /// Where it ends.
+    pub to: Position,
+    /// Its line in the program's text, counted from 1.
+    pub line: usize,
 }
 
 impl Program {
-    /// Calls `line` for each line of the program in order, with its block number and its text without number and end
-    /// of line. The text is borrowed: nothing is kept.
-    ///
-    /// # Errors
-    /// Passes on the error of `line`.
-    pub fn for_each(&self, line: &mut dyn FnMut(Option<u32>, &str) -> io::Result<()>) -> io::Result<()> {
-        let _ = line;
-        Ok(())
+    /// Calls `visit` for each move in order. Moves of no length are left out, as they are in the text.
+    pub fn for_each_move(&self, visit: &mut dyn FnMut(Move<'_>)) {
+        let mut at = self.start;
+        let mut line = 0;
+        for part in &self.parts {
+            let Part::Path(path) = part else {
+                line += 1;
+                continue;
+            };
+            for step in 0..path.positions.len() {
+                let Some(to) = path.position(step) else { continue };
+                if to != at {
+                    line += 1;
+                    visit(Move { path, step, from: at, to, line });
+                    at = to;
+                }
+            }
+        }
     }
 
-    /// Writes the program's text as the control reads it.
-    ///
-    /// # Errors
-    /// Passes on the error of `out`.
-    pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let _ = out;
-        Ok(())
-    }
-
-    /// What the program amounts to.
+    /// How many blocks there are: lines that may carry a number.
     #[must_use]
-    pub fn summary(&self) -> Summary {
-        Summary::default()
+    pub fn blocks(&self) -> u64 {
+        let mut blocks = self.parts.iter().filter(|part| matches!(part, Part::Block(_))).count() as u64;
+        self.for_each_move(&mut |_| blocks += 1);
+        blocks
     }
 }

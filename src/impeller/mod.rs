@@ -1,3 +1,21 @@
 //! The impeller: blades along Villarceau circles of a torus, milled on five axes.
+//!
+//! Each file holds one family of formulas; [`blade::Blade`] is the whole geometry of one blade, [`splitter::Splitter`]
+//! that of the blade between two, [`tables`] shows both as the annexes set them and [`programs`] as ISO programs.
 
+pub mod assembly;
+pub mod blade;
+pub mod blade_count;
+pub mod cases;
+pub mod contradictions;
+pub mod design;
+pub mod discretisation;
+pub mod figures;
+pub mod header;
 pub mod parameters;
+pub mod programs;
+pub mod safety;
+pub mod slips;
+pub mod splitter;
+pub mod tables;
+pub mod tool_path;

@@ -1,6 +1,11 @@
 //! The pure whole of a workbook kind: from checked values to tables, programs, figures and findings.
 
-use crate::finding::{Finding, Grade};
+pub mod charts;
+pub mod checks;
+pub mod impeller;
+mod impeller_remarks;
+
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Table};
@@ -78,5 +83,26 @@ impl Outcome {
     #[must_use]
     pub fn table(&self, key: &str) -> Option<&Table> {
         self.tables.iter().find(|table| table.key == key)
+    }
+}
+
+/// Computes a filled-in form.
+///
+/// # Errors
+/// A refusal with every contradiction between values.
+pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
+    match form.kind {
+        "impeller" => impeller::run(form, values, source),
+        _ => Err(Refusal::new(
+            Exit::Fault,
+            Finding::stop(
+                Place::File,
+                Text::new(
+                    format!("no hay cálculo para el esquema {}", form.schema),
+                    format!("there is no computation for schema {}", form.schema),
+                ),
+                Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it"),
+            ),
+        )),
     }
 }

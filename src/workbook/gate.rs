@@ -11,7 +11,7 @@ use crate::text::Text;
 use super::limits;
 use super::listing::{self, SheetEntry};
 use super::package::Package;
-use super::tables::{self, structure};
+use super::shared_tables::{self, structure};
 
 /// A workbook that passed the gate.
 #[derive(Debug)]
@@ -36,8 +36,8 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     let mut package = Package::open(bytes)?;
     format(&mut package)?;
     let (folder, sheets) = listing::sheets(&mut package)?;
-    let strings = tables::strings(&mut package, &format!("{folder}sharedStrings.xml"))?;
-    tables::styles(&mut package, &format!("{folder}styles.xml"))?;
+    let strings = shared_tables::strings(&mut package, &format!("{folder}sharedStrings.xml"))?;
+    shared_tables::styles(&mut package, &format!("{folder}styles.xml"))?;
     structure(&mut package, &format!("{folder}theme/theme1.xml"), limits::ATTRIBUTE, |_, _| Ok(()))?;
     let mut notes = Vec::new();
     if package.has_ending("vbaproject.bin") {

@@ -10,7 +10,7 @@ use crate::text::Text;
 
 use super::limits;
 use super::package::{Package, unreadable};
-use super::tables::{limit, structure};
+use super::shared_tables::{limit, structure};
 use super::xml::{attribute, damaged, raw};
 
 /// What a sheet consists of.

@@ -1,3 +1,5 @@
+//! Workbooks: reading a filled-in form, writing forms and results.
+//!
 //! Reading an input workbook: from a path to checked values, or to a refusal that lists everything found.
 //!
 //! [`open`] is the only place that opens a path for reading; [`gate`] walks the package under caps and refuses what is
@@ -17,18 +19,33 @@ macro_rules! say {
 
 mod address;
 mod book;
+pub mod cell;
 mod cells;
+pub mod charts;
+pub mod checks_sheet;
+pub mod derived;
+pub mod error;
+pub mod form_sheet;
 pub mod gate;
 pub mod limits;
 mod listing;
+pub mod long_rows;
+pub mod names;
 mod number;
 mod open;
 mod package;
+pub mod page;
+pub mod program_sheet;
 mod raw_value;
+pub mod results;
 pub mod schema;
+mod shared_tables;
+pub mod style;
 mod survey;
-mod tables;
+pub mod table_sheet;
+pub mod template;
 mod unit;
+pub mod validation;
 mod value;
 mod words;
 mod xml;

@@ -1,0 +1,3 @@
+//! The blank: the torus turned before the blades are milled.
+
+pub mod turning;

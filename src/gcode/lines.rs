@@ -1,0 +1,159 @@
+//! The text of a program, line by line.
+
+use std::io;
+
+use crate::gcode::axis::{Axis, Position};
+use crate::gcode::dialect::CommentForm;
+use crate::gcode::program::{Feed, Part, Path, Program};
+use crate::gcode::word::{Distance, Word, push_whole};
+use crate::number::grid::Milli;
+
+/// The lines of a program. Lends each line from one buffer, so that a program of any length needs no memory for its
+/// text; that is why it is not an `Iterator`.
+#[derive(Debug)]
+pub struct Lines<'a> {
+    program: &'a Program,
+    part: usize,
+    step: usize,
+    at: Position,
+    feed: Option<Milli>,
+    number: u32,
+    line: String,
+}
+
+impl Program {
+    /// The lines, one after another; see [`Lines::next`].
+    #[must_use]
+    pub fn lines(&self) -> Lines<'_> {
+        Lines::new(self)
+    }
+
+    /// Calls `line` for each line of the program in order, with its block number and its text without number and end
+    /// of line. The text is borrowed: nothing is kept.
+    ///
+    /// # Errors
+    /// Passes on the error of `line`.
+    pub fn for_each(&self, line: &mut dyn FnMut(Option<u32>, &str) -> io::Result<()>) -> io::Result<()> {
+        let mut lines = self.lines();
+        while let Some((number, text)) = lines.next() {
+            line(number, text)?;
+        }
+        Ok(())
+    }
+
+    /// Writes the program's text as the control reads it.
+    ///
+    /// # Errors
+    /// Passes on the error of `out`.
+    pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        let mut line = String::new();
+        self.for_each(&mut |number, text| {
+            line.clear();
+            if let Some(number) = number {
+                line.push('N');
+                push_whole(&mut line, number);
+                line.push(' ');
+            }
+            line.push_str(text);
+            line.push_str(self.dialect.end_of_line);
+            out.write_all(line.as_bytes())
+        })
+    }
+
+    /// The program's text.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut bytes = Vec::new();
+        // A Vec takes every write.
+        let _ = self.write(&mut bytes);
+        String::from_utf8_lossy(&bytes).into_owned()
+    }
+}
+
+impl<'a> Lines<'a> {
+    fn new(program: &'a Program) -> Self {
+        Self { program, part: 0, step: 0, at: program.start, feed: None, number: 0, line: String::new() }
+    }
+
+    /// The next line: block number, and the text without number and end of line.
+    #[expect(clippy::should_implement_trait, reason = "lends its buffer, which Iterator cannot")]
+    pub fn next(&mut self) -> Option<(Option<u32>, &str)> {
+        let program = self.program;
+        self.line.clear();
+        loop {
+            match program.parts.get(self.part)? {
+                Part::Opening(text) => {
+                    self.part += 1;
+                    self.line.push_str(text);
+                    return Some((None, &self.line));
+                }
+                Part::Comment(text) => {
+                    self.part += 1;
+                    match program.dialect.comment {
+                        CommentForm::Semicolon => {
+                            self.line.push(';');
+                            self.line.push_str(text);
+                        }
+                        CommentForm::Parentheses => {
+                            self.line.push('(');
+                            self.line.push_str(text);
+                            self.line.push(')');
+                        }
+                    }
+                    return Some((None, &self.line));
+                }
+                Part::Block(words) => {
+                    self.part += 1;
+                    for word in words {
+                        word.write(program.format, &mut self.line);
+                    }
+                    return Some((self.count(), &self.line));
+                }
+                Part::Path(path) => match path.position(self.step) {
+                    None => {
+                        self.part += 1;
+                        self.step = 0;
+                    }
+                    Some(to) => {
+                        let step = self.step;
+                        self.step += 1;
+                        if to != self.at {
+                            self.write_move(path, step, to);
+                            return Some((self.count(), &self.line));
+                        }
+                    }
+                },
+            }
+        }
+    }
+
+    fn count(&mut self) -> Option<u32> {
+        let step = self.program.block_step?;
+        self.number = self.number.saturating_add(step);
+        Some(self.number)
+    }
+
+    fn write_move(&mut self, path: &Path, step: usize, to: Position) {
+        let format = self.program.format;
+        Word::whole('G', u32::from(!path.rapid)).write(format, &mut self.line);
+        for &axis in path.axes {
+            let size = match path.distance {
+                Distance::Absolute => to.get(axis),
+                Distance::Incremental => to.get(axis) - self.at.get(axis),
+            };
+            Word::size(axis.letter(), size).write(format, &mut self.line);
+        }
+        debug_assert!(
+            Axis::ALL.into_iter().all(|axis| path.axes.contains(&axis) || to.get(axis) == self.at.get(axis)),
+            "an axis moves that the block does not name"
+        );
+        if let Feed::Each(feeds) = &path.feed
+            && let Some(&feed) = feeds.get(step)
+            && (self.program.dialect.feed.in_every_block() || self.feed != Some(feed))
+        {
+            Word::size('F', feed).write(format, &mut self.line);
+            self.feed = Some(feed);
+        }
+        self.at = to;
+    }
+}

@@ -1,0 +1,172 @@
+//! Words of a block and how their numbers are written.
+
+use crate::number::grid::Milli;
+
+/// How dimension words are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NumberFormat {
+    /// Up to three decimals without trailing zeros, as the published programs: `X5.67`, `X0`.
+    Trimmed,
+    /// Three decimals always: `X5.670`, `X0.000`. On some controls `X1` is 0.001 mm.
+    Fixed,
+}
+
+/// Coordinates that follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Distance {
+    /// G90.
+    Absolute,
+    /// G91.
+    Incremental,
+}
+
+/// The number of a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Number {
+    /// A whole number without point: codes, tools, speeds.
+    Whole(u32),
+    /// A dimension or feed on the output grid.
+    Size(Milli),
+}
+
+/// An address letter with its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// The address.
+    pub letter: char,
+    /// The number.
+    pub number: Number,
+}
+
+impl Word {
+    /// A code, tool number or the like.
+    #[must_use]
+    pub const fn whole(letter: char, number: u32) -> Self {
+        Self { letter, number: Number::Whole(number) }
+    }
+
+    /// A dimension or feed.
+    #[must_use]
+    pub const fn size(letter: char, size: Milli) -> Self {
+        Self { letter, number: Number::Size(size) }
+    }
+
+    /// Appends the word to a block.
+    pub fn write(self, format: NumberFormat, block: &mut String) {
+        if !block.is_empty() {
+            block.push(' ');
+        }
+        block.push(self.letter);
+        match (self.number, format) {
+            (Number::Whole(number), _) => push_whole(block, number),
+            (Number::Size(size), NumberFormat::Trimmed) => push_size(block, size, true),
+            (Number::Size(size), NumberFormat::Fixed) => push_size(block, size, false),
+        }
+    }
+}
+
+/// Reads codes as `M3 M11 M13`, that is letters G or M with whole numbers separated by blanks.
+///
+/// `None` where anything else stands there.
+#[must_use]
+pub fn codes(text: &str) -> Option<Vec<Word>> {
+    text.split_whitespace()
+        .map(|code| {
+            let mut letters = code.chars();
+            let letter = letters.next().filter(|letter| matches!(letter, 'G' | 'M'))?;
+            let digits = letters.as_str();
+            let whole = !digits.is_empty() && digits.len() <= 4 && digits.bytes().all(|digit| digit.is_ascii_digit());
+            if whole { digits.parse().ok().map(|number| Word::whole(letter, number)) } else { None }
+        })
+        .collect()
+}
+
+/// Appends a whole number. Programs have millions of numbers: this costs a third of the standard formatting.
+pub fn push_whole(text: &mut String, number: u32) {
+    let mut digits = [b'0'; 10];
+    let mut at = digits.len();
+    let mut rest = number;
+    loop {
+        at -= 1;
+        digits[at] = digit(rest % 10);
+        rest /= 10;
+        if rest == 0 {
+            break;
+        }
+    }
+    text.extend(digits[at..].iter().map(|&digit| char::from(digit)));
+}
+
+fn digit(value: u32) -> u8 {
+    b"0123456789"[(value % 10) as usize]
+}
+
+/// Appends a number of the output grid, with three decimals or without trailing zeros. Zero has no sign.
+fn push_size(text: &mut String, size: Milli, trimmed: bool) {
+    if size < Milli::ZERO {
+        text.push('-');
+    }
+    let thousandths = size.thousandths().unsigned_abs();
+    push_whole(text, thousandths / 1000);
+    let part = thousandths % 1000;
+    let decimals = [part / 100, part / 10 % 10, part % 10].map(digit);
+    let shown = match decimals {
+        _ if !trimmed => 3,
+        [b'0', b'0', b'0'] => 0,
+        [_, b'0', b'0'] => 1,
+        [_, _, b'0'] => 2,
+        _ => 3,
+    };
+    if shown > 0 {
+        text.push('.');
+        text.extend(decimals[..shown].iter().map(|&digit| char::from(digit)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(value: f64, format: NumberFormat) -> String {
+        let mut block = String::new();
+        Word::size('X', Milli::round(value).unwrap()).write(format, &mut block);
+        block
+    }
+
+    #[test]
+    fn trimmed_numbers_have_no_trailing_zeros_and_no_negative_zero() {
+        for (value, text) in [
+            (0.0, "X0"),
+            (-0.0, "X0"),
+            (-0.0004, "X0"),
+            (-0.042, "X-0.042"),
+            (5.67, "X5.67"),
+            (-13.3333, "X-13.333"),
+            (90.0, "X90"),
+            (8.9, "X8.9"),
+            (1e-7, "X0"),
+            (0.0005, "X0.001"),
+            (100.05, "X100.05"),
+            (99_999.999, "X99999.999"),
+        ] {
+            assert_eq!(written(value, NumberFormat::Trimmed), text);
+        }
+    }
+
+    #[test]
+    fn fixed_numbers_always_have_a_point_and_three_decimals() {
+        for (value, text) in
+            [(0.0, "X0.000"), (-0.0001, "X0.000"), (-0.042, "X-0.042"), (90.0, "X90.000"), (1e-9, "X0.000")]
+        {
+            assert_eq!(written(value, NumberFormat::Fixed), text);
+        }
+    }
+
+    #[test]
+    fn codes_are_letters_g_or_m_with_whole_numbers() {
+        assert_eq!(codes("M3 M11  M13"), Some(vec![Word::whole('M', 3), Word::whole('M', 11), Word::whole('M', 13)]));
+        for bad in ["X5", "M", "M3.5", "M-3", "M3;", "M99999", "m3", "M+3"] {
+            assert_eq!(codes(bad), None, "{bad}");
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! Putting passes together into one program, in the published layout or in the full one.
+
+use std::sync::Arc;
+
+use crate::gcode::axis::{Axis, Position};
+use crate::gcode::program::{Feed, Part, Path, Program};
+use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::impeller::design::{Design, Style};
+use crate::number::grid::{LIMIT, Milli, OutOfFormat};
+use crate::text::Text;
+
+/// How often feeds had to give way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Limited {
+    /// Moves of one blade and one splitter slowed down so that no axis exceeds F_max.
+    pub by_axis: usize,
+    /// Moves whose F word reached an end of its format.
+    pub by_format: usize,
+}
+
+fn block(words: impl Into<Vec<Word>>) -> Part {
+    Part::Block(words.into())
+}
+
+const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
+
+/// One pass: from a safe point through the points of a path to the next safe point, with its F words.
+#[derive(Clone, Debug)]
+pub struct Pass {
+    points: Arc<[Position]>,
+    backwards: bool,
+    through: (Feed, Option<Arc<[f64]>>),
+    end: Arc<[Position]>,
+    out: (Feed, Option<Arc<[f64]>>),
+    /// Moves whose feed gave way.
+    pub limited: Limited,
+}
+
+impl Pass {
+    /// The pass, its feeds computed so that the tip moves over the part at F.
+    ///
+    /// # Errors
+    /// For a feed that no program may carry.
+    pub fn new(
+        design: &Design,
+        from: Position,
+        points: &Arc<[Position]>,
+        backwards: bool,
+        to: Position,
+    ) -> Result<Self, OutOfFormat> {
+        let mut limited = Limited::default();
+        let ordered: Vec<Position> = if backwards { points.iter().rev().copied().collect() } else { points.to_vec() };
+        let last = ordered.last().copied().unwrap_or(from);
+        let through = feeds(design, from, &ordered, &mut limited)?;
+        let out = feeds(design, last, &[to], &mut limited)?;
+        Ok(Self { points: Arc::clone(points), backwards, through, end: Arc::new([to]), out, limited })
+    }
+}
+
+/// The F word and the time of each move. The time is what the tip needs over the part at the feed F, or longer where an
+/// axis would exceed F_max: the axes run many times the tip's way.
+fn feeds(
+    design: &Design,
+    from: Position,
+    points: &[Position],
+    limited: &mut Limited,
+) -> Result<(Feed, Option<Arc<[f64]>>), OutOfFormat> {
+    let (Style::Full, Some(F)) = (design.style, design.F) else {
+        return Ok((Feed::None, None));
+    };
+    let law = design.dialect.feed;
+    let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
+    let mut at = from;
+    let mut tip = tip_position(design, &at);
+    for to in points {
+        let next = tip_position(design, to);
+        let differences = to.differences(&at);
+        let mut seconds = (next - tip).norm() * 60.0 / F;
+        let greatest = differences.iter().fold(0.0_f64, |most, difference| most.max(difference.abs()));
+        if let Some(F_max) = design.F_max
+            && greatest * 60.0 / F_max > seconds
+        {
+            seconds = greatest * 60.0 / F_max;
+            limited.by_axis += 1;
+        }
+        let resultant = differences.iter().map(|difference| difference * difference).sum::<f64>().sqrt();
+        let least = f64::from(1) / 1000.0;
+        let most = f64::from(LIMIT) / 1000.0;
+        let wanted = if resultant > 0.0 { law.word(seconds, resultant) } else { least };
+        let word = if wanted.is_finite() { wanted.clamp(least, most) } else { most };
+        limited.by_format += usize::from(resultant > 0.0 && (word - wanted).abs() > 0.0);
+        let word = Milli::round(word)?;
+        words.push(word);
+        times.push(if resultant > 0.0 { law.seconds(word.value(), resultant) } else { 0.0 });
+        (at, tip) = (*to, next);
+    }
+    Ok((Feed::Each(words.into()), Some(times.into())))
+}
+
+/// The point of the part at which the tip stands, mm.
+fn tip_position(design: &Design, at: &Position) -> nalgebra::Vector3<f64> {
+    let machine = nalgebra::Vector3::new(at.get(Axis::X).value(), at.get(Axis::Y).value(), at.get(Axis::Z).value());
+    let angle = |axis| at.get(axis).value().to_radians();
+    design.machine.to_part(&machine, angle(Axis::B), angle(Axis::C))
+}
+
+/// A program being put together.
+#[derive(Debug)]
+pub struct Assembly<'a> {
+    design: &'a Design,
+    parts: Vec<Part>,
+    start: Position,
+    /// Where the passes begin: the published programs start here.
+    first: Position,
+    at: Position,
+}
+
+impl<'a> Assembly<'a> {
+    /// A program whose passes begin at a safe point.
+    ///
+    /// The published layout starts right there. The full one starts over the work zero at the retract height, wherever
+    /// the machine stood before, turns B and C there, and goes down to the safe point outside the part.
+    ///
+    /// # Errors
+    /// For a position that no program may carry.
+    pub fn new(design: &'a Design, first: Position) -> Result<Self, OutOfFormat> {
+        let mut assembly = Self { design, parts: Vec::new(), start: first, first, at: first };
+        match design.style {
+            Style::Annex => {
+                let codes = std::iter::once(Word::whole('G', 91)).chain(design.start_codes.iter().copied());
+                assembly.parts.push(block(codes.collect::<Vec<_>>()));
+            }
+            Style::Full => assembly.approach()?,
+        }
+        Ok(assembly)
+    }
+
+    /// The retract height: what no part within R of the axis reaches at any B, and d_s more; rounded up.
+    fn retract(&self) -> Result<Milli, OutOfFormat> {
+        let height = self.design.machine.swing(self.design.torus.R) + self.design.d_s;
+        Milli::round((height * 1000.0).ceil() / 1000.0)
+    }
+
+    fn approach(&mut self) -> Result<(), OutOfFormat> {
+        let design = self.design;
+        let height = self.retract()?;
+        self.start = Position::default().with(Axis::Z, height);
+        self.at = self.start;
+        self.parts.push(block(design.dialect.safety_block()));
+        for words in design.dialect.tool_blocks(design.T, design.D) {
+            self.parts.push(block(words));
+        }
+        let speed = design.S.map(|S| Word::whole('S', S));
+        self.parts.push(block(speed.into_iter().chain(design.start_codes.iter().copied()).collect::<Vec<_>>()));
+        let zero = |axis: Axis| Word::size(axis.letter(), Milli::ZERO);
+        self.parts.push(block([Word::whole('G', 0), Word::size('Z', height)]));
+        self.parts.push(block([Word::whole('G', 0), zero(Axis::X), zero(Axis::Y), zero(Axis::B), zero(Axis::C)]));
+        if self.distance() == Distance::Incremental {
+            self.parts.push(block([Word::whole('G', 91)]));
+        }
+        let first = self.first;
+        let over = |from: Position, axes: &[Axis]| axes.iter().fold(from, |at, &axis| at.with(axis, first.get(axis)));
+        self.go(over(self.at, &[Axis::B, Axis::C]), &[Axis::B, Axis::C]);
+        self.go(over(self.at, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);
+        self.go(over(self.at, &[Axis::Z]), &[Axis::Z]);
+        if design.dialect.feed.code() != 94 {
+            self.parts.push(block([Word::whole('G', design.dialect.feed.code())]));
+        }
+        Ok(())
+    }
+
+    fn distance(&self) -> Distance {
+        match self.design.style {
+            Style::Annex => Distance::Incremental,
+            Style::Full => self.design.distance,
+        }
+    }
+
+    fn path(&self, positions: Arc<[Position]>, axes: &'static [Axis], rapid: bool) -> Path {
+        Path {
+            positions,
+            backwards: false,
+            turn: Milli::ZERO,
+            axes,
+            rapid,
+            distance: self.distance(),
+            feed: Feed::None,
+            seconds: None,
+        }
+    }
+
+    /// A move outside the part, of the axes named: the published layout writes it like any other block, the full one as
+    /// a rapid move.
+    pub fn go(&mut self, to: Position, axes: &'static [Axis]) {
+        let full = self.design.style == Style::Full;
+        let path = self.path(Arc::new([to]), if full { axes } else { ALL }, full);
+        self.parts.push(Part::Path(path));
+        self.at = to;
+    }
+
+    /// A pass, with C turned on.
+    pub fn cut(&mut self, pass: &Pass, turn: Milli) {
+        let through = Path {
+            backwards: pass.backwards,
+            turn,
+            feed: pass.through.0.clone(),
+            seconds: pass.through.1.clone(),
+            ..self.path(Arc::clone(&pass.points), ALL, false)
+        };
+        let out = Path {
+            turn,
+            feed: pass.out.0.clone(),
+            seconds: pass.out.1.clone(),
+            ..self.path(Arc::clone(&pass.end), ALL, false)
+        };
+        if let Some(end) = out.position(0) {
+            self.at = end;
+        }
+        self.parts.extend([Part::Path(through), Part::Path(out)]);
+    }
+
+    /// Turns C alone, at a safe point.
+    pub fn turn_to(&mut self, safe: Position, turn: Milli) {
+        let to = safe.moved(Axis::C, turn);
+        let path = self.path(Arc::new([to]), &[Axis::C], self.design.style == Style::Full);
+        self.parts.push(Part::Path(path));
+        self.at = to;
+    }
+
+    /// The turn to the next blade that closes the published program of one blade; a complete program goes back to its
+    /// start instead and so needs none.
+    pub fn turn_on(&mut self, turn: Milli) {
+        if self.design.style == Style::Annex {
+            self.turn_to(self.first, turn);
+        }
+    }
+
+    /// Closes the program: the full layout goes back to its start, C to a whole turn.
+    #[must_use]
+    pub fn finish(mut self, key: &'static str, title: Text) -> Program {
+        let design = self.design;
+        if design.style == Style::Full {
+            if design.dialect.feed.code() != 94 {
+                self.parts.push(block([Word::whole('G', 94)]));
+            }
+            let over = |at: Position, from: Position, axes: &[Axis]| {
+                axes.iter().fold(at, |at, &axis| at.with(axis, from.get(axis)))
+            };
+            let turned = self.at.get(Axis::C) - self.first.get(Axis::C);
+            let turns = turned.thousandths().div_euclid(360_000);
+            let home = self.start.with(Axis::C, Milli::new(turns * 360_000));
+            self.go(over(self.at, home, &[Axis::Z]), &[Axis::Z]);
+            self.go(over(self.at, home, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);
+            self.go(over(self.at, home, &[Axis::B, Axis::C]), &[Axis::B, Axis::C]);
+        }
+        let mut end = design.end_codes.clone();
+        if self.distance() == Distance::Incremental {
+            end.insert(0, Word::whole('G', 90));
+        }
+        self.parts.push(block(end));
+        Program {
+            key,
+            title,
+            dialect: design.dialect,
+            format: if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed },
+            block_step: Some(design.block_step),
+            start: self.start,
+            parts: self.parts,
+        }
+    }
+}
+
+/// The length of a program's cutting path over the part, mm, and the time of its moves at feed, s.
+#[must_use]
+pub fn tip_path(design: &Design, program: &Program) -> f64 {
+    let mut length = 0.0;
+    program.for_each_move(&mut |each| {
+        if !each.path.rapid {
+            length += (tip_position(design, &each.to) - tip_position(design, &each.from)).norm();
+        }
+    });
+    length
+}

@@ -1,0 +1,165 @@
+//! The design of an impeller: validated parameters with units settled, and the checks of one against another.
+
+use crate::blank::turning::Turning;
+use crate::finding::{Finding, Place};
+use crate::gcode::dialect::Dialect;
+use crate::gcode::word::{Distance, Word, codes};
+use crate::geometry::torus::Torus;
+use crate::impeller::tool_path::half_width;
+use crate::machine::calibration::Slots;
+use crate::machine::rotary::Rotary;
+use crate::machine::travel::Travel;
+use crate::parameter::Values;
+use crate::text::Text;
+
+/// How programs are laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// As the published annexes.
+    Annex,
+    /// What a machinist expects: header, safety block, feed and speed, fixed decimals.
+    Full,
+}
+
+/// A design that may be computed. Lengths in mm, angles of B in degrees (as programmed).
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// R and r.
+    pub torus: Torus,
+    /// n, intervals.
+    pub n: usize,
+    /// Back-off of the last point, steps.
+    pub eps_v: f64,
+    /// N, blades.
+    pub N: u32,
+    /// e, blade thickness.
+    pub e: f64,
+    /// a_p, depth of cut.
+    pub a_p: f64,
+    /// Splitter blades are wanted.
+    pub splitters: bool,
+    /// d_t, tool diameter.
+    pub d_t: f64,
+    /// L_t, tool length.
+    pub L_t: f64,
+    /// T, tool number.
+    pub T: u32,
+    /// D, offset number.
+    pub D: u32,
+    /// R_p, spindle height.
+    pub R_p: f64,
+    /// The rotary axes with L = R_p + L_t.
+    pub machine: Rotary,
+    /// Travel of X, Y, Z in mm and of B in degrees.
+    pub travel: [(char, Travel); 4],
+    /// F_max, greatest speed of an axis, mm/min or °/min.
+    pub F_max: Option<f64>,
+    /// d_s, safety distance.
+    pub d_s: f64,
+    /// F, feed of the tip over the part, mm/min.
+    pub F: Option<f64>,
+    /// S, spindle speed, rpm.
+    pub S: Option<u32>,
+    /// The part's name.
+    pub part: String,
+    /// The material.
+    pub material: String,
+    /// The program number.
+    pub program: u32,
+    /// The dialect.
+    pub dialect: &'static Dialect,
+    /// The style.
+    pub style: Style,
+    /// Absolute or incremental, in full style.
+    pub distance: Distance,
+    /// M codes at the start.
+    pub start_codes: Vec<Word>,
+    /// M codes at the end.
+    pub end_codes: Vec<Word>,
+    /// Step of the block numbers.
+    pub block_step: u32,
+    /// The turning of the blank.
+    pub blank: Turning,
+    /// The calibration, if asked for.
+    pub calibration: Option<Slots>,
+}
+
+impl Design {
+    /// w = (e + d_t)/2.
+    #[must_use]
+    pub fn w(&self) -> f64 {
+        half_width(self.e, self.d_t)
+    }
+
+    /// The design of checked values.
+    ///
+    /// # Errors
+    /// Every check of one value against another that fails, as findings on parameters (the caller turns them into
+    /// cells). Values that are missing though required are taken as a refusal of the schema before and reported again
+    /// here as one finding, so that no caller can get by without the schema.
+    pub fn new(values: &Values) -> Result<Self, Vec<Finding>> {
+        let Some(design) = Self::from_values(values) else {
+            return Err(vec![Finding::stop(
+                Place::File,
+                Text::fixed("faltan valores obligatorios", "required values are missing"),
+                Text::fixed("rellene las celdas obligatorias", "fill in the required cells"),
+            )]);
+        };
+        let findings = design.contradictions();
+        if findings.is_empty() { Ok(design) } else { Err(findings) }
+    }
+
+    fn from_values(values: &Values) -> Option<Self> {
+        let real = |key| values.real(key);
+        let (R_p, L_t) = (real("R_p")?, real("L_t")?);
+        Some(Self {
+            torus: Torus { R: real("R")?, r: real("r")? },
+            n: usize::try_from(values.whole("n")?).ok()?,
+            eps_v: real("eps_v")?,
+            N: values.whole("N")?,
+            e: real("e")?,
+            a_p: real("a_p")?,
+            splitters: values.choice("splitters")? == "yes",
+            d_t: real("d_t")?,
+            L_t,
+            T: values.whole("T")?,
+            D: values.whole("D")?,
+            R_p,
+            machine: Rotary { L: R_p + L_t },
+            travel: [
+                ('X', [real("X_min"), real("X_max")]),
+                ('Y', [real("Y_min"), real("Y_max")]),
+                ('Z', [real("Z_min"), real("Z_max")]),
+                ('B', [real("B_min"), real("B_max")]),
+            ],
+            F_max: real("F_max"),
+            d_s: real("d_s")?,
+            F: real("F"),
+            S: values.whole("S"),
+            part: values.line("part").to_owned(),
+            material: values.line("material").to_owned(),
+            program: values.whole("program")?,
+            dialect: Dialect::milling(values.choice("dialect")?)?,
+            style: if values.choice("style")? == "full" { Style::Full } else { Style::Annex },
+            distance: if values.choice("distance")? == "G91" { Distance::Incremental } else { Distance::Absolute },
+            start_codes: codes(values.line("start_codes"))?,
+            end_codes: codes(values.line("end_codes"))?,
+            block_step: values.whole("block_step")?,
+            blank: Turning::from_values(values)?,
+            calibration: Self::slots(values),
+        })
+    }
+
+    fn slots(values: &Values) -> Option<Slots> {
+        let real = |key| values.real(key);
+        Some(Slots {
+            H: real("calibration/H")?,
+            d_w: real("calibration/d_w")?,
+            e_z: real("calibration/e_z")?,
+            e_x: real("calibration/e_x")?,
+            d_t: real("calibration/d_t")?,
+            x0: real("calibration/x0")?,
+            z0: real("calibration/z0")?,
+        })
+    }
+}

@@ -1,0 +1,148 @@
+//! The comments at the head of a complete program: what a machinist must know before the start.
+//!
+//! Without tool-centre-point control a program is true for one pivot length and one position of the part, so both are
+//! stated.
+
+use crate::gcode::comment::clean;
+use crate::gcode::dialect::{Dialect, FeedLaw};
+use crate::gcode::program::{Part, Program};
+use crate::gcode::word::Distance;
+use crate::impeller::design::Design;
+use crate::number::grid::Milli;
+use crate::number::shown;
+use crate::text::Language;
+
+/// Where the programs come from, for their headers.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin<'a> {
+    /// The workbook's file name.
+    pub workbook: &'a str,
+    /// Its SHA-256 in hexadecimal.
+    pub sha256: &'a str,
+    /// The version of rodete.
+    pub version: &'a str,
+    /// The language of comments.
+    pub language: Language,
+}
+
+/// Comments under construction in one language.
+struct Comments {
+    language: Language,
+    parts: Vec<Part>,
+}
+
+impl Comments {
+    fn line(&mut self, es: &str, en: &str) {
+        let text = match self.language {
+            Language::Es => es,
+            Language::En => en,
+        };
+        self.parts.push(Part::Comment(clean(text)));
+    }
+}
+
+fn fixed(value: f64) -> String {
+    format!("{value:.3}")
+}
+
+fn identity(design: &Design, program: &Program, origin: &Origin<'_>) -> Comments {
+    let dialect: &Dialect = program.dialect;
+    let opening = dialect.opening_line(design.program, program.key).map(Part::Opening);
+    let mut comments = Comments { language: origin.language, parts: opening.into_iter().collect() };
+    let number = design.program;
+    comments.line(
+        &format!("PROGRAMA {number:04} - {}", program.title.es),
+        &format!("PROGRAM {number:04} - {}", program.title.en),
+    );
+    comments.line(&format!("PIEZA {}", design.part), &format!("PART {}", design.part));
+    if !design.material.is_empty() {
+        comments.line(&format!("MATERIAL {}", design.material), &format!("MATERIAL {}", design.material));
+    }
+    comments.line(&format!("LIBRO {}", origin.workbook), &format!("WORKBOOK {}", origin.workbook));
+    let (first, second) = origin.sha256.split_at(origin.sha256.len().min(32));
+    comments.line(&format!("SHA-256 {first}"), &format!("SHA-256 {first}"));
+    comments.line(&format!("        {second}"), &format!("        {second}"));
+    comments.line(
+        &format!("RODETE {} - DIALECTO {}", origin.version, dialect.name),
+        &format!("RODETE {} - DIALECT {}", origin.version, dialect.name),
+    );
+    comments
+}
+
+fn extents(comments: &mut Comments, program: &Program) {
+    let shown = |value: Milli| fixed(value.value());
+    for (letter, low, high) in program.extents() {
+        let (low, high) = (shown(low), shown(high));
+        comments
+            .line(&format!("RECORRIDO {letter} DE {low} A {high}"), &format!("EXTENT {letter} FROM {low} TO {high}"));
+    }
+}
+
+/// The header of a milling program, its opening line included.
+#[must_use]
+pub fn header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Part> {
+    let mut comments = identity(design, program, origin);
+    let (T, D) = (design.T, design.D);
+    let (diameter, length) = (fixed(design.d_t), fixed(design.L_t));
+    comments.line(
+        &format!("HERRAMIENTA T{T} D{D} FRESA FRONTAL DIAM. {diameter} LONG. {length}"),
+        &format!("TOOL T{T} D{D} FLAT END MILL DIAM. {diameter} LENGTH {length}"),
+    );
+    let (L, R_p) = (fixed(design.machine.L), fixed(design.R_p));
+    comments.line(
+        &format!("LONGITUD DE PIVOTE L {L} DEL EJE B AL CENTRO DEL TORO"),
+        &format!("PIVOT LENGTH L {L} FROM B AXIS TO TORUS CENTRE"),
+    );
+    comments.line(&format!("L ES R_P {R_p} MAS L_T {length}"), &format!("L IS R_P {R_p} PLUS L_T {length}"));
+    comments
+        .line("CERO G54 - PUNTA EN EL CENTRO DEL TORO CON B0 C0", "ZERO G54 - TOOL TIP IN THE TORUS CENTRE AT B0 C0");
+    comments.line(
+        "SIN CONTROL DE PUNTA RTCP - SOLO VALE CON ESTA L",
+        "NO TOOL CENTRE POINT CONTROL - TRUE FOR THIS L ONLY",
+    );
+    let height = fixed(program.start.get(crate::gcode::axis::Axis::Z).value());
+    comments.line(
+        &format!("EMPIEZA Y ACABA EN X0 Y0 Z{height} B0 Y C EN VUELTAS"),
+        &format!("STARTS AND ENDS AT X0 Y0 Z{height} B0 AND C IN TURNS"),
+    );
+    comments.line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
+    if design.distance == Distance::Incremental {
+        comments.line("COORDENADAS INCREMENTALES G91 TRAS EL INICIO", "INCREMENTAL G91 AFTER THE START");
+    }
+    extents(&mut comments, program);
+    if let (Some(F), Some(S)) = (design.F, design.S) {
+        let F = shown(F, 3);
+        comments.line(
+            &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),
+            &format!("FEED OF THE TIP {F} MM-MIN - SPINDLE {S} RPM"),
+        );
+        match design.dialect.feed {
+            FeedLaw::Resultant => comments.line(
+                "F EN CADA BLOQUE - RESULTANTE DE LOS EJES EN MM Y GRADOS",
+                "F IN EACH BLOCK - RESULTANT OF THE AXES IN MM AND DEG.",
+            ),
+            FeedLaw::Seconds => {
+                comments.line("G93 - F ES EL TIEMPO DEL BLOQUE EN S", "G93 - F IS THE TIME OF THE BLOCK IN S")
+            }
+            FeedLaw::InverseTime => {
+                comments.line("G93 - F ES LA INVERSA DEL TIEMPO EN MIN", "G93 - F IS THE INVERSE OF THE TIME IN MIN");
+            }
+        }
+    }
+    comments.parts
+}
+
+/// The header of the turning program, its opening line included.
+#[must_use]
+pub fn blank_header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Part> {
+    let mut comments = identity(design, program, origin);
+    let blank = &design.blank;
+    let (diameter, length) = (fixed(2.0 * design.torus.R), fixed(blank.L_b));
+    comments
+        .line(&format!("BRUTO DIAM. {diameter} LONG. {length}"), &format!("STOCK DIAM. {diameter} LENGTH {length}"));
+    comments
+        .line(&format!("HERRAMIENTA T{} D{}", blank.T_b, blank.D_b), &format!("TOOL T{} D{}", blank.T_b, blank.D_b));
+    comments.line("CERO EN EL EJE Y LA CARA - X EN DIAMETROS", "ZERO ON THE AXIS AND THE FACE - X ON DIAMETERS");
+    extents(&mut comments, program);
+    comments.parts
+}

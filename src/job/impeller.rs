@@ -1,0 +1,233 @@
+//! The impeller workbook: values → design → blade and splitter → tables, programs, checks.
+
+use crate::finding::{Exit, Finding, Grade, Refusal};
+use crate::gcode::axis::Axis;
+use crate::gcode::program::Program;
+use crate::gcode::word::NumberFormat;
+use crate::impeller::blade::Blade;
+use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
+use crate::impeller::design::Design;
+use crate::impeller::figures::figures;
+use crate::impeller::header::Origin;
+use crate::impeller::programs::{Tracks, programs};
+use crate::impeller::safety::{End, safe_end};
+use crate::impeller::splitter::Splitter;
+use crate::impeller::tables::{self, Passes};
+use crate::impeller::tool_path::tool_path;
+use crate::job::impeller_remarks::{judge, no_calibration, no_splitter, not_finite, out_of_format, remarks};
+use crate::job::{Outcome, Source, charts};
+use crate::parameter::{Form, Values};
+use crate::table::{Quantity, Unit};
+use crate::text::Text;
+
+/// Computes an impeller.
+///
+/// # Errors
+/// A refusal with every contradiction between values, or for a splitter or calibration that does not exist.
+pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
+    let refused = |findings: Vec<Finding>| Refusal {
+        exit: Exit::Refused,
+        findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),
+    };
+    let design = Design::new(&values).map_err(refused)?;
+    let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
+    let passes = passes(&design, &blade);
+    let mut stops = Vec::new();
+    let splitter = if design.splitters {
+        Splitter::new(&blade, design.N, design.w(), design.a_p).map_err(|why| stops.push(no_splitter(why))).ok()
+    } else {
+        None
+    };
+    let calibration = design.calibration.as_ref().and_then(|slots| {
+        let found = tables::calibration(slots, design.R_p);
+        if found.is_none() {
+            stops.push(no_calibration());
+        }
+        found
+    });
+    if !stops.is_empty() {
+        return Err(refused(stops));
+    }
+
+    let mut tables = tables::annexes(&blade, &passes);
+    if let Some(splitter) = &splitter {
+        tables.extend(tables::splitter(&design, &blade, splitter));
+    }
+    tables.push(tables::blank(&design));
+    let (table, calibrated) = calibration.unzip();
+    tables.extend(table);
+    tables.push(tables::views(&blade));
+    for table in &tables {
+        if let Some((_, row)) = table.not_finite() {
+            return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+        }
+    }
+
+    let origin = Origin {
+        workbook: &source.workbook,
+        sha256: &source.sha256,
+        version: source.version,
+        language: values.language,
+    };
+    let made = Tracks::new(&blade, &passes, splitter.as_ref())
+        .and_then(|tracks| programs(&design, &tracks, &origin))
+        .map_err(|error| refused(vec![out_of_format(error)]))?;
+    let quantities = quantities(&design, &passes, splitter.as_ref(), &made.programs);
+    let mut findings = remarks(&design, &made, calibrated);
+    findings.extend(judge(&design, &made.programs));
+    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    Ok(Outcome {
+        form,
+        quantities,
+        charts: charts::impeller(splitter.is_some()),
+        figures: figures(&design, &blade, &passes, splitter.as_ref()),
+        tables,
+        programs: if stopped { Vec::new() } else { made.programs },
+        findings,
+        values,
+        source,
+    })
+}
+
+/// The passes of one blade with their safe points.
+fn passes(design: &Design, blade: &Blade) -> Passes {
+    let (w, a_p) = (design.w(), design.a_p);
+    let (obverse, reverse) = (tool_path(blade, w, a_p), tool_path(blade, -w, a_p));
+    let last = blade.points() - 1;
+    let safe = |end, i: usize| safe_end(end, &obverse[i], &reverse[i], design.d_s, design.d_t, w);
+    let (entry, exit) = (safe(End::Entry, 0), safe(End::Exit, last));
+    Passes { obverse, reverse, entry, exit }
+}
+
+/// Derived limits, angles and lengths.
+fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, programs: &[Program]) -> Vec<Quantity> {
+    let (torus, a_p, e, d_t) = (design.torus, design.a_p, design.e, design.d_t);
+    let mm = Unit::Millimetre;
+    let quantity = |symbol, es, en, value, unit, source: [&'static str; 2]| Quantity {
+        symbol,
+        meaning: Text::fixed(es, en),
+        value,
+        unit,
+        source: Text::fixed(source[0], source[1]),
+    };
+    let circle = crate::geometry::villarceau::Villarceau::new(torus);
+    let gap = hub_circumference(torus, a_p) / f64::from(design.N) - e;
+    let mut list = vec![
+        quantity(
+            "L",
+            "Longitud de pivote, del eje B al centro del toro",
+            "Pivot length, from the B axis to the torus centre",
+            design.machine.L,
+            mm,
+            ["R_p + L_t", "R_p + L_t"],
+        ),
+        quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"]),
+        quantity(
+            "alpha",
+            "Ángulo α del círculo de Villarceau",
+            "Angle α of the Villarceau circle",
+            circle.alpha().to_degrees(),
+            Unit::Degree,
+            ["sen α = r/R", "sin α = r/R"],
+        ),
+        quantity(
+            "length",
+            "Longitud de la fibra media",
+            "Length of the mean line",
+            torus.R * std::f64::consts::FRAC_PI_2,
+            mm,
+            ["|dX/dv| = R: R·π/2", "|dX/dv| = R: R·π/2"],
+        ),
+        quantity(
+            "w",
+            "Semiancho de álabe y herramienta",
+            "Half width of blade and tool",
+            design.w(),
+            mm,
+            ["(e + d_t)/2, ecs. (20) y (21)", "(e + d_t)/2, eqs (20) and (21)"],
+        ),
+        quantity(
+            "d",
+            "Separación mínima entre álabes",
+            "Least gap between blades",
+            least_gap(d_t),
+            mm,
+            ["4/3·d_t, sección 4.2.2", "4/3·d_t, section 4.2.2"],
+        ),
+        quantity(
+            "gap",
+            "Separación entre álabes en el cubo",
+            "Gap between blades at the hub",
+            gap,
+            mm,
+            ["2π(R − r − a_p)/N − e", "2π(R − r − a_p)/N − e"],
+        ),
+        quantity(
+            "N_max",
+            "Número máximo de álabes",
+            "Greatest number of blades",
+            N_max(torus, a_p, e, d_t),
+            Unit::Count,
+            ["ec. (34)", "eq. (34)"],
+        ),
+        quantity(
+            "e_max",
+            "Espesor máximo del álabe",
+            "Greatest blade thickness",
+            e_max(torus, a_p, design.N, d_t),
+            mm,
+            ["ec. (35)", "eq. (35)"],
+        ),
+        quantity(
+            "beta",
+            "Inclinación β del extremo del álabe",
+            "Inclination β of the blade's end",
+            passes.entry.beta.to_degrees(),
+            Unit::Degree,
+            ["ec. (23) corregida", "eq. (23) corrected"],
+        ),
+        quantity(
+            "pitch",
+            "Giro entre álabes",
+            "Turn between blades",
+            360.0 / f64::from(design.N),
+            Unit::Degree,
+            ["ec. (22)", "eq. (22)"],
+        ),
+    ];
+    if let Some(splitter) = splitter {
+        #[expect(clippy::cast_precision_loss, reason = "a count of points")]
+        let m = splitter.m as f64;
+        list.push(quantity(
+            "crossing",
+            "Índice del cruce con el álabe vecino",
+            "Index of the crossing with the neighbour",
+            splitter.crossing.along_first,
+            Unit::One,
+            ["sección 4.3", "section 4.3"],
+        ));
+        list.push(quantity(
+            "m",
+            "Punto desde el que el intermedio tiene todo su espesor",
+            "Point from which the splitter has its full thickness",
+            m,
+            Unit::Count,
+            ["sección 4.3", "section 4.3"],
+        ));
+    }
+    if let Some(program) =
+        programs.iter().find(|program| program.format == NumberFormat::Fixed && program.key == "blade")
+    {
+        list.push(quantity(
+            "Z_r",
+            "Altura de retirada",
+            "Retract height",
+            program.start.get(Axis::Z).value(),
+            mm,
+            ["√(L² + R²) − L + d_s", "√(L² + R²) − L + d_s"],
+        ));
+    }
+    list
+}

@@ -1,0 +1,63 @@
+//! The rotary axes: C turns the part about its own axis, B tilts it about an axis at the pivot length L below the
+//! origin of the part, until the normal of the surface points along Z, where the tool stands.
+//!
+//! # Units
+//! Millimetres and radians.
+//!
+//! # References
+//! The thesis, equations (8) to (19), corrected against its tables: M1 is applied with −C, M2 with +B, and points turn
+//! about the pivot: P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂.
+
+use nalgebra::Vector3;
+
+use crate::number::trig::sin_cos;
+
+/// The rotary axes of a machine with one tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotary {
+    /// L, the pivot length: from the B axis to the origin of the part frame.
+    pub L: f64,
+}
+
+impl Rotary {
+    /// M2(B)·M1(−C)·a: a direction of the part frame in machine axes.
+    #[must_use]
+    pub fn direction_to_machine(a: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {
+        let (sin_B, cos_B) = sin_cos(B);
+        let (sin_C, cos_C) = sin_cos(C);
+        let x = a.x * cos_C + a.y * sin_C;
+        let y = a.y * cos_C - a.x * sin_C;
+        Vector3::new(x * cos_B - a.z * sin_B, y, x * sin_B + a.z * cos_B)
+    }
+
+    /// M1(−C)ᵀ·M2(B)ᵀ·a: a direction in machine axes in the part frame.
+    #[must_use]
+    pub fn direction_to_part(a: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {
+        let (sin_B, cos_B) = sin_cos(B);
+        let (sin_C, cos_C) = sin_cos(C);
+        let x = a.x * cos_B + a.z * sin_B;
+        Vector3::new(x * cos_C - a.y * sin_C, x * sin_C + a.y * cos_C, a.z * cos_B - a.x * sin_B)
+    }
+
+    /// Inverse kinematics: the machine position P″ at which the tool tip stands on the point P of the part.
+    #[must_use]
+    pub fn to_machine(self, P: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {
+        let pivot = Vector3::new(0.0, 0.0, self.L);
+        // C turns about the axis on which the pivot stands, so that L may be added before both turns.
+        Self::direction_to_machine(&(P + pivot), B, C) - pivot
+    }
+
+    /// Forward kinematics: the point of the part at which the tool tip stands.
+    #[must_use]
+    pub fn to_part(self, machine: &Vector3<f64>, B: f64, C: f64) -> Vector3<f64> {
+        let pivot = Vector3::new(0.0, 0.0, self.L);
+        Self::direction_to_part(&(machine + pivot), B, C) - pivot
+    }
+
+    /// The height above the origin that no point of a part within the radius R about the axis and below the origin
+    /// reaches at any B: √(L² + R²) − L. Derived here: the part turns about the pivot at the distance L below.
+    #[must_use]
+    pub fn swing(self, R: f64) -> f64 {
+        (self.L * self.L + R * R).sqrt() - self.L
+    }
+}

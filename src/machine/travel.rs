@@ -1,0 +1,23 @@
+//! Travel of the linear and rotary axes in program coordinates.
+
+/// The travel of one axis: least and greatest position; `None` where it is not known and so not checked.
+pub type Travel = [Option<f64>; 2];
+
+/// Where an axis leaves its travel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Excess {
+    /// The position.
+    pub position: f64,
+    /// The limit it leaves.
+    pub limit: f64,
+}
+
+/// Holds a position against a travel.
+#[must_use]
+pub fn excess(travel: Travel, position: f64) -> Option<Excess> {
+    match travel {
+        [Some(limit), _] if position < limit => Some(Excess { position, limit }),
+        [_, Some(limit)] if position > limit => Some(Excess { position, limit }),
+        _ => None,
+    }
+}

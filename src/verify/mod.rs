@@ -1,0 +1,4 @@
+//! Judging programs: closure, travel, size.
+
+pub mod closure;
+pub mod travel;
