@@ -103,7 +103,8 @@ def main(workbook, folder):
     cross = "G1 X0 Y{} Z0 B0 C0".format(number(corner[1][1] - corner[0][1]))
     home = "G1 X0 Y{} Z0 B0 C0".format(number(corner[0][1] - corner[1][1]))
     half_turn = f"G1 C{number(180 / N)}"
-    whole = (body["blade"] + [turn]) * N + [cross, half_turn] + (body["splitter"] + [turn]) * N + [half_turn, home]
+    whole = (body["blade"] + [turn]) * N + [cross, half_turn] + (body["splitter"] + [turn]) * (N - 1)
+    whole += [*body["splitter"], half_turn, home]
     programs = {
         "blade": [start, *body["blade"], turn, end],
         "splitter": [start, *body["splitter"], turn, end],

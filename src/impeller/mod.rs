@@ -10,6 +10,7 @@ pub mod cases;
 pub mod contradictions;
 pub mod design;
 pub mod discretisation;
+pub mod figures;
 pub mod header;
 pub mod parameters;
 pub mod programs;

@@ -7,6 +7,7 @@ use crate::gcode::word::NumberFormat;
 use crate::impeller::blade::Blade;
 use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::impeller::design::Design;
+use crate::impeller::figures::figures;
 use crate::impeller::header::Origin;
 use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::safety::{End, safe_end};
@@ -81,7 +82,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         form,
         quantities,
         charts: charts::impeller(splitter.is_some()),
-        figures: Vec::new(),
+        figures: figures(&design, &blade, &passes, splitter.as_ref()),
         tables,
         programs: if stopped { Vec::new() } else { made.programs },
         findings,

@@ -204,7 +204,12 @@ pub(super) fn write(
             .filter_map(|(_, parameter)| Some((parameter.key, value(outcome, parameter, &mut words)?)))
             .collect(),
         quantities: quantities(outcome, &mut words),
-        tables: outcome.tables.iter().filter(|table| table.key != "checks").map(|one| sheet(one, &mut words)).collect(),
+        tables: outcome
+            .tables
+            .iter()
+            .filter(|table| !matches!(table.key, "checks" | "views"))
+            .map(|one| sheet(one, &mut words))
+            .collect(),
         figures,
         programs,
         checks: Vec::new(),

@@ -33,7 +33,7 @@ impl<'a> Book<'a> {
         Ok(Self { gated, xlsx })
     }
 
-    /// The cells of a sheet. Where its survey found it unsound, no cells but only the survey.
+    /// The cells of a sheet. Where its survey found it unsound or empty, no cells but only the survey.
     ///
     /// # Errors
     /// Where the sheet's part is damaged as a whole.
@@ -42,8 +42,11 @@ impl<'a> Book<'a> {
         let text = xml::text(&sheet.part, bytes)?;
         let survey = survey(&sheet.name, &sheet.part, &text, self.gated.strings)?;
         drop(text);
-        let rows =
-            if survey.unsound { Default::default() } else { cells::stream(&mut self.xlsx, &sheet.name, &sheet.part)? };
+        let rows = if survey.unsound || !survey.filled {
+            Default::default()
+        } else {
+            cells::stream(&mut self.xlsx, &sheet.name, &sheet.part)?
+        };
         Ok(SheetCells { name: sheet.name.clone(), rows, survey })
     }
 }

@@ -63,7 +63,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     let sheets = sheets(&mut package, &folder, &workbook, &relations)?;
     let strings = strings(&mut package, &format!("{folder}sharedStrings.xml"))?;
     styles(&mut package, &format!("{folder}styles.xml"))?;
-    structure(&mut package, &format!("{folder}theme/theme1.xml"), |_, _| Ok(()))?;
+    structure(&mut package, &format!("{folder}theme/theme1.xml"), limits::ATTRIBUTE, |_, _| Ok(()))?;
     let mut notes = Vec::new();
     if package.has_ending("vbaproject.bin") {
         notes.push(Finding::note(
@@ -145,27 +145,26 @@ fn format(package: &mut Package<'_>) -> Result<(), Refusal> {
     if !package.has("[Content_Types].xml") {
         return Err(other("archive (.zip)"));
     }
-    structure(package, "[Content_Types].xml", |_, _| Ok(()))?;
+    structure(package, "[Content_Types].xml", limits::ATTRIBUTE, |_, _| Ok(()))?;
     Ok(())
 }
 
-/// Walks a part that describes the workbook; false where it is missing.
+/// Walks a part that describes the workbook; false where it is missing. No attribute may have more than `attribute` bytes.
 fn structure(
     package: &mut Package<'_>,
     part: &str,
-    visit: impl FnMut(usize, &Event<'_>) -> Result<(), Refusal>,
+    attribute: usize,
+    mut visit: impl FnMut(usize, &Event<'_>) -> Result<(), Refusal>,
 ) -> Result<bool, Refusal> {
     let Some(bytes) = package.part(part, limits::STRUCTURE)? else {
         return Ok(false);
     };
     let text = xml::text(part, bytes)?;
-    let mut visit = visit;
     xml::walk(part, &text, |depth, event| {
-        // Attributes are copied for every sheet and every cell format, so their length is capped.
         if let Event::Start(start) = event
-            && let Some(long) = start.attributes().flatten().find(|one| one.value.len() > limits::ATTRIBUTE)
+            && let Some(long) = start.attributes().flatten().find(|one| one.value.len() > attribute)
         {
-            let (name, most) = (excerpt(long.key.as_ref(), 40), limits::ATTRIBUTE);
+            let (name, most) = (excerpt(long.key.as_ref(), 40), attribute);
             return Err(limit(
                 part,
                 say!(
@@ -186,7 +185,7 @@ fn limit(part: &str, what: Text) -> Refusal {
 /// The folder of the workbook part, and its name, from the package's own relationships.
 fn root(package: &mut Package<'_>) -> Result<(String, String), Refusal> {
     let mut target = None;
-    structure(package, "_rels/.rels", |_, event| {
+    structure(package, "_rels/.rels", limits::ATTRIBUTE, |_, event| {
         if let Event::Start(start) = event
             && start.local_name().as_ref() == "Relationship"
             && raw(start, "Type").is_some_and(|kind| kind.ends_with("/relationships/officeDocument"))
@@ -224,7 +223,7 @@ struct Relation {
 fn relations(package: &mut Package<'_>, folder: &str, workbook: &str) -> Result<Vec<Relation>, Refusal> {
     let part = format!("{folder}_rels/{workbook}.rels");
     let mut relations = Vec::new();
-    let found = structure(package, &part, |_, event| {
+    let found = structure(package, &part, limits::ATTRIBUTE, |_, event| {
         if let Event::Start(start) = event
             && start.local_name().as_ref() == "Relationship"
             && let Some(id) = raw(start, "Id")
@@ -251,7 +250,7 @@ fn sheets(
 ) -> Result<Vec<SheetEntry>, Refusal> {
     let part = format!("{folder}{workbook}");
     let mut sheets = Vec::new();
-    structure(package, &part, |_, event| {
+    structure(package, &part, limits::ATTRIBUTE, |_, event| {
         let Event::Start(start) = event else { return Ok(()) };
         if start.local_name().as_ref() != "sheet" {
             return Ok(());
@@ -357,12 +356,17 @@ fn strings(package: &mut Package<'_>, part: &str) -> Result<usize, Refusal> {
 /// Looks at the cell formats, which calamine copies into memory one by one.
 fn styles(package: &mut Package<'_>, part: &str) -> Result<(), Refusal> {
     let mut formats = 0_usize;
-    structure(package, part, |_, event| {
+    let mut within = false;
+    structure(package, part, limits::FORMAT_ATTRIBUTE, |_, event| {
+        if matches!(event, Event::End(end) if end.local_name().as_ref() == "cellXfs") {
+            within = false;
+        }
         let Event::Start(start) = event else { return Ok(()) };
         match start.local_name().as_ref() {
-            "xf" => {
+            "cellXfs" => within = true,
+            "xf" if within => {
                 formats += 1;
-                if formats > 2 * limits::FORMATS {
+                if formats > limits::FORMATS {
                     let most = limits::FORMATS;
                     return Err(limit(
                         part,

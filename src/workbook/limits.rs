@@ -12,10 +12,12 @@ pub const PART: u64 = 64 * MIB;
 pub const TOTAL: u64 = 256 * MIB;
 /// A part that describes the workbook (its list of sheets, relationships, styles), unpacked, in bytes.
 pub const STRUCTURE: u64 = 8 * MIB;
-/// An attribute of such a part, in bytes: the values are copied for every sheet and every cell format.
+/// An attribute of such a part, in bytes: they are copied for every sheet.
 pub const ATTRIBUTE: usize = 1_024;
 /// Sheets of the workbook.
 pub const SHEETS: usize = 1_000;
+/// An attribute of the part of cell formats, in bytes: they are copied for every format.
+pub const FORMAT_ATTRIBUTE: usize = 320;
 /// Cell formats, as many as spreadsheet programs allow.
 pub const FORMATS: usize = 65_536;
 /// Brackets in one number format: the reader counts them in eight bits.
@@ -26,6 +28,8 @@ pub const STRINGS: usize = 1_000_000;
 pub const ROWS: usize = 10_000;
 /// Characters kept of one cell's text: more than any parameter may have.
 pub const TEXT: usize = 1_024;
+/// Characters that a cell can hold in a spreadsheet program; a longer text is not counted further.
+pub const CELL_TEXT: usize = 32_767;
 /// Rows of a sheet's grid.
 pub const GRID_ROWS: u32 = 1_048_576;
 /// Columns of a sheet's grid.

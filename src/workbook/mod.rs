@@ -36,6 +36,7 @@ mod package;
 pub mod page;
 pub mod program_sheet;
 pub mod results;
+mod raw_value;
 pub mod schema;
 pub mod style;
 mod survey;
@@ -44,6 +45,7 @@ pub mod template;
 mod unit;
 pub mod validation;
 mod value;
+mod words;
 mod xml;
 
 pub use gate::gate;

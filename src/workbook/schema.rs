@@ -15,6 +15,7 @@ use super::book::Book;
 use super::cells::{Content, SheetCells};
 use super::gate::{self, SheetEntry, gate};
 use super::value::{self, VALUE, expected, named};
+use super::words;
 
 /// Most unknown symbols that are mentioned.
 const UNKNOWN: usize = 20;
@@ -218,7 +219,7 @@ fn list(sheets: &[SheetEntry]) -> String {
 
 /// True for names that a person takes for one: alike but for capitals, accents and blanks around.
 fn same_but_for_case(one: &str, other: &str) -> bool {
-    value::fold(one) == value::fold(other)
+    words::fold(one) == words::fold(other)
 }
 
 /// The form whose schema stands in the sheet's schema cell.

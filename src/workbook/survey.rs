@@ -8,18 +8,19 @@ use std::collections::BTreeSet;
 use quick_xml::events::{BytesStart, Event};
 
 use crate::escape::excerpt;
-use crate::finding::{CellPlace, Finding, Place, Refusal};
+use crate::finding::{CellPlace, Exit, Finding, Place, Refusal};
 use crate::text::Text;
 
 use super::address::{self, Position, Range};
 use super::limits;
+use super::raw_value;
 use super::xml::{self, damaged, raw};
 
 /// Columns A to E: all that is read of a form's sheet.
 pub const COLUMNS: u32 = 5;
 /// Cells beyond this column or row are so far out that they are mentioned.
 const FAR: Position = (10_000, 26);
-/// Most findings kept of one sheet.
+/// Findings after which a sheet is given up.
 const FINDINGS: usize = 1_000;
 /// Characters of a raw value kept for a message.
 const SHOWN: usize = 40;
@@ -58,7 +59,15 @@ impl Survey {
 /// listed in the survey instead.
 pub fn survey(sheet: &str, part: &str, text: &str, strings: usize) -> Result<Survey, Refusal> {
     let mut walk = Walk { sheet, part, strings, ..Walk::default() };
-    xml::walk(part, text, |depth, event| walk.visit(depth, event))?;
+    xml::walk(part, text, |depth, event| {
+        walk.visit(depth, event)?;
+        if walk.survey.findings.len() < FINDINGS {
+            return Ok(());
+        }
+        // Nothing is gained by reading on.
+        let exit = if walk.survey.damaged { Exit::Unreadable } else { Exit::Refused };
+        Err(Refusal { exit, findings: std::mem::take(&mut walk.survey.findings) })
+    })?;
     if let Some(first) = walk.far {
         let address = address::format(first);
         walk.survey.findings.push(Finding::note(
@@ -263,7 +272,6 @@ impl Walk<'_> {
         let cell = std::mem::take(&mut self.cell);
         let position = cell.position;
         let value = cell.value.as_deref().unwrap_or_default();
-        let shown = excerpt(value, SHOWN);
         if cell.twisted {
             self.survey.damaged = true;
             return self.fault(
@@ -285,68 +293,11 @@ impl Walk<'_> {
         if near && cell.formula && value.is_empty() && !cell.inline && !(kind == Some("str") && cell.value.is_some()) {
             self.survey.uncalculated.insert(position);
         }
-        match kind {
-            None | Some("n") if !value.is_empty() => {
-                if !is_number(value) {
-                    let non_finite = ["nan", "inf", "+inf", "-inf", "infinity", "-infinity", "1.#inf", "-1.#ind"]
-                        .iter()
-                        .any(|one| value.trim().eq_ignore_ascii_case(one));
-                    let what = if non_finite {
-                        say!(
-                            "guarda {shown}, que no es un número finito",
-                            "holds {shown}, which is not a finite number"
-                        )
-                    } else {
-                        say!("guarda \"{shown}\" como si fuera un número", "holds \"{shown}\" as if it were a number")
-                    };
-                    // Without a type given, calamine takes it for a text; with one, it gives the sheet up.
-                    self.fault(position, kind.is_some(), what);
-                } else if near && !value.parse::<f64>().is_ok_and(f64::is_finite) {
-                    let what = say!(
-                        "guarda {shown}, que no es un número finito",
-                        "holds {shown}, which is not a finite number"
-                    );
-                    self.fault(position, false, what);
-                }
-            }
-            Some("s") if !value.is_empty() => {
-                let digits = value.len() <= 9 && value.bytes().all(|byte| byte.is_ascii_digit());
-                if !digits || value.parse::<usize>().is_ok_and(|index| index >= self.strings) {
-                    self.survey.damaged = true;
-                    let count = self.strings;
-                    self.fault(
-                        position,
-                        true,
-                        say!(
-                            "pide el texto {shown} y el libro tiene {count}",
-                            "asks for shared text {shown}, and the workbook has {count}"
-                        ),
-                    );
-                }
-            }
-            Some("b") if !matches!(value.trim().to_ascii_lowercase().as_str(), "" | "0" | "1" | "true" | "false") => {
-                self.fault(
-                    position,
-                    true,
-                    say!("guarda \"{shown}\" como valor lógico", "holds \"{shown}\" as a truth value"),
-                );
-            }
-            Some("e") if !value.is_empty() => {
-                let known = ["#DIV/0!", "#N/A", "#NAME?", "#NULL!", "#NUM!", "#REF!", "#VALUE!"].contains(&value);
-                if !known {
-                    self.fault(position, true, say!("contiene el error {shown}", "holds the error {shown}"));
-                }
-            }
-            None | Some("n" | "s" | "b" | "e" | "str" | "inlineStr" | "d") => {}
-            Some(other) => {
-                let other = excerpt(other, SHOWN);
-                self.survey.damaged = true;
-                self.fault(
-                    position,
-                    true,
-                    say!("es de la clase desconocida {other}", "is of the unknown type {other}"),
-                );
-            }
+        if let Some(fault) = raw_value::judge(kind, value, self.strings)
+            && (near || fault.unsound)
+        {
+            self.survey.damaged |= fault.damaged;
+            self.fault(position, fault.unsound, fault.what);
         }
     }
 
@@ -374,26 +325,22 @@ impl Walk<'_> {
         );
         self.survey.unsound |= unsound;
         self.survey.judged.insert(position);
-        if self.survey.findings.len() < FINDINGS {
-            let finding = Finding::stop(self.place(position), what, remedy);
-            self.survey.findings.push(finding);
-        }
+        let finding = Finding::stop(self.place(position), what, remedy);
+        self.survey.findings.push(finding);
     }
 
     /// A cell or row whose address lies outside of the grid.
     fn outside(&mut self, written: &str) {
         let written = excerpt(written, SHOWN);
         self.survey.unsound = true;
-        if self.survey.findings.len() < FINDINGS {
-            self.survey.findings.push(Finding::stop(
-                Place::Sheet(self.sheet.to_owned()),
-                say!(
-                    "hay una celda fuera de la hoja (\"{written}\"; la última es XFD1048576)",
-                    "there is a cell outside the sheet grid (\"{written}\"; the last is XFD1048576)"
-                ),
-                xml::save_again(),
-            ));
-        }
+        self.survey.findings.push(Finding::stop(
+            Place::Sheet(self.sheet.to_owned()),
+            say!(
+                "hay una celda fuera de la hoja (\"{written}\"; la última es XFD1048576)",
+                "there is a cell outside the sheet grid (\"{written}\"; the last is XFD1048576)"
+            ),
+            xml::save_again(),
+        ));
     }
 
     fn broken(&self, what: &Text) -> Refusal {
@@ -403,32 +350,5 @@ impl Walk<'_> {
             format!("the sheet \"{sheet}\" is damaged: {}", what.en),
         );
         damaged(self.part, text)
-    }
-}
-
-/// True for a number as spreadsheet programs write it: digits with an optional sign, point and exponent.
-fn is_number(text: &str) -> bool {
-    let unsigned = text.strip_prefix('-').unwrap_or(text);
-    let (mantissa, exponent) = unsigned.split_once(['e', 'E']).map_or((unsigned, None), |(one, two)| (one, Some(two)));
-    let (whole, fraction) = mantissa.split_once('.').map_or((mantissa, None), |(one, two)| (one, Some(two)));
-    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    text.len() <= 400
-        && digits(whole)
-        && fraction.is_none_or(digits)
-        && exponent.is_none_or(|text| digits(text.strip_prefix(['+', '-']).unwrap_or(text)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_what_a_spreadsheet_writes_is_a_number() {
-        for number in ["0", "-0", "12.5", "1E-3", "1e+300", "0.30000000000000004", "1e400"] {
-            assert!(is_number(number), "{number}");
-        }
-        for text in ["", " 12 ", "12x", "abc", "+1", ".5", "5.", "1e", "NaN", "0x10", "1_0", "1,5", "--1", "1e1.5"] {
-            assert!(!is_number(text), "{text}");
-        }
     }
 }

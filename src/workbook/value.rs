@@ -8,8 +8,9 @@ use crate::text::Text;
 
 use super::address::{self, Position};
 use super::cells::{Content, SheetCells};
+use super::limits;
 use super::number::{self, decimal};
-use super::unit;
+use super::{unit, words};
 
 /// The column of the values, C.
 pub const VALUE: u32 = 2;
@@ -66,7 +67,7 @@ pub fn expected(parameter: &Parameter) -> Text {
 }
 
 /// The limits of a parameter, for the finding's own field; empty where there are none.
-fn limits(parameter: &Parameter) -> String {
+fn range(parameter: &Parameter) -> String {
     match &parameter.kind {
         Kind::Real { min, max } => format!("{} … {}", decimal(*min), unit::with(*max, parameter.unit)),
         Kind::Whole { min, max } => format!("{min} … {max}"),
@@ -221,11 +222,7 @@ impl Reading<'_> {
             Kind::Choice(choices) => self.choice(choices, text),
             Kind::Line { max } => {
                 if characters > *max {
-                    self.stop_with(
-                        say!(" tiene {characters} caracteres", " is {characters} characters long"),
-                        characters.to_string(),
-                        say!("acórtelo a {max} caracteres", "shorten it to {max} characters"),
-                    );
+                    self.long(characters, *max);
                     return None;
                 }
                 if crate::escape::printable(text) != text {
@@ -245,22 +242,12 @@ impl Reading<'_> {
     }
 
     fn choice(&mut self, choices: &'static [Choice], text: &str) -> Option<Value> {
-        let wanted = fold(text);
-        let found = choices
-            .iter()
-            .find(|choice| [choice.key, &*choice.label.es, &*choice.label.en].iter().any(|one| fold(one) == wanted));
-        if let Some(choice) = found {
-            return Some(Value::Choice(choice.key));
-        }
-        let letters = |text: &str| -> String { text.chars().filter(|one| one.is_alphanumeric()).collect() };
-        let near = choices.iter().find(|choice| {
-            [&choice.label.es, &choice.label.en].iter().any(|label| letters(&fold(label)) == letters(&wanted))
-        });
+        let near = match words::choose(choices, text) {
+            Ok(key) => return Some(Value::Choice(key)),
+            Err(near) => near,
+        };
         let remedy = match near {
-            Some(choice) => {
-                let (es, en) = (&choice.label.es, &choice.label.en);
-                say!("¿quiere decir {es}?", "did you mean {en}?")
-            }
+            Some(label) => say!("¿quiere decir {label}?", "did you mean {label}?", label = label),
             None => self.write(),
         };
         let (shown, list) = (excerpt(text, SHOWN), expected(self.parameter));
@@ -276,34 +263,26 @@ impl Reading<'_> {
     }
 
     fn codes(&mut self, text: &str, characters: usize) -> Option<Value> {
-        let well_formed = |code: &str| {
-            let digits = code.strip_prefix(['G', 'M']).unwrap_or_default();
-            (1..=4).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit())
-        };
-        let codes: Vec<String> = text.split_whitespace().map(str::to_ascii_uppercase).collect();
-        let wrong = codes.iter().find(|code| !well_formed(code));
         if characters > CODES {
-            self.stop_with(
-                say!(" tiene {characters} caracteres", " is {characters} characters long"),
-                characters.to_string(),
-                say!("acórtelo a {CODES} caracteres", "shorten it to {CODES} characters"),
-            );
+            self.long(characters, CODES);
             return None;
         }
-        if let Some(wrong) = wrong {
-            let wrong = excerpt(wrong, SHOWN);
-            let remedy = self.write();
-            self.stop_with(
-                say!(
-                    " lleva \"{wrong}\", que no es un código de máquina (G o M y un número entero)",
-                    " has \"{wrong}\", which is not a machine code (G or M and a whole number)"
-                ),
-                excerpt(text, SHOWN),
-                remedy,
-            );
-            return None;
+        match words::codes(text) {
+            Ok(codes) => Some(Value::Line(codes)),
+            Err(wrong) => {
+                let wrong = excerpt(&wrong, SHOWN);
+                let remedy = self.write();
+                self.stop_with(
+                    say!(
+                        " lleva \"{wrong}\", que no es un código de máquina (G o M y un número entero)",
+                        " has \"{wrong}\", which is not a machine code (G or M and a whole number)"
+                    ),
+                    excerpt(text, SHOWN),
+                    remedy,
+                );
+                None
+            }
         }
-        Some(Value::Line(codes.join(" ")))
     }
 
     /// Compares the unit cell with the unit the parameter has.
@@ -370,6 +349,20 @@ impl Reading<'_> {
         );
     }
 
+    fn long(&mut self, characters: usize, most: usize) {
+        let counted = if characters > limits::CELL_TEXT {
+            let cell = limits::CELL_TEXT;
+            say!("más de {cell}", "more than {cell}")
+        } else {
+            Text::same(characters.to_string())
+        };
+        self.stop_with(
+            say!(" tiene {counted} caracteres", " is {counted} characters long", counted = counted),
+            characters.to_string(),
+            say!("acórtelo a {most} caracteres", "shorten it to {most} characters"),
+        );
+    }
+
     fn outside(&mut self, number: f64, remedy: Text) {
         let value = unit::with(number, self.parameter.unit);
         let (min, max) = match &self.parameter.kind {
@@ -396,7 +389,7 @@ impl Reading<'_> {
 
     fn stop_with(&mut self, what: Text, value: String, remedy: Text) {
         let finding = Finding::stop(self.place(), join(&named(self.parameter), &what), remedy);
-        self.findings.push(finding.with(value, limits(self.parameter)));
+        self.findings.push(finding.with(value, range(self.parameter)));
     }
 
     fn caution(&mut self, what: Text, remedy: Text) {
@@ -411,21 +404,4 @@ impl Reading<'_> {
 
 fn join(start: &Text, end: &Text) -> Text {
     Text::new(format!("{}{}", start.es, end.es), format!("{}{}", start.en, end.en))
-}
-
-/// A word without case and accents.
-pub fn fold(word: &str) -> String {
-    word.trim()
-        .to_lowercase()
-        .chars()
-        .map(|character| match character {
-            'á' => 'a',
-            'é' => 'e',
-            'í' => 'i',
-            'ó' => 'o',
-            'ú' | 'ü' => 'u',
-            'ñ' => 'n',
-            other => other,
-        })
-        .collect()
 }

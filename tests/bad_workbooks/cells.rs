@@ -302,7 +302,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "B22 long",
             "part",
             &sound().string("part", &text_of_40000),
-            "is 40000 characters long",
+            "is more than 32767 characters long",
             "shorten it to 200 characters",
         ),
         value(

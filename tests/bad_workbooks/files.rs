@@ -276,7 +276,7 @@ fn hostile_or_broken_parts_are_refused_by_name() {
             sound().replace("xl/styles.xml", "<fonts", &long).zip(),
             Limit,
             "xl/styles.xml",
-            "the attribute formatCode is longer than 1024 bytes",
+            "the attribute formatCode is longer than 320 bytes",
             "",
         ),
     ]);
