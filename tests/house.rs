@@ -260,6 +260,30 @@ fn nothing_below_the_edge_reaches_the_outside_world() {
 }
 
 #[test]
+fn files_are_written_by_the_store_alone_and_read_by_the_gate_alone() {
+    const FILES: [&str; 3] = ["fs::", "File::", "OpenOptions::"];
+    const LOOKS: [&str; 3] = ["fs::metadata", "fs::symlink_metadata", "fs::canonicalize"];
+    // The report fills a private temporary folder and the compiler in the child process works in it.
+    const MAY: [&str; 4] = ["src/store/", "src/workbook/open.rs", "src/report/", "src/embedded_typst.rs"];
+    let found = uses(Path::new("src/store/folder.rs")).foreign;
+    assert!(found.contains("fs::create_dir"), "the store is seen to write: {found:?}");
+    let mut faults = Vec::new();
+    for path in sources("src") {
+        let shown = path.display().to_string().replace('\\', "/");
+        if MAY.iter().any(|may| shown.starts_with(may)) {
+            continue;
+        }
+        for used in uses(&path).foreign {
+            let used = used.trim_start_matches("std::");
+            if FILES.iter().any(|file| used.starts_with(file)) && !LOOKS.contains(&used) {
+                faults.push(format!("{shown}: {used}"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
 fn the_top_of_the_repository_holds_what_it_should() {
     for entry in fs::read_dir(root()).expect("the repository") {
         let name = entry.expect("an entry").file_name().to_string_lossy().into_owned();

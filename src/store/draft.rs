@@ -25,6 +25,10 @@ impl Unfinished {
         self.files.remove(path);
     }
 
+    pub(super) fn begun(&mut self, path: &Path) {
+        self.files.insert(path.to_owned());
+    }
+
     pub(super) fn folder_made(&mut self, path: &Path) {
         self.folders.insert(path.to_owned());
     }
@@ -69,7 +73,7 @@ impl Draft {
         let mut unfinished = unfinished();
         let file = builder.tempfile_in(folder)?;
         let path = file.path().to_owned();
-        unfinished.files.insert(path.clone());
+        unfinished.begun(&path);
         // Without locks on this file system, its age alone keeps it from being taken for a leftover.
         let _ = file.as_file().try_lock();
         Ok(Self { file: Some(file), path })
