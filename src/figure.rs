@@ -23,6 +23,8 @@ pub enum Ink {
     Safe,
     /// The first, second and third vector of a frame.
     Axis(u8),
+    /// A face of metal in some light, from 0 (shadow) to 255 (full light): for filled strokes.
+    Face(u8),
 }
 
 /// A polyline.
@@ -32,7 +34,7 @@ pub struct Stroke {
     pub ink: Ink,
     /// The points (x right, y up).
     pub points: Vec<[f64; 2]>,
-    /// Closed and filled with a light tint of its ink.
+    /// Closed and filled with a light tint of its ink, without an outline: edges are strokes of their own.
     pub filled: bool,
     /// Ends in an arrow head.
     pub arrow: bool,

@@ -1,3 +1,15 @@
 //! The command `rodete`.
 
-fn main() {}
+use std::process::ExitCode;
+
+#[cfg(feature = "embedded-typst")]
+mod embedded_typst;
+
+fn main() -> ExitCode {
+    #[cfg(feature = "embedded-typst")]
+    if std::env::args_os().nth(1).is_some_and(|first| first == "typst") {
+        let arguments: Vec<_> = std::env::args_os().skip(2).collect();
+        return embedded_typst::compile(&arguments);
+    }
+    rodete::cli::run(std::env::args_os())
+}

@@ -6,8 +6,11 @@
 pub mod assembly;
 pub mod blade;
 pub mod blade_count;
+pub mod cases;
+pub mod contradictions;
 pub mod design;
 pub mod discretisation;
+pub mod figures;
 pub mod header;
 pub mod parameters;
 pub mod programs;

@@ -1,27 +1,24 @@
 //! The impeller workbook: values → design → blade and splitter → tables, programs, checks.
 
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::axis::Axis;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::impeller::blade::Blade;
 use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
-use crate::impeller::design::{Design, Style};
+use crate::impeller::design::Design;
+use crate::impeller::figures::figures;
 use crate::impeller::header::Origin;
-use crate::impeller::programs::{Programs, Tracks, programs};
+use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::safety::{End, safe_end};
-use crate::impeller::splitter::{NoSplitter, Splitter};
+use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
 use crate::impeller::tool_path::tool_path;
+use crate::job::impeller_remarks::{judge, no_calibration, no_splitter, not_finite, out_of_format, remarks};
 use crate::job::{Outcome, Source, charts};
-use crate::machine::calibration::Axis as Calibrated;
-use crate::number::grid::{Milli, OutOfFormat};
-use crate::number::shown;
 use crate::parameter::{Form, Values};
-use crate::table::{Quantity, Table, Unit};
+use crate::table::{Quantity, Unit};
 use crate::text::Text;
-use crate::verify::closure::{Turn, closure};
-use crate::verify::travel::travel;
 
 /// Computes an impeller.
 ///
@@ -85,7 +82,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         form,
         quantities,
         charts: charts::impeller(splitter.is_some()),
-        figures: Vec::new(),
+        figures: figures(&design, &blade, &passes, splitter.as_ref()),
         tables,
         programs: if stopped { Vec::new() } else { made.programs },
         findings,
@@ -104,273 +101,6 @@ fn passes(design: &Design, blade: &Blade) -> Passes {
     Passes { obverse, reverse, entry, exit }
 }
 
-fn no_splitter(why: NoSplitter) -> Finding {
-    let what = match why {
-        NoSplitter::NoCrossing => Text::fixed(
-            "no hay sitio que limite el álabe intermedio: su trayectoria no corta a la del álabe vecino",
-            "nothing limits the splitter blade: its path does not cross that of the neighbouring blade",
-        ),
-        NoSplitter::AtFirstPoint => Text::fixed(
-            "no queda álabe intermedio: su trayectoria corta a la del álabe vecino en el primer punto",
-            "no splitter blade is left: its path crosses that of the neighbouring blade at the first point",
-        ),
-    };
-    let remedy = match why {
-        NoSplitter::NoCrossing => Text::fixed(
-            "splitters = no; o más álabes, álabes más gruesos o una herramienta mayor",
-            "splitters = no; or more blades, thicker blades, or a larger tool",
-        ),
-        NoSplitter::AtFirstPoint => Text::fixed(
-            "splitters = no; o menos álabes, álabes más delgados, una herramienta menor o un n mayor",
-            "splitters = no; or fewer blades, thinner blades, a smaller tool, or a larger n",
-        ),
-    };
-    Finding::stop(Place::Parameters(vec!["splitters", "N", "e", "d_t"]), what, remedy)
-}
-
-fn no_calibration() -> Finding {
-    Finding::stop(
-        Place::Parameters(vec!["calibration/x0", "calibration/z0", "calibration/H"]),
-        Text::fixed(
-            "la calibración no tiene solución real: las ranuras no son de una misma máquina",
-            "the calibration has no real solution: the slots cannot come from one machine",
-        ),
-        Text::fixed("compruebe x0, z0 y las medidas de las ranuras", "check x0, z0 and the measures of the slots"),
-    )
-}
-
-fn not_finite(table: &Table, row: usize) -> Finding {
-    Finding::stop(
-        Place::Point { table: table.key, index: row },
-        Text::fixed(
-            "un valor calculado no es finito: es un fallo de rodete",
-            "a computed value is not finite: a fault in rodete",
-        ),
-        Text::fixed("comuníquelo con el libro de trabajo", "report it with the workbook"),
-    )
-}
-
-fn out_of_format(error: OutOfFormat) -> Finding {
-    Finding::stop(
-        Place::Parameters(vec!["R", "R_p", "L_t"]),
-        Text::new(
-            format!("la posición {} no cabe en un programa (cinco cifras y tres decimales)", error.0),
-            format!("position {} does not fit into a program (five digits and three decimals)", error.0),
-        ),
-        Text::fixed("compruebe R, R_p y L_t", "check R, R_p and L_t"),
-    )
-}
-
-/// What a person should know of the design and its programs.
-fn remarks(design: &Design, made: &Programs, calibrated: Option<Calibrated>) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
-    if design.style == Style::Annex {
-        findings.push(Finding::caution(
-            at(&["style", "F", "S"]),
-            Text::fixed(
-                "el estilo annex no lleva avance F ni velocidad S, como los programas publicados",
-                "style annex carries no feed F and no speed S, like the published programs",
-            ),
-            Text::fixed(
-                "fíjelos en el control antes de empezar, o style = full",
-                "set them at the control before the start, or style = full",
-            ),
-        ));
-        findings.push(Finding::caution(
-            at(&["style"]),
-            Text::fixed(
-                "el programa incremental empieza donde esté la máquina: llévela antes al punto de seguridad de entrada, con B y C del Anexo 6",
-                "the incremental program starts wherever the machine stands: bring it to the safe entry point first, with B and C of Annex 6",
-            ),
-            Text::fixed("style = full busca el inicio por sí mismo", "style = full finds the start itself"),
-        ));
-    } else if design.blank.S_m.is_none() {
-        findings.push(Finding::caution(
-            at(&["S_m"]),
-            Text::fixed(
-                "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar se acelera hasta el máximo del cabezal",
-                "the lathe runs at constant surface speed without a limit: facing speeds the spindle up to its greatest",
-            ),
-            Text::fixed("escriba S_m", "fill in S_m"),
-        ));
-    }
-    let unchecked: Vec<&'static str> =
-        [("X_min", 0, 0), ("X_max", 0, 1), ("Y_min", 1, 0), ("Y_max", 1, 1), ("Z_min", 2, 0), ("Z_max", 2, 1)]
-            .into_iter()
-            .filter(|&(_, axis, end)| design.travel[axis].1[end].is_none())
-            .map(|(key, ..)| key)
-            .collect();
-    if !unchecked.is_empty() {
-        findings.push(Finding::note(
-            at(&unchecked),
-            Text::new(
-                format!("sin comprobar, por estar vacíos: {}", unchecked.join(", ")),
-                format!("not checked, being empty: {}", unchecked.join(", ")),
-            ),
-        ));
-    }
-    if design.F_max.is_none() {
-        findings.push(Finding::note(
-            at(&["F_max"]),
-            Text::fixed(
-                "F_max está vacío: la velocidad de los ejes no se comprueba",
-                "F_max is empty: the speed of the axes is not checked",
-            ),
-        ));
-    }
-    if made.limited.by_axis > 0 {
-        findings.push(
-            Finding::note(
-                at(&["F", "F_max"]),
-                Text::new(
-                    format!(
-                        "el avance se reduce en {} movimientos de álabe e intermedio para que ningún eje pase de F_max",
-                        made.limited.by_axis
-                    ),
-                    format!(
-                        "the feed is reduced in {} moves of blade and splitter so that no axis exceeds F_max",
-                        made.limited.by_axis
-                    ),
-                ),
-            )
-            .with(made.limited.by_axis.to_string(), format!("{} mm/min", shown(design.F_max.unwrap_or(0.0), 3))),
-        );
-    }
-    if made.limited.by_format > 0 {
-        findings.push(
-            Finding::caution(
-                at(&["F", "n"]),
-                Text::new(
-                    format!(
-                        "en {} movimientos la palabra F llega al extremo de su formato: el avance real es otro",
-                        made.limited.by_format
-                    ),
-                    format!(
-                        "in {} moves the F word reaches an end of its format: the true feed differs",
-                        made.limited.by_format
-                    ),
-                ),
-                Text::fixed("un n menor u otro avance", "a smaller n or another feed"),
-            )
-            .with(made.limited.by_format.to_string(), "0.001 … 99999.999"),
-        );
-    }
-    for key in &made.unnumbered {
-        findings.push(Finding::note(
-            Place::Block { program: key, line: 1 },
-            Text::new(
-                format!("los bloques no se numeran: pasarían de N{}", design.dialect.greatest_number),
-                format!("blocks are not numbered: the numbers would exceed N{}", design.dialect.greatest_number),
-            ),
-        ));
-    }
-    findings.push(Finding::note(
-        Place::Block { program: "blank", line: 1 },
-        Text::fixed(
-            "el programa del bruto es para un torno con Fagor 8055 T, sea cual sea el dialecto de la fresadora",
-            "the program of the blank is for a lathe with Fagor 8055 T, whatever the dialect of the mill",
-        ),
-    ));
-    findings.extend(calibrated.map(|axis| calibration_remark(design, axis)));
-    findings
-}
-
-/// Holds the calibrated spindle height against the one in use. Beyond 0.01 mm, the tenth part of what a slot shows to
-/// the eye, a person must judge it.
-fn calibration_remark(design: &Design, axis: Calibrated) -> Finding {
-    let difference = axis.R_B - design.R_p;
-    let (R_B, R_p, B) = (shown(axis.R_B, 4), shown(design.R_p, 4), shown(axis.B.to_degrees(), 5));
-    let what = Text::new(
-        format!("la calibración da R_B = {R_B} mm y B = {B}°; R_p es {R_p} mm (se toma la raíz más próxima a R_p)"),
-        format!(
-            "the calibration gives R_B = {R_B} mm and B = {B}°; R_p is {R_p} mm (the root nearest to R_p is taken)"
-        ),
-    );
-    let place = Place::Parameters(vec!["R_p"]);
-    if difference.abs() > 0.01 {
-        Finding::caution(place, what, Text::new(format!("considere R_p = {R_B}"), format!("consider R_p = {R_B}")))
-            .with(format!("{} mm", shown(difference, 4)), "0.01 mm")
-    } else {
-        Finding::note(place, what).with(format!("{} mm", shown(difference, 4)), "0.01 mm")
-    }
-}
-
-/// Judges the milling programs: closure, travel, memory.
-fn judge(design: &Design, programs: &[Program]) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    for program in programs {
-        if program.key != "blank" {
-            let pitch = Milli::round(360.0 / f64::from(design.N)).unwrap_or(Milli::ZERO);
-            let turn = match (design.style, program.key) {
-                (Style::Annex, "blade" | "splitter") => Turn::Exactly(pitch),
-                _ => Turn::Whole,
-            };
-            findings.push(closure(program, turn));
-            let beyond = travel(program, &design.travel);
-            if beyond.is_empty() {
-                findings.push(travel_passed(design, program));
-            }
-            findings.extend(beyond);
-        }
-        let bytes = program.summary().bytes;
-        if bytes > program.dialect.memory {
-            findings.push(
-                Finding::caution(
-                    Place::Block { program: program.key, line: 1 },
-                    Text::new(
-                        format!(
-                            "el programa «{}» ocupa {bytes} bytes, más que la memoria habitual del control",
-                            program.title.es
-                        ),
-                        format!(
-                            "program \"{}\" takes {bytes} bytes, more than the control's usual memory",
-                            program.title.en
-                        ),
-                    ),
-                    Text::fixed(
-                        "ejecútelo desde disco o red, o un n menor",
-                        "run it from disk or network, or a smaller n",
-                    ),
-                )
-                .with(bytes.to_string(), program.dialect.memory.to_string()),
-            );
-        }
-    }
-    findings
-}
-
-fn travel_passed(design: &Design, program: &Program) -> Finding {
-    let checked: Vec<char> =
-        design.travel.iter().filter(|(_, ends)| ends.iter().any(Option::is_some)).map(|(letter, _)| *letter).collect();
-    let show = |letter: char, ends: [Option<f64>; 2]| {
-        let end = |end: Option<f64>| end.map_or_else(|| "–".to_owned(), |end| shown(end, 3));
-        format!("{letter} {} … {}", end(ends[0]), end(ends[1]))
-    };
-    let value = program
-        .extents()
-        .into_iter()
-        .filter(|(letter, ..)| checked.contains(letter))
-        .map(|(letter, low, high)| show(letter, [Some(low.value()), Some(high.value())]))
-        .collect::<Vec<_>>()
-        .join("  ");
-    let limit = design
-        .travel
-        .iter()
-        .filter(|(letter, _)| checked.contains(letter))
-        .map(|&(letter, ends)| show(letter, ends))
-        .collect::<Vec<_>>()
-        .join("  ");
-    Finding::note(
-        Place::Block { program: program.key, line: 1 },
-        Text::new(
-            format!("el programa «{}» queda dentro de los recorridos comprobados", program.title.es),
-            format!("program \"{}\" stays within the travel that is checked", program.title.en),
-        ),
-    )
-    .with(value, limit)
-}
-
 /// Derived limits, angles and lengths.
 fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, programs: &[Program]) -> Vec<Quantity> {
     let (torus, a_p, e, d_t) = (design.torus, design.a_p, design.e, design.d_t);
@@ -385,7 +115,14 @@ fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, pro
     let circle = crate::geometry::villarceau::Villarceau::new(torus);
     let gap = hub_circumference(torus, a_p) / f64::from(design.N) - e;
     let mut list = vec![
-        quantity("L", "Longitud de pivote", "Pivot length", design.machine.L, mm, ["R_p + L_t", "R_p + L_t"]),
+        quantity(
+            "L",
+            "Longitud de pivote, del eje B al centro del toro",
+            "Pivot length, from the B axis to the torus centre",
+            design.machine.L,
+            mm,
+            ["R_p + L_t", "R_p + L_t"],
+        ),
         quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"]),
         quantity(
             "alpha",

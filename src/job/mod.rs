@@ -3,6 +3,7 @@
 pub mod charts;
 pub mod checks;
 pub mod impeller;
+mod impeller_remarks;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;

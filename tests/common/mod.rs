@@ -1,10 +1,12 @@
 //! What the tests share: the published design and designs like it.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
+use rodete::gcode::axis::{Axis, Position};
 use rodete::impeller::blade::Blade;
 use rodete::impeller::design::Design;
 use rodete::impeller::parameters::{CASES, FORM};
 use rodete::job::{self, Outcome, Source};
+use rodete::number::grid::Milli;
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
 
@@ -37,4 +39,31 @@ pub fn program(outcome: &Outcome, key: &str) -> String {
 /// The blade of a design.
 pub fn blade(design: &Design) -> Blade {
     Blade::new(design.torus, design.n, design.eps_v, design.machine)
+}
+
+/// The positions that a program's text goes through, read word by word on the output grid: a second opinion on the
+/// text, independent of what wrote it.
+pub fn read_back(text: &str, start: Position) -> Vec<Position> {
+    let mut at = start;
+    let mut absolute = true;
+    let mut positions = Vec::new();
+    for line in text.lines().filter(|line| !line.starts_with([';', '(', '%'])) {
+        let mut moves = false;
+        for word in line.split_whitespace() {
+            let (letter, number) = word.split_at(1);
+            match (letter, number) {
+                ("G", "90") => absolute = true,
+                ("G", "91") => absolute = false,
+                _ => {}
+            }
+            let Some(axis) = Axis::ALL.into_iter().find(|axis| letter.starts_with(axis.letter())) else { continue };
+            let size = Milli::new((number.parse::<f64>().expect("a number") * 1000.0).round() as i32);
+            at = if absolute { at.with(axis, size) } else { at.moved(axis, size) };
+            moves = true;
+        }
+        if moves {
+            positions.push(at);
+        }
+    }
+    positions
 }

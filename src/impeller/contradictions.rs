@@ -1,0 +1,329 @@
+//! What is valid alone but not together: the checks of one parameter of the impeller against another.
+
+use crate::finding::{Finding, Place};
+use crate::gcode::word::{Number, Word};
+use crate::geometry::torus::Torus;
+use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
+use crate::impeller::design::{Design, Style};
+use crate::number::shown;
+use crate::text::Text;
+
+/// Most motion blocks of one program: a workbook that asks for more is refused before anything is computed.
+pub const MOST_BLOCKS: u64 = 4_000_000;
+
+impl Design {
+    /// What is valid alone but not together. All findings are stops.
+    #[must_use]
+    pub(super) fn contradictions(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        self.check_geometry(&mut findings);
+        self.check_machine(&mut findings);
+        self.check_program(&mut findings);
+        self.blank.check(self.torus, &mut findings);
+        findings
+    }
+
+    fn check_geometry(&self, findings: &mut Vec<Finding>) {
+        let Torus { R, r } = self.torus;
+        let mut stop = |keys: &[&'static str], what: (String, String), value: String, limit: String, remedy| {
+            findings.push(
+                Finding::stop(Place::Parameters(keys.to_vec()), Text::new(what.0, what.1), remedy).with(value, limit),
+            );
+        };
+        // Relative tolerance: below it the blade's angle α is 90° within the printed digits and the hub vanishes.
+        if r >= R * (1.0 - 1e-6) {
+            stop(
+                &["R", "r"],
+                (
+                    format!(
+                        "el radio del meridiano r es {} mm y debe ser menor que R = {} mm: el toro se cierra",
+                        shown(r, 3),
+                        shown(R, 3)
+                    ),
+                    format!(
+                        "meridian radius r is {} mm, must be below R = {} mm: the torus closes",
+                        shown(r, 3),
+                        shown(R, 3)
+                    ),
+                ),
+                mm(r),
+                mm(R),
+                Text::fixed("un meridiano menor o un toro mayor", "a smaller meridian or a larger torus"),
+            );
+            return;
+        }
+        if self.a_p >= R - r {
+            stop(
+                &["a_p", "R", "r"],
+                (
+                    format!(
+                        "la profundidad a_p es {} mm y debe ser menor que R − r = {} mm",
+                        shown(self.a_p, 3),
+                        shown(R - r, 3)
+                    ),
+                    format!(
+                        "depth of cut a_p is {} mm, must be below R − r = {} mm",
+                        shown(self.a_p, 3),
+                        shown(R - r, 3)
+                    ),
+                ),
+                mm(self.a_p),
+                mm(R - r),
+                Text::fixed("una profundidad menor", "a smaller depth"),
+            );
+            return;
+        }
+        if self.d_t > 2.0 * r {
+            stop(
+                &["d_t", "r"],
+                (
+                    format!(
+                        "la herramienta de {} mm no cabe en el hueco de radio r = {} mm",
+                        shown(self.d_t, 3),
+                        shown(r, 3)
+                    ),
+                    format!(
+                        "a tool of {} mm does not fit into the hollow of radius r = {} mm",
+                        shown(self.d_t, 3),
+                        shown(r, 3)
+                    ),
+                ),
+                mm(self.d_t),
+                mm(2.0 * r),
+                Text::fixed("una herramienta menor", "a smaller tool"),
+            );
+        }
+        let (most, thickest) =
+            (N_max(self.torus, self.a_p, self.e, self.d_t), e_max(self.torus, self.a_p, self.N, self.d_t));
+        let gap = hub_circumference(self.torus, self.a_p) / f64::from(self.N) - self.e;
+        if f64::from(self.N) > most {
+            stop(
+                &["N", "e", "d_t"],
+                (
+                    format!(
+                        "el número de álabes N es {} y no debe pasar de N_max = {} con e = {} mm y d_t = {} mm",
+                        self.N,
+                        shown(most.max(0.0), 0),
+                        shown(self.e, 3),
+                        shown(self.d_t, 3)
+                    ),
+                    format!(
+                        "number of blades N is {}, must not exceed N_max = {} for e = {} mm and d_t = {} mm",
+                        self.N,
+                        shown(most.max(0.0), 0),
+                        shown(self.e, 3),
+                        shown(self.d_t, 3)
+                    ),
+                ),
+                self.N.to_string(),
+                shown(most.max(0.0), 0),
+                Text::new(
+                    format!(
+                        "menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {} mm y hacen falta {} mm",
+                        shown(gap, 3),
+                        shown(least_gap(self.d_t), 3)
+                    ),
+                    format!(
+                        "fewer blades, thinner blades, or a smaller tool; {} mm are left between blades and {} mm are needed",
+                        shown(gap, 3),
+                        shown(least_gap(self.d_t), 3)
+                    ),
+                ),
+            );
+        }
+        if self.e > thickest {
+            stop(
+                &["e", "N", "d_t"],
+                (
+                    format!(
+                        "el espesor del álabe e es {} mm y no debe pasar de e_max = {} mm con {} álabes",
+                        shown(self.e, 3),
+                        shown(thickest, 3),
+                        self.N
+                    ),
+                    format!(
+                        "blade thickness e is {} mm, must not exceed e_max = {} mm for {} blades",
+                        shown(self.e, 3),
+                        shown(thickest, 3),
+                        self.N
+                    ),
+                ),
+                mm(self.e),
+                mm(thickest),
+                Text::fixed(
+                    "menos álabes, álabes más delgados o una herramienta menor",
+                    "fewer blades, a thinner blade, or a smaller tool",
+                ),
+            );
+        }
+        // w·cos β, with β = asin(r/R) at both ends: the reverse's first point lies that far outside the mean line's.
+        let across = self.w() * ((R - r) * (R + r)).sqrt() / R;
+        let reach = self.d_s + self.d_t / 2.0;
+        if reach <= across {
+            let least = across - self.d_t / 2.0;
+            stop(
+                &["d_s", "d_t", "e"],
+                (
+                    format!("con d_s = {} mm los puntos de seguridad quedan dentro de las pasadas", shown(self.d_s, 3)),
+                    format!("with d_s = {} mm the safe points lie inside the passes", shown(self.d_s, 3)),
+                ),
+                mm(self.d_s),
+                mm(least),
+                Text::new(
+                    format!("una distancia de seguridad d_s mayor de {} mm", shown(least, 3)),
+                    format!("a safety distance d_s above {} mm", shown(least, 3)),
+                ),
+            );
+        }
+    }
+
+    fn check_machine(&self, findings: &mut Vec<Finding>) {
+        let mut stop = |keys: &[&'static str], es: String, en: String, value: String, limit: String, remedy| {
+            findings
+                .push(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy).with(value, limit));
+        };
+        let L = self.machine.L;
+        // The part reaches from the origin down to −r, and its rim stands R away from the axis.
+        let least = self.torus.R.max(self.torus.r);
+        if L <= least {
+            stop(
+                &["R_p", "L_t", "R"],
+                format!(
+                    "la longitud de pivote L = R_p + L_t es {} mm: el pivote queda dentro de la pieza",
+                    shown(L, 3)
+                ),
+                format!("pivot length L = R_p + L_t is {} mm: the pivot lies inside the part", shown(L, 3)),
+                mm(L),
+                mm(least),
+                Text::new(
+                    format!("compruebe R_p y L_t; L debe pasar de {} mm", shown(least, 3)),
+                    format!("check R_p and L_t; L must exceed {} mm", shown(least, 3)),
+                ),
+            );
+        }
+        for (letter, [low, high]) in self.travel {
+            if let (Some(low), Some(high)) = (low, high)
+                && low >= high
+            {
+                let keys: &[&'static str] = match letter {
+                    'X' => &["X_min", "X_max"],
+                    'Y' => &["Y_min", "Y_max"],
+                    'Z' => &["Z_min", "Z_max"],
+                    _ => &["B_min", "B_max"],
+                };
+                stop(
+                    keys,
+                    format!(
+                        "el límite inferior de {letter} ({}) no es menor que el superior ({})",
+                        shown(low, 3),
+                        shown(high, 3)
+                    ),
+                    format!(
+                        "the lower limit of {letter} ({}) is not below the upper one ({})",
+                        shown(low, 3),
+                        shown(high, 3)
+                    ),
+                    shown(low, 3),
+                    shown(high, 3),
+                    Text::fixed("intercambie los límites", "exchange the limits"),
+                );
+            }
+        }
+        if let (Some(F), Some(F_max)) = (self.F, self.F_max)
+            && F > F_max
+        {
+            stop(
+                &["F", "F_max"],
+                format!("el avance F es {} mm/min y pasa de F_max = {} mm/min", shown(F, 3), shown(F_max, 3)),
+                format!("feed F is {} mm/min, beyond F_max = {} mm/min", shown(F, 3), shown(F_max, 3)),
+                shown(F, 3),
+                shown(F_max, 3),
+                Text::fixed("un avance menor", "a smaller feed"),
+            );
+        }
+    }
+
+    fn check_program(&self, findings: &mut Vec<Finding>) {
+        let mut stop = |keys: &[&'static str], es: String, en: String, remedy| {
+            findings.push(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy));
+        };
+        if self.style == Style::Full {
+            for (key, missing) in [("F", self.F.is_none()), ("S", self.S.is_none())] {
+                if missing {
+                    stop(
+                        if key == "F" { &["F", "style"] } else { &["S", "style"] },
+                        format!("falta {key}: el estilo full lo exige"),
+                        format!("{key} is missing: style full requires it"),
+                        Text::new(
+                            format!("escriba {key}, o style = annex"),
+                            format!("fill in {key}, or style = annex"),
+                        ),
+                    );
+                }
+            }
+        }
+        for (key, list) in [("start_codes", &self.start_codes), ("end_codes", &self.end_codes)] {
+            for word in list {
+                let Number::Whole(number) = word.number else { continue };
+                let keys: &[&'static str] =
+                    if key == "start_codes" { &["start_codes", "dialect"] } else { &["end_codes", "dialect"] };
+                let ends = matches!(number, 2 | 30);
+                if word.letter != 'M' {
+                    stop(
+                        keys,
+                        format!("{key} lleva {}{number}: aquí sólo valen códigos M", word.letter),
+                        format!("{key} holds {}{number}: only M codes may stand here", word.letter),
+                        Text::fixed("quite el código G", "take the G code out"),
+                    );
+                } else if !self.dialect.knows_machine_code(number) {
+                    stop(
+                        keys,
+                        format!("el dialecto {} no conoce M{number}", self.dialect.name),
+                        format!("dialect {} does not know M{number}", self.dialect.name),
+                        Text::new(
+                            format!("quite M{number} de {key}, o elija el dialecto del control"),
+                            format!("take M{number} out of {key}, or choose the control's dialect"),
+                        ),
+                    );
+                } else if ends && key == "start_codes" {
+                    stop(
+                        keys,
+                        format!("start_codes lleva M{number}, que termina el programa"),
+                        format!("start_codes holds M{number}, which ends the program"),
+                        Text::new(format!("quite M{number}"), format!("take M{number} out")),
+                    );
+                }
+            }
+        }
+        let ends = |word: &Word| matches!(word.number, Number::Whole(2 | 30)) && word.letter == 'M';
+        if !self.end_codes.last().is_some_and(ends) {
+            stop(
+                &["end_codes"],
+                "end_codes no acaba con M2 ni M30: el programa no tendría fin".to_owned(),
+                "end_codes does not close with M2 or M30: the program would have no end".to_owned(),
+                Text::fixed("escriba M30 al final", "put M30 at the end"),
+            );
+        }
+        let passes = 2 * u64::from(self.N) * if self.splitters { 2 } else { 1 };
+        let blocks = passes.saturating_mul(self.n as u64 + 1);
+        if blocks > MOST_BLOCKS {
+            findings.push(
+                Finding::stop(
+                    Place::Parameters(vec!["n", "N"]),
+                    Text::new(
+                        format!("el programa del rodete tendría {blocks} bloques, más de {MOST_BLOCKS}"),
+                        format!(
+                            "the program of the whole impeller would have {blocks} blocks, more than {MOST_BLOCKS}"
+                        ),
+                    ),
+                    Text::fixed("un n menor", "a smaller n"),
+                )
+                .with(blocks.to_string(), MOST_BLOCKS.to_string()),
+            );
+        }
+    }
+}
+
+fn mm(value: f64) -> String {
+    format!("{} mm", shown(value, 3))
+}

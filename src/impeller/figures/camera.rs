@@ -1,0 +1,104 @@
+//! An axonometric view of the part, and faces drawn from far to near so that near ones hide what is behind.
+
+use nalgebra::Vector3;
+
+use crate::figure::{Ink, Stroke};
+use crate::number::trig::sin_cos;
+
+/// A parallel projection.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Camera {
+    right: Vector3<f64>,
+    up: Vector3<f64>,
+    towards: Vector3<f64>,
+}
+
+impl Camera {
+    /// A view from a direction given by azimuth and elevation in degrees.
+    pub fn new(azimuth: f64, elevation: f64) -> Self {
+        let (sin_a, cos_a) = sin_cos(azimuth.to_radians());
+        let (sin_e, cos_e) = sin_cos(elevation.to_radians());
+        Self {
+            right: Vector3::new(-sin_a, cos_a, 0.0),
+            up: Vector3::new(-sin_e * cos_a, -sin_e * sin_a, cos_e),
+            towards: Vector3::new(cos_e * cos_a, cos_e * sin_a, sin_e),
+        }
+    }
+
+    /// Where a point falls on the drawing.
+    pub fn see(&self, point: &Vector3<f64>) -> [f64; 2] {
+        [self.right.dot(point), self.up.dot(point)]
+    }
+
+    /// A curve as a stroke.
+    pub fn curve(&self, ink: Ink, points: impl IntoIterator<Item = Vector3<f64>>) -> Stroke {
+        super::line(ink, points.into_iter().map(|point| self.see(&point)).collect())
+    }
+
+    /// True for a face with this normal that is seen from in front.
+    pub fn faces(&self, normal: &Vector3<f64>) -> bool {
+        normal.dot(&self.towards) > 0.0
+    }
+}
+
+/// A face of the part with the edges that are drawn along it.
+struct Face {
+    depth: f64,
+    strokes: Vec<Stroke>,
+}
+
+/// Faces of a solid, to be drawn far ones first.
+pub(super) struct Scene {
+    camera: Camera,
+    light: Vector3<f64>,
+    faces: Vec<Face>,
+}
+
+impl Scene {
+    /// An empty scene; the light comes over the viewer's left shoulder.
+    pub fn new(camera: Camera) -> Self {
+        let light = camera.towards * 0.62 - camera.right * 0.46 + camera.up * 0.63;
+        Self { camera, light, faces: Vec::new() }
+    }
+
+    /// Adds a plane face by its corners, anticlockwise from outside; one that is seen from behind is left out.
+    ///
+    /// `edges` are the numbers of the corners at which a drawn edge begins. `nearer` moves the face towards the viewer
+    /// when it is put in order (mm), for faces that lie on others.
+    pub fn add(&mut self, corners: &[Vector3<f64>], edges: &[usize], ink: Ink, nearer: f64) {
+        let [a, b, c, ..] = corners else { return };
+        let across = corners.get(3).unwrap_or(a);
+        let Some(normal) = (c - a).cross(&(across - b)).try_normalize(1e-12) else { return };
+        if !self.camera.faces(&normal) {
+            return;
+        }
+        let count = f64::from(u32::try_from(corners.len()).unwrap_or(u32::MAX));
+        let depth = corners.iter().map(|corner| self.camera.towards.dot(corner)).sum::<f64>() / count + nearer;
+        let seen: Vec<[f64; 2]> = corners.iter().map(|corner| self.camera.see(corner)).collect();
+        let shade = Ink::Face(brightness(normal.dot(&self.light)));
+        let mut strokes = vec![Stroke { ink: shade, points: seen.clone(), filled: true, arrow: false }];
+        for &edge in edges {
+            if let (Some(&from), Some(&to)) = (seen.get(edge), seen.get((edge + 1) % seen.len())) {
+                strokes.push(super::line(ink, vec![from, to]));
+            }
+        }
+        self.faces.push(Face { depth, strokes });
+    }
+
+    /// The strokes, far faces first.
+    pub fn strokes(mut self) -> Vec<Stroke> {
+        self.faces.sort_by(|one, other| one.depth.total_cmp(&other.depth));
+        self.faces.into_iter().flat_map(|face| face.strokes).collect()
+    }
+}
+
+/// Light on a face from the cosine of its angle of incidence, with some light everywhere.
+fn brightness(cosine: f64) -> u8 {
+    const LEVELS: [u8; 9] = [20, 48, 76, 104, 132, 160, 188, 218, 250];
+    let level = (0..9_u8).rev().find(|&level| cosine.max(0.0) * 8.0 >= f64::from(level)).unwrap_or(0);
+    let low = LEVELS.get(usize::from(level)).copied().unwrap_or(250);
+    let high = LEVELS.get(usize::from(level) + 1).copied().unwrap_or(low);
+    let part = cosine.max(0.0) * 8.0 - f64::from(level);
+    // The steps between two levels are counted, so that no float is cast.
+    (low..=high).rev().find(|&one| f64::from(one - low) <= part * f64::from(high - low)).unwrap_or(low)
+}

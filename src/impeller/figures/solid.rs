@@ -1,0 +1,119 @@
+//! The impeller as a solid: hub, blades and splitters.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use nalgebra::Vector3;
+
+use super::camera::{Camera, Scene};
+use super::{steps, t};
+use crate::figure::{Figure, Ink};
+use crate::geometry::darboux::Darboux;
+use crate::geometry::torus::Torus;
+use crate::impeller::blade::Blade;
+use crate::impeller::design::Design;
+use crate::impeller::splitter::Splitter;
+use crate::number::trig::sin_cos;
+
+/// Steps of the mesh along a blade, about the hub, and along the hub's meridian.
+const ALONG: u16 = 44;
+const ABOUT: u16 = 132;
+const MERIDIAN: u16 = 20;
+
+/// The impeller seen from above its narrow end.
+pub(super) fn cover(design: &Design, blade: &Blade, splitter: Option<&Splitter>) -> Figure {
+    let mut scene = Scene::new(Camera::new(-58.0, 33.0));
+    hub(&mut scene, design);
+    for number in 0..design.N {
+        let turn = TAU * f64::from(number) / f64::from(design.N);
+        wall(&mut scene, design, blade, turn, |_| design.e / 2.0);
+        if let Some(splitter) = splitter {
+            let half = |v: f64| splitter_half(design, blade, splitter, v);
+            wall(&mut scene, design, blade, turn - PI / f64::from(design.N), half);
+        }
+    }
+    Figure {
+        key: "cover",
+        caption: t(
+            "El rodete mecanizado; la base bajo el canal es indicativa",
+            "The impeller as cut; the base below the channel is indicative",
+        ),
+        axes: None,
+        strokes: scene.strokes(),
+        labels: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+fn about_axis(point: &Vector3<f64>, angle: f64) -> Vector3<f64> {
+    let (sin, cos) = sin_cos(angle);
+    Vector3::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos, point.z)
+}
+
+/// The floor of the channel, a torus whose meridian is deeper by a_p; the top, and a base below.
+fn hub(scene: &mut Scene, design: &Design) {
+    let (R, a_p) = (design.torus.R, design.a_p);
+    let floor = Torus { R, r: design.torus.r + a_p };
+    let base = -floor.r - 0.16 * R;
+    let edge = |u: f64, rho: f64, z: f64| {
+        let (sin, cos) = sin_cos(u);
+        Vector3::new(rho * cos, rho * sin, z)
+    };
+    let angles: Vec<f64> = steps(0.0, TAU, ABOUT).collect();
+    let meridian: Vec<f64> = steps(PI, PI + FRAC_PI_2, MERIDIAN).collect();
+    let top: Vec<Vector3<f64>> = angles.iter().skip(1).map(|&u| floor.point(u, PI)).collect();
+    scene.add(&top, &(0..top.len()).collect::<Vec<_>>(), Ink::Outline, 0.0);
+    for about in angles.windows(2) {
+        let (from, to) = (about[0], about[1]);
+        for along in meridian.windows(2) {
+            let corners = [
+                floor.point(from, along[0]),
+                floor.point(from, along[1]),
+                floor.point(to, along[1]),
+                floor.point(to, along[0]),
+            ];
+            scene.add(&corners, &[], Ink::Thin, 0.0);
+        }
+        let rim = [edge(from, R, -floor.r), edge(from, R, base), edge(to, R, base), edge(to, R, -floor.r)];
+        // A little farther, so that what stands on the rim is not cut by it.
+        scene.add(&rim, &[1, 3], Ink::Outline, -0.02 * R);
+    }
+}
+
+/// Half the thickness of a splitter at v: what the tool leaves between its two paths.
+fn splitter_half(design: &Design, blade: &Blade, splitter: &Splitter, v: f64) -> f64 {
+    let last = blade.points().saturating_sub(1);
+    #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+    let position = (v - PI) / FRAC_PI_2 * last as f64;
+    // Between the first point and m the fraction is a power of a straight line: the nearest point serves a drawing.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to the last index")]
+    let fraction = splitter.fraction.get(position.clamp(0.0, last as f64).round() as usize).copied().unwrap_or(1.0);
+    (design.w() * fraction - design.d_t / 2.0).max(0.0)
+}
+
+/// A blade of a given half thickness, turned about the axis: both flanks, the top and the ends.
+fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, half: impl Fn(f64) -> f64) {
+    let circle = blade.circle;
+    let section = |v: f64| -> Option<[Vector3<f64>; 4]> {
+        let half = half(v);
+        if half <= 0.0 {
+            return None;
+        }
+        let u = circle.u(v);
+        let point = circle.torus.point(u, v);
+        let frame = Darboux::of(circle, u, v);
+        let (side, depth) = (frame.b * half, frame.N * design.a_p);
+        Some([point + side, point - side, point - side - depth, point + side - depth].map(|at| about_axis(&at, turn)))
+    };
+    let sections: Vec<[Vector3<f64>; 4]> = steps(PI, PI + FRAC_PI_2, ALONG).filter_map(section).collect();
+    let nearer = 0.5 * design.a_p;
+    for pair in sections.windows(2) {
+        let ([a, b, c, d], [e, f, g, h]) = (pair[0], pair[1]);
+        scene.add(&[a, e, f, b], &[0, 2], Ink::Outline, nearer + 0.05 * design.a_p);
+        scene.add(&[d, h, e, a], &[0], Ink::Outline, nearer);
+        scene.add(&[b, f, g, c], &[2], Ink::Outline, nearer);
+    }
+    if let (Some([a, b, c, d]), Some([e, f, g, h])) = (sections.first(), sections.last()) {
+        scene.add(&[*a, *b, *c, *d], &[0, 1, 2, 3], Ink::Outline, nearer);
+        scene.add(&[*e, *h, *g, *f], &[0, 1, 2, 3], Ink::Outline, nearer);
+    }
+}

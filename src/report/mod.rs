@@ -1,0 +1,98 @@
+//! The typeset report: an outcome and the files made of it, set by typst into one PDF/A-3b that carries the workbook
+//! and the programs as attachments.
+//!
+//! The templates of `report-templates/` are part of the library; what they set arrives as JSON, as texts and numbers
+//! ready to print, and never as markup. A character that the fonts cannot show is shown by its code point, and a note
+//! says so.
+
+pub mod characters;
+mod compiler;
+mod contents;
+mod failure;
+mod number;
+mod shorten;
+mod svg;
+mod templates;
+mod ticks;
+
+use std::fs;
+use std::path::Path;
+
+use tempfile::TempDir;
+
+pub use self::compiler::{DEADLINE, Typst};
+pub use self::failure::{Ending, ReportFailure, TYPST_VERSION};
+
+use crate::finding::Finding;
+use crate::job::Outcome;
+use crate::text::{Language, Text};
+
+/// Where the bytes of an attachment are.
+#[derive(Clone, Copy, Debug)]
+pub enum Content<'a> {
+    /// In memory.
+    Bytes(&'a [u8]),
+    /// In a file.
+    File(&'a Path),
+}
+
+/// What a file is to the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// The workbook that everything was computed from.
+    Input,
+    /// The program with a key, as `blade`.
+    Program(&'static str),
+    /// Anything else that was written beside the report.
+    Result,
+}
+
+/// A file that the report lists with its SHA-256 and carries.
+#[derive(Clone, Debug)]
+pub struct Attachment<'a> {
+    /// The file's name, without folders.
+    pub name: String,
+    /// What it is to the report.
+    pub role: Role,
+    /// The media type, as `text/plain`.
+    pub mime: &'static str,
+    /// What it is.
+    pub description: Text,
+    /// Its bytes.
+    pub content: Content<'a>,
+}
+
+/// A finished report.
+#[derive(Debug)]
+pub struct Report {
+    /// The PDF.
+    pub pdf: Vec<u8>,
+    /// What was found while it was made: characters without a glyph, files too large to be carried.
+    pub findings: Vec<Finding>,
+}
+
+/// Sets the report of an outcome.
+///
+/// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline.
+///
+/// # Errors
+/// A [`ReportFailure`] when the folder cannot be filled, typst cannot be started, fails, hangs, or leaves no whole PDF.
+pub fn typeset(
+    outcome: &Outcome,
+    attachments: &[Attachment<'_>],
+    language: Language,
+    typst: &Typst,
+) -> Result<Report, ReportFailure> {
+    let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;
+    let contents = contents::write(outcome, attachments, language, folder.path())?;
+    templates::write(folder.path())?;
+    fs::write(folder.path().join("contents.json"), &contents.json)?;
+    let pdf = typst.compile(folder.path())?;
+    close(folder)?;
+    Ok(Report { pdf, findings: contents.findings })
+}
+
+/// Removes the folder now, so that what cannot be removed is told and not left behind in silence.
+fn close(folder: TempDir) -> Result<(), ReportFailure> {
+    Ok(folder.close()?)
+}

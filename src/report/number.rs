@@ -1,0 +1,103 @@
+//! Numbers as the report prints them: fixed decimals, a point, a true minus sign and never a minus zero.
+
+use crate::table::Unit;
+
+/// U+2212: as wide as a digit, so that columns of numbers align.
+const MINUS: char = '\u{2212}';
+
+/// A number with fixed decimals.
+pub(super) fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|byte| matches!(byte, b'0' | b'.')) => rest.to_owned(),
+        Some(rest) => format!("{MINUS}{rest}"),
+        None => text,
+    }
+}
+
+/// A number with at most some decimals, without trailing zeros.
+pub(super) fn trimmed(value: f64, decimals: usize) -> String {
+    let text = fixed(value, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// A value typed by the user: every digit that was given.
+pub(super) fn given(value: f64) -> String {
+    let text = format!("{}", if value == 0.0 { 0.0 } else { value });
+    text.replace('-', "\u{2212}")
+}
+
+/// A single value in its unit.
+pub(super) fn quantity(value: f64, unit: Unit) -> String {
+    match unit {
+        Unit::Count => fixed(value, 0),
+        Unit::Radian | Unit::One => trimmed(value, 8),
+        Unit::Degree => trimmed(value, 7),
+        _ => trimmed(value, 4),
+    }
+}
+
+/// The decimals of a table's column: those of the published annexes.
+pub(super) const fn decimals(unit: Unit) -> usize {
+    match unit {
+        Unit::Count => 0,
+        Unit::One | Unit::Radian => 8,
+        Unit::Degree => 7,
+        Unit::Millimetre => 5,
+        _ => 4,
+    }
+}
+
+/// A whole number in groups of three, parted by narrow spaces.
+pub(super) fn grouped(value: u64) -> String {
+    let digits = value.to_string();
+    let mut out = String::with_capacity(digits.len() * 2);
+    for (at, digit) in digits.char_indices() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            out.push('\u{202F}');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// A time in seconds as `1 h 02 min 03 s`, rounded up to a whole second; empty for a time that is none.
+pub(super) fn duration(seconds: f64) -> String {
+    if !seconds.is_finite() || seconds < 0.0 {
+        return String::new();
+    }
+    // Text is the one way from a float to a whole number that cannot wrap.
+    let Ok(total) = format!("{:.0}", seconds.ceil()).parse::<u64>() else { return String::new() };
+    match (total / 3600, total / 60 % 60, total % 60) {
+        (0, 0, second) => format!("{second} s"),
+        (0, minute, second) => format!("{minute} min {second:02} s"),
+        (hour, minute, second) => format!("{hour} h {minute:02} min {second:02} s"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{duration, fixed, given, grouped, trimmed};
+
+    #[test]
+    fn numbers_carry_a_point_a_true_minus_and_no_minus_zero() {
+        assert_eq!(fixed(-239.7, 5), "\u{2212}239.70000");
+        assert_eq!(fixed(-0.000_001, 5), "0.00000");
+        assert_eq!(fixed(-0.0, 0), "0");
+        assert_eq!(trimmed(36.869_897_6, 4), "36.8699");
+        assert_eq!(trimmed(20.0, 4), "20");
+        assert_eq!(trimmed(100.0, 0), "100");
+        assert_eq!(given(1e-5), "0.00001");
+        assert_eq!(given(-0.0), "0");
+    }
+
+    #[test]
+    fn times_and_counts_are_readable() {
+        assert_eq!(duration(3.2), "4 s");
+        assert_eq!(duration(125.0), "2 min 05 s");
+        assert_eq!(duration(3725.0), "1 h 02 min 05 s");
+        assert_eq!(duration(f64::NAN), "");
+        assert_eq!(grouped(1_234_567), "1\u{202F}234\u{202F}567");
+        assert_eq!(grouped(12), "12");
+    }
+}

@@ -1,0 +1,267 @@
+//! A figure as SVG: scaled to the page, with ticks for graphs.
+//!
+//! The unit of the drawing is the millimetre of paper. Captions and legends are set by the templates, with the same
+//! inks: [`pen`].
+
+use std::fmt::Write as _;
+
+use super::ticks::ticks;
+use crate::figure::{Axes, Figure, Ink};
+use crate::text::Language;
+
+/// Width of the drawing area on paper in mm.
+const WIDTH: f64 = 160.0;
+/// Greatest height of the drawing area of a drawing in mm.
+const HEIGHT: f64 = 118.0;
+/// Height of the plot area of a graph in mm.
+const GRAPH_HEIGHT: f64 = 62.0;
+/// Margins around shapes for labels: left, top, right, bottom in mm.
+const MARGIN: [f64; 4] = [5.0, 4.0, 5.0, 4.0];
+/// Margins around a plot for ticks and titles.
+const GRAPH_MARGIN: [f64; 4] = [19.0, 3.0, 5.0, 13.0];
+/// Points of a stroke nearer to the last one drawn are left out, in mm of paper.
+const FINEST: f64 = 0.05;
+
+/// How an ink looks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pen {
+    /// Colour as `#rrggbb`.
+    pub colour: &'static str,
+    /// Width in mm.
+    pub width: f64,
+    /// Dashes and gaps in mm; empty for a full line.
+    pub dash: &'static [f64],
+    /// Colour of a filled shape.
+    pub tint: &'static str,
+}
+
+/// The pen of an ink.
+pub(super) const fn pen(ink: Ink) -> Pen {
+    const FULL: &[f64] = &[];
+    const fn of(colour: &'static str, width: f64, dash: &'static [f64], tint: &'static str) -> Pen {
+        Pen { colour, width, dash, tint }
+    }
+    match ink {
+        Ink::Outline => of("#1d232b", 0.3, FULL, "#e9edf1"),
+        Ink::Thin => of("#8d97a3", 0.13, FULL, "#f4f6f8"),
+        Ink::Centre => of("#6b7682", 0.15, &[3.0, 0.8, 0.5, 0.8], "#f4f6f8"),
+        Ink::Blade => of("#163a63", 0.5, FULL, "#cfdceb"),
+        Ink::Obverse => of("#a8261c", 0.4, FULL, "#f3d6d2"),
+        Ink::Reverse => of("#1c6b43", 0.4, FULL, "#d2e9dc"),
+        Ink::Splitter => of("#b06a00", 0.45, FULL, "#f5e3c6"),
+        Ink::Safe => of("#555d66", 0.3, &[1.6, 1.0], "#eceef0"),
+        Ink::Axis(0) => of("#b3261e", 0.45, FULL, "#f3d6d2"),
+        Ink::Axis(1) => of("#1c6b43", 0.45, FULL, "#d2e9dc"),
+        Ink::Axis(_) => of("#1f4fa3", 0.45, FULL, "#d5dff2"),
+        Ink::Face(_) => of("#1d232b", 0.1, FULL, "#e9edf1"),
+    }
+}
+
+/// Where figure coordinates fall on paper.
+struct Frame {
+    scale: [f64; 2],
+    shift: [f64; 2],
+    size: [f64; 2],
+}
+
+impl Frame {
+    fn at(&self, point: [f64; 2]) -> [f64; 2] {
+        [point[0] * self.scale[0] + self.shift[0], self.shift[1] - point[1] * self.scale[1]]
+    }
+}
+
+/// The figure as an SVG document; `None` where it has nothing to show or a coordinate is not finite.
+pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
+    let bounds = bounds(figure)?;
+    let mut body = String::new();
+    let frame = match &figure.axes {
+        Some(axes) => graph(&mut body, axes, bounds, language),
+        None => drawing(bounds),
+    };
+    for stroke in &figure.strokes {
+        let points: Vec<[f64; 2]> = stroke.points.iter().map(|&point| frame.at(point)).collect();
+        if stroke.filled {
+            fill(&mut body, stroke.ink, &points);
+        } else {
+            line(&mut body, stroke.ink, &points);
+            if stroke.arrow {
+                arrow_head(&mut body, stroke.ink, &points);
+            }
+        }
+    }
+    for label in &figure.labels {
+        let at = frame.at(label.at);
+        word(&mut body, at, 3.4, "middle", "#1d232b", label.text.get(language));
+    }
+    let [width, height] = frame.size;
+    Some(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.2}mm\" height=\"{height:.2}mm\" viewBox=\"0 0 {width:.2} {height:.2}\">\n{body}</svg>\n"
+    ))
+}
+
+/// Least and greatest coordinates: x, then y.
+fn bounds(figure: &Figure) -> Option<[[f64; 2]; 2]> {
+    let points =
+        figure.strokes.iter().flat_map(|stroke| &stroke.points).chain(figure.labels.iter().map(|label| &label.at));
+    let mut found: Option<[[f64; 2]; 2]> = None;
+    for &[x, y] in points {
+        if !(x.is_finite() && y.is_finite()) {
+            return None;
+        }
+        found = Some(match found {
+            None => [[x, x], [y, y]],
+            Some([[x0, x1], [y0, y1]]) => [[x0.min(x), x1.max(x)], [y0.min(y), y1.max(y)]],
+        });
+    }
+    found
+}
+
+/// One scale both ways, the shapes in the middle.
+fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Frame {
+    let [left, top, right, bottom] = MARGIN;
+    let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
+    let scale = ((WIDTH - left - right) / dx).min((HEIGHT - top - bottom) / dy);
+    let size = [dx * scale + left + right, dy * scale + top + bottom];
+    Frame { scale: [scale, scale], shift: [left - x0 * scale, top + y1 * scale], size }
+}
+
+/// Draws the axes with ticks; a scale of its own for each.
+fn graph(body: &mut String, axes: &Axes, [[x0, x1], [y0, y1]]: [[f64; 2]; 2], language: Language) -> Frame {
+    let [left, top, right, bottom] = GRAPH_MARGIN;
+    let (width, height) = (WIDTH - left - right, GRAPH_HEIGHT);
+    let room = 0.06 * (y1 - y0).max(1e-9);
+    let (y0, y1) = (y0 - room, y1 + room);
+    let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
+    let scale = [width / dx, height / dy];
+    let shift = [left - x0 * scale[0], top + y1 * scale[1]];
+    let frame = Frame { scale, shift, size: [WIDTH, height + top + bottom] };
+    let (foot, end) = (top + height, left + width);
+    for (value, text) in ticks(x0, x1, 10) {
+        let [x, _] = frame.at([value, y0]);
+        rule(body, [x, top], [x, foot]);
+        word(body, [x, foot + 4.0], 3.0, "middle", "#333b44", &text);
+    }
+    for (value, text) in ticks(y0, y1, 6) {
+        let [_, y] = frame.at([x0, value]);
+        rule(body, [left, y], [end, y]);
+        word(body, [left - 1.5, y + 1.0], 3.0, "end", "#333b44", &text);
+    }
+    let _ = writeln!(
+        body,
+        "<rect x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill=\"none\" stroke=\"#333b44\" stroke-width=\"0.25\"/>"
+    );
+    word(body, [left + width / 2.0, foot + 9.5], 3.3, "middle", "#1d232b", axes.x.get(language));
+    let _ = write!(body, "<g transform=\"translate(4.2 {:.2}) rotate(-90)\">", top + height / 2.0);
+    word(body, [0.0, 0.0], 3.3, "middle", "#1d232b", axes.y.get(language));
+    body.push_str("</g>\n");
+    frame
+}
+
+fn rule(body: &mut String, from: [f64; 2], to: [f64; 2]) {
+    let _ = writeln!(
+        body,
+        "<line x1=\"{:.3}\" y1=\"{:.3}\" x2=\"{:.3}\" y2=\"{:.3}\" stroke=\"#dde2e7\" stroke-width=\"0.15\"/>",
+        from[0], from[1], to[0], to[1]
+    );
+}
+
+/// The points of a polyline, without those too near to be seen; the last one always.
+fn path(points: &[[f64; 2]]) -> String {
+    let mut text = String::new();
+    let mut last: Option<[f64; 2]> = None;
+    for (at, &[x, y]) in points.iter().enumerate() {
+        let near = last.is_some_and(|[a, b]| (a - x).abs().max((b - y).abs()) < FINEST);
+        if near && at + 1 < points.len() {
+            continue;
+        }
+        let _ = write!(text, "{}{x:.3} {y:.3}", if last.is_some() { " " } else { "M" });
+        last = Some([x, y]);
+    }
+    text
+}
+
+fn line(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
+    let pen = pen(ink);
+    let _ = write!(
+        body,
+        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2}\" stroke-linejoin=\"round\" stroke-linecap=\"round\"",
+        path(points),
+        pen.colour,
+        pen.width
+    );
+    if !pen.dash.is_empty() {
+        let dashes: Vec<String> = pen.dash.iter().map(|length| format!("{length:.2}")).collect();
+        let _ = write!(body, " stroke-dasharray=\"{}\"", dashes.join(" "));
+    }
+    body.push_str("/>\n");
+}
+
+/// A filled shape, its seam closed by a hairline of its own colour.
+fn fill(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
+    let colour = match ink {
+        Ink::Face(light) => face(light),
+        other => pen(other).tint.to_owned(),
+    };
+    let _ = writeln!(
+        body,
+        "<path d=\"{} Z\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.08\" stroke-linejoin=\"round\"/>",
+        path(points)
+    );
+}
+
+/// The colour of metal in some light, from a blue shadow to nearly white.
+fn face(light: u8) -> String {
+    const DARK: [u16; 3] = [116, 132, 150];
+    const BRIGHT: [u16; 3] = [250, 251, 252];
+    let light = u16::from(light);
+    let [red, green, blue] = [0, 1, 2].map(|at| (DARK[at] * (255 - light) + BRIGHT[at] * light) / 255);
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+fn arrow_head(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
+    let [.., from, to] = points else { return };
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length = (dx * dx + dy * dy).sqrt();
+    if length < 1e-6 {
+        return;
+    }
+    let (dx, dy) = (dx / length * 2.2, dy / length * 2.2);
+    let (wing_x, wing_y) = (-dy * 0.32, dx * 0.32);
+    let (base_x, base_y) = (to[0] - dx, to[1] - dy);
+    let _ = writeln!(
+        body,
+        "<path d=\"M{:.3} {:.3} {:.3} {:.3} {:.3} {:.3} Z\" fill=\"{}\"/>",
+        to[0],
+        to[1],
+        base_x + wing_x,
+        base_y + wing_y,
+        base_x - wing_x,
+        base_y - wing_y,
+        pen(ink).colour
+    );
+}
+
+/// A word; what follows an underscore up to a blank is a subscript.
+fn word(body: &mut String, at: [f64; 2], size: f64, anchor: &str, colour: &str, text: &str) {
+    let _ = write!(
+        body,
+        "<text x=\"{:.3}\" y=\"{:.3}\" font-family=\"Libertinus Serif\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{colour}\">",
+        at[0], at[1]
+    );
+    for (index, part) in text.split('_').enumerate() {
+        let (low, rest) = match index {
+            0 => ("", part),
+            _ => part.split_at(part.find([' ', ',', ')', '″', '′']).unwrap_or(part.len())),
+        };
+        if !low.is_empty() {
+            let _ =
+                write!(body, "<tspan font-size=\"{:.2}\" baseline-shift=\"sub\">{}</tspan>", size * 0.7, escape(low));
+        }
+        body.push_str(&escape(rest));
+    }
+    body.push_str("</text>\n");
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,36 @@
+//! The typst templates, part of the library so that the binary stands alone.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+macro_rules! templates {
+    ($($name:literal),+ $(,)?) => {
+        /// Every template by its path in the folder.
+        const TEMPLATES: &[(&str, &str)] =
+            &[$(($name, include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/report-templates/", $name)))),+];
+    };
+}
+
+templates![
+    "report.typ",
+    "style.typ",
+    "labels.typ",
+    "tables.typ",
+    "cover.typ",
+    "design.typ",
+    "method.typ",
+    "method-impeller.typ",
+    "method-impeller-es.typ",
+    "method-impeller-en.typ",
+    "annexes.typ",
+    "programs.typ",
+    "checks.typ",
+    "setup.typ",
+    "setup-impeller.typ",
+];
+
+/// Writes the templates into a folder.
+pub(super) fn write(folder: &Path) -> io::Result<()> {
+    TEMPLATES.iter().try_for_each(|(name, text)| fs::write(folder.join(name), text))
+}

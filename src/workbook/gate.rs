@@ -1,0 +1,125 @@
+//! The gate: what a file must be before a spreadsheet reader may see it.
+//!
+//! calamine trusts its input: it reserves memory for a declared count, does not mind a wrong checksum, and takes a sheet
+//! in UTF-16 for an empty one. Whatever it relies on is therefore looked at here first, with this module's own walk over
+//! the same parts.
+
+use crate::escape::{excerpt, printable};
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::text::Text;
+
+use super::limits;
+use super::listing::{self, SheetEntry};
+use super::package::Package;
+use super::shared_tables::{self, structure};
+
+/// A workbook that passed the gate.
+#[derive(Debug)]
+pub struct Gated<'a> {
+    /// The package.
+    pub package: Package<'a>,
+    /// The sheets in their order.
+    pub sheets: Vec<SheetEntry>,
+    /// How many shared texts there are.
+    pub strings: usize,
+    /// Notes on the file.
+    pub notes: Vec<Finding>,
+}
+
+/// Lets a workbook through, or says why not.
+///
+/// # Errors
+/// [`Exit::Unreadable`] for what is no sound `.xlsx` (old `.xls`, password, `.ods`, `.xlsb`, text, a cut or damaged
+/// package, a document type, missing parts), [`Exit::Limit`] for what exceeds [`limits`].
+pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
+    signature(bytes)?;
+    let mut package = Package::open(bytes)?;
+    format(&mut package)?;
+    let (folder, sheets) = listing::sheets(&mut package)?;
+    let strings = shared_tables::strings(&mut package, &format!("{folder}sharedStrings.xml"))?;
+    shared_tables::styles(&mut package, &format!("{folder}styles.xml"))?;
+    structure(&mut package, &format!("{folder}theme/theme1.xml"), limits::ATTRIBUTE, |_, _| Ok(()))?;
+    let mut notes = Vec::new();
+    if package.has_ending("vbaproject.bin") {
+        notes.push(Finding::note(
+            Place::File,
+            Text::fixed(
+                "el libro lleva macros (.xlsm): ni se ejecutan ni se leen",
+                "the workbook carries macros (.xlsm): they are neither run nor read",
+            ),
+        ));
+    }
+    Ok(Gated { package, sheets, strings, notes })
+}
+
+/// Judges the first bytes.
+fn signature(bytes: &[u8]) -> Result<(), Refusal> {
+    if bytes.is_empty() {
+        return Err(refuse(
+            Text::fixed("el archivo está vacío", "the file is empty"),
+            Text::fixed("vuelva a copiarlo del original", "copy it again from the original"),
+        ));
+    }
+    if bytes.starts_with(b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1") {
+        return Err(refuse(
+            Text::fixed(
+                "es un .xls antiguo o un libro protegido con contraseña",
+                "old .xls or password-protected workbook",
+            ),
+            Text::fixed(
+                "guárdelo como libro de Excel (.xlsx) sin contraseña",
+                "save it as an Excel workbook (.xlsx) without a password",
+            ),
+        ));
+    }
+    if !bytes.starts_with(b"PK") {
+        let head: String = String::from_utf8_lossy(bytes.get(..64).unwrap_or(bytes)).chars().take(16).collect();
+        let head = printable(head.lines().next().unwrap_or_default());
+        return Err(refuse(
+            say!(
+                "no es un libro .xlsx (empieza por \"{head}\")",
+                "this is not an .xlsx workbook (starts with \"{head}\")"
+            ),
+            Text::fixed(
+                "ábralo en Excel o LibreOffice y guárdelo como .xlsx",
+                "open it in Excel or LibreOffice and save it as .xlsx",
+            ),
+        ));
+    }
+    Ok(())
+}
+
+fn refuse(what: Text, remedy: Text) -> Refusal {
+    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
+}
+
+/// Names the packages that are no `.xlsx`.
+fn format(package: &mut Package<'_>) -> Result<(), Refusal> {
+    let other = |name: &str| {
+        refuse(
+            say!("es un archivo {name}, no un libro .xlsx", "this is an {name} file, not an .xlsx workbook"),
+            Text::fixed("guárdelo como .xlsx", "save it as .xlsx"),
+        )
+    };
+    if let Some(mime) = package.part("mimetype", limits::STRUCTURE)? {
+        let mime = String::from_utf8_lossy(&mime);
+        if mime.contains("opendocument.spreadsheet") {
+            return Err(other("OpenDocument (.ods)"));
+        }
+        return Err(other(&excerpt(mime.trim(), 60)));
+    }
+    if package.has("xl/workbook.bin") {
+        return Err(other("Excel (.xlsb)"));
+    }
+    if package.has_beginning("word/") {
+        return Err(other("Office (.docx)"));
+    }
+    if package.has_beginning("ppt/") {
+        return Err(other("Office (.pptx)"));
+    }
+    if !package.has("[Content_Types].xml") {
+        return Err(other("archive (.zip)"));
+    }
+    structure(package, "[Content_Types].xml", limits::ATTRIBUTE, |_, _| Ok(()))?;
+    Ok(())
+}
