@@ -7,6 +7,7 @@ use std::io::{Cursor, Read};
 
 use calamine::{Data, Range, Reader, Xlsx};
 use rodete::finding::{Finding, Place};
+use rodete::impeller::parameters::FORM;
 use rodete::job::{Outcome, checks};
 use rodete::parameter::Value;
 use rodete::table::{Column, Entry, Index, Table, Unit};
@@ -353,6 +354,36 @@ fn charts_of_a_long_table_reach_to_its_last_row() {
         for chart in &charts {
             let mut reader = quick_xml::Reader::from_str(chart);
             while reader.read_event().expect("well-formed") != quick_xml::events::Event::Eof {}
+        }
+    }
+}
+
+/// The slots of a calibration that has a solution.
+fn calibration() -> Vec<(&'static str, Value)> {
+    [("H", 60.0), ("d_w", 50.0), ("e_z", 3.0), ("e_x", 4.0), ("d_t", 6.0), ("x0", -200.0), ("z0", -150.0)]
+        .into_iter()
+        .map(|(symbol, value)| {
+            let (_, parameter) = FORM
+                .parameters()
+                .find(|(_, parameter)| parameter.key == format!("calibration/{symbol}"))
+                .expect("a parameter");
+            (parameter.key, Value::Real(value))
+        })
+        .collect()
+}
+
+#[test]
+fn the_results_workbook_is_an_input_with_the_same_values() {
+    for language in Language::ALL {
+        for case in ["tfg-2021", "full"] {
+            for changes in [Vec::new(), calibration(), vec![("part", Value::Line("=1+1 «álabe»".to_owned()))]] {
+                let outcome = common::outcome(case, &changes);
+                let filled = rodete::workbook::read(&written(&outcome, language), &[&FORM])
+                    .unwrap_or_else(|refusal| panic!("{case} {changes:?}: {:?}", refusal.findings));
+                assert_eq!(filled.values.values, outcome.values.values);
+                assert_eq!(filled.values.language, language);
+                assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+            }
         }
     }
 }
