@@ -74,8 +74,11 @@ impl Draft {
         let file = builder.tempfile_in(folder)?;
         let path = file.path().to_owned();
         unfinished.begun(&path);
-        // Without locks on this file system, its age alone keeps it from being taken for a leftover.
-        let _ = file.as_file().try_lock();
+        // Without a lock its age alone keeps it from being taken for a leftover. On Windows a lock would keep everyone
+        // else from reading it.
+        if cfg!(unix) {
+            let _ = file.as_file().try_lock();
+        }
         Ok(Self { file: Some(file), path })
     }
 
@@ -88,13 +91,9 @@ impl Draft {
         Ok(Output { inner: BufWriter::with_capacity(1 << 16, self.file()?), fault: None })
     }
 
-    /// Reads the file back: its contents.
-    pub(super) fn contents(&self) -> io::Result<Vec<u8>> {
-        let mut file = self.file()?;
-        let mut contents = Vec::new();
-        file.seek(SeekFrom::Start(0))?;
-        file.read_to_end(&mut contents)?;
-        Ok(contents)
+    /// Where the file is until it gets its final name.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Brings the file to the disk and reads it back: its bytes and their SHA-256 in lower-case hexadecimal.
