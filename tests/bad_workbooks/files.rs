@@ -277,6 +277,30 @@ fn hostile_or_broken_parts_are_refused_by_name() {
         ),
         at("A22 no table", sound().without(strings).zip(), Unreadable, "A1", "and the workbook has 0", "clear cell"),
         at(
+            "F28 depth",
+            sound()
+                .replace(DATA, "<sheetData>", &format!("{}{}<sheetData>", "<a>".repeat(300), "</a>".repeat(300)))
+                .zip(),
+            Limit,
+            DATA,
+            "has more than 256 elements inside one another",
+            "",
+        ),
+        at(
+            "A16 too many",
+            sound()
+                .replace(
+                    DATA,
+                    "<sheetData>",
+                    &format!("<sheetData {}>", (0..100_001).map(|index| format!("a{index}=\"\" ")).collect::<String>()),
+                )
+                .zip(),
+            Limit,
+            DATA,
+            "has more than 100000 attributes in one tag",
+            "",
+        ),
+        at(
             "styles: brackets",
             sound().replace("xl/styles.xml", "<fonts", &brackets).zip(),
             Limit,
