@@ -1,19 +1,15 @@
 //! The command `rodete`.
 
-use std::ffi::OsString;
 use std::process::ExitCode;
 
 #[cfg(feature = "embedded-typst")]
 mod embedded_typst;
 
 fn main() -> ExitCode {
-    let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
     #[cfg(feature = "embedded-typst")]
-    if let [first, rest @ ..] = arguments.as_slice()
-        && first == "typst"
-    {
-        return embedded_typst::compile(rest);
+    if std::env::args_os().nth(1).is_some_and(|first| first == "typst") {
+        let arguments: Vec<_> = std::env::args_os().skip(2).collect();
+        return embedded_typst::compile(&arguments);
     }
-    let _ = arguments;
-    ExitCode::SUCCESS
+    rodete::cli::run(std::env::args_os())
 }

@@ -60,14 +60,17 @@ fn search(first: (&[Vector2<f64>], usize), second: (&[Vector2<f64>], usize), bes
     if !Extent::of(first.0).meets(&Extent::of(second.0)) {
         return;
     }
-    if first.0.len() > LEAF + 1 {
-        let (middle, start) = ((first.0.len() - 1) / 2, first.1);
-        search((&first.0[..=middle], start), second, best);
-        search((&first.0[middle..], start + middle), second, best);
-    } else if second.0.len() > LEAF + 1 {
-        let (middle, start) = ((second.0.len() - 1) / 2, second.1);
-        search(first, (&second.0[..=middle], start), best);
-        search(first, (&second.0[middle..], start + middle), best);
+    // The longer one is halved, so that extents are taken of short pieces as soon as possible.
+    if first.0.len().max(second.0.len()) > LEAF + 1 {
+        if first.0.len() >= second.0.len() {
+            let (middle, start) = ((first.0.len() - 1) / 2, first.1);
+            search((&first.0[..=middle], start), second, best);
+            search((&first.0[middle..], start + middle), second, best);
+        } else {
+            let (middle, start) = ((second.0.len() - 1) / 2, second.1);
+            search(first, (&second.0[..=middle], start), best);
+            search(first, (&second.0[middle..], start + middle), best);
+        }
     } else {
         for (i, one) in first.0.windows(2).enumerate() {
             for (j, other) in second.0.windows(2).enumerate() {

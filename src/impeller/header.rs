@@ -90,9 +90,10 @@ pub fn header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Pa
     );
     let (L, R_p) = (fixed(design.machine.L), fixed(design.R_p));
     comments.line(
-        &format!("LONGITUD DE PIVOTE L {L} - R_P {R_p} MAS L_T {length}"),
-        &format!("PIVOT LENGTH L {L} - R_P {R_p} PLUS L_T {length}"),
+        &format!("LONGITUD DE PIVOTE L {L} DEL EJE B AL CENTRO DEL TORO"),
+        &format!("PIVOT LENGTH L {L} FROM B AXIS TO TORUS CENTRE"),
     );
+    comments.line(&format!("L ES R_P {R_p} MAS L_T {length}"), &format!("L IS R_P {R_p} PLUS L_T {length}"));
     comments
         .line("CERO G54 - PUNTA EN EL CENTRO DEL TORO CON B0 C0", "ZERO G54 - TOOL TIP IN THE TORUS CENTRE AT B0 C0");
     comments.line(

@@ -165,7 +165,10 @@ const TOOL: &[Parameter] = &[
         [1.0, 1000.0],
         true,
         t("Longitud de la herramienta", "Tool length"),
-        t("L = R_p + L_t", "L = R_p + L_t"),
+        t(
+            "L = R_p + L_t debe ser la distancia del eje B al centro del toro con B = 0",
+            "L = R_p + L_t must be the distance from the B axis to the torus centre at B = 0",
+        ),
     ),
     whole("T", "tool_T", Unit::Count, [1, 9999], true, t("Número de herramienta", "Tool number"), t("", "")),
     whole("D", "tool_offset_D", Unit::Count, [1, 999], true, t("Número de corrector", "Tool offset number"), t("", "")),

@@ -115,7 +115,14 @@ fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, pro
     let circle = crate::geometry::villarceau::Villarceau::new(torus);
     let gap = hub_circumference(torus, a_p) / f64::from(design.N) - e;
     let mut list = vec![
-        quantity("L", "Longitud de pivote", "Pivot length", design.machine.L, mm, ["R_p + L_t", "R_p + L_t"]),
+        quantity(
+            "L",
+            "Longitud de pivote, del eje B al centro del toro",
+            "Pivot length, from the B axis to the torus centre",
+            design.machine.L,
+            mm,
+            ["R_p + L_t", "R_p + L_t"],
+        ),
         quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"]),
         quantity(
             "alpha",

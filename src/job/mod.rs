@@ -1,6 +1,7 @@
 //! The pure whole of a workbook kind: from checked values to tables, programs, figures and findings.
 
 pub mod charts;
+pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
 

@@ -1,0 +1,53 @@
+//! The pure job of an impeller, and its programs as text.
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use rodete::impeller::parameters::{CASES, FORM};
+use rodete::job::{self, Outcome, Source};
+use rodete::parameter::{Value, Values};
+use rodete::text::Language;
+
+/// The shipped complete case with n intervals.
+fn values(n: u32) -> Values {
+    let mut values = Values { language: Language::En, ..Values::default() };
+    values.values.extend(CASES[0].values(Language::En));
+    values.values.insert("n", Value::Whole(n));
+    values
+}
+
+fn outcome(n: u32) -> Outcome {
+    let source = Source { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
+    match job::run(&FORM, values(n), source) {
+        Ok(outcome) => outcome,
+        Err(refusal) => panic!("refused: {:?}", refusal.findings),
+    }
+}
+
+fn computation(c: &mut Criterion) {
+    let mut group = c.benchmark_group("compute");
+    for n in [40, 1_000, 100_000] {
+        group.throughput(Throughput::Elements(u64::from(n)));
+        if n > 10_000 {
+            group.sample_size(10);
+        }
+        group.bench_with_input(BenchmarkId::from_parameter(n), &n, |b, &n| b.iter(|| black_box(outcome(n))));
+    }
+    group.finish();
+}
+
+fn text(c: &mut Criterion) {
+    let mut group = c.benchmark_group("text of the impeller program");
+    for n in [40, 10_000] {
+        let outcome = outcome(n);
+        let Some(program) = outcome.programs.iter().find(|program| program.key == "impeller") else { continue };
+        group.throughput(Throughput::Bytes(program.summary().bytes));
+        group.bench_function(BenchmarkId::from_parameter(n), |b| {
+            b.iter(|| program.write(&mut std::io::sink()).is_ok());
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, computation, text);
+criterion_main!(benches);

@@ -1,0 +1,186 @@
+//! The command `build`: tables, programs and report of each workbook, all or nothing.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use super::args::Build;
+use super::interrupt::{self, AtWork};
+use super::plan::{self, Item};
+use super::terminal::Terminal;
+use super::verdict::Verdict;
+use super::{BUILD, Sink, reading, refused, show, side_by_side};
+use crate::escape::printable;
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::program::Program;
+use crate::job::Outcome;
+use crate::report::{self, Attachment, Content, Role, Typst};
+use crate::store::{self, Existing, Folder, Set};
+use crate::text::{Language, Text};
+use crate::workbook::results;
+
+/// Endings of every file that a build may write; one that is not of this build may be left from an earlier one.
+const ENDINGS: [&str; 6] = ["-results.xlsx", "-blade.nc", "-splitter.nc", "-impeller.nc", "-blank.nc", "-report.pdf"];
+
+/// The variable that names a typst command line.
+const TYPST: &str = "RODETE_TYPST";
+
+/// What all workbooks of one command share.
+struct Settings<'a> {
+    /// The language of sheets and report, if not the workbook's.
+    language: Option<Language>,
+    /// The typst that sets the report; `None`: no report.
+    typst: Option<Typst>,
+    /// The folder of all outputs, if there is one.
+    folder: Option<&'a Folder>,
+    /// Every workbook named: no output may replace one.
+    inputs: Vec<&'a Path>,
+}
+
+/// Builds every workbook and prints what came of it.
+pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
+    let language = arguments.lang.unwrap_or_default();
+    let items = match plan::items(&arguments.workbooks, arguments.output.as_deref()) {
+        Ok(items) => items,
+        Err(refusal) => return refused(&refusal, language, terminal),
+    };
+    let interrupted = interrupt::listen();
+    let folder = match arguments.output.as_deref().map(Folder::open).transpose() {
+        Ok(folder) => folder,
+        Err(refusal) => return refused(&refusal, language, terminal),
+    };
+    let settings = Settings {
+        language: arguments.lang,
+        typst: if arguments.no_report { None } else { Some(typst(arguments.typst.clone(), interrupted)) },
+        folder: folder.as_ref(),
+        inputs: arguments.workbooks.iter().map(PathBuf::as_path).collect(),
+    };
+    let mut sink = Sink::new(BUILD, language, arguments.json);
+    let work = |item: &Item| {
+        reading::verdict(&item.workbook, |verdict| {
+            verdict.folder = Some(item.folder.clone());
+            build(item, &settings, verdict)
+        })
+    };
+    side_by_side::run(&items, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
+    sink.end(terminal)
+}
+
+/// The typst that was asked for: on the command line, in the environment, else the one inside rodete, or an installed
+/// one where rodete was built without.
+fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
+    let named = named.or_else(|| env::var_os(TYPST).filter(|path| !path.is_empty()).map(PathBuf::from));
+    let typst = match (named, env::current_exe()) {
+        (Some(program), _) => Typst::installed(program),
+        (None, Ok(rodete)) if cfg!(feature = "embedded-typst") => Typst::embedded(rodete),
+        (None, _) => Typst::installed("typst"),
+    };
+    typst.with_interrupt(interrupted)
+}
+
+fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<(), Refusal> {
+    let (bytes, filled) = reading::read(&item.workbook, verdict)?;
+    let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
+    let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
+    let mut set = Set::new(folder, &settings.inputs, Existing::Replace);
+    for ending in ENDINGS {
+        set.check(&store::file_name(&item.stem, ending))?;
+    }
+    let language = settings.language.unwrap_or(filled.values.language);
+    let outcome = reading::compute(&item.workbook, filled, verdict)?;
+    if outcome.stopped() {
+        return Ok(());
+    }
+    set.write(&store::file_name(&item.stem, "-results.xlsx"), |out| results::write(&outcome, language, out))?;
+    for program in &outcome.programs {
+        set.write(&program_name(item, program), |out| program.write(out))?;
+    }
+    let mut failed = None;
+    if let Some(typst) = &settings.typst {
+        failed = typeset(item, &bytes, &outcome, language, typst, &mut set, verdict)?;
+    }
+    verdict.files = set.commit()?;
+    verdict.findings.extend(leftovers(item, verdict));
+    if let Some(finding) = failed {
+        verdict.refuse(Refusal::new(Exit::ReportFailed, finding));
+    }
+    Ok(())
+}
+
+fn program_name(item: &Item, program: &Program) -> std::ffi::OsString {
+    store::file_name(&item.stem, &format!("-{}.nc", program.key))
+}
+
+/// Adds the report to the set; gives the finding where it fails, which keeps nothing else from being delivered.
+///
+/// # Errors
+/// Exit 5 where a program cannot be read back or the report cannot be written.
+fn typeset(
+    item: &Item,
+    workbook: &[u8],
+    outcome: &Outcome,
+    language: Language,
+    typst: &Typst,
+    set: &mut Set<'_>,
+    verdict: &mut Verdict,
+) -> Result<Option<Finding>, Refusal> {
+    let mut programs = Vec::with_capacity(outcome.programs.len());
+    for program in &outcome.programs {
+        let name = program_name(item, program);
+        if let Some(contents) = set.contents(&name)? {
+            programs.push((program, printable(&name.to_string_lossy()), contents));
+        }
+    }
+    let input = Attachment {
+        name: outcome.source.workbook.clone(),
+        role: Role::Input,
+        mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
+        description: Text::fixed("Libro de entrada", "Input workbook"),
+        content: Content::Bytes(workbook),
+    };
+    let programs = programs.iter().map(|(program, name, contents)| Attachment {
+        name: name.clone(),
+        role: Role::Program(program.key),
+        mime: "text/plain",
+        description: program.title.clone(),
+        content: Content::Bytes(contents),
+    });
+    let attachments: Vec<_> = std::iter::once(input).chain(programs).collect();
+    let at_work = AtWork::begin();
+    let report = report::typeset(outcome, &attachments, language, typst);
+    drop(at_work);
+    match report {
+        Ok(report) => {
+            verdict.findings.extend(report.findings);
+            let name = store::file_name(&item.stem, "-report.pdf");
+            set.write(&name, |out| std::io::Write::write_all(out, &report.pdf))?;
+            Ok(None)
+        }
+        Err(failure) => Ok(Some(failure.finding())),
+    }
+}
+
+/// A caution for each file in the folder that bears the name of an output and is not of this build: a program of an
+/// earlier one must not be taken for one of this.
+fn leftovers(item: &Item, verdict: &Verdict) -> Vec<Finding> {
+    ENDINGS
+        .iter()
+        .map(|ending| store::file_name(&item.stem, ending))
+        .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
+        .map(|name| item.folder.join(name))
+        .filter(|path| path.symlink_metadata().is_ok())
+        .map(|path| {
+            let path = show::path(&path);
+            Finding::new(
+                Grade::Caution,
+                Place::File,
+                Text::new(
+                    format!("{path} queda de una construcción anterior y no pertenece a este conjunto"),
+                    format!("{path} is left from an earlier build and does not belong to this set"),
+                ),
+                Text::fixed("no lo use; bórrelo o apártelo", "do not use it; delete it or move it away"),
+            )
+        })
+        .collect()
+}

@@ -1,0 +1,89 @@
+//! Faults in rodete itself: a panic becomes one sentence and exit code 1, and nothing is written.
+
+use std::cell::{Cell, RefCell};
+use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
+
+use crate::escape::printable;
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::text::Text;
+
+thread_local! {
+    /// What the last panic of this thread said, and where.
+    static SAID: RefCell<Option<String>> = const { RefCell::new(None) };
+    /// This thread does guarded work.
+    static GUARDED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Has panics of guarded work noted instead of printed.
+pub(super) fn note_panics() {
+    let before = take_hook();
+    set_hook(Box::new(move |panic| {
+        if !GUARDED.get() {
+            return before(panic);
+        }
+        let sentence = sentence(panic);
+        SAID.with(|said| {
+            if let Ok(mut said) = said.try_borrow_mut() {
+                *said = Some(sentence);
+            }
+        });
+    }));
+}
+
+fn sentence(panic: &PanicHookInfo<'_>) -> String {
+    let message = panic.payload_as_str().unwrap_or("no message");
+    let line = message.lines().next().unwrap_or_default();
+    let place = panic.location().map(|at| format!(", {}:{}", at.file(), at.line())).unwrap_or_default();
+    printable(&format!("{line}{place}"))
+}
+
+/// Does a piece of work; a panic in it becomes a refusal of exit 1.
+///
+/// # Errors
+/// Exit 1 if the work panics.
+pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Refusal> {
+    let before = GUARDED.replace(true);
+    let done = catch_unwind(AssertUnwindSafe(work));
+    GUARDED.set(before);
+    done.map_err(|_| {
+        let said = SAID.with(|said| said.try_borrow_mut().ok().and_then(|mut said| said.take()));
+        refusal(&said.unwrap_or_else(|| "no message".to_owned()))
+    })
+}
+
+/// A refusal for a fault, in its own words.
+pub(super) fn refusal(said: &str) -> Refusal {
+    Refusal::new(
+        Exit::Fault,
+        Finding::stop(
+            Place::File,
+            Text::new(
+                format!("fallo de rodete {}: {said}", env!("CARGO_PKG_VERSION")),
+                format!("fault in rodete {}: {said}", env!("CARGO_PKG_VERSION")),
+            ),
+            Text::fixed(
+                "no se ha escrito nada; comunique el fallo con esta frase y el libro",
+                "nothing was written; report the fault with this sentence and the workbook",
+            ),
+        ),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_becomes_one_sentence_with_its_place() {
+        note_panics();
+        let caught = guarded(|| {
+            let none: Option<u8> = std::hint::black_box(None);
+            none.expect("a point\nmore")
+        });
+        let refusal = caught.expect_err("it panicked");
+        assert_eq!(refusal.exit, Exit::Fault);
+        let what = &refusal.findings[0].what.en;
+        assert!(what.contains("a point") && what.contains("fault.rs:") && !what.contains('\n'), "{what}");
+        assert_eq!(guarded(|| 5), Ok(5));
+    }
+}

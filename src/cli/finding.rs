@@ -1,0 +1,212 @@
+//! A finding in three parts: what, where, what to do.
+
+use anstyle::{AnsiColor, Style};
+use textwrap::{Options, fill};
+
+use crate::escape::printable;
+use crate::finding::{CellPlace, Finding, Grade, Place};
+use crate::text::{Language, Text};
+
+/// Most findings of a workbook that are printed; the rest is counted.
+const MOST: usize = 50;
+
+/// The findings of one workbook as text, those of `grades` only, gravest first; then how many more there are.
+pub(super) fn list(
+    findings: &[Finding],
+    grades: impl Fn(Grade) -> bool,
+    workbook: &str,
+    language: Language,
+    width: Option<usize>,
+) -> String {
+    let mut wanted: Vec<_> = findings.iter().filter(|finding| grades(finding.grade)).collect();
+    wanted.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let mut text: String = wanted.iter().take(MOST).map(|finding| one(finding, workbook, language, width)).collect();
+    if wanted.len() > MOST {
+        let more = Text::new(
+            format!("… se muestran {MOST} de {}\n", wanted.len()),
+            format!("… {MOST} of {} are shown\n", wanted.len()),
+        );
+        text.push_str(more.get(language));
+    }
+    text
+}
+
+/// A finding that concerns the whole command and not one workbook.
+pub(super) fn general(finding: &Finding, language: Language, width: Option<usize>) -> String {
+    let mut text = head(finding, language, width);
+    text.push_str(&hint(finding, language, width));
+    text
+}
+
+/// One finding as text.
+pub(super) fn one(finding: &Finding, workbook: &str, language: Language, width: Option<usize>) -> String {
+    let arrow = Style::new().fg_color(Some(AnsiColor::Blue.into()));
+    let mut text = head(finding, language, width);
+    // A note on a result names it in its sentence.
+    if finding.grade == Grade::Note && matches!(finding.place, Place::File | Place::Point { .. } | Place::Block { .. })
+    {
+        return text;
+    }
+    text.push_str(&wrapped(&format!("  {arrow}-->{arrow:#} {}", place(&finding.place, workbook, language)), 6, width));
+    text.push_str(&hint(finding, language, width));
+    text
+}
+
+fn head(finding: &Finding, language: Language, width: Option<usize>) -> String {
+    let (word, colour) = grade(finding.grade);
+    let style = Style::new().bold().fg_color(Some(colour.into()));
+    wrapped(&format!("{style}{}{style:#}: {}", word.get(language), sentence(finding, language)), 2, width)
+}
+
+fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
+    let remedy = printable(finding.remedy.get(language));
+    if remedy.is_empty() {
+        return String::new();
+    }
+    let style = Style::new().bold().fg_color(Some(AnsiColor::Green.into()));
+    let word = Text::fixed("sugerencia", "hint");
+    wrapped(&format!("{style}{}{style:#}: {remedy}", word.get(language)), 2, width)
+}
+
+/// What was found, with value and limit where the sentence does not name them already.
+fn sentence(finding: &Finding, language: Language) -> String {
+    let what = printable(finding.what.get(language));
+    let limit = Text::fixed("límite", "limit");
+    let value = if what.contains(finding.value.as_str()) { "" } else { finding.value.as_str() };
+    let bound = if what.contains(finding.limit.as_str()) { "" } else { finding.limit.as_str() };
+    let bound = if bound.is_empty() { String::new() } else { format!("{} {}", limit.get(language), printable(bound)) };
+    match (value.is_empty(), bound.is_empty()) {
+        (true, true) => what,
+        (false, true) => format!("{what}: {}", printable(value)),
+        (true, false) => format!("{what} ({bound})"),
+        (false, false) => format!("{what}: {} ({bound})", printable(value)),
+    }
+}
+
+const fn grade(grade: Grade) -> (Text, AnsiColor) {
+    match grade {
+        Grade::Stop => (Text::fixed("error", "error"), AnsiColor::Red),
+        Grade::Caution => (Text::fixed("precaución", "caution"), AnsiColor::Yellow),
+        Grade::Note => (Text::fixed("nota", "note"), AnsiColor::Cyan),
+    }
+}
+
+/// Where a finding belongs, beginning with the workbook.
+fn place(place: &Place, workbook: &str, language: Language) -> String {
+    let word = |es: &'static str, en: &'static str| match language {
+        Language::Es => es,
+        Language::En => en,
+    };
+    match place {
+        Place::File => workbook.to_owned(),
+        Place::Part(part) => format!("{workbook}, {} {}", word("parte", "part"), printable(part)),
+        Place::Sheet(sheet) => format!("{workbook}, {} \"{}\"", word("hoja", "sheet"), printable(sheet)),
+        Place::Cells(cells) => format!("{workbook}{}", addresses(cells, language)),
+        Place::Parameters(keys) => {
+            let noun =
+                if keys.len() == 1 { word("parámetro", "parameter") } else { word("parámetros", "parameters") };
+            format!("{workbook}, {noun} {}", keys.join(", "))
+        }
+        Place::Point { table, index } => {
+            format!("{workbook}, {} {table}, i = {index}", word("tabla", "table"))
+        }
+        Place::Block { program, line } => {
+            format!("{workbook}, {} {program}, {} {line}", word("programa", "program"), word("línea", "line"))
+        }
+    }
+}
+
+/// Cells, those that follow one another in one sheet under one mention of it.
+fn addresses(cells: &[CellPlace], language: Language) -> String {
+    let (sheet, cell, many) = match language {
+        Language::Es => ("hoja", "celda", "celdas"),
+        Language::En => ("sheet", "cell", "cells"),
+    };
+    cells
+        .chunk_by(|one, next| one.sheet == next.sheet)
+        .map(|chunk| {
+            let name = chunk.first().map_or("", |one| one.sheet.as_str());
+            let noun = if chunk.len() == 1 { cell } else { many };
+            let list = chunk.iter().map(|one| printable(&one.cell)).collect::<Vec<_>>().join(", ");
+            format!(", {sheet} \"{}\", {noun} {list}", printable(name))
+        })
+        .collect()
+}
+
+/// A paragraph broken at the width of the terminal, with a line feed at its end.
+pub(super) fn wrapped(paragraph: &str, indent: usize, width: Option<usize>) -> String {
+    let mut text = match width {
+        Some(width) => fill(paragraph, Options::new(width).subsequent_indent(&" ".repeat(indent)).break_words(false)),
+        None => paragraph.to_owned(),
+    };
+    text.push('\n');
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(finding: &Finding, language: Language, width: Option<usize>) -> String {
+        anstream::adapter::strip_str(&one(finding, "impeller.xlsx", language, width)).to_string()
+    }
+
+    fn thick(sheet: &str) -> Finding {
+        Finding::stop(
+            Place::Cells(vec![CellPlace { sheet: sheet.into(), cell: "C9".into() }]),
+            Text::fixed(
+                "el espesor e es 12 mm y debe ser menor que 9.71 mm con 4 álabes",
+                "blade thickness e is 12 mm, must be below 9.71 mm for 4 blades",
+            ),
+            Text::fixed("menos álabes", "fewer blades, a thinner blade, or a smaller tool"),
+        )
+    }
+
+    #[test]
+    fn a_finding_has_three_parts() {
+        assert_eq!(
+            plain(&thick("DATOS").with("12 mm", "9.71 mm"), Language::En, None),
+            "error: blade thickness e is 12 mm, must be below 9.71 mm for 4 blades\n  --> impeller.xlsx, sheet \
+             \"DATOS\", cell C9\nhint: fewer blades, a thinner blade, or a smaller tool\n"
+        );
+        assert!(plain(&thick("DATOS"), Language::Es, None).contains("--> impeller.xlsx, hoja \"DATOS\", celda C9\n"));
+    }
+
+    #[test]
+    fn value_and_limit_are_named_once() {
+        let finding = Finding::note(Place::File, Text::fixed("cierre", "closure")).with("0.000 mm", "0.001 mm");
+        assert!(plain(&finding, Language::En, None).starts_with("note: closure: 0.000 mm (limit 0.001 mm)\n"));
+    }
+
+    #[test]
+    fn cells_of_one_sheet_are_listed_together() {
+        let cell = |sheet: &str, cell: &str| CellPlace { sheet: sheet.into(), cell: cell.into() };
+        let cells = [cell("DATA", "C5"), cell("DATA", "C6"), cell("CALIBRATION", "C3")];
+        assert_eq!(addresses(&cells, Language::En), ", sheet \"DATA\", cells C5, C6, sheet \"CALIBRATION\", cell C3");
+    }
+
+    #[test]
+    fn what_the_user_typed_cannot_steer_the_terminal() {
+        let text = one(&thick("\u{1b}]0;x\u{7}\u{202e}"), "impeller.xlsx", Language::En, None);
+        assert!(text.contains("\\u{1b}]0;x\\u{7}\\u{202e}"));
+        assert!(!text.contains(['\u{7}', '\u{202e}']) && !text.contains("\u{1b}]"));
+    }
+
+    #[test]
+    fn lines_fit_forty_columns() {
+        let text = plain(&thick("DATOS"), Language::En, Some(40));
+        assert!(text.lines().count() > 3);
+        assert!(text.lines().all(|line| line.chars().count() <= 40), "{text}");
+    }
+
+    #[test]
+    fn the_fifty_gravest_are_shown_and_the_rest_counted() {
+        let mut findings = vec![Finding::note(Place::File, Text::fixed("leve", "slight")); 60];
+        findings.push(thick("DATOS"));
+        let text = list(&findings, |_| true, "impeller.xlsx", Language::En, None);
+        let text = anstream::adapter::strip_str(&text).to_string();
+        assert!(text.starts_with("error: blade"));
+        assert_eq!(text.matches("note: slight").count(), 49);
+        assert!(text.ends_with("… 50 of 61 are shown\n"));
+    }
+}

@@ -1,0 +1,53 @@
+//! Ctrl-C and requests to end: unfinished files are removed, finished sets stay whole.
+
+use std::io::Write;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread::sleep;
+use std::time::Duration;
+
+use super::verdict::code;
+use crate::finding::Exit;
+use crate::store;
+
+/// Reports whose child process has not ended yet.
+static CHILDREN: AtomicUsize = AtomicUsize::new(0);
+
+/// Ends the process with exit code 130 when it is interrupted; gives a flag that becomes true then, for whoever waits
+/// for a child process. Where the system offers no such signal, nothing changes.
+pub(super) fn listen() -> Arc<AtomicBool> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let raised = Arc::clone(&flag);
+    let _ = ctrlc::set_handler(move || {
+        raised.store(true, Ordering::SeqCst);
+        store::abandon();
+        // Children are killed, and their folders removed, by those who started them.
+        for _ in 0..100 {
+            if CHILDREN.load(Ordering::SeqCst) == 0 {
+                break;
+            }
+            sleep(Duration::from_millis(10));
+        }
+        let _ = writeln!(std::io::stderr(), "interrupted: unfinished files are removed, finished sets stand");
+        std::process::exit(code(Exit::Interrupted).into());
+    });
+    flag
+}
+
+/// A child process at work: an interruption waits until it is gone.
+#[derive(Debug)]
+pub(super) struct AtWork;
+
+impl AtWork {
+    /// Counts a child from here until the value is dropped.
+    pub(super) fn begin() -> Self {
+        CHILDREN.fetch_add(1, Ordering::SeqCst);
+        Self
+    }
+}
+
+impl Drop for AtWork {
+    fn drop(&mut self) {
+        CHILDREN.fetch_sub(1, Ordering::SeqCst);
+    }
+}

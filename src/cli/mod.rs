@@ -1,0 +1,136 @@
+//! The commands: what is typed, what is printed, how it ends.
+//!
+//! Standard output carries what was asked for, standard error what needs attention. The exit codes are those of
+//! [`Exit`](crate::finding::Exit); of several workbooks the gravest counts.
+
+mod args;
+mod build;
+mod fault;
+mod finding;
+mod interrupt;
+mod json;
+mod kinds;
+mod new;
+mod plan;
+mod quantity;
+mod reading;
+mod show;
+mod side_by_side;
+mod terminal;
+mod verdict;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use clap::error::{Error, ErrorKind};
+
+use self::args::{Arguments, Check, Command};
+use self::terminal::Terminal;
+use self::verdict::{Verdict, code, gravest};
+use crate::escape::printable;
+use crate::finding::{Exit, Finding, Refusal};
+use crate::text::Language;
+
+/// The commands' names in JSON.
+const CHECK: &str = "check";
+const BUILD: &str = "build";
+
+/// Runs a command line, the program's name first, and gives the process exit code.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    fault::note_panics();
+    let mut terminal = Terminal::new();
+    let mut exit = match fault::guarded(|| command(arguments, &mut terminal)) {
+        Ok(exit) => exit,
+        Err(refusal) => {
+            let findings: String =
+                refusal.findings.iter().map(|one| format!("error: {}\n", printable(&one.what.en))).collect();
+            terminal.err(&findings);
+            refusal.exit
+        }
+    };
+    if let Some(error) = terminal.fault() {
+        terminal.err(&format!("error: cannot write to standard output: {}\n", printable(&error.to_string())));
+        exit = gravest(exit, Exit::Unwritable);
+    }
+    ExitCode::from(code(exit))
+}
+
+fn command(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Terminal) -> Exit {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => return misunderstood(&error, terminal),
+    };
+    match arguments.command {
+        Command::New(new) => new::run(&new, terminal),
+        Command::Check(arguments) => check(&arguments, terminal),
+        Command::Build(arguments) => build::run(&arguments, terminal),
+    }
+}
+
+/// Help, version, or what is wrong with the command line.
+fn misunderstood(error: &Error, terminal: &mut Terminal) -> Exit {
+    match error.kind() {
+        ErrorKind::DisplayVersion => terminal.out(&kinds::version()),
+        ErrorKind::DisplayHelp => terminal.out(&error.render().ansi().to_string()),
+        _ => {
+            // The message repeats what was typed.
+            let text = error.render().to_string();
+            let lines: String = text.lines().map(|line| format!("{}\n", printable(line))).collect();
+            terminal.err(&lines);
+            return Exit::CommandLine;
+        }
+    }
+    Exit::Done
+}
+
+fn check(arguments: &Check, terminal: &mut Terminal) -> Exit {
+    let language = arguments.lang.unwrap_or_default();
+    if let Err(refusal) = plan::twice(&arguments.workbooks) {
+        return refused(&refusal, language, terminal);
+    }
+    interrupt::listen();
+    let mut sink = Sink::new(CHECK, language, arguments.json);
+    let work = |workbook: &PathBuf| reading::check(workbook);
+    side_by_side::run(&arguments.workbooks, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
+    sink.end(terminal)
+}
+
+/// Says why a command was not begun.
+fn refused(refusal: &Refusal, language: Language, terminal: &mut Terminal) -> Exit {
+    let width = terminal.width;
+    let text: String = refusal.findings.iter().map(|one: &Finding| finding::general(one, language, width)).collect();
+    terminal.err(&text);
+    refusal.exit
+}
+
+/// Where the verdicts of a command go, one by one.
+struct Sink {
+    command: &'static str,
+    language: Language,
+    /// The verdicts so far, if they are to be printed as one document.
+    kept: Option<Vec<Verdict>>,
+    exit: Exit,
+}
+
+impl Sink {
+    const fn new(command: &'static str, language: Language, json: bool) -> Self {
+        Self { command, language, kept: if json { Some(Vec::new()) } else { None }, exit: Exit::Done }
+    }
+
+    fn take(&mut self, verdict: Verdict, terminal: &mut Terminal) {
+        self.exit = gravest(self.exit, verdict.exit);
+        match &mut self.kept {
+            Some(kept) => kept.push(verdict),
+            None => show::verdict(&verdict, self.command == BUILD, self.language, terminal),
+        }
+    }
+
+    fn end(self, terminal: &mut Terminal) -> Exit {
+        if let Some(kept) = &self.kept {
+            terminal.out(&json::document(self.command, self.exit, kept));
+        }
+        self.exit
+    }
+}

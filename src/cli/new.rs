@@ -1,0 +1,85 @@
+//! The command `new`: a ready-to-edit workbook.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use super::args::New;
+use super::kinds::{self, FORMS};
+use super::terminal::Terminal;
+use super::{fault, refused, show};
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::store::{Existing, Folder, Set, Written};
+use crate::text::Text;
+use crate::workbook::template;
+
+/// Writes the workbook and says what to do next.
+pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
+    super::interrupt::listen();
+    match write(arguments) {
+        Ok(written) => {
+            for file in written {
+                let path = show::path(&file.path);
+                let text = Text::new(
+                    format!("{path} está listo para rellenar; después: rodete build {path}\n"),
+                    format!("{path} is ready to edit; then: rodete build {path}\n"),
+                );
+                terminal.out(text.get(arguments.lang));
+            }
+            Exit::Done
+        }
+        Err(refusal) => refused(&refusal, arguments.lang, terminal),
+    }
+}
+
+fn write(arguments: &New) -> Result<Vec<Written>, Refusal> {
+    let name = workbook_name(&arguments.file)?;
+    let form = FORMS.into_iter().find(|form| form.kind == arguments.kind);
+    let (Some(form), Some(case)) = (form, kinds::case(&arguments.case)) else {
+        return Err(fault::refusal("a kind or case without a form"));
+    };
+    let folder = Folder::open(arguments.file.parent().unwrap_or(Path::new("")))?;
+    let mut set = Set::new(&folder, &[], Existing::Keep);
+    let values = case.values(arguments.lang);
+    set.write(name, |out| template::write(form, &values, &case.note, arguments.lang, out))?;
+    set.commit()
+}
+
+/// The name of the file to write.
+///
+/// # Errors
+/// Exit 2 where it does not end in `.xlsx`: Excel would not open it.
+fn workbook_name(file: &Path) -> Result<&OsStr, Refusal> {
+    match (file.file_name(), file.extension()) {
+        (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("xlsx") => Ok(name),
+        _ => {
+            let shown = show::path(file);
+            Err(Refusal::new(
+                Exit::CommandLine,
+                Finding::stop(
+                    Place::File,
+                    Text::new(
+                        format!("{shown} no es el nombre de un libro .xlsx"),
+                        format!("{shown} is not the name of an .xlsx workbook"),
+                    ),
+                    Text::fixed("dé un nombre como rodete.xlsx", "give a name like impeller.xlsx"),
+                ),
+            ))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_an_xlsx_can_be_made() {
+        for name in ["a.xlsx", "dir/A b.XLSX"] {
+            assert!(workbook_name(Path::new(name)).is_ok(), "{name}");
+        }
+        for name in ["a.xls", "a", "", "..", ".xlsx", "dir/", "a.xlsx.bak"] {
+            let refusal = workbook_name(Path::new(name)).expect_err(name);
+            assert_eq!(refusal.exit, Exit::CommandLine, "{name}");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Derived limits, angles and lengths as a table: symbol = value unit, meaning.
+
+use textwrap::core::display_width;
+
+use super::finding::wrapped;
+use crate::escape::printable;
+use crate::table::{Quantity, Unit};
+use crate::text::Language;
+
+/// Decimals shown; the results workbook has the values whole.
+const DECIMALS: usize = 4;
+
+/// The quantities as lines, symbols, decimal points and meanings under one another.
+pub(super) fn table(quantities: &[Quantity], language: Language, width: Option<usize>) -> String {
+    let rows: Vec<_> = quantities.iter().map(|one| (one, number(one.value, one.unit))).collect();
+    let symbols = rows.iter().map(|(one, _)| display_width(one.symbol)).max().unwrap_or(0);
+    let wholes = rows.iter().map(|(_, (whole, _))| whole.len()).max().unwrap_or(0);
+    let ends = rows.iter().map(|(one, (_, decimals))| end(one, decimals)).map(|end| display_width(&end)).max();
+    let ends = ends.unwrap_or(0);
+    let meaning = 2 + symbols + 3 + wholes + ends + 2;
+    let indent = if width.is_some_and(|width| meaning * 2 > width) { 6 } else { meaning };
+    rows.iter()
+        .map(|(one, (whole, decimals))| {
+            let end = end(one, decimals);
+            let line = format!(
+                "  {}{} = {whole:>wholes$}{end}{}  {}",
+                one.symbol,
+                blanks(symbols - display_width(one.symbol)),
+                blanks(ends - display_width(&end)),
+                printable(one.meaning.get(language)),
+            );
+            wrapped(line.trim_end(), indent, width)
+        })
+        .collect()
+}
+
+/// What stands right of the decimal point, with the unit.
+fn end(one: &Quantity, decimals: &str) -> String {
+    match one.unit.label() {
+        "" => decimals.to_owned(),
+        "°" => format!("{decimals}°"),
+        unit => format!("{decimals} {unit}"),
+    }
+}
+
+/// A value as digits before the point, and the point with what follows it: rounded, without needless zeros.
+fn number(value: f64, unit: Unit) -> (String, String) {
+    let decimals = if unit == Unit::Count { 0 } else { DECIMALS };
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    let text = if text == "-0" { "0" } else { text };
+    let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
+    (whole.to_owned(), rest.to_owned())
+}
+
+fn blanks(count: usize) -> String {
+    " ".repeat(count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Text;
+
+    fn quantity(symbol: &'static str, value: f64, unit: Unit) -> Quantity {
+        let text = Text::fixed("qué es", "what it is");
+        Quantity { symbol, meaning: text.clone(), value, unit, source: text }
+    }
+
+    #[test]
+    fn points_and_meanings_stand_under_one_another() {
+        let quantities = [
+            quantity("N_max", 4.0, Unit::Count),
+            quantity("L", 242.9, Unit::Millimetre),
+            quantity("β", 36.869_897_6, Unit::Degree),
+            quantity("x", -0.000_01, Unit::One),
+        ];
+        let expected = [
+            "  N_max =   4        what it is",
+            "  L     = 242.9 mm   what it is",
+            "  β     =  36.8699°  what it is",
+            "  x     =   0        what it is",
+        ];
+        assert_eq!(table(&quantities, Language::En, None), expected.join("\n") + "\n");
+    }
+
+    #[test]
+    fn a_narrow_terminal_gets_short_lines() {
+        let text = table(&[quantity("N_max", 4.0, Unit::Count)], Language::Es, Some(20));
+        assert!(text.lines().all(|line| line.chars().count() <= 20), "{text}");
+    }
+}

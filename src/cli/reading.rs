@@ -1,0 +1,70 @@
+//! From a workbook's path to an outcome: what `check` and `build` have in common.
+
+use std::path::Path;
+
+use super::fault;
+use super::kinds::FORMS;
+use super::verdict::Verdict;
+use crate::escape::printable;
+use crate::finding::{Exit, Refusal};
+use crate::job::{self, Outcome, Source};
+use crate::store;
+use crate::workbook::{self, Filled};
+
+/// Reads a workbook and computes what it asks for; writes nothing.
+pub(super) fn check(workbook: &Path) -> Verdict {
+    verdict(workbook, |verdict| {
+        let (_, filled) = read(workbook, verdict)?;
+        compute(workbook, filled, verdict).map(|_| ())
+    })
+}
+
+/// The verdict on one workbook: what `work` puts into it, and how it ended. A panic is a fault of that workbook alone.
+pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Verdict) -> Result<(), Refusal>) -> Verdict {
+    let mut verdict = Verdict::new(workbook.to_owned());
+    match fault::guarded(|| work(&mut verdict)) {
+        Ok(Ok(())) => {}
+        Ok(Err(refusal)) => verdict.refuse(refusal),
+        Err(mut fault) => {
+            if let (Some(sha256), Some(finding)) = (&verdict.sha256, fault.findings.first_mut()) {
+                finding.value = format!("SHA-256 {sha256}");
+            }
+            verdict.refuse(fault);
+        }
+    }
+    verdict
+}
+
+/// The bytes of a workbook and the form that it fills in.
+///
+/// # Errors
+/// Whatever the gate and the schema refuse.
+pub(super) fn read(path: &Path, verdict: &mut Verdict) -> Result<(Vec<u8>, Filled), Refusal> {
+    let bytes = workbook::open(path)?;
+    verdict.sha256 = Some(store::sha256(&bytes));
+    let filled = workbook::read(&bytes, &FORMS)?;
+    verdict.schema = Some(filled.form.schema);
+    Ok((bytes, filled))
+}
+
+/// The outcome of a filled-in form, with what was found when it was read.
+///
+/// # Errors
+/// Whatever the computation refuses. An outcome that a finding stops is no error: its derived values are shown.
+pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Verdict) -> Result<Outcome, Refusal> {
+    let source = Source {
+        workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
+        sha256: verdict.sha256.clone().unwrap_or_default(),
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    verdict.findings.clone_from(&filled.findings);
+    let mut outcome = job::run(filled.form, filled.values, source)?;
+    outcome.findings.extend(filled.findings);
+    outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    verdict.findings.clone_from(&outcome.findings);
+    verdict.quantities.clone_from(&outcome.quantities);
+    if outcome.stopped() {
+        verdict.exit = Exit::Refused;
+    }
+    Ok(outcome)
+}

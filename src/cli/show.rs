@@ -1,0 +1,104 @@
+//! A verdict as a person reads it.
+
+use std::path::Path;
+
+use anstyle::{AnsiColor, Style};
+
+use super::terminal::Terminal;
+use super::verdict::Verdict;
+use super::{finding, quantity};
+use crate::escape::printable_path;
+use crate::finding::{Exit, Grade};
+use crate::text::{Language, Text};
+
+/// Prints what is to say about one workbook: derived values, findings, files, and a closing line. What needs
+/// attention, stops and cautions, goes to standard error, the rest to standard output. `writes`: the command is one that
+/// writes files.
+pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, terminal: &mut Terminal) {
+    let workbook = path(&verdict.workbook);
+    let width = terminal.width;
+    let bold = Style::new().bold();
+    if let Some(schema) = verdict.schema {
+        let sha256 = short(verdict.sha256.as_deref().unwrap_or_default());
+        terminal.out(&format!("{bold}{workbook}{bold:#}  {schema}  SHA-256 {sha256}\n"));
+        terminal.out(&quantity::table(&verdict.quantities, language, width));
+    }
+    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, &workbook, language, width));
+    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, &workbook, language, width));
+    terminal.out(&files(verdict));
+    let closing = closing(verdict, writes, &workbook, language);
+    if matches!(verdict.exit, Exit::Done | Exit::ReportFailed) {
+        terminal.out(&closing)
+    } else {
+        terminal.err(&closing)
+    }
+}
+
+/// The files with size and SHA-256, one a line.
+fn files(verdict: &Verdict) -> String {
+    let longest = verdict.files.iter().map(|file| textwrap::core::display_width(&path(&file.path))).max().unwrap_or(0);
+    verdict
+        .files
+        .iter()
+        .map(|file| {
+            let name = path(&file.path);
+            let blanks = " ".repeat(longest - textwrap::core::display_width(&name));
+            format!("  {name}{blanks}  {:>9}  SHA-256 {}\n", size(file.bytes), short(&file.sha256))
+        })
+        .collect()
+}
+
+fn closing(verdict: &Verdict, writes: bool, workbook: &str, language: Language) -> String {
+    let colour = match verdict.exit {
+        Exit::Done if verdict.count(Grade::Caution) == 0 => AnsiColor::Green,
+        Exit::Done | Exit::ReportFailed => AnsiColor::Yellow,
+        _ => AnsiColor::Red,
+    };
+    let style = Style::new().bold().fg_color(Some(colour.into()));
+    let folder = verdict.folder.as_deref().map(path).unwrap_or_default();
+    let count = verdict.files.len();
+    let end = match (verdict.exit, count) {
+        (Exit::Done, 0) if !writes => Text::fixed("se puede construir", "can be built"),
+        (Exit::Done, _) => Text::new(format!("{count} ficheros en {folder}"), format!("{count} files in {folder}")),
+        (Exit::ReportFailed, _) => Text::new(
+            format!("{count} ficheros en {folder}, sin informe"),
+            format!("{count} files in {folder}, without a report"),
+        ),
+        _ if !writes => Text::fixed("no se puede construir", "cannot be built"),
+        (Exit::Refused, _) => Text::fixed("rechazado; no se ha escrito nada", "refused; nothing was written"),
+        _ => Text::fixed("no se ha escrito nada", "nothing was written"),
+    };
+    let found: Vec<_> = [
+        (Grade::Stop, Text::fixed("error", "error"), Text::fixed("errores", "errors")),
+        (Grade::Caution, Text::fixed("precaución", "caution"), Text::fixed("precauciones", "cautions")),
+        (Grade::Note, Text::fixed("nota", "note"), Text::fixed("notas", "notes")),
+    ]
+    .into_iter()
+    .filter_map(|(grade, one, many)| match verdict.count(grade) {
+        0 => None,
+        1 => Some(format!("1 {}", one.get(language))),
+        count => Some(format!("{count} {}", many.get(language))),
+    })
+    .collect();
+    let found = if found.is_empty() { String::new() } else { format!(" ({})", found.join(", ")) };
+    format!("{style}{workbook}{style:#}: {}{found}\n", end.get(language))
+}
+
+/// A path as it may be shown.
+pub(super) fn path(path: &Path) -> String {
+    printable_path(path)
+}
+
+/// The first characters of a SHA-256.
+fn short(sha256: &str) -> &str {
+    sha256.get(..16).unwrap_or(sha256)
+}
+
+/// A size with a unit, at least three digits.
+fn size(bytes: u64) -> String {
+    match bytes {
+        0..10_000 => format!("{bytes} B"),
+        10_000..10_000_000 => format!("{} kB", bytes.div_ceil(1000)),
+        _ => format!("{} MB", bytes.div_ceil(1_000_000)),
+    }
+}

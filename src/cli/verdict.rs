@@ -1,0 +1,124 @@
+//! What a command says about one workbook.
+
+use std::path::PathBuf;
+
+use crate::finding::{Exit, Finding, Grade, Refusal};
+use crate::store::Written;
+use crate::table::Quantity;
+
+/// The end of one workbook's work.
+#[derive(Debug)]
+pub(super) struct Verdict {
+    /// The workbook, as it was named.
+    pub(super) workbook: PathBuf,
+    /// The SHA-256 of its bytes, where it could be read.
+    pub(super) sha256: Option<String>,
+    /// The form that it fills in, where that is known.
+    pub(super) schema: Option<&'static str>,
+    /// How its work ended.
+    pub(super) exit: Exit,
+    /// Derived values.
+    pub(super) quantities: Vec<Quantity>,
+    /// Everything found.
+    pub(super) findings: Vec<Finding>,
+    /// The folder of the outputs, as it was given.
+    pub(super) folder: Option<PathBuf>,
+    /// The files that were written.
+    pub(super) files: Vec<Written>,
+}
+
+impl Verdict {
+    /// A verdict with nothing found yet.
+    pub(super) const fn new(workbook: PathBuf) -> Self {
+        Self {
+            workbook,
+            sha256: None,
+            schema: None,
+            exit: Exit::Done,
+            quantities: Vec::new(),
+            findings: Vec::new(),
+            folder: None,
+            files: Vec::new(),
+        }
+    }
+
+    /// The verdict with a refusal: its exit code, and its findings after those there are.
+    pub(super) fn refuse(&mut self, refusal: Refusal) {
+        self.exit = gravest(self.exit, refusal.exit);
+        self.findings.extend(refusal.findings);
+    }
+
+    /// How many findings of a grade there are.
+    pub(super) fn count(&self, grade: Grade) -> usize {
+        self.findings.iter().filter(|finding| finding.grade == grade).count()
+    }
+}
+
+/// The graver of two ends. What concerns rodete or the machine it runs on comes before what concerns one workbook:
+/// a fault, then outputs that cannot be written, limits, inputs that cannot be read, inputs refused, reports.
+pub(super) const fn gravest(one: Exit, other: Exit) -> Exit {
+    if gravity(other) > gravity(one) { other } else { one }
+}
+
+const fn gravity(exit: Exit) -> u8 {
+    match exit {
+        Exit::Done => 0,
+        Exit::ReportFailed => 1,
+        Exit::Refused => 2,
+        Exit::Unreadable => 3,
+        Exit::Limit => 4,
+        Exit::Unwritable => 5,
+        Exit::Fault => 6,
+        Exit::CommandLine => 7,
+        Exit::Interrupted => 8,
+    }
+}
+
+/// The end's name for scripts.
+pub(super) const fn status(exit: Exit) -> &'static str {
+    match exit {
+        Exit::Done => "done",
+        Exit::Fault => "fault",
+        Exit::CommandLine => "command-line",
+        Exit::Refused => "refused",
+        Exit::Unreadable => "unreadable",
+        Exit::Unwritable => "unwritable",
+        Exit::ReportFailed => "report-failed",
+        Exit::Limit => "limit",
+        Exit::Interrupted => "interrupted",
+    }
+}
+
+/// The process exit code.
+pub(super) const fn code(exit: Exit) -> u8 {
+    exit as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gravest_end_counts() {
+        let order = [
+            Exit::Done,
+            Exit::ReportFailed,
+            Exit::Refused,
+            Exit::Unreadable,
+            Exit::Limit,
+            Exit::Unwritable,
+            Exit::Fault,
+        ];
+        for pair in order.windows(2) {
+            assert_eq!(gravest(pair[0], pair[1]), pair[1]);
+            assert_eq!(gravest(pair[1], pair[0]), pair[1]);
+        }
+    }
+
+    #[test]
+    fn exit_codes_are_those_documented() {
+        assert_eq!([Exit::Done, Exit::Fault, Exit::CommandLine, Exit::Refused].map(code), [0, 1, 2, 3]);
+        assert_eq!([Exit::Unreadable, Exit::Unwritable, Exit::ReportFailed, Exit::Limit].map(code), [4, 5, 6, 7]);
+        assert_eq!(code(Exit::Interrupted), 130);
+    }
+}

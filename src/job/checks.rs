@@ -1,0 +1,119 @@
+//! The findings of an outcome as a table, for sheets and reports.
+
+use crate::finding::{Finding, Grade, Place};
+use crate::table::{Column, Index, Table};
+use crate::text::{Language, Text};
+
+/// The table of all findings, in their order: grade, place, what, value, limit, remedy.
+#[must_use]
+pub fn table(findings: &[Finding]) -> Table {
+    let column =
+        |symbol: Text, entry: fn(&Finding) -> Text| Column::texts(symbol, "", findings.iter().map(entry).collect());
+    Table {
+        key: "checks",
+        name: Text::fixed("Comprobaciones", "Checks"),
+        title: Text::fixed("Comprobaciones", "Checks"),
+        source: summary(findings),
+        index: Index::None,
+        columns: vec![
+            column(Text::fixed("Grado", "Grade"), |finding| finding.grade.name()),
+            column(Text::fixed("Lugar", "Place"), |finding| place(&finding.place)),
+            column(Text::fixed("Comprobación", "Check"), |finding| finding.what.clone()),
+            column(Text::fixed("Valor", "Value"), |finding| Text::same(finding.value.as_str())),
+            column(Text::fixed("Límite", "Limit"), |finding| Text::same(finding.limit.as_str())),
+            column(Text::fixed("Remedio", "Remedy"), |finding| finding.remedy.clone()),
+        ],
+    }
+}
+
+/// How many findings there are of each grade, as a line to read.
+#[must_use]
+pub fn summary(findings: &[Finding]) -> Text {
+    let count = |grade: Grade| findings.iter().filter(|finding| finding.grade == grade).count();
+    let (stops, cautions, notes) = (count(Grade::Stop), count(Grade::Caution), count(Grade::Note));
+    let line = |words: [[&str; 2]; 3]| {
+        [stops, cautions, notes]
+            .iter()
+            .zip(words)
+            .map(|(count, [one, many])| format!("{count} {}", if *count == 1 { one } else { many }))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    Text::new(
+        line([
+            ["parada", "paradas"],
+            ["precaución", "precauciones"],
+            ["nota o comprobación superada", "notas o comprobaciones superadas"],
+        ]),
+        line([["stop", "stops"], ["caution", "cautions"], ["note or passed check", "notes or passed checks"]]),
+    )
+}
+
+/// A place in words.
+#[must_use]
+pub fn place(place: &Place) -> Text {
+    match place {
+        Place::File => Text::fixed("Libro", "Workbook"),
+        Place::Part(part) => Text::same(part.as_str()),
+        Place::Sheet(sheet) => Text::new(format!("Hoja {sheet}"), format!("Sheet {sheet}")),
+        Place::Cells(cells) => {
+            let list = |language: Language| {
+                let mut sheet = None;
+                let mut list = String::new();
+                for cell in cells {
+                    if !list.is_empty() {
+                        list.push_str(", ");
+                    }
+                    if sheet != Some(&cell.sheet) {
+                        list.push_str(&cell.sheet);
+                        list.push_str(match language {
+                            Language::Es => ", celda ",
+                            Language::En => ", cell ",
+                        });
+                        sheet = Some(&cell.sheet);
+                    }
+                    list.push_str(&cell.cell);
+                }
+                list
+            };
+            Text::new(list(Language::Es), list(Language::En))
+        }
+        Place::Parameters(keys) => Text::same(keys.join(", ")),
+        Place::Point { table, index } => {
+            Text::new(format!("{table}, punto {index}"), format!("{table}, point {index}"))
+        }
+        Place::Block { program, line } => {
+            Text::new(format!("Programa {program}, línea {line}"), format!("Program {program}, line {line}"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{place, summary};
+    use crate::finding::{CellPlace, Finding, Place};
+    use crate::text::Text;
+
+    fn cell(sheet: &str, cell: &str) -> CellPlace {
+        CellPlace { sheet: sheet.to_owned(), cell: cell.to_owned() }
+    }
+
+    #[test]
+    fn cells_of_one_sheet_are_listed_under_its_name() {
+        let cells = Place::Cells(vec![cell("DATOS", "C9"), cell("DATOS", "C12"), cell("CALIBRACION", "C5")]);
+        assert_eq!(place(&cells).es, "DATOS, celda C9, C12, CALIBRACION, celda C5");
+        assert_eq!(place(&cells).en, "DATOS, cell C9, C12, CALIBRACION, cell C5");
+    }
+
+    #[test]
+    fn findings_are_counted_by_grade() {
+        let text = || Text::same("x");
+        let findings = [
+            Finding::stop(Place::File, text(), text()),
+            Finding::note(Place::File, text()),
+            Finding::note(Place::File, text()),
+        ];
+        assert_eq!(summary(&findings).en, "1 stop, 0 cautions, 2 notes or passed checks");
+        assert_eq!(summary(&findings).es, "1 parada, 0 precauciones, 2 notas o comprobaciones superadas");
+    }
+}

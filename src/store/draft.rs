@@ -1,0 +1,211 @@
+//! Temporary files: locked while they are written, known to the whole process, so that an interruption removes them.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use sha2::{Digest, Sha256};
+use tempfile::{Builder, NamedTempFile};
+
+/// How the names of temporary files begin and end.
+pub(super) const PREFIX: &str = ".rodete-";
+pub(super) const SUFFIX: &str = ".tmp";
+
+/// What would have to be removed if the process ended now.
+#[derive(Debug, Default)]
+pub(super) struct Unfinished {
+    files: BTreeSet<PathBuf>,
+    folders: BTreeSet<PathBuf>,
+}
+
+impl Unfinished {
+    pub(super) fn forget(&mut self, path: &Path) {
+        self.files.remove(path);
+    }
+
+    pub(super) fn folder_made(&mut self, path: &Path) {
+        self.folders.insert(path.to_owned());
+    }
+}
+
+static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished { files: BTreeSet::new(), folders: BTreeSet::new() });
+
+/// The register of unfinished files. While it is held no interruption removes anything: renames are done under it.
+pub(super) fn unfinished() -> MutexGuard<'static, Unfinished> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes every unfinished file, and the folders made for them where they are empty, for a process that is about to
+/// end: nothing can be written after it. A set that is just coming under its final names is finished first.
+pub fn abandon() {
+    let mut unfinished = unfinished();
+    for file in std::mem::take(&mut unfinished.files) {
+        let _ = fs::remove_file(file);
+    }
+    for folder in std::mem::take(&mut unfinished.folders).iter().rev() {
+        let _ = fs::remove_dir(folder);
+    }
+    // The register stays locked: no thread may begin another file or commit a set from here on.
+    std::mem::forget(unfinished);
+}
+
+/// A temporary file in the folder of its final name.
+#[derive(Debug)]
+pub(super) struct Draft {
+    /// `None` once it has been handed over.
+    file: Option<NamedTempFile>,
+    path: PathBuf,
+}
+
+impl Draft {
+    /// A new temporary file, locked, with the mode that the umask gives.
+    pub(super) fn new(folder: &Path) -> io::Result<Self> {
+        let mut builder = Builder::new();
+        builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(8);
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut unfinished = unfinished();
+        let file = builder.tempfile_in(folder)?;
+        let path = file.path().to_owned();
+        unfinished.files.insert(path.clone());
+        // Without locks on this file system, its age alone keeps it from being taken for a leftover.
+        let _ = file.as_file().try_lock();
+        Ok(Self { file: Some(file), path })
+    }
+
+    fn file(&self) -> io::Result<&File> {
+        self.file.as_ref().map(NamedTempFile::as_file).ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
+    }
+
+    /// Somewhere to write the file's contents to.
+    pub(super) fn output(&self) -> io::Result<Output<'_>> {
+        Ok(Output { inner: BufWriter::with_capacity(1 << 16, self.file()?), fault: None })
+    }
+
+    /// Reads the file back: its contents.
+    pub(super) fn contents(&self) -> io::Result<Vec<u8>> {
+        let mut file = self.file()?;
+        let mut contents = Vec::new();
+        file.seek(SeekFrom::Start(0))?;
+        file.read_to_end(&mut contents)?;
+        Ok(contents)
+    }
+
+    /// Brings the file to the disk and reads it back: its bytes and their SHA-256 in lower-case hexadecimal.
+    pub(super) fn settle(&self) -> io::Result<(u64, String)> {
+        let mut file = self.file()?;
+        file.sync_all()?;
+        file.seek(SeekFrom::Start(0))?;
+        let mut digest = Sha256::new();
+        let mut bytes = 0;
+        let mut part = vec![0; 1 << 16];
+        loop {
+            let read = match file.read(&mut part) {
+                Ok(0) => break,
+                Ok(read) => read,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            };
+            digest.update(part.get(..read).unwrap_or_default());
+            bytes += u64::try_from(read).unwrap_or(u64::MAX);
+        }
+        Ok((bytes, hexadecimal(&digest.finalize())))
+    }
+
+    /// Renames the file to its final name, replacing what is there if `replace`.
+    pub(super) fn become_final(&mut self, target: &Path, replace: bool, unfinished: &mut Unfinished) -> io::Result<()> {
+        let Some(file) = self.file.take() else { return Err(io::ErrorKind::NotFound.into()) };
+        let renamed = if replace { file.persist(target) } else { file.persist_noclobber(target) };
+        match renamed {
+            Ok(file) => {
+                unfinished.forget(&self.path);
+                let _ = file.unlock();
+                Ok(())
+            }
+            Err(failed) => {
+                self.file = Some(failed.file);
+                Err(failed.error)
+            }
+        }
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        if let Some(file) = self.file.take() {
+            let mut unfinished = unfinished();
+            let _ = file.close();
+            unfinished.forget(&self.path);
+        }
+    }
+}
+
+/// The SHA-256 of bytes, in lower-case hexadecimal.
+#[must_use]
+pub fn sha256(bytes: &[u8]) -> String {
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    use std::fmt::Write as _;
+    bytes.iter().fold(String::with_capacity(2 * bytes.len()), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// Where the contents of one file are written to. It remembers the first error of the system, so that the message is
+/// right even where a library in between wraps it.
+#[derive(Debug)]
+pub struct Output<'a> {
+    inner: BufWriter<&'a File>,
+    fault: Option<io::Error>,
+}
+
+impl Output<'_> {
+    /// Flushes; gives the first error that writing met.
+    pub(super) fn finish(mut self) -> io::Result<()> {
+        let flushed = self.flush();
+        match self.fault.take() {
+            Some(fault) => {
+                // What is still in the buffer cannot be written either, and no more attempt is wanted.
+                let _ = self.inner.into_parts();
+                Err(fault)
+            }
+            None => flushed,
+        }
+    }
+
+    fn remember<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        if let (Err(error), None) = (&result, &self.fault)
+            && error.kind() != io::ErrorKind::Interrupted
+        {
+            self.fault = Some(match error.raw_os_error() {
+                Some(code) => io::Error::from_raw_os_error(code),
+                None => io::Error::new(error.kind(), error.to_string()),
+            });
+        }
+        result
+    }
+}
+
+impl Write for Output<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.inner.write(bytes);
+        self.remember(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let flushed = self.inner.flush();
+        self.remember(flushed)
+    }
+}
+
+impl Seek for Output<'_> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        let at = self.inner.seek(to);
+        self.remember(at)
+    }
+}

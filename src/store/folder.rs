@@ -1,0 +1,117 @@
+//! The folder that outputs go to.
+
+use std::ffi::OsStr;
+use std::fs::{self, OpenOptions};
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use super::draft::{Draft, PREFIX, SUFFIX, unfinished};
+use super::lock::Lock;
+use super::reason::{refusal, shown, unwritable};
+use crate::finding::Refusal;
+use crate::text::Text;
+
+/// The age from which an unlocked temporary file is a leftover. It covers the moment between making and locking one.
+const LEFTOVER: Duration = Duration::from_secs(60);
+
+/// A folder known to exist and to take files.
+#[derive(Debug)]
+pub struct Folder {
+    /// As it was given; empty for the current folder.
+    path: PathBuf,
+    /// The folders made for it, outermost first.
+    made: Vec<PathBuf>,
+}
+
+impl Folder {
+    /// The folder at a path, made with its parents if it is not there. Leftovers of runs that were killed are removed.
+    /// Folders made here are removed again when this value is dropped, if nothing came into them.
+    ///
+    /// # Errors
+    /// Exit 5 where the path is not a folder, or where no file can be made in it.
+    pub fn open(path: &Path) -> Result<Self, Refusal> {
+        let mut folder = Self { path: path.to_owned(), made: Vec::new() };
+        let path = here(path);
+        folder.make().map_err(|error| match fs::metadata(path) {
+            Ok(found) if !found.is_dir() => refusal(
+                Text::new(format!("{} no es una carpeta", shown(path)), format!("{} is not a folder", shown(path))),
+                Text::fixed("elija otra carpeta con -o", "choose another folder with -o"),
+            ),
+            _ => unwritable(path, &error),
+        })?;
+        Draft::new(path).map_err(|error| unwritable(path, &error))?;
+        folder.sweep();
+        Ok(folder)
+    }
+
+    /// The folder's path as the system wants it: `.` for the current folder.
+    pub(super) fn place(&self) -> &Path {
+        here(&self.path)
+    }
+
+    /// The path of a file in the folder, beginning with the folder as it was given.
+    pub(super) fn join(&self, name: &OsStr) -> PathBuf {
+        self.path.join(name)
+    }
+
+    fn make(&mut self) -> io::Result<()> {
+        let missing: Vec<_> = self
+            .path
+            .ancestors()
+            .take_while(|path| !path.as_os_str().is_empty() && !path.exists())
+            .map(Path::to_owned)
+            .collect();
+        let mut unfinished = unfinished();
+        for path in missing.into_iter().rev() {
+            match fs::create_dir(&path) {
+                Ok(()) => {
+                    unfinished.folder_made(&path);
+                    self.made.push(path);
+                }
+                Err(error) if error.kind() == ErrorKind::AlreadyExists && path.is_dir() => {}
+                Err(error) => return Err(error),
+            }
+        }
+        if fs::metadata(self.place())?.is_dir() { Ok(()) } else { Err(ErrorKind::NotADirectory.into()) }
+    }
+
+    /// Removes leftovers: temporary files of ours that are old and that nobody has locked. What cannot be removed does
+    /// no harm and stays.
+    fn sweep(&self) {
+        let Ok(entries) = fs::read_dir(self.place()) else { return };
+        let old: Vec<_> = entries.flatten().filter(is_ours_and_old).map(|entry| entry.path()).collect();
+        if old.is_empty() {
+            return;
+        }
+        // Under the lock, so that no set is just being renamed: its way back lies in such files.
+        let Ok(Some(_lock)) = Lock::attempt(self.place()) else { return };
+        for path in old {
+            let unlocked = OpenOptions::new().write(true).open(&path).is_ok_and(|file| file.try_lock().is_ok());
+            if unlocked {
+                let _ = fs::remove_file(path);
+            }
+        }
+    }
+}
+
+fn here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
+}
+
+fn is_ours_and_old(entry: &fs::DirEntry) -> bool {
+    let name = entry.file_name();
+    let name = name.as_encoded_bytes();
+    let ours = name.starts_with(PREFIX.as_bytes()) && name.ends_with(SUFFIX.as_bytes());
+    ours && entry.metadata().is_ok_and(|found| {
+        found.is_file() && found.modified().ok().and_then(|at| at.elapsed().ok()).is_some_and(|age| age > LEFTOVER)
+    })
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        for path in self.made.iter().rev() {
+            let _ = fs::remove_dir(path);
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! A gated workbook with its sheets ready to be read.
+
+use std::io::Cursor;
+
+use calamine::{Reader, Xlsx};
+
+use crate::escape::printable;
+use crate::finding::Refusal;
+
+use super::cells::{self, SheetCells};
+use super::gate::{Gated, SheetEntry};
+use super::package::unreadable;
+use super::survey::survey;
+use super::{limits, xml};
+
+/// A workbook that passed the gate, opened by calamine.
+pub struct Book<'a> {
+    /// What the gate found.
+    pub gated: Gated<'a>,
+    xlsx: Xlsx<Cursor<&'a [u8]>>,
+}
+
+impl<'a> Book<'a> {
+    /// Hands a workbook that passed the gate to calamine.
+    ///
+    /// # Errors
+    /// [`Exit::Unreadable`](crate::finding::Exit::Unreadable) where calamine does not take it.
+    pub fn open(gated: Gated<'a>) -> Result<Self, Refusal> {
+        let xlsx = Xlsx::new(Cursor::new(gated.package.bytes)).map_err(|error| {
+            let why = printable(&error.to_string());
+            unreadable(say!("el libro no se puede leer: {why}", "the workbook cannot be read: {why}"))
+        })?;
+        Ok(Self { gated, xlsx })
+    }
+
+    /// The cells of a sheet. Where its survey found it unsound or empty, no cells but only the survey.
+    ///
+    /// # Errors
+    /// Where the sheet's part is damaged as a whole.
+    pub fn read(&mut self, sheet: &SheetEntry) -> Result<SheetCells, Refusal> {
+        let bytes = self.gated.package.part(&sheet.part, limits::PART)?.unwrap_or_default();
+        let text = xml::text(&sheet.part, bytes)?;
+        let survey = survey(&sheet.name, &sheet.part, &text, self.gated.strings)?;
+        drop(text);
+        let rows = if survey.unsound || !survey.filled {
+            Default::default()
+        } else {
+            cells::stream(&mut self.xlsx, &sheet.name, &sheet.part)?
+        };
+        Ok(SheetCells { name: sheet.name.clone(), rows, survey })
+    }
+}

@@ -1,0 +1,191 @@
+//! The cells of one sheet, streamed: columns A to E of the rows that hold something.
+
+use std::collections::BTreeMap;
+use std::io::Cursor;
+
+use calamine::{DataRef, Xlsx};
+
+use crate::escape::{excerpt, printable};
+use crate::finding::{CellPlace, Exit, Finding, Place, Refusal};
+
+use super::address::{self, Position};
+use super::limits;
+use super::package::only_inputs;
+use super::survey::{COLUMNS, Survey};
+use super::xml::damaged;
+
+/// What a cell holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Content {
+    /// A finite number.
+    Number(f64),
+    /// A text; of a long one the beginning, and how many characters it has, counted up to one more than a cell can
+    /// hold.
+    Text(String, usize),
+    /// A truth value.
+    Truth(bool),
+    /// A date or a time: a number in a cell formatted as one.
+    Date,
+    /// An error of the spreadsheet, as `#DIV/0!`.
+    Error(String),
+}
+
+/// A cell that holds something.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// What it holds.
+    pub content: Content,
+    /// True where it is formatted as a percentage.
+    pub percent: bool,
+}
+
+/// A sheet of a form, as far as it is read.
+#[derive(Debug)]
+pub struct SheetCells {
+    /// The sheet's name as it stands in the workbook.
+    pub name: String,
+    /// The rows that hold something in columns A to E, by their index from 0.
+    pub rows: BTreeMap<u32, [Option<Cell>; COLUMNS as usize]>,
+    /// What the walk over its part saw.
+    pub survey: Survey,
+}
+
+impl SheetCells {
+    /// The cell of a row in a column.
+    #[must_use]
+    pub fn cell(&self, (row, column): Position) -> Option<&Cell> {
+        self.rows.get(&row)?.get(usize::try_from(column).ok()?)?.as_ref()
+    }
+
+    /// The text of a cell, without blanks around it; `None` where it holds none.
+    #[must_use]
+    pub fn text(&self, position: Position) -> Option<&str> {
+        match &self.cell(position)?.content {
+            Content::Text(text, _) => Some(text.trim()).filter(|text| !text.is_empty()),
+            _ => None,
+        }
+    }
+
+    /// The place of a cell, for findings.
+    #[must_use]
+    pub fn place(&self, position: Position) -> CellPlace {
+        CellPlace { sheet: self.name.clone(), cell: address::format(position) }
+    }
+}
+
+/// The rows of a sheet that calamine may read: its survey found it sound.
+///
+/// # Errors
+/// [`Exit::Unreadable`] where calamine does not read the sheet; [`Exit::Limit`] for more than [`limits::ROWS`] rows.
+pub fn stream(
+    xlsx: &mut Xlsx<Cursor<&[u8]>>,
+    sheet: &str,
+    part: &str,
+) -> Result<BTreeMap<u32, [Option<Cell>; COLUMNS as usize]>, Refusal> {
+    let fault = |error: &calamine::XlsxError| {
+        let (name, why) = (excerpt(sheet, 80), printable(&error.to_string()));
+        damaged(part, say!("la hoja \"{name}\" no se puede leer: {why}", "the sheet \"{name}\" cannot be read: {why}"))
+    };
+    let mut rows: BTreeMap<u32, [Option<Cell>; COLUMNS as usize]> = BTreeMap::new();
+    let mut reader = xlsx.worksheet_cells_reader(sheet).map_err(|error| fault(&error))?;
+    let percentages: Vec<bool> = reader
+        .styles()
+        .iter()
+        .map(|style| style.number_format.as_ref().is_some_and(|format| is_percentage(&format.format_code)))
+        .collect();
+    while let Some((cell, style)) = reader.next_cell_with_style_id().map_err(|error| fault(&error))? {
+        let (row, column) = cell.get_position();
+        let Some(column) = usize::try_from(column).ok().filter(|_| column < COLUMNS) else { continue };
+        let Some(content) = content(cell.get_value()) else { continue };
+        let percent = percentages.get(style).copied().unwrap_or_default();
+        let kept = rows.entry(row).or_default();
+        if let Some(slot) = kept.get_mut(column) {
+            *slot = Some(Cell { content, percent });
+        }
+        if rows.len() > limits::ROWS {
+            let (name, most) = (excerpt(sheet, 80), limits::ROWS);
+            return Err(Refusal::new(
+                Exit::Limit,
+                Finding::stop(
+                    Place::Sheet(sheet.to_owned()),
+                    say!(
+                        "la hoja \"{name}\" tiene más de {most} filas con contenido en las columnas A a E",
+                        "the sheet \"{name}\" has more than {most} rows with content in columns A to E"
+                    ),
+                    only_inputs(),
+                ),
+            ));
+        }
+    }
+    Ok(rows)
+}
+
+/// What is kept of a value; `None` for an empty one.
+fn content(value: &DataRef<'_>) -> Option<Content> {
+    let text = |text: &str| {
+        let kept: String = text.chars().take(limits::TEXT).collect();
+        // One shared text may stand in every cell, so a long one is neither counted nor trimmed whole.
+        let characters = if text.len() > 4 * limits::CELL_TEXT {
+            limits::CELL_TEXT + 1
+        } else {
+            text.chars().take(limits::CELL_TEXT + 1).count()
+        };
+        let blank = kept.len() == text.len() && kept.trim().is_empty();
+        (!blank).then_some(Content::Text(kept, characters))
+    };
+    match value {
+        DataRef::Empty => None,
+        DataRef::Float(number) => Some(Content::Number(*number)),
+        // Whole numbers are read as floating point from .xlsx; this is for completeness of the reader's type.
+        #[allow(clippy::cast_precision_loss)]
+        DataRef::Int(number) => Some(Content::Number(*number as f64)),
+        DataRef::String(string) => text(string),
+        DataRef::SharedString(string) => text(string),
+        DataRef::Bool(truth) => Some(Content::Truth(*truth)),
+        DataRef::DateTime(_) | DataRef::DateTimeIso(_) | DataRef::DurationIso(_) => Some(Content::Date),
+        DataRef::Error(error) => Some(Content::Error(error.to_string())),
+    }
+}
+
+/// True for a number format that shows a hundredfold value: an unquoted `%` in its first section.
+fn is_percentage(code: &str) -> bool {
+    let mut quoted = false;
+    let mut literal = false;
+    for character in code.chars() {
+        match character {
+            _ if literal => literal = false,
+            '\\' | '_' | '*' if !quoted => literal = true,
+            '"' => quoted = !quoted,
+            ';' if !quoted => return false,
+            '%' if !quoted => return true,
+            _ => {}
+        }
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_percentage_is_told_from_a_literal_percent_sign() {
+        for code in ["0%", "0.00%", "#,##0.0 %", "0%;[Red]-0%"] {
+            assert!(is_percentage(code), "{code}");
+        }
+        for code in ["General", "0.00", "0\"%\"", "0\\%", "0;0%"] {
+            assert!(!is_percentage(code), "{code}");
+        }
+    }
+
+    #[test]
+    fn a_long_text_is_counted_whole_and_kept_in_part() {
+        let long = "ñ".repeat(2_000);
+        match content(&DataRef::String(long)) {
+            Some(Content::Text(kept, characters)) => {
+                assert_eq!((kept.chars().count(), characters), (limits::TEXT, 2_000));
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}

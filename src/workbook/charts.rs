@@ -1,0 +1,241 @@
+//! Charts beside tables: scatter charts of columns against columns.
+
+use std::fmt;
+
+use rust_xlsxwriter::{
+    Chart, ChartAxisLabelPosition, ChartFont, ChartFormat, ChartLayout, ChartLegendPosition, ChartLine, ChartMarker,
+    ChartType, ColNum, Color, RowNum,
+};
+
+use super::error::WriteError;
+use super::table_sheet::{FIRST, TableSheet};
+use crate::job;
+use crate::table::{Entry, Index, Table};
+use crate::text::Language;
+
+/// The plot area, in pixels: the greatest where both axes have one scale, the usual one else.
+const PLOT: [f64; 2] = [520.0, 380.0];
+/// Around it: left, right, top, bottom.
+const MARGINS: [f64; 4] = [85.0, 25.0, 45.0, 95.0];
+/// Where both axes have one scale, the shorter one covers at least this part of the longer.
+const NARROWEST: f64 = 0.25;
+/// About so many intervals on an axis.
+const INTERVALS: f64 = 8.0;
+
+const INKS: [u32; 6] = [0x1F_4E79, 0xC0_504D, 0x4F_8A3C, 0x7F_5FA8, 0xD0_8A1D, 0x2E_9AA8];
+const GRID: Color = Color::RGB(0xD9_D9D9);
+
+/// A table with the name of the sheet it stands on.
+#[derive(Clone, Debug)]
+pub struct Placed<'a> {
+    /// The sheet's name.
+    pub sheet: String,
+    /// The table.
+    pub table: &'a Table,
+}
+
+/// A chart with its height in pixels.
+pub struct Drawn {
+    /// The chart.
+    pub chart: Chart,
+    /// Its height.
+    pub height: u32,
+}
+
+impl fmt::Debug for Drawn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Drawn").field("height", &self.height).finish_non_exhaustive()
+    }
+}
+
+/// A column of a table, or its point index.
+struct Axis<'a> {
+    sheet: &'a str,
+    table: &'a Table,
+    column: Option<usize>,
+}
+
+impl<'a> Axis<'a> {
+    fn find(tables: &'a [Placed<'a>], (key, symbol): (&str, &str)) -> Option<Self> {
+        let placed = tables.iter().find(|placed| placed.table.key == key)?;
+        let table = placed.table;
+        let column = if symbol.is_empty() {
+            (table.index == Index::Point).then_some(None)?
+        } else {
+            Some(table.columns.iter().position(|column| column.symbol.en == symbol)?)
+        };
+        (table.rows() > 0).then_some(Self { sheet: &placed.sheet, table, column })
+    }
+
+    fn range(&self, language: Language) -> Result<(&'a str, RowNum, ColNum, RowNum, ColNum), WriteError> {
+        let sheet = TableSheet { table: self.table, language };
+        let column = match self.column {
+            None => 0,
+            Some(at) => ColNum::try_from(at).map_err(|_| WriteError::TooLarge(self.table.key))? + sheet.offset(),
+        };
+        Ok((self.sheet, FIRST, column, sheet.last_row()?, column))
+    }
+
+    /// Least and greatest value.
+    fn extent(&self) -> [f64; 2] {
+        let rows = 0..self.table.rows();
+        let value = |row: usize| match self.column.and_then(|at| self.table.columns.get(at)) {
+            Some(column) if row < column.values.len() => match column.values.get(row) {
+                Entry::Number(value) => Some(value),
+                Entry::Text(_) => None,
+            },
+            Some(_) => None,
+            None => u32::try_from(row).ok().map(f64::from),
+        };
+        rows.filter_map(value)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+    }
+}
+
+/// Draws a chart; `None` where none of its curves can be found.
+///
+/// # Errors
+/// For a table longer than a sheet.
+pub fn draw(chart: &job::Chart, tables: &[Placed<'_>], language: Language) -> Result<Option<Drawn>, WriteError> {
+    let mut drawn = Chart::new(ChartType::ScatterStraight);
+    let mut extents = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    let mut count = 0;
+    for (series, ink) in chart.series.iter().zip(INKS.iter().cycle()) {
+        let (Some(x), Some(y)) = (Axis::find(tables, series.x), Axis::find(tables, series.y)) else {
+            continue;
+        };
+        for (extent, axis) in extents.iter_mut().zip([&x, &y]) {
+            let [low, high] = axis.extent();
+            *extent = [extent[0].min(low), extent[1].max(high)];
+        }
+        count += 1;
+        drawn
+            .add_series()
+            .set_name(words(series.name.get(language)))
+            .set_categories(x.range(language)?)
+            .set_values(y.range(language)?)
+            .set_marker(ChartMarker::new().set_none())
+            .set_format(ChartFormat::new().set_line(ChartLine::new().set_color(Color::RGB(*ink)).set_width(1.75)));
+    }
+    if count == 0 {
+        return Ok(None);
+    }
+    let mut plot = PLOT;
+    if chart.equal
+        && let Some([x, y]) = one_scale(extents)
+    {
+        drawn.x_axis().set_min(x.low).set_max(x.high).set_major_unit(x.unit);
+        drawn.y_axis().set_min(y.low).set_max(y.high).set_major_unit(y.unit);
+        let pixels = f64::min(PLOT[0] / x.span(), PLOT[1] / y.span());
+        plot = [pixels * x.span(), pixels * y.span()];
+    }
+    let [left, right, top, bottom] = MARGINS;
+    let (width, height) = (left + plot[0] + right, top + plot[1] + bottom);
+    drawn.plot_area().set_layout(
+        &ChartLayout::new().set_offset(left / width, top / height).set_dimensions(plot[0] / width, plot[1] / height),
+    );
+    let grid = ChartLine::new().set_color(GRID).set_width(0.75).clone();
+    let font = ChartFont::new().set_size(9).clone();
+    let name = ChartFont::new().set_size(10).unset_bold().clone();
+    let [x, y] = &chart.axes;
+    for (axis, title) in [(true, x), (false, y)] {
+        let axis = if axis { drawn.x_axis() } else { drawn.y_axis() };
+        axis.set_name(words(title.get(language)))
+            .set_name_font(&name)
+            .set_font(&font)
+            .set_num_format("General")
+            .set_label_position(ChartAxisLabelPosition::Low)
+            .set_major_gridlines(true)
+            .set_major_gridlines_line(&grid);
+    }
+    drawn.title().set_name(words(chart.title.get(language))).set_font(ChartFont::new().set_size(12));
+    if count > 1 {
+        drawn.legend().set_position(ChartLegendPosition::Bottom).set_font(&font);
+    } else {
+        drawn.legend().set_hidden();
+    }
+    let height = pixels(height);
+    drawn.set_width(pixels(width)).set_height(height);
+    drawn.set_alt_text(words(chart.title.get(language)));
+    Ok(Some(Drawn { chart: drawn, height }))
+}
+
+/// One axis: from, to, and the interval of its marks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Scale {
+    low: f64,
+    high: f64,
+    unit: f64,
+}
+
+impl Scale {
+    fn span(&self) -> f64 {
+        self.high - self.low
+    }
+}
+
+/// Two axes with marks at one interval; `None` for extents that have no size.
+fn one_scale(extents: [[f64; 2]; 2]) -> Option<[Scale; 2]> {
+    let span = extents.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    if !span.is_finite() || span <= 0.0 {
+        return None;
+    }
+    let unit = round_interval(span / INTERVALS);
+    let mut scales =
+        extents.map(|[low, high]| Scale { low: (low / unit).floor() * unit, high: (high / unit).ceil() * unit, unit });
+    let least = NARROWEST * scales[0].span().max(scales[1].span());
+    for scale in &mut scales {
+        while scale.span() < least {
+            scale.low -= unit;
+            scale.high += unit;
+        }
+    }
+    Some(scales)
+}
+
+/// The next of 1, 2, 5, 10 … that is not below a positive value.
+fn round_interval(value: f64) -> f64 {
+    let mut power = 1.0;
+    while power > value {
+        power /= 10.0;
+    }
+    while power * 10.0 <= value {
+        power *= 10.0;
+    }
+    [1.0, 2.0, 5.0].into_iter().map(|digit| digit * power).find(|unit| *unit >= value).unwrap_or(10.0 * power)
+}
+
+/// A title: text that starts with `=` or holds `!` would be taken for a reference to cells.
+fn words(text: &str) -> &str {
+    text.trim_start_matches('=')
+}
+
+/// A size in whole pixels.
+fn pixels(size: f64) -> u32 {
+    // Sizes are sums of the constants above, at most some hundreds.
+    (0..u32::from(u16::MAX)).find(|whole| f64::from(*whole) >= size).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{one_scale, round_interval};
+
+    #[test]
+    fn intervals_are_round() {
+        for (value, round) in [(1.0, 1.0), (1.1, 2.0), (3.0, 5.0), (6.0, 10.0), (40.0, 50.0), (0.3, 0.5), (51.0, 100.0)]
+        {
+            assert!((round_interval(value) - round).abs() < 1e-12 * round, "{value}");
+        }
+    }
+
+    #[test]
+    fn both_axes_hold_the_curve_and_have_marks_at_one_interval() {
+        let [x, y] = one_scale([[-25.3, 10.0], [0.0, 15.1]]).expect("a scale");
+        assert!(x.low <= -25.3 && x.high >= 10.0 && y.low <= 0.0 && y.high >= 15.1);
+        assert_eq!(x.unit.to_bits(), y.unit.to_bits());
+        let [x, y] = one_scale([[0.0, 100.0], [3.0, 3.0]]).expect("a line lying down is given some height");
+        assert!(y.high - y.low >= 0.25 * (x.high - x.low));
+        assert_eq!(one_scale([[1.0, 1.0], [2.0, 2.0]]), None);
+        assert_eq!(one_scale([[f64::INFINITY, f64::NEG_INFINITY]; 2]), None);
+    }
+}

@@ -1,0 +1,53 @@
+//! Workbooks: reading a filled-in form, writing forms and results.
+//!
+//! Reading an input workbook: from a path to checked values, or to a refusal that lists everything found.
+//!
+//! [`open`] is the only place that opens a path for reading; [`gate`] walks the package under caps and refuses what is
+//! damaged, hostile or not an `.xlsx`; the cells of the form's sheets are then streamed, and [`schema`] turns them into
+//! [`Values`](crate::parameter::Values).
+//!
+//! # Limits
+//! See [`limits`]. Whatever the bytes are, reading ends in bounded time and memory.
+
+/// A [`Text`](crate::text::Text) from a Spanish and an English format string over the same values; a named value is a
+/// text itself and enters in each language.
+macro_rules! say {
+    ($es:literal, $en:literal $(, $name:ident = $text:expr)* $(,)?) => {
+        $crate::text::Text::new(format!($es $(, $name = $text.es)*), format!($en $(, $name = $text.en)*))
+    };
+}
+
+mod address;
+mod book;
+pub mod cell;
+mod cells;
+pub mod charts;
+pub mod checks_sheet;
+pub mod derived;
+pub mod error;
+pub mod form_sheet;
+pub mod gate;
+pub mod limits;
+pub mod long_rows;
+pub mod names;
+mod number;
+mod open;
+mod package;
+pub mod page;
+pub mod program_sheet;
+pub mod results;
+mod raw_value;
+pub mod schema;
+pub mod style;
+mod survey;
+pub mod table_sheet;
+pub mod template;
+mod unit;
+pub mod validation;
+mod value;
+mod words;
+mod xml;
+
+pub use gate::gate;
+pub use open::open;
+pub use schema::{Filled, read};

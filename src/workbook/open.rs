@@ -1,0 +1,151 @@
+//! The one place that opens a path for reading.
+
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+use crate::escape::{printable, printable_path};
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::text::Text;
+
+use super::limits;
+
+/// Most names of other workbooks that a refusal lists.
+const NAMES: usize = 3;
+/// Most entries of a folder that are looked through for them.
+const FOLDER_ENTRIES: usize = 10_000;
+
+/// The bytes of a workbook's file, read once: what happens to the file afterwards changes nothing.
+///
+/// # Errors
+/// Refuses with [`Exit::Unreadable`] a path that is missing, no regular file or may not be read, and with
+/// [`Exit::Limit`] a file of more than [`limits::FILE`] bytes.
+pub fn open(path: &Path) -> Result<Vec<u8>, Refusal> {
+    // Asked before opening: opening a pipe would wait for a writer.
+    let metadata = fs::metadata(path).map_err(|error| refuse(path, &error))?;
+    if metadata.is_dir() {
+        return Err(cannot(
+            path,
+            &Text::fixed("es una carpeta", "it is a folder"),
+            Text::fixed(
+                "indique el libro .xlsx que está dentro de la carpeta",
+                "name the .xlsx workbook inside the folder",
+            ),
+        ));
+    }
+    if !metadata.is_file() {
+        return Err(cannot(
+            path,
+            &Text::fixed("no es un archivo normal", "it is not a regular file"),
+            Text::fixed("indique un libro .xlsx guardado en disco", "name an .xlsx workbook stored on disk"),
+        ));
+    }
+    if metadata.len() > limits::FILE {
+        return Err(too_large(path));
+    }
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(limits::FILE + 1).read_to_end(&mut bytes))
+        .map_err(|error| refuse(path, &error))?;
+    if u64::try_from(bytes.len()).is_ok_and(|length| length <= limits::FILE) { Ok(bytes) } else { Err(too_large(path)) }
+}
+
+fn too_large(path: &Path) -> Refusal {
+    let (name, most) = (printable_path(path), limits::mebibytes(limits::FILE));
+    Refusal::new(
+        Exit::Limit,
+        Finding::stop(
+            Place::File,
+            say!("{name} ocupa más de {most} MiB", "{name} is larger than {most} MiB"),
+            Text::fixed("deje en el libro sólo las hojas de entrada", "leave only the input sheets in the workbook"),
+        ),
+    )
+}
+
+fn cannot(path: &Path, why: &Text, remedy: Text) -> Refusal {
+    let name = printable_path(path);
+    let what = Text::new(format!("no se puede abrir {name}: {}", why.es), format!("cannot open {name}: {}", why.en));
+    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
+}
+
+/// The refusal for what the operating system answered.
+fn refuse(path: &Path, error: &io::Error) -> Refusal {
+    let locked = Text::fixed(
+        "ciérrelo en Excel o LibreOffice y repita la orden",
+        "close it in Excel or LibreOffice and run the command again",
+    );
+    // 32 and 33: another program holds the file, or a part of it.
+    if cfg!(windows) && matches!(error.raw_os_error(), Some(32 | 33)) {
+        return cannot(path, &Text::fixed("otro programa lo tiene abierto", "another program has it open"), locked);
+    }
+    match error.kind() {
+        ErrorKind::NotFound => cannot(path, &Text::fixed("no existe", "no such file"), others(path)),
+        ErrorKind::NotADirectory => cannot(
+            path,
+            &Text::fixed("una parte de la ruta no es una carpeta", "a part of the path is not a folder"),
+            Text::fixed("compruebe la ruta", "check the path"),
+        ),
+        ErrorKind::PermissionDenied => cannot(
+            path,
+            &Text::fixed("falta el permiso de lectura", "no permission to read it"),
+            if lock_file(path).exists() {
+                locked
+            } else {
+                Text::fixed("dé permiso de lectura o copie el archivo", "allow reading it, or copy the file")
+            },
+        ),
+        _ => {
+            let reason = printable(&error.to_string());
+            cannot(
+                path,
+                &Text::same(reason),
+                if lock_file(path).exists() { locked } else { Text::fixed("compruebe la ruta", "check the path") },
+            )
+        }
+    }
+}
+
+/// The file that Excel keeps beside a workbook while it is open.
+fn lock_file(path: &Path) -> PathBuf {
+    let mut name = std::ffi::OsString::from("~$");
+    name.push(path.file_name().unwrap_or_default());
+    path.with_file_name(name)
+}
+
+/// A remedy that names the workbooks of the folder, those most alike first.
+fn others(path: &Path) -> Text {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let wanted = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+    let mut names: Vec<(bool, usize, String)> = fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .take(FOLDER_ENTRIES)
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| !name.starts_with("~$"))
+        .filter_map(|name| {
+            let lower = name.to_lowercase();
+            let workbook = lower.ends_with(".xlsx") || lower.ends_with(".xlsm");
+            // Names are at most a few hundred bytes, so the distance is cheap.
+            let distance = strsim::damerau_levenshtein(&wanted, &lower);
+            workbook.then_some((distance * 3 > wanted.chars().count(), distance, name))
+        })
+        .collect();
+    names.sort();
+    let near: Vec<_> = names.iter().filter(|name| !name.0).take(NAMES).map(|name| printable(&name.2)).collect();
+    if !near.is_empty() {
+        let near = near.join(", ");
+        return say!("¿quiere decir {near}?", "did you mean {near}?");
+    }
+    if names.is_empty() {
+        return Text::fixed("compruebe el nombre y la carpeta", "check the name and the folder");
+    }
+    let there = names.iter().take(NAMES).map(|name| printable(&name.2)).collect::<Vec<_>>().join(", ");
+    if names.len() > NAMES {
+        say!("en la carpeta hay: {there} …", "the folder has: {there} …")
+    } else {
+        say!("en la carpeta hay: {there}", "the folder has: {there}")
+    }
+}

@@ -1,0 +1,230 @@
+//! The zip package of a workbook: its entries under caps, every one unpacked to its end.
+
+use std::collections::HashMap;
+use std::io::{self, Cursor, Read};
+
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+use crate::escape::{excerpt, printable};
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::text::Text;
+
+use super::limits;
+use super::xml::{damaged, save_again};
+
+/// The signature of an entry in a zip's central directory.
+const CENTRAL_ENTRY: &[u8] = b"PK\x01\x02";
+
+/// A package whose entries all unpack within the caps and whose checksums hold.
+#[derive(Debug)]
+pub struct Package<'a> {
+    archive: ZipArchive<Cursor<&'a [u8]>>,
+    /// Index of each entry by its name in lower case, with `/` between folders: calamine looks parts up this way.
+    entries: HashMap<String, usize>,
+    /// The file's bytes.
+    pub bytes: &'a [u8],
+}
+
+impl<'a> Package<'a> {
+    /// Walks the whole package.
+    ///
+    /// # Errors
+    /// [`Exit::Unreadable`] for a damaged package and for names that are doubled or point outside of it;
+    /// [`Exit::Limit`] for more entries or more unpacked bytes than [`limits`] allows. Nothing is unpacked beyond them.
+    pub fn open(bytes: &'a [u8]) -> Result<Self, Refusal> {
+        // Counted before the directory is read into memory. A signature inside of packed data could only raise it.
+        if memchr::memmem::find_iter(bytes, CENTRAL_ENTRY).nth(limits::ENTRIES).is_some() {
+            let most = limits::ENTRIES;
+            return Err(unreadable(say!(
+                "el paquete tiene más de {most} partes; un libro .xlsx tiene menos",
+                "the package has more than {most} entries; an .xlsx workbook has fewer"
+            )));
+        }
+        let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| match error {
+            // No end-of-directory record was found: the usual sign of an interrupted download.
+            ZipError::InvalidArchive(_) if memchr::memmem::rfind(bytes, b"PK\x05\x06").is_none() => {
+                unreadable(Text::fixed(
+                    "no es un .xlsx completo (falta el final del zip)",
+                    "not a complete .xlsx (zip end missing)",
+                ))
+            }
+            error => {
+                let why = printable(&error.to_string());
+                unreadable(say!(
+                    "no es un .xlsx completo (el directorio del zip está dañado: {why})",
+                    "not a complete .xlsx (the zip directory is damaged: {why})"
+                ))
+            }
+        })?;
+        if archive.has_duplicate_names() {
+            return Err(unreadable(Text::fixed(
+                "dos partes del paquete tienen el mismo nombre",
+                "two entries of the package have the same name",
+            )));
+        }
+        let mut package = Self { archive, entries: HashMap::new(), bytes };
+        package.list()?;
+        for index in 0..package.archive.len() {
+            package.verify(index)?;
+        }
+        Ok(package)
+    }
+
+    /// True where the package has a part of this name, in whatever case.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.entries.contains_key(&name.to_ascii_lowercase())
+    }
+
+    /// True where a name of the package, in lower case, ends so.
+    #[must_use]
+    pub fn has_ending(&self, ending: &str) -> bool {
+        self.entries.keys().any(|name| name.ends_with(ending))
+    }
+
+    /// True where a name of the package, in lower case, begins so.
+    #[must_use]
+    pub fn has_beginning(&self, beginning: &str) -> bool {
+        self.entries.keys().any(|name| name.starts_with(beginning))
+    }
+
+    /// A part's bytes; `None` where there is no such part.
+    ///
+    /// # Errors
+    /// [`Exit::Limit`] for a part of more than `most` bytes.
+    pub fn part(&mut self, name: &str, most: u64) -> Result<Option<Vec<u8>>, Refusal> {
+        let Some(&index) = self.entries.get(&name.to_ascii_lowercase()) else {
+            return Ok(None);
+        };
+        let mut entry = self.archive.by_index(index).map_err(|error| broken(name, &error))?;
+        let mut bytes = Vec::new();
+        let read = io::copy(&mut entry.by_ref().take(most + 1), &mut bytes);
+        read.map_err(|error| broken(name, &ZipError::Io(error)))?;
+        if u64::try_from(bytes.len()).is_ok_and(|length| length <= most) {
+            Ok(Some(bytes))
+        } else {
+            Err(too_large(name, most))
+        }
+    }
+
+    /// Takes the names and the declared sizes.
+    fn list(&mut self) -> Result<(), Refusal> {
+        let mut total = 0_u64;
+        for index in 0..self.archive.len() {
+            let entry = self.archive.by_index_data(index).map_err(|error| broken("?", &error))?;
+            let name = entry.name().map_err(|error| broken("?", &error))?.into_owned();
+            let normal = name.replace('\\', "/").to_ascii_lowercase();
+            let outside = normal.starts_with('/')
+                || normal.contains('\0')
+                || normal.contains(':')
+                || normal.split('/').any(|step| step == "..");
+            if outside {
+                let shown = excerpt(&name, 80);
+                return Err(unreadable(say!(
+                    "una parte del paquete se llama \"{shown}\" y apunta fuera de él",
+                    "an entry of the package is named \"{shown}\" and points outside of it"
+                )));
+            }
+            if entry.encrypted() {
+                return Err(unreadable(Text::fixed(
+                    "el libro está cifrado; guárdelo como .xlsx sin contraseña",
+                    "the workbook is encrypted; save it as .xlsx without a password",
+                )));
+            }
+            let size = entry.size();
+            if size > limits::PART {
+                return Err(too_large(&name, limits::PART));
+            }
+            total = total.saturating_add(size);
+            if self.entries.insert(normal, index).is_some() {
+                let shown = excerpt(&name, 80);
+                return Err(unreadable(say!(
+                    "dos partes del paquete se llaman \"{shown}\" (sin mirar mayúsculas)",
+                    "two entries of the package are named \"{shown}\" (but for capitals)"
+                )));
+            }
+        }
+        if total > limits::TOTAL {
+            return Err(too_large_in_all());
+        }
+        Ok(())
+    }
+
+    /// Unpacks an entry to its end without keeping it: the reader compares the checksum there.
+    fn verify(&mut self, index: usize) -> Result<(), Refusal> {
+        let mut entry = self.archive.by_index(index).map_err(|error| broken("?", &error))?;
+        let name = entry.name().map(std::borrow::Cow::into_owned).unwrap_or_default();
+        let declared = entry.size();
+        // One byte more than declared is enough to see that the declaration is false.
+        let unpacked = io::copy(&mut entry.by_ref().take(declared + 1), &mut io::sink())
+            .map_err(|error| broken(&name, &ZipError::Io(error)))?;
+        if unpacked != declared {
+            return Err(part_damaged(&name, &Text::fixed("longitud", "length")));
+        }
+        Ok(())
+    }
+}
+
+/// The refusal of the file as a whole.
+pub fn unreadable(what: Text) -> Refusal {
+    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, save_again()))
+}
+
+fn part_damaged(name: &str, how: &Text) -> Refusal {
+    let shown = excerpt(name, 80);
+    damaged(name, Text::new(format!("{shown} está dañado ({})", how.es), format!("{shown} is damaged ({})", how.en)))
+}
+
+/// The refusal of an entry that does not unpack.
+fn broken(name: &str, error: &ZipError) -> Refusal {
+    let how = match error {
+        ZipError::Io(error) if error.to_string().contains("checksum") => {
+            Text::fixed("suma de comprobación", "checksum")
+        }
+        ZipError::Io(_) => Text::fixed("datos comprimidos", "compressed data"),
+        ZipError::CompressionMethodNotSupported(method) => {
+            say!("método de compresión {method}, que .xlsx no admite", "compression method {method}, not one of .xlsx")
+        }
+        error => Text::same(printable(&error.to_string())),
+    };
+    part_damaged(name, &how)
+}
+
+fn too_large(name: &str, most: u64) -> Refusal {
+    let (shown, most) = (excerpt(name, 80), limits::mebibytes(most));
+    Refusal::new(
+        Exit::Limit,
+        Finding::stop(
+            Place::Part(name.to_owned()),
+            say!(
+                "{shown} ocupa descomprimido más de {most} MiB: el libro pasa de {most} MiB en una parte",
+                "{shown}: the workbook unpacks to more than {most} MiB in one part"
+            ),
+            only_inputs(),
+        ),
+    )
+}
+
+fn too_large_in_all() -> Refusal {
+    let most = limits::mebibytes(limits::TOTAL);
+    Refusal::new(
+        Exit::Limit,
+        Finding::stop(
+            Place::File,
+            say!(
+                "el libro ocupa descomprimido más de {most} MiB",
+                "the workbook unpacks to more than {most} MiB in all"
+            ),
+            only_inputs(),
+        ),
+    )
+}
+
+/// The remedy for a workbook that is too large.
+pub const fn only_inputs() -> Text {
+    Text::fixed(
+        "borre del libro las hojas que no sean de entrada, o parta de un libro nuevo con \"rodete new\"",
+        "delete the sheets that are not input from the workbook, or start from a new one with \"rodete new\"",
+    )
+}

@@ -1,0 +1,166 @@
+//! The results workbook: the form again, every table, the programs, and the checks.
+
+use std::io::{Seek, Write};
+
+use rust_xlsxwriter::{RowNum, Workbook, Worksheet};
+
+use super::charts::{Placed, draw};
+use super::checks_sheet;
+use super::derived;
+use super::error::WriteError;
+use super::form_sheet::{self, Filling};
+use super::long_rows::{LongRows, save};
+use super::names::SheetNames;
+use super::page::{Page, properties};
+use super::program_sheet::{self, ProgramSheet};
+use super::style::Styles;
+use super::table_sheet::{FIRST, TableSheet};
+use super::template::{HOW, OPTIONAL};
+use crate::job::{Chart, Outcome, checks};
+use crate::text::{Language, Text};
+
+/// The height of a row in pixels.
+const ROW: u32 = 20;
+
+/// Writes the results of an outcome: first the form with the values it was computed from, to be edited and built again,
+/// with the derived quantities beside them; then each table, the programs, and the checks. The same outcome gives the
+/// same bytes. Long tables and programs are streamed and take no memory of their own.
+///
+/// # Errors
+/// For a value that is not finite, for a table larger than a sheet, and for what `out` refuses.
+pub fn write<W: Write + Seek + Send>(outcome: &Outcome, language: Language, out: W) -> Result<(), WriteError> {
+    let mut results = Results {
+        outcome,
+        language,
+        styles: Styles::default(),
+        page: Page {
+            part: outcome.values.line("part"),
+            origin: &outcome.source.workbook,
+            repeat: (0, 0),
+            landscape: false,
+        },
+        names: SheetNames::default(),
+        workbook: Workbook::new(),
+        long: Vec::new(),
+    };
+    results.write_forms()?;
+    results.write_tables()?;
+    results.write_programs()?;
+    results.write_checks()?;
+    save(&mut results.workbook, results.long, out)
+}
+
+struct Results<'a> {
+    outcome: &'a Outcome,
+    language: Language,
+    styles: Styles,
+    page: Page<'a>,
+    names: SheetNames,
+    workbook: Workbook,
+    long: Vec<LongRows<'a>>,
+}
+
+impl<'a> Results<'a> {
+    fn write_forms(&mut self) -> Result<(), WriteError> {
+        let (outcome, language) = (self.outcome, self.language);
+        let source = &outcome.source;
+        let origin = Text::new(
+            format!(
+                "Calculado por rodete {} a partir de {} (SHA-256 {}).",
+                source.version, source.workbook, source.sha256
+            ),
+            format!("Computed by rodete {} from {} (SHA-256 {}).", source.version, source.workbook, source.sha256),
+        );
+        let again = Text::fixed(
+            "Este libro es a su vez una entrada válida: cambie los valores y vuelva a calcular.",
+            "This workbook is itself a valid input: change the values and build again.",
+        );
+        for (index, sheet) in outcome.form.sheets.iter().enumerate() {
+            let name = self.names.take(sheet.name.get(language));
+            if index == 0 {
+                self.workbook.set_properties(&properties(sheet.title.get(language))?);
+            }
+            let notes = match (index, sheet.optional) {
+                (0, _) => vec![origin.get(language), again.get(language), HOW.get(language)],
+                (_, true) => vec![OPTIONAL.get(language), HOW.get(language)],
+                (_, false) => vec![HOW.get(language)],
+            };
+            let values = |key: &str| outcome.values.values.get(key);
+            let page = Page { landscape: index == 0, ..self.page };
+            let worksheet = self.workbook.add_worksheet();
+            let mut layout = Filling { sheet, values, notes: &notes, language }.write(worksheet, &self.styles)?;
+            let mut last_column = form_sheet::LAST;
+            if index == 0 && !outcome.quantities.is_empty() {
+                derived::write(worksheet, &mut layout, &outcome.quantities, language, &self.styles)?;
+                last_column = derived::LAST;
+            }
+            layout.finish(worksheet, last_column, &page, language)?;
+            for (defined, cell) in layout.defined_names(&name) {
+                self.workbook.define_name(defined, &cell)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_tables(&mut self) -> Result<(), WriteError> {
+        let (outcome, language) = (self.outcome, self.language);
+        let placed: Vec<Placed<'_>> = outcome
+            .tables
+            .iter()
+            .map(|table| Placed { sheet: self.names.take(table.name.get(language)), table })
+            .collect();
+        for Placed { sheet: name, table } in &placed {
+            let charts: Vec<&Chart> = outcome.charts.iter().filter(|chart| chart.table == table.key).collect();
+            let sheet = TableSheet { table, language };
+            if sheet.long() {
+                self.long.push(LongRows {
+                    sheet: self.workbook.worksheets().len(),
+                    first: FIRST,
+                    count: sheet.last_row()? + 1 - FIRST,
+                    source: sheet.rows(),
+                });
+            }
+            let worksheet = self.workbook.add_worksheet().set_name(name)?;
+            sheet.write(worksheet, &self.styles, &self.page, !charts.is_empty())?;
+            insert_charts(worksheet, &sheet, &charts, &placed)?;
+        }
+        Ok(())
+    }
+
+    fn write_programs(&mut self) -> Result<(), WriteError> {
+        let Some(programs) = ProgramSheet::new(&self.outcome.programs, program_sheet::ROWS) else {
+            return Ok(());
+        };
+        let name = self.names.take(program_sheet::NAME);
+        let index = self.workbook.worksheets().len();
+        let worksheet = self.workbook.add_worksheet().set_name(name)?;
+        programs.write(worksheet, self.language, &self.styles, &self.page)?;
+        self.long.push(LongRows { sheet: index, first: 0, count: programs.rows(), source: programs.source() });
+        Ok(())
+    }
+
+    fn write_checks(&mut self) -> Result<(), WriteError> {
+        let findings = &self.outcome.findings;
+        let table = checks::table(findings);
+        let name = self.names.take(table.name.get(self.language));
+        let worksheet = self.workbook.add_worksheet().set_name(name)?;
+        checks_sheet::write(worksheet, &table, findings, self.language, &self.styles, &self.page)
+    }
+}
+
+/// Puts charts beside a table, one below the other.
+fn insert_charts(
+    worksheet: &mut Worksheet,
+    sheet: &TableSheet<'_>,
+    charts: &[&Chart],
+    placed: &[Placed<'_>],
+) -> Result<(), WriteError> {
+    let mut row: RowNum = FIRST;
+    for chart in charts {
+        if let Some(drawn) = draw(chart, placed, sheet.language)? {
+            worksheet.insert_chart(row, sheet.beside()?, &drawn.chart)?;
+            row += drawn.height.div_ceil(ROW) + 2;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,383 @@
+//! From the cells of a workbook to the checked values of a form.
+//!
+//! Values are found by the symbol in column A, wherever its row stands; capitals count (N and n are two parameters). The
+//! schema cell is read first: a workbook of another version is refused for that alone.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+use crate::escape::excerpt;
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::parameter::{Form, Kind, Parameter, Sheet, Value, Values};
+use crate::text::{Language, Text};
+
+use super::book::Book;
+use super::cells::{Content, SheetCells};
+use super::gate::{self, SheetEntry, gate};
+use super::value::{self, VALUE, expected, named};
+use super::words;
+
+/// Most unknown symbols that are mentioned.
+const UNKNOWN: usize = 20;
+/// Characters of a name or a symbol shown in a message.
+const SHOWN: usize = 40;
+
+/// A form, read.
+#[derive(Debug)]
+pub struct Filled {
+    /// The form that the workbook follows.
+    pub form: &'static Form,
+    /// Its values, each within its own limits, and the cells they came from.
+    pub values: Values,
+    /// Notes and cautions.
+    pub findings: Vec<Finding>,
+}
+
+/// Reads a workbook that follows one of `forms`.
+///
+/// # Errors
+/// One [`Refusal`] with everything that was found: [`Exit::Unreadable`] for what is no sound `.xlsx`, [`Exit::Limit`]
+/// for what exceeds [`limits`](super::limits), [`Exit::Refused`] for sheets, symbols, units and values that are wrong.
+pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
+    let mut book = Book::open(gate(bytes)?)?;
+    let mut findings = std::mem::take(&mut book.gated.notes);
+    let (entry, language) = first_sheet(&book.gated.sheets, forms)?;
+    let sheet = book.read(&entry)?;
+    if sheet.survey.unsound {
+        return Err(refusal(sheet.survey.damaged, sheet.survey.findings));
+    }
+    if !sheet.survey.filled {
+        return Err(no_cells(&entry));
+    }
+    let form = form_of(&sheet, forms, language)?;
+    let mut values = Values { language, ..Values::default() };
+    let mut damaged = false;
+    let mut first = Some(sheet);
+    for (index, described) in form.sheets.iter().enumerate() {
+        let found = if index == 0 { Some(entry.clone()) } else { find(&book.gated.sheets, described, &mut findings)? };
+        let Some(entry) = found else {
+            if !described.optional {
+                let name = described.name.get(language);
+                findings.push(Finding::stop(
+                    Place::File,
+                    say!("falta la hoja \"{name}\"", "the sheet \"{name}\" is missing"),
+                    say!("añada la hoja \"{name}\" de un libro nuevo", "add the sheet \"{name}\" of a new workbook"),
+                ));
+            }
+            continue;
+        };
+        let mut sheet = match first.take() {
+            Some(sheet) => sheet,
+            None => book.read(&entry)?,
+        };
+        if entry.hidden {
+            let name = excerpt(&entry.name, SHOWN);
+            findings.push(Finding::note(
+                Place::Sheet(entry.name.clone()),
+                say!(
+                    "la hoja \"{name}\" está oculta; se lee igualmente",
+                    "the sheet \"{name}\" is hidden; it is read all the same"
+                ),
+            ));
+        }
+        findings.append(&mut sheet.survey.findings);
+        damaged |= sheet.survey.damaged;
+        if !sheet.survey.unsound {
+            take(form.schema, described, &sheet, &mut values, &mut findings);
+        }
+    }
+    if findings.iter().any(|finding| finding.grade == Grade::Stop) {
+        return Err(refusal(damaged, findings));
+    }
+    Ok(Filled { form, values, findings })
+}
+
+/// One refusal for everything that was found, gravest first.
+fn refusal(damaged: bool, mut findings: Vec<Finding>) -> Refusal {
+    findings.sort_by_key(|finding| Reverse(finding.grade));
+    Refusal { exit: if damaged { Exit::Unreadable } else { Exit::Refused }, findings }
+}
+
+fn refused(place: Place, what: Text, remedy: Text) -> Refusal {
+    Refusal::new(Exit::Refused, Finding::stop(place, what, remedy))
+}
+
+fn no_cells(entry: &SheetEntry) -> Refusal {
+    let name = excerpt(&entry.name, SHOWN);
+    refused(
+        Place::Sheet(entry.name.clone()),
+        say!("la hoja \"{name}\" no tiene celdas", "the sheet \"{name}\" has no cells"),
+        Text::fixed(
+            "ábralo en Excel o LibreOffice, compruébelo y guárdelo de nuevo como .xlsx",
+            "open it in Excel or LibreOffice, check it and save it again as .xlsx",
+        ),
+    )
+}
+
+/// The sheet that a form begins with, and its language.
+fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetEntry, Language), Refusal> {
+    let mut names: Vec<(&str, Language)> = Vec::new();
+    for sheet in forms.iter().filter_map(|form| form.sheets.first()) {
+        for language in Language::ALL {
+            let name = sheet.name.get(language);
+            if names.iter().all(|known| known.0 != name) {
+                names.push((name, language));
+            }
+        }
+    }
+    let found: Vec<_> = sheets
+        .iter()
+        .filter_map(|entry| names.iter().find(|name| name.0 == entry.name).map(|name| (entry, name.1)))
+        .collect();
+    let alike: Vec<_> =
+        sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name.0, &entry.name))).collect();
+    let wanted = |or: &str| names.iter().map(|name| format!("\"{}\"", name.0)).collect::<Vec<_>>().join(or);
+    match found.as_slice() {
+        [] => {
+            let there = list(sheets);
+            let (es, en) = (wanted(" o "), wanted(" or "));
+            let remedy = match alike.first() {
+                Some(entry) => {
+                    let name = excerpt(&entry.name, SHOWN);
+                    let right =
+                        names.iter().find(|name| same_but_for_case(name.0, &entry.name)).map_or("", |name| name.0);
+                    say!(
+                        "cambie el nombre de la hoja \"{name}\" a \"{right}\"",
+                        "rename the sheet \"{name}\" to \"{right}\""
+                    )
+                }
+                None => Text::fixed(
+                    "parta de un libro nuevo con \"rodete new\"",
+                    "start from a new workbook with \"rodete new\"",
+                ),
+            };
+            Err(refused(
+                Place::File,
+                say!("no se encuentra la hoja {es}; hay: {there}", "sheet {en} not found; there are: {there}"),
+                remedy,
+            ))
+        }
+        [(entry, language)] if alike.len() == 1 => {
+            if entry.kind == gate::Kind::Cells {
+                Ok(((*entry).clone(), *language))
+            } else {
+                Err(no_cells(entry))
+            }
+        }
+        _ => Err(ambiguous(&alike)),
+    }
+}
+
+/// A further sheet of a form, in either language.
+fn find(sheets: &[SheetEntry], described: &Sheet, findings: &mut Vec<Finding>) -> Result<Option<SheetEntry>, Refusal> {
+    let names = Language::ALL.map(|language| described.name.get(language));
+    let alike: Vec<_> =
+        sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name, &entry.name))).collect();
+    let [entry] = alike.as_slice() else {
+        return if alike.is_empty() { Ok(None) } else { Err(ambiguous(&alike)) };
+    };
+    if entry.kind != gate::Kind::Cells {
+        return Err(no_cells(entry));
+    }
+    if names.contains(&entry.name.as_str()) {
+        return Ok(Some((*entry).clone()));
+    }
+    let name = excerpt(&entry.name, SHOWN);
+    let [es, en] = names;
+    findings.push(Finding::caution(
+        Place::Sheet(entry.name.clone()),
+        say!(
+            "la hoja \"{name}\" no se lee: su nombre no es \"{es}\"",
+            "the sheet \"{name}\" is not read: its name is not \"{en}\""
+        ),
+        say!("cambie su nombre a \"{es}\" para que se lea", "rename it to \"{en}\" to have it read"),
+    ));
+    Ok(None)
+}
+
+fn ambiguous(alike: &[&SheetEntry]) -> Refusal {
+    let names = alike.iter().map(|entry| format!("\"{}\"", excerpt(&entry.name, SHOWN))).collect::<Vec<_>>().join(", ");
+    refused(
+        Place::File,
+        say!("no se sabe qué hoja leer: {names}", "it is not clear which sheet to read: {names}"),
+        Text::fixed(
+            "deje sólo una de ellas, o cambie el nombre de las otras",
+            "leave only one of them, or rename the others",
+        ),
+    )
+}
+
+/// The names of the sheets, ten of them at most.
+fn list(sheets: &[SheetEntry]) -> String {
+    let mut names: Vec<_> =
+        sheets.iter().take(10).map(|entry| format!("\"{}\"", excerpt(&entry.name, SHOWN))).collect();
+    if sheets.len() > 10 {
+        names.push("…".to_owned());
+    }
+    names.join(", ")
+}
+
+/// True for names that a person takes for one: alike but for capitals, accents and blanks around.
+fn same_but_for_case(one: &str, other: &str) -> bool {
+    words::fold(one) == words::fold(other)
+}
+
+/// The form whose schema stands in the sheet's schema cell.
+fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> Result<&'static Form, Refusal> {
+    let symbols = rows_by_symbol(sheet);
+    let mut wanted: Vec<(&'static Form, &'static Parameter)> = Vec::new();
+    for form in forms
+        .iter()
+        .copied()
+        .filter(|form| form.sheets.first().is_some_and(|one| *one.name.get(language) == *sheet.name))
+    {
+        wanted.extend(form.parameters().find(|(_, one)| matches!(one.kind, Kind::Schema)).map(|(_, one)| (form, one)));
+    }
+    let known = wanted.iter().map(|(form, _)| format!("\"{}\"", form.schema)).collect::<Vec<_>>().join(", ");
+    let symbol = wanted.first().map_or("schema", |(_, parameter)| parameter.symbol());
+    let start = Text::fixed(
+        "cree un libro nuevo con \"rodete new\" y pase a él los valores",
+        "make a new workbook with \"rodete new\" and copy the values into it",
+    );
+    let rows = symbols.get(symbol).map_or(&[][..], Vec::as_slice);
+    let [row] = rows else {
+        return Err(if rows.is_empty() {
+            refused(
+                Place::Sheet(sheet.name.clone()),
+                say!(
+                    "falta la fila \"{symbol}\", que dice el esquema del libro (aquí se lee {known})",
+                    "the row \"{symbol}\", which names the workbook's schema, is missing (read here: {known})"
+                ),
+                start,
+            )
+        } else {
+            refused(
+                Place::Cells(rows.iter().map(|row| sheet.place((*row, 0))).collect()),
+                say!("el símbolo \"{symbol}\" está en varias filas", "the symbol \"{symbol}\" stands in several rows"),
+                say!("deje una sola fila \"{symbol}\"", "leave one row \"{symbol}\" only"),
+            )
+        });
+    };
+    let at = (*row, VALUE);
+    let found = match sheet.cell(at).map(|cell| &cell.content) {
+        Some(Content::Text(text, _)) => excerpt(text.trim(), SHOWN),
+        Some(Content::Number(number)) => super::number::decimal(*number),
+        Some(Content::Error(error)) => excerpt(error, SHOWN),
+        Some(Content::Truth(_) | Content::Date) | None => String::new(),
+    };
+    if let Some((form, _)) = wanted.iter().find(|(form, _)| form.schema == found) {
+        return Ok(form);
+    }
+    let finding = Finding::stop(
+        Place::Cells(vec![sheet.place(at)]),
+        if found.is_empty() {
+            say!("{symbol} está vacío; este programa lee {known}", "{symbol} is empty; this program reads {known}")
+        } else {
+            say!(
+                "{symbol} es \"{found}\"; este programa lee {known}",
+                "{symbol} is \"{found}\"; this program reads {known}"
+            )
+        },
+        start,
+    );
+    Err(Refusal::new(Exit::Refused, finding.with(found, known)))
+}
+
+/// The rows of every symbol in column A.
+fn rows_by_symbol(sheet: &SheetCells) -> BTreeMap<&str, Vec<u32>> {
+    let mut rows: BTreeMap<&str, Vec<u32>> = BTreeMap::new();
+    for &row in sheet.rows.keys() {
+        if let Some(symbol) = sheet.text((row, 0)) {
+            rows.entry(symbol).or_default().push(row);
+        }
+    }
+    rows
+}
+
+/// Takes the values of one sheet; the schema cell is known to say `schema`.
+fn take(
+    schema: &'static str,
+    described: &'static Sheet,
+    sheet: &SheetCells,
+    values: &mut Values,
+    findings: &mut Vec<Finding>,
+) {
+    let rows = rows_by_symbol(sheet);
+    let parameters: Vec<&'static Parameter> =
+        described.sections.iter().flat_map(|section| section.parameters).collect();
+    let found = |parameter: &Parameter| rows.get(parameter.symbol()).map_or(&[][..], Vec::as_slice);
+    unknown(sheet, &parameters, findings);
+    for parameter in &parameters {
+        if let Some(row) = found(parameter).first() {
+            values.cells.insert(parameter.key, sheet.place((*row, VALUE)));
+        }
+    }
+    let empty = parameters.iter().all(|one| found(one).iter().all(|row| !value::is_filled(sheet, *row)));
+    if described.optional && empty {
+        return;
+    }
+    for parameter in parameters {
+        match found(parameter) {
+            [] if parameter.required => findings.push(missing_row(parameter, sheet)),
+            [] => {}
+            [_] if matches!(parameter.kind, Kind::Schema) => {
+                values.values.insert(parameter.key, Value::Line(schema.to_owned()));
+            }
+            [row] => {
+                if let Some(value) = value::read(parameter, sheet, *row, findings) {
+                    values.values.insert(parameter.key, value);
+                }
+            }
+            rows => {
+                let symbol = parameter.symbol();
+                let count = rows.len();
+                findings.push(Finding::stop(
+                    Place::Cells(rows.iter().take(10).map(|row| sheet.place((*row, 0))).collect()),
+                    say!("el símbolo {symbol} está en {count} filas", "the symbol {symbol} stands in {count} rows"),
+                    say!("deje una sola fila {symbol}", "leave one row {symbol} only"),
+                ));
+            }
+        }
+    }
+}
+
+fn missing_row(parameter: &Parameter, sheet: &SheetCells) -> Finding {
+    let (name, what, symbol) = (named(parameter), expected(parameter), parameter.symbol());
+    Finding::stop(
+        Place::Sheet(sheet.name.clone()),
+        say!("falta la fila de {name}", "the row of {name} is missing", name = name),
+        say!(
+            "añada una fila con {symbol} en la columna A y {what} en la columna C",
+            "add a row with {symbol} in column A and {what} in column C",
+            what = what
+        ),
+    )
+}
+
+/// Mentions rows that have a value and a symbol that the form does not know. Headings are not among them: what stands
+/// above the first symbol, and rows whose value cell is empty or says "value" itself.
+fn unknown(sheet: &SheetCells, parameters: &[&'static Parameter], findings: &mut Vec<Finding>) {
+    let known =
+        |row: u32| sheet.text((row, 0)).is_some_and(|symbol| parameters.iter().any(|one| one.symbol() == symbol));
+    let rows = sheet.rows.keys().copied().skip_while(|row| !known(*row)).filter(|row| {
+        let heading = sheet.text((*row, VALUE)).is_some_and(|text| ["Value", "Valor"].contains(&text));
+        !known(*row) && !heading && sheet.cell((*row, 0)).is_some() && value::is_filled(sheet, *row)
+    });
+    let rows: Vec<u32> = rows.collect();
+    for row in rows.iter().take(UNKNOWN) {
+        let symbol = sheet.text((*row, 0)).map_or_else(|| "?".to_owned(), |symbol| excerpt(symbol, SHOWN));
+        findings.push(Finding::note(
+            Place::Cells(vec![sheet.place((*row, 0))]),
+            say!(
+                "el símbolo \"{symbol}\" no es de este formulario; su valor no se lee",
+                "the symbol \"{symbol}\" is not one of this form; its value is not read"
+            ),
+        ));
+    }
+    if let Some(more) = rows.len().checked_sub(UNKNOWN).filter(|more| *more > 0) {
+        findings.push(Finding::note(
+            Place::Sheet(sheet.name.clone()),
+            say!("hay otros {more} símbolos desconocidos", "there are {more} more unknown symbols"),
+        ));
+    }
+}

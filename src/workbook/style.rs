@@ -1,0 +1,116 @@
+//! The looks of rodete's sheets, written once.
+
+use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder};
+
+use crate::finding::Grade;
+
+const INK: Color = Color::RGB(0x1F3A5F);
+const BAND: Color = Color::RGB(0xDCE6F1);
+const INPUT: Color = Color::RGB(0xFFF8DC);
+const INPUT_INK: Color = Color::RGB(0x00_00C0);
+const RULE: Color = Color::RGB(0xB8C4D0);
+const FAINT: Color = Color::RGB(0x59_5959);
+
+/// The formats of a workbook.
+#[derive(Debug)]
+pub struct Styles {
+    /// A sheet's title.
+    pub title: Format,
+    /// A note under the title: wrapped.
+    pub note: Format,
+    /// Where a table comes from.
+    pub source: Format,
+    /// A column heading.
+    pub header: Format,
+    /// A section heading.
+    pub section: Format,
+    /// A symbol.
+    pub symbol: Format,
+    /// Running text: wrapped.
+    pub text: Format,
+    /// Running text of less weight: wrapped.
+    pub faint: Format,
+    /// A unit.
+    pub unit: Format,
+    /// A value cell for a number, to be filled in.
+    pub input_number: Format,
+    /// A value cell for text, to be filled in.
+    pub input_text: Format,
+    /// A value cell that stays as it is.
+    pub fixed: Format,
+    /// A computed value beside the form: boxed.
+    pub number: Format,
+    /// A computed count beside the form: boxed.
+    pub whole: Format,
+    /// A value of a table.
+    pub value: Format,
+    /// A count of a table.
+    pub count: Format,
+    /// A column heading over numbers.
+    pub number_header: Format,
+    /// A unit over numbers.
+    pub number_unit: Format,
+    /// A point index.
+    pub index: Format,
+    /// Text in a table.
+    pub entry: Format,
+    /// The number of a block.
+    pub block_number: Format,
+    /// A block of a program.
+    pub block: Format,
+}
+
+impl Default for Styles {
+    fn default() -> Self {
+        let ruled = |format: Format| format.set_border(FormatBorder::Thin).set_border_color(RULE);
+        let top = || Format::new().set_align(FormatAlign::Top);
+        let wrapped = || top().set_text_wrap();
+        let input = |format: Format| {
+            ruled(
+                format.set_unlocked().set_background_color(INPUT).set_font_color(INPUT_INK).set_align(FormatAlign::Top),
+            )
+        };
+        let header = || ruled(Format::new().set_bold().set_font_color(INK).set_background_color(BAND));
+        Self {
+            title: Format::new().set_bold().set_font_size(14).set_font_color(INK),
+            note: wrapped().set_font_color(FAINT),
+            source: Format::new().set_italic().set_font_color(FAINT),
+            header: header().set_align(FormatAlign::VerticalCenter).set_text_wrap(),
+            section: Format::new()
+                .set_bold()
+                .set_font_color(INK)
+                .set_border_bottom(FormatBorder::Medium)
+                .set_border_bottom_color(INK),
+            symbol: ruled(top().set_bold()),
+            text: ruled(wrapped()),
+            faint: ruled(wrapped().set_font_color(FAINT)),
+            unit: ruled(top().set_indent(1)),
+            input_number: input(Format::new().set_align(FormatAlign::Right).set_indent(1)),
+            // As text, so that 007 stays 007 and =A1 stays what it is.
+            input_text: input(
+                Format::new().set_num_format("@").set_align(FormatAlign::Right).set_indent(1).set_text_wrap(),
+            ),
+            fixed: ruled(top().set_align(FormatAlign::Right).set_indent(1).set_font_color(FAINT)),
+            number: ruled(top().set_num_format("0.000000").set_align(FormatAlign::Right).set_indent(1)),
+            whole: ruled(top().set_align(FormatAlign::Right)),
+            value: Format::new().set_num_format("0.000000"),
+            count: Format::new(),
+            number_header: header().set_align(FormatAlign::Right),
+            number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right).set_indent(1)),
+            index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
+            entry: wrapped(),
+            block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
+            block: Format::new().set_font_name("Consolas").set_font_size(10),
+        }
+    }
+}
+
+/// The fill of a finding's grade.
+#[must_use]
+pub const fn grade_fill(grade: Grade) -> Color {
+    match grade {
+        Grade::Note => Color::RGB(0xE7F3E8),
+        Grade::Caution => Color::RGB(0xFFF1CC),
+        Grade::Stop => Color::RGB(0xF8D4D0),
+    }
+}

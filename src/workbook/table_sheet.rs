@@ -1,0 +1,238 @@
+//! A table of the method as a sheet.
+//!
+//! Row 1 is the title, row 2 the source, row 3 the symbols, row 4 the units; values stand from row 5 on, the point
+//! index in column A. Values are stored whole and shown with six decimals.
+
+use rust_xlsxwriter::{ColNum, DataValidation, RowNum, Worksheet};
+
+use super::cell::{row_height, shortened, write_text};
+use super::error::WriteError;
+use super::long_rows::{Rows, Source};
+use super::page::Page;
+use super::style::Styles;
+use crate::table::{Column, Entry, Index, Table, Unit, Values};
+use crate::text::Language;
+
+/// The row of the symbols, from 0.
+const SYMBOLS: RowNum = 2;
+/// The row of the units, from 0.
+const UNITS: RowNum = 3;
+/// The first row of values, from 0.
+pub const FIRST: RowNum = 4;
+
+/// A table with more rows than this is streamed.
+const LONG: usize = 2_000;
+
+/// The widths of a column of numbers and of the index, in characters.
+const NUMBER_WIDTH: f64 = 14.0;
+const INDEX_WIDTH: f64 = 8.0;
+/// The least and greatest width of a column of texts.
+const TEXT_WIDTH: [f64; 2] = [14.0, 50.0];
+
+/// More columns than this are printed across.
+const UPRIGHT: usize = 6;
+
+/// A table on its way to a sheet.
+#[derive(Clone, Copy, Debug)]
+pub struct TableSheet<'a> {
+    /// The table.
+    pub table: &'a Table,
+    /// The language.
+    pub language: Language,
+}
+
+impl<'a> TableSheet<'a> {
+    /// How many columns stand before the table's own: the index.
+    #[must_use]
+    pub const fn offset(&self) -> ColNum {
+        match self.table.index {
+            Index::Point => 1,
+            Index::None => 0,
+        }
+    }
+
+    /// The first column right of the table and of a gap.
+    ///
+    /// # Errors
+    /// For a table wider than a sheet.
+    pub fn beside(&self) -> Result<ColNum, WriteError> {
+        Ok(column_number(self.table.columns.len())? + self.offset() + 1)
+    }
+
+    /// The last row, from 0; the row of the units for an empty table.
+    ///
+    /// # Errors
+    /// For a table longer than a sheet.
+    pub fn last_row(&self) -> Result<RowNum, WriteError> {
+        let rows = RowNum::try_from(self.table.rows()).map_err(|_| WriteError::TooLarge(self.table.key))?;
+        Ok(UNITS + rows)
+    }
+
+    /// True where the rows are streamed.
+    #[must_use]
+    pub fn long(&self) -> bool {
+        self.table.rows() > LONG
+    }
+
+    /// Writes the sheet; of a long table the headings and one row of formatted empty cells, to be replaced by
+    /// [`TableSheet::rows`]. `charts` says that charts stand beside it.
+    ///
+    /// # Errors
+    /// For a value that is not finite, and for a table larger than a sheet.
+    pub fn write(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        page: &Page<'_>,
+        charts: bool,
+    ) -> Result<(), WriteError> {
+        let offset = self.offset();
+        write_text(sheet, 0, 0, self.table.title.get(self.language), &styles.title)?;
+        write_text(sheet, 1, 0, self.table.source.get(self.language), &styles.source)?;
+        if offset > 0 {
+            write_text(sheet, SYMBOLS, 0, "i", &styles.number_header)?;
+            write_text(sheet, UNITS, 0, "", &styles.number_unit)?;
+            sheet.set_column_width(0, INDEX_WIDTH)?;
+        }
+        for (at, column) in self.table.columns.iter().enumerate() {
+            self.write_head(sheet, column_number(at)? + offset, column, styles)?;
+        }
+        if self.long() {
+            self.write_frame(sheet, styles)?;
+        } else {
+            self.write_rows(sheet, styles)?;
+        }
+        sheet.set_freeze_panes(FIRST, offset)?;
+        let landscape = charts || self.table.columns.len() > UPRIGHT;
+        Page { repeat: (0, UNITS), landscape, ..*page }.set_up(sheet, self.language)?;
+        Ok(())
+    }
+
+    /// Symbol, unit and width of a column; selecting the symbol shows how the values are computed.
+    fn write_head(
+        &self,
+        sheet: &mut Worksheet,
+        at: ColNum,
+        column: &Column,
+        styles: &Styles,
+    ) -> Result<(), WriteError> {
+        let symbol = column.symbol.get(self.language);
+        let (header, unit) = match &column.values {
+            Values::Texts(_) => (&styles.header, &styles.unit),
+            Values::Numbers(_) | Values::Component(..) => (&styles.number_header, &styles.number_unit),
+        };
+        write_text(sheet, SYMBOLS, at, symbol, header)?;
+        write_text(sheet, UNITS, at, column.unit.label(), unit)?;
+        sheet.set_column_width(at, self.width(column))?;
+        if !column.formula.is_empty() {
+            let shown = DataValidation::new()
+                .allow_any_value()
+                .set_input_title(shortened(symbol, 32))?
+                .set_input_message(shortened(column.formula, 255))?;
+            sheet.add_data_validation(SYMBOLS, at, SYMBOLS, at, &shown)?;
+        }
+        Ok(())
+    }
+
+    /// The row of formatted empty cells.
+    fn write_frame(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        if self.offset() > 0 {
+            sheet.write_blank(FIRST, 0, &styles.index)?;
+        }
+        for (at, column) in self.table.columns.iter().enumerate() {
+            sheet.write_blank(FIRST, column_number(at)? + self.offset(), styles.values(column))?;
+        }
+        Ok(())
+    }
+
+    fn write_rows(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        let offset = self.offset();
+        let widths: Vec<f64> = self.table.columns.iter().map(|column| self.width(column)).collect();
+        for (row, index) in (FIRST..=self.last_row()?).zip(0_u32..) {
+            if offset > 0 {
+                sheet.write_number_with_format(row, 0, index, &styles.index)?;
+            }
+            let mut texts = Vec::new();
+            for (at, column) in self.table.columns.iter().enumerate() {
+                let to = column_number(at)? + offset;
+                let format = styles.values(column);
+                match self.entry(column, row)? {
+                    Entry::Number(value) if value.is_finite() => {
+                        sheet.write_number_with_format(row, to, value, format)?;
+                    }
+                    Entry::Number(_) => return Err(self.not_finite(column, row)),
+                    Entry::Text(text) => {
+                        let text = text.get(self.language);
+                        texts.push((text, widths.get(at).copied().unwrap_or(NUMBER_WIDTH)));
+                        write_text(sheet, row, to, text, format)?;
+                    }
+                }
+            }
+            if !texts.is_empty() {
+                sheet.set_row_height(row, row_height(&texts))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Streams the rows of a long table.
+    #[must_use]
+    pub fn rows(self) -> Source<'a> {
+        Box::new(move |rows: &mut Rows<'_>| {
+            let offset = usize::from(self.offset());
+            for (row, index) in (FIRST..=self.last_row()?).zip(0_u32..) {
+                rows.start()?;
+                if offset > 0 {
+                    rows.number(0, f64::from(index))?;
+                }
+                for (at, column) in self.table.columns.iter().enumerate() {
+                    match self.entry(column, row)? {
+                        Entry::Number(value) => rows.number(at + offset, value)?,
+                        Entry::Text(text) => rows.text(at + offset, &shortened(text.get(self.language), 32_767))?,
+                    }
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// The entry of a column on a row of the sheet; a column shorter than the first is a fault.
+    fn entry<'c>(&self, column: &'c Column, row: RowNum) -> Result<Entry<'c>, WriteError> {
+        let at = usize::try_from(row.saturating_sub(FIRST)).map_err(|_| WriteError::TooLarge(self.table.key))?;
+        if at < column.values.len() { Ok(column.values.get(at)) } else { Err(WriteError::Uneven(self.table.key)) }
+    }
+
+    /// The width of a column, in characters.
+    fn width(&self, column: &Column) -> f64 {
+        match &column.values {
+            Values::Texts(texts) => {
+                let longest = texts.iter().map(|text| text.get(self.language).chars().count()).max();
+                let longest = u16::try_from(longest.unwrap_or(0)).unwrap_or(u16::MAX);
+                let [least, most] = TEXT_WIDTH;
+                (f64::from(longest) + 2.0).clamp(least, most)
+            }
+            Values::Numbers(_) | Values::Component(..) => NUMBER_WIDTH,
+        }
+    }
+
+    fn not_finite(&self, column: &Column, row: RowNum) -> WriteError {
+        let symbol = column.symbol.get(self.language);
+        WriteError::NotFinite { place: format!("{}, {symbol}, row {}", self.table.key, row + 1) }
+    }
+}
+
+/// A column's number on the sheet.
+fn column_number(at: usize) -> Result<ColNum, WriteError> {
+    ColNum::try_from(at).map_err(|_| WriteError::TooLarge("table"))
+}
+
+impl Styles {
+    /// The format of a column's values.
+    fn values(&self, column: &Column) -> &rust_xlsxwriter::Format {
+        match (&column.values, column.unit) {
+            (Values::Texts(_), _) => &self.entry,
+            (_, Unit::Count) => &self.count,
+            _ => &self.value,
+        }
+    }
+}

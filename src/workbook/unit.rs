@@ -1,0 +1,135 @@
+//! The unit cell: what may stand in it, and what a value out of its limits may have been typed in.
+
+use crate::table::Unit;
+use crate::text::Text;
+
+use super::number::decimal;
+
+/// True where a unit cell says this unit, in one of its usual spellings.
+#[must_use]
+pub fn says(unit: Unit, cell: &str) -> bool {
+    let cell = cell.trim();
+    let spellings: &[&str] = match unit {
+        Unit::One | Unit::Count | Unit::None => &["-", "–", "—", "1"],
+        Unit::Millimetre => &["mm"],
+        Unit::Radian => &["rad"],
+        // º is the ordinal sign of Spanish keyboards.
+        Unit::Degree => &["°", "º", "deg", "grados", "degrees"],
+        Unit::Step => &["h"],
+        Unit::MillimetrePerMinute => &["mm/min"],
+        Unit::MillimetrePerRevolution => &["mm/rev", "mm/r", "mm/vuelta"],
+        Unit::MetrePerMinute => &["m/min"],
+        Unit::RevolutionPerMinute => &["rpm", "rev/min", "r/min", "1/min", "min-1"],
+        Unit::Second => &["s"],
+    };
+    cell.is_empty() || cell == unit.label() || spellings.contains(&cell)
+}
+
+/// A number with its unit.
+#[must_use]
+pub fn with(number: f64, unit: Unit) -> String {
+    let number = decimal(number);
+    match unit {
+        Unit::Degree => format!("{number}°"),
+        unit if unit.label().is_empty() => number,
+        unit => format!("{number} {}", unit.label()),
+    }
+}
+
+/// Other units that a value may have been typed in: name, and what one of them is in this unit.
+fn mistaken(unit: Unit) -> &'static [(Text, f64)] {
+    const LENGTHS: &[(Text, f64)] = &[
+        (Text::fixed("metros", "metres"), 1000.0),
+        (Text::fixed("pulgadas", "inches"), 25.4),
+        (Text::fixed("centímetros", "centimetres"), 10.0),
+        (Text::fixed("micrómetros", "micrometres"), 0.001),
+    ];
+    const FEEDS: &[(Text, f64)] = &[
+        (Text::fixed("m/min", "m/min"), 1000.0),
+        (Text::fixed("mm/s", "mm/s"), 60.0),
+        (Text::fixed("pulgadas/min", "inches/min"), 25.4),
+    ];
+    const ANGLES: &[(Text, f64)] = &[(Text::fixed("radianes", "radians"), 180.0 / std::f64::consts::PI)];
+    match unit {
+        Unit::Millimetre => LENGTHS,
+        Unit::MillimetrePerMinute => FEEDS,
+        Unit::Degree => ANGLES,
+        _ => &[],
+    }
+}
+
+/// A question after what was meant by a value outside of its limits; `None` where no other unit explains it.
+#[must_use]
+pub fn meant(value: f64, unit: Unit, min: f64, max: f64) -> Option<Text> {
+    let guesses: Vec<Text> = mistaken(unit)
+        .iter()
+        .filter_map(|(name, factor)| {
+            // Six decimals are more than anybody types; they drop the product's rounding.
+            let guess = (value * factor * 1e6).round() / 1e6;
+            let within = guess != 0.0 && min <= guess && guess <= max;
+            within.then(|| {
+                let guess = with(guess, unit);
+                say!("{guess} (escrito en {name})", "{guess} (typed in {name})", name = name)
+            })
+        })
+        .take(2)
+        .collect();
+    let join = |pick: fn(&Text) -> &str, or: &str| guesses.iter().map(pick).collect::<Vec<_>>().join(or);
+    (!guesses.is_empty()).then(|| {
+        Text::new(
+            format!("¿quiere decir {}?", join(|text| &text.es, " o ")),
+            format!("did you mean {}?", join(|text| &text.en, " or ")),
+        )
+    })
+}
+
+/// What an angle in degrees is when it was typed in radians, where that is the likelier reading.
+///
+/// Likelier means below one degree, or a multiple of five degrees once it is converted.
+#[must_use]
+pub fn likely_radians(value: f64, unit: Unit) -> Option<f64> {
+    if unit != Unit::Degree || value == 0.0 || value.abs() > std::f64::consts::TAU {
+        return None;
+    }
+    let degrees = value * 180.0 / std::f64::consts::PI;
+    let round = (degrees / 5.0).round() * 5.0;
+    (value.abs() < 1.0 || (degrees - round).abs() < 0.02).then_some((degrees * 100.0).round() / 100.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_compared_and_not_ignored() {
+        for cell in ["mm", " mm ", ""] {
+            assert!(says(Unit::Millimetre, cell), "{cell}");
+        }
+        for cell in ["in", "inch", "m", "cm", "Mm", "µm", "°"] {
+            assert!(!says(Unit::Millimetre, cell), "{cell}");
+        }
+        assert!(says(Unit::Degree, "º") && !says(Unit::Degree, "rad"));
+        assert!(says(Unit::Count, "-") && !says(Unit::Count, "mm"));
+    }
+
+    #[test]
+    fn a_length_in_metres_or_inches_is_asked_for() {
+        let english = |value| meant(value, Unit::Millimetre, 5.0, 1000.0).map(|text| text.en.into_owned());
+        assert_eq!(english(0.025).as_deref(), Some("did you mean 25 mm (typed in metres)?"));
+        assert_eq!(
+            english(0.984_252).as_deref(),
+            Some("did you mean 984.252 mm (typed in metres) or 25.000001 mm (typed in inches)?")
+        );
+        assert_eq!(english(25_000.0).as_deref(), Some("did you mean 25 mm (typed in micrometres)?"));
+        assert_eq!(english(-25.0), None);
+    }
+
+    #[test]
+    fn radians_in_an_angle_cell_are_noticed() {
+        assert_eq!(likely_radians(0.52, Unit::Degree), Some(29.79));
+        assert_eq!(likely_radians(1.7453, Unit::Degree), Some(100.0));
+        assert_eq!(likely_radians(-10.0, Unit::Degree), None);
+        assert_eq!(likely_radians(2.0, Unit::Degree), None);
+        assert_eq!(likely_radians(0.5, Unit::Millimetre), None);
+    }
+}

@@ -1,0 +1,94 @@
+//! What a value cell admits: as words for the sheet, and as the cell's own validation.
+
+use rust_xlsxwriter::{DataValidation, DataValidationRule, XlsxError};
+
+use super::cell::shortened;
+use crate::parameter::{Kind, Parameter};
+use crate::text::{Language, Text};
+
+/// Excel's limits for titles and messages, in UTF-16 units.
+const TITLE: usize = 32;
+const MESSAGE: usize = 255;
+
+/// The most characters of a line of machine codes.
+const CODES: u32 = 200;
+
+/// The allowed range in words, as `5 to 1000`; empty for the schema.
+#[must_use]
+pub fn range(parameter: &Parameter) -> Text {
+    match &parameter.kind {
+        Kind::Real { min, max } => Text::new(format!("de {min} a {max}"), format!("{min} to {max}")),
+        Kind::Whole { min, max } => {
+            Text::new(format!("entero de {min} a {max}"), format!("whole number, {min} to {max}"))
+        }
+        Kind::Choice(choices) => {
+            let join = |language: Language, or: &str| {
+                let labels: Vec<&str> = choices.iter().map(|choice| choice.label.get(language)).collect();
+                match labels.split_last() {
+                    Some((last, rest)) if !rest.is_empty() => format!("{} {or} {last}", rest.join(", ")),
+                    _ => labels.concat(),
+                }
+            };
+            Text::new(join(Language::Es, "o"), join(Language::En, "or"))
+        }
+        Kind::Line { max } => Text::new(format!("hasta {max} caracteres"), format!("up to {max} characters")),
+        Kind::Codes => Text::fixed(
+            "códigos G o M con número entero, separados por espacios",
+            "codes G or M with a whole number, separated by blanks",
+        ),
+        Kind::Schema => Text::fixed("", ""),
+    }
+}
+
+/// The allowed range and the parameter's note, for column E and the input message.
+#[must_use]
+pub fn range_and_note(parameter: &Parameter, language: Language) -> String {
+    static MAY_BE_EMPTY: Text = Text::fixed("Puede quedar vacía", "May stay empty");
+    let range = range(parameter);
+    let range = range.get(language);
+    let mut note = parameter.note.get(language);
+    if note.is_empty() && !parameter.required {
+        note = MAY_BE_EMPTY.get(language);
+    }
+    match (range.is_empty(), note.is_empty() || note == range) {
+        (_, true) => range.to_owned(),
+        (true, false) => note.to_owned(),
+        (false, false) => format!("{range}. {note}"),
+    }
+}
+
+/// The validation of a parameter's value cell, with its messages; `optional` says that the cell may be left empty.
+///
+/// # Errors
+/// For a choice whose labels together are longer than a cell's list may be.
+pub fn validation(parameter: &Parameter, optional: bool, language: Language) -> Result<DataValidation, XlsxError> {
+    static WRONG: Text = Text::fixed("Valor no admitido", "Value not allowed");
+    let rule = DataValidation::new();
+    let rule = match &parameter.kind {
+        Kind::Real { min, max } => rule.allow_decimal_number(DataValidationRule::Between(*min, *max)),
+        Kind::Whole { min, max } => {
+            let bound = |limit: u32| i32::try_from(limit).unwrap_or(i32::MAX);
+            rule.allow_whole_number(DataValidationRule::Between(bound(*min), bound(*max)))
+        }
+        Kind::Choice(choices) => {
+            let labels: Vec<&str> = choices.iter().map(|choice| choice.label.get(language)).collect();
+            rule.allow_list_strings(&labels)?
+        }
+        Kind::Line { max } => {
+            rule.allow_text_length(DataValidationRule::Between(1, u32::try_from(*max).unwrap_or(u32::MAX)))
+        }
+        Kind::Codes => rule.allow_text_length(DataValidationRule::Between(1, CODES)),
+        Kind::Schema => rule.allow_any_value(),
+    };
+    let meaning = parameter.meaning.get(language);
+    let unit = parameter.unit.label();
+    let admitted = range_and_note(parameter, language);
+    let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+    let shown = format!("{meaning}{unit}\n{admitted}");
+    let refused = format!("{}: {admitted}{unit}", parameter.symbol());
+    rule.ignore_blank(optional)
+        .set_input_title(shortened(parameter.symbol(), TITLE))?
+        .set_input_message(shortened(&shown, MESSAGE))?
+        .set_error_title(shortened(WRONG.get(language), TITLE))?
+        .set_error_message(shortened(&refused, MESSAGE))
+}

@@ -1,0 +1,54 @@
+//! Words typed into cells: choices and machine codes.
+
+use crate::parameter::Choice;
+use crate::text::Text;
+
+/// A word without capitals, accents and blanks around it.
+#[must_use]
+pub fn fold(word: &str) -> String {
+    word.trim()
+        .to_lowercase()
+        .chars()
+        .map(|character| match character {
+            'á' => 'a',
+            'é' => 'e',
+            'í' => 'i',
+            'ó' => 'o',
+            'ú' | 'ü' => 'u',
+            'ñ' => 'n',
+            other => other,
+        })
+        .collect()
+}
+
+/// The key of the choice that a word names, by its key or its label in either language.
+///
+/// # Errors
+/// The label of the choice that was probably meant, where one is alike but for blanks and signs.
+pub fn choose(choices: &'static [Choice], word: &str) -> Result<&'static str, Option<&'static Text>> {
+    let spellings = |choice: &'static Choice| [choice.key, &*choice.label.es, &*choice.label.en];
+    let wanted = fold(word);
+    if let Some(choice) = choices.iter().find(|choice| spellings(choice).into_iter().any(|one| fold(one) == wanted)) {
+        return Ok(choice.key);
+    }
+    let letters = |text: &str| fold(text).chars().filter(|one| one.is_alphanumeric()).collect::<String>();
+    let wanted = letters(word);
+    let near = choices.iter().find(|choice| spellings(choice).into_iter().any(|one| letters(one) == wanted));
+    Err(near.map(|choice| &choice.label))
+}
+
+/// Machine codes in capitals with one blank between them.
+///
+/// # Errors
+/// The first word that is not the letter G or M with a whole number of one to four digits.
+pub fn codes(text: &str) -> Result<String, String> {
+    let codes: Vec<String> = text.split_whitespace().map(str::to_ascii_uppercase).collect();
+    let well_formed = |code: &str| {
+        let digits = code.strip_prefix(['G', 'M']).unwrap_or_default();
+        (1..=4).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    match codes.iter().find(|code| !well_formed(code)) {
+        Some(wrong) => Err(wrong.clone()),
+        None => Ok(codes.join(" ")),
+    }
+}

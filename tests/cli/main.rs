@@ -1,0 +1,9 @@
+//! The commands as whole processes: what they print, what they write, how they end.
+
+#![allow(clippy::expect_used)]
+
+mod common;
+mod environment;
+mod faults;
+mod usage;
+mod work;

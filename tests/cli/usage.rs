@@ -1,0 +1,103 @@
+//! Wrong command lines, help and version.
+
+use predicates::prelude::*;
+
+use crate::common::{folder, names, rodete, with_impeller};
+
+#[test]
+fn a_wrong_command_line_ends_with_2_and_says_how_it_is_meant() {
+    let cases: [(&[&str], &str); 12] = [
+        (&[], "Usage: rodete"),
+        (&["bild"], "build"),
+        (&["build"], "<WORKBOOK>..."),
+        (&["check"], "<WORKBOOK>..."),
+        (&["build", "a.xlsx", "--jason"], "--json"),
+        (&["build", "a.xlsx", "--lang"], "--lang <LANGUAGE>"),
+        (&["build", "a.xlsx", "--lang", "de"], "[possible values: es, en]"),
+        (&["build", "a.xlsx", "--json", "--json"], "cannot be used multiple times"),
+        (&["build", "a.xlsx", "-o", "x", "-o", "y"], "cannot be used multiple times"),
+        (&["new", "propeller"], "[possible values: impeller]"),
+        (&["new", "impeller", "a.xlsx", "--case", "x"], "[possible values: full, tfg-2021]"),
+        (&["new", "impeller", "a.ods"], "give a name like impeller.xlsx"),
+    ];
+    for (arguments, hint) in cases {
+        let folder = folder();
+        rodete(&folder).args(arguments).assert().code(2).stdout("").stderr(predicate::str::contains(hint));
+        assert!(names(&folder).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn what_was_typed_cannot_steer_the_terminal() {
+    let folder = folder();
+    for arguments in [["--\u{1b}[2J\u{202e}", "x"], ["check", "\u{1b}]0;x\u{7}.xlsx"], ["new", "\u{9b}2J"]] {
+        rodete(&folder)
+            .args(arguments)
+            .assert()
+            .failure()
+            .stderr(predicate::str::is_match("[\u{1b}\u{9b}\u{7}\u{202e}]").expect("a pattern").not())
+            .stderr(predicate::str::contains("\\u{"));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn arguments_that_are_no_utf8_are_refused_where_words_are_wanted() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = folder();
+    rodete(&folder).args(["check", "a.xlsx", "--lang"]).arg(OsStr::from_bytes(b"e\xff")).assert().code(2);
+}
+
+#[test]
+fn help_and_version_end_with_0() {
+    let folder = folder();
+    for flag in ["--version", "-V"] {
+        rodete(&folder).arg(flag).assert().code(0).stderr("").stdout(format!(
+            "rodete {}\nworkbook impeller: schema rodete-impeller 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n",
+            env!("CARGO_PKG_VERSION")
+        ));
+    }
+    for (arguments, wanted) in [
+        (vec!["--help"], "130  interrupted"),
+        (vec!["-h"], "Commands:"),
+        (vec!["build", "--help"], "RODETE_TYPST"),
+        (vec!["help", "check"], "--lang <LANGUAGE>"),
+    ] {
+        rodete(&folder).args(&arguments).assert().code(0).stderr("").stdout(predicate::str::contains(wanted));
+    }
+}
+
+#[test]
+fn one_workbook_twice_is_refused_before_anything_is_done() {
+    let folder = with_impeller();
+    let mut cases = vec![["impeller.xlsx", "impeller.xlsx"], ["impeller.xlsx", "./impeller.xlsx"]];
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("impeller.xlsx", folder.path().join("link.xlsx")).expect("a link");
+        cases.push(["impeller.xlsx", "link.xlsx"]);
+    }
+    let before = names(&folder);
+    for command in ["check", "build"] {
+        for workbooks in &cases {
+            rodete(&folder)
+                .arg(command)
+                .args(workbooks)
+                .assert()
+                .code(2)
+                .stdout("")
+                .stderr(predicate::str::contains("hint: give every workbook once"));
+        }
+    }
+    assert_eq!(names(&folder), before);
+}
+
+#[test]
+fn outputs_that_would_bear_one_name_are_refused() {
+    let folder = folder();
+    rodete(&folder).args(["build", "a/rotor.xlsx", "b/Rotor.xlsx", "-o", "out"]).assert().code(2).stderr(
+        "error: the outputs of a/rotor.xlsx and b/Rotor.xlsx would have the same names\nhint: rename one of the \
+                 workbooks or build them into different folders\n",
+    );
+    assert!(names(&folder).is_empty());
+}

@@ -1,0 +1,61 @@
+//! The shipped workbooks are, byte for byte, what the template writes with the values of their case.
+
+use std::collections::BTreeSet;
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+
+use rodete::impeller::parameters::{CASES, FORM};
+use rodete::text::Language;
+use rodete::workbook::template;
+
+/// File, case and language of every shipped workbook.
+const SHIPPED: [(&str, &str, Language); 2] =
+    [("impeller.xlsx", "full", Language::En), ("impeller-tfg-2021.xlsx", "tfg-2021", Language::Es)];
+
+fn path(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks").join(file)
+}
+
+fn written(case: &str, language: Language) -> Vec<u8> {
+    let case = CASES.iter().find(|one| one.name == case).expect("the case is listed");
+    let mut out = Cursor::new(Vec::new());
+    template::write(&FORM, &case.values(language), &case.note, language, &mut out)
+        .expect("the template can be written");
+    out.into_inner()
+}
+
+#[test]
+fn shipped_workbooks_are_what_the_template_writes() {
+    for (file, case, language) in SHIPPED {
+        let shipped = std::fs::read(path(file)).expect("the workbook is there");
+        assert!(
+            shipped == written(case, language),
+            "workbooks/{file} differs from the template: write it again with \
+             `cargo test --test workbooks -- --ignored`"
+        );
+    }
+}
+
+#[test]
+#[ignore = "writes the shipped workbooks again; run it after a change to the form or the template"]
+fn write_shipped_workbooks() {
+    for (file, case, language) in SHIPPED {
+        std::fs::write(path(file), written(case, language)).expect("the workbook can be written");
+    }
+}
+
+#[test]
+fn a_new_workbook_has_the_same_bytes_every_time() {
+    for (_, case, language) in SHIPPED {
+        assert!(written(case, language) == written(case, language));
+    }
+}
+
+#[test]
+fn every_defined_name_is_allowed_and_unique_ignoring_case() {
+    let mut seen = BTreeSet::new();
+    for (_, parameter) in FORM.parameters() {
+        rust_xlsxwriter::check_name(parameter.name).expect("a name that a workbook allows");
+        assert!(seen.insert(parameter.name.to_lowercase()), "{} is given twice", parameter.name);
+    }
+}
