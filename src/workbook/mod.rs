@@ -2,7 +2,7 @@
 //!
 //! Reading an input workbook: from a path to checked values, or to a refusal that lists everything found.
 //!
-//! [`open`] is the only place that opens a path for reading; [`gate`] walks the package under caps and refuses what is
+//! [`open`] is the only place that opens a path for reading; [`mod@gate`] walks the package under caps and refuses what is
 //! damaged, hostile or not an `.xlsx`; the cells of the form's sheets are then streamed, and [`schema`] turns them into
 //! [`Values`](crate::parameter::Values).
 //!

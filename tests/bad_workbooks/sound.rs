@@ -1,7 +1,8 @@
 //! What must be read, and how.
 
 use rodete::finding::Grade;
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::Language;
 
