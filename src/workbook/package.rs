@@ -212,7 +212,7 @@ fn too_large(name: &str, most: u64) -> Refusal {
         Finding::stop(
             Place::Part(name.to_owned()),
             say!(
-                "{shown} ocupa descomprimido más de {most} MiB: el libro pasa de {most} MiB en una parte",
+                "{shown}: el libro ocupa descomprimido más de {most} MiB en una sola parte",
                 "{shown}: the workbook unpacks to more than {most} MiB in one part"
             ),
             only_inputs(),

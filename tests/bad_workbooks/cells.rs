@@ -458,6 +458,14 @@ fn all_faults_are_listed_at_once_gravest_first() {
 }
 
 #[test]
+fn a_damaged_second_sheet_is_told_beside_the_faults_of_the_first() {
+    let parts = Parts::sound().number("R", "0.025").replace(CALIBRATION, "</worksheet>", "");
+    let refusal = impeller(&parts.zip()).unwrap_err();
+    assert_eq!(refusal.exit, Unreadable);
+    assert_eq!(refusal.findings.iter().map(place).collect::<Vec<_>>(), ["C7", CALIBRATION]);
+}
+
+#[test]
 fn a_wrong_unit_is_told_beside_a_wrong_value() {
     let parts = Parts::sound().number("R", "1").cell(DATA, "D7", "<c r=\"D7\" t=\"str\"><v>in</v></c>");
     let refusal = impeller(&parts.zip()).unwrap_err();
