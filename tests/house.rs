@@ -250,7 +250,7 @@ fn nothing_below_the_edge_reaches_the_outside_world() {
         if module.first().is_some_and(|top| floor(top).is_some_and(|floor| floor < 7)) {
             for used in uses(&path).foreign {
                 let reaches = |outside: &&str| used == **outside || used.starts_with(&format!("{outside}::"));
-                if OUTSIDE.iter().any(|outside| reaches(&outside)) {
+                if OUTSIDE.iter().any(reaches) {
                     faults.push(format!("{}: {used}", path.display()));
                 }
             }

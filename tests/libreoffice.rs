@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use calamine::{Data, Reader, Xlsx, open_workbook};
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::Language;
 use rodete::workbook::{results, template};

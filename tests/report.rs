@@ -1,11 +1,14 @@
 //! The typeset report: its bytes, its literal texts, and what happens when typst does not do its work.
 
+mod common;
+
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use rodete::figure::{Axes, Figure, Ink, Stroke};
 use rodete::finding::{Finding, Grade, Place};
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::job::{Outcome, Source};
 use rodete::parameter::{Value, Values};
 use rodete::report::{Attachment, Content, ReportFailure, Role, Typst, typeset};
@@ -149,11 +152,15 @@ mod embedded {
         }
     }
 
-    /// The text of a PDF by poppler's pdftotext; `None` where it is not installed.
+    /// The text of a PDF by poppler's pdftotext, pages parted by form feeds; `None` where it is not installed, which
+    /// only a machine that is not CI may be.
     fn text(pdf: &[u8]) -> Option<String> {
         let file = tempfile::NamedTempFile::new().unwrap();
         std::fs::write(file.path(), pdf).unwrap();
-        let output = Command::new("pdftotext").arg("-layout").arg(file.path()).arg("-").output().ok()?;
+        let Ok(output) = Command::new("pdftotext").arg("-layout").arg(file.path()).arg("-").output() else {
+            assert!(std::env::var_os("CI").is_none(), "pdftotext (poppler-utils) is missing");
+            return None;
+        };
         assert!(output.status.success());
         Some(String::from_utf8(output.stdout).unwrap())
     }
@@ -200,6 +207,67 @@ mod embedded {
         if let Some(text) = text(&report.pdf) {
             assert!(text.contains("21 rows are left out here"), "{text}");
         }
+    }
+
+    /// Both shipped cases, the longest of names, many programs and none: the machinist has one page to carry.
+    #[test]
+    fn the_set_up_sheet_is_one_page_and_the_last() {
+        let long = "Rodete de ensayo ".repeat(11);
+        let many = [("N", Value::Whole(3)), ("part", Value::Line(long.trim().to_owned()))];
+        for (case, language, changes, head, foot) in [
+            ("full", Language::En, &[][..], "Set-up sheet", "Machinist"),
+            ("tfg-2021", Language::Es, &[], "Hoja de preparación", "Operario"),
+            ("full", Language::Es, &many, "Hoja de preparación", "Operario"),
+        ] {
+            let outcome = common::outcome(case, changes);
+            let report = typeset(&outcome, &[workbook()], language, &typst()).unwrap();
+            let Some(text) = text(&report.pdf) else { return };
+            let pages: Vec<&str> = text.trim_end_matches('\u{C}').split('\u{C}').collect();
+            let last = pages.last().unwrap();
+            assert!(last.contains(head) && last.contains(foot), "{last}");
+            assert_eq!(pages.iter().filter(|page| page.contains(foot)).count(), 1);
+        }
+    }
+
+    #[test]
+    fn a_design_of_many_points_gives_a_report_of_bounded_length() {
+        let outcome = common::outcome("full", &[("n", Value::Whole(5000))]);
+        let report = typeset(&outcome, &[workbook()], Language::En, &typst()).unwrap();
+        if let Some(text) = text(&report.pdf) {
+            assert!(
+                text.contains("4 961 rows are left out here") || text.contains("4961 rows are left out here"),
+                "{text}"
+            );
+            assert!(text.matches('\u{C}').count() < 32, "{} pages", text.matches('\u{C}').count());
+        }
+    }
+
+    /// The whole way, in two odd environments and in a plain one: locale, time zone and typst's own variables do not show.
+    #[test]
+    fn no_environment_shows_in_the_bytes() {
+        let workbook = Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks/impeller-tfg-2021.xlsx");
+        let environments: [&[(&str, &str)]; 3] = [
+            &[("LANG", "C"), ("TZ", "UTC")],
+            &[
+                ("LANG", "es_ES.UTF-8"),
+                ("LC_ALL", "es_ES.UTF-8"),
+                ("TZ", "Pacific/Chatham"),
+                ("SOURCE_DATE_EPOCH", "1"),
+            ],
+            &[("LANG", "de_DE.UTF-8"), ("TZ", "XYZ-13:37"), ("TYPST_ROOT", "/nowhere"), ("TYPST_FEATURES", "html")],
+        ];
+        let reports: Vec<Vec<u8>> = environments
+            .iter()
+            .map(|environment| {
+                let folder = tempfile::tempdir().unwrap();
+                let mut command = Command::new(env!("CARGO_BIN_EXE_rodete"));
+                command.arg("build").arg(&workbook).arg("-o").arg(folder.path()).env_remove("RODETE_TYPST");
+                let output = command.envs(environment.iter().copied()).output().unwrap();
+                assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+                std::fs::read(folder.path().join("impeller-tfg-2021-report.pdf")).unwrap()
+            })
+            .collect();
+        assert!(reports[0] == reports[1] && reports[0] == reports[2]);
     }
 
     #[test]

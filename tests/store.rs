@@ -66,7 +66,8 @@ fn the_sum_is_that_of_what_stands_in_the_file_after_seeking() {
         out.write_all(b"head")
     });
     assert_eq!(written.expect("written").sha256, sha256(b"headtail"));
-    assert_eq!(set.contents(OsStr::new("a")).expect("contents").expect("in the set"), b"headtail");
+    assert_eq!(fs::read(set.draft(OsStr::new("a")).expect("in the set")).expect("a draft"), b"headtail");
+    assert_eq!(set.draft(OsStr::new("b")), None);
 }
 
 #[test]

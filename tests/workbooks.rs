@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::text::Language;
 use rodete::workbook::template;
 

@@ -5,6 +5,8 @@
 
 use unicode_normalization::UnicodeNormalization;
 
+use crate::text::{Language, Text};
+
 /// Ranges of characters that the fonts inside typst (Libertinus Serif, New Computer Modern, DejaVu Sans Mono) have
 /// glyphs for, first and last, ascending: Latin, Greek, Cyrillic, punctuation, arrows, mathematics and the geometric
 /// and technical signs. Combining marks and right-to-left scripts are left out: their shaping needs more than a glyph.
@@ -46,7 +48,7 @@ pub(super) const fn steers(character: char) -> bool {
 
 /// A text as the report shows it, composed (NFC), with every character that has no glyph as its code point.
 /// The characters replaced are added to `missing`, each once.
-pub(super) fn show(text: &str, missing: &mut Vec<char>) -> String {
+fn show(text: &str, missing: &mut Vec<char>) -> String {
     let mut out = String::with_capacity(text.len());
     for one in text.nfc() {
         if shown(one) {
@@ -59,6 +61,31 @@ pub(super) fn show(text: &str, missing: &mut Vec<char>) -> String {
         }
     }
     out
+}
+
+/// Chooses the language and minds the characters.
+pub(super) struct Words {
+    /// The report's language.
+    pub language: Language,
+    /// Characters without a glyph, each once.
+    pub missing: Vec<char>,
+}
+
+impl Words {
+    /// Nothing missing yet.
+    pub fn new(language: Language) -> Self {
+        Self { language, missing: Vec::new() }
+    }
+
+    /// A text in the report's language.
+    pub fn text(&mut self, text: &Text) -> String {
+        show(text.get(self.language), &mut self.missing)
+    }
+
+    /// A line that is the same in both languages.
+    pub fn line(&mut self, text: &str) -> String {
+        show(text, &mut self.missing)
+    }
 }
 
 /// A character's code point in brackets.

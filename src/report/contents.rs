@@ -1,26 +1,25 @@
 //! What the templates set: an outcome as texts and numbers ready to print, and its figures and attachments as files.
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
 
-use serde::Serialize;
-use sha2::{Digest, Sha256};
-
-use super::characters::{code_point, show};
+use super::attachments::files;
+use super::characters::{Words, code_point};
+use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, Sheet};
 use super::number;
 use super::shorten::{self, Listing};
 use super::svg::{pen, svg};
-use super::{Attachment, Content, ReportFailure, Role};
+use super::{Attachment, ReportFailure, Role};
 use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place};
+use crate::gcode::axis::Axis;
+use crate::gcode::program::{Part, Program};
 use crate::job::Outcome;
 use crate::parameter::{Kind, Parameter, Value};
 use crate::table::{Entry, Index, Table};
 use crate::text::{Language, Text};
-
-/// Attachments are carried up to this many bytes in all; larger ones are listed only.
-const CARRIED: u64 = 32 * 1024 * 1024;
 
 /// The JSON and what was found while it was made.
 pub(super) struct Contents {
@@ -30,139 +29,6 @@ pub(super) struct Contents {
     pub findings: Vec<Finding>,
 }
 
-#[derive(Serialize)]
-struct Document {
-    kind: &'static str,
-    language: &'static str,
-    part: String,
-    material: String,
-    workbook: String,
-    sha256: String,
-    version: String,
-    dialect: String,
-    style: String,
-    stopped: bool,
-    parameters: Vec<Group>,
-    values: std::collections::BTreeMap<&'static str, String>,
-    quantities: Vec<Row>,
-    tables: Vec<Sheet>,
-    figures: std::collections::BTreeMap<&'static str, Drawing>,
-    programs: Vec<Listed>,
-    checks: Vec<Check>,
-    files: Vec<File>,
-}
-
-#[derive(Serialize)]
-struct Group {
-    title: String,
-    rows: Vec<Row>,
-}
-
-#[derive(Serialize)]
-struct Row {
-    symbol: String,
-    meaning: String,
-    value: String,
-    unit: &'static str,
-    note: String,
-}
-
-#[derive(Serialize)]
-struct Sheet {
-    key: &'static str,
-    name: String,
-    title: String,
-    source: String,
-    counted: bool,
-    columns: Vec<Heading>,
-    head: Vec<Vec<String>>,
-    omitted: usize,
-    tail: Vec<Vec<String>>,
-}
-
-#[derive(Serialize)]
-struct Heading {
-    symbol: String,
-    unit: &'static str,
-    text: bool,
-}
-
-#[derive(Serialize)]
-struct Drawing {
-    file: String,
-    caption: String,
-    legend: Vec<Key>,
-}
-
-#[derive(Serialize)]
-struct Key {
-    colour: &'static str,
-    width: f64,
-    dash: &'static [f64],
-    text: String,
-}
-
-#[derive(Serialize)]
-struct Listed {
-    key: &'static str,
-    title: String,
-    listing: Listing,
-    widest: usize,
-    file: String,
-    sha256: String,
-    blocks: String,
-    bytes: String,
-    path: String,
-    time: String,
-    extents: Vec<Extent>,
-}
-
-#[derive(Serialize)]
-struct Extent {
-    axis: String,
-    unit: &'static str,
-    least: String,
-    greatest: String,
-}
-
-#[derive(Serialize)]
-struct Check {
-    grade: &'static str,
-    name: String,
-    what: String,
-    place: String,
-    value: String,
-    limit: String,
-    remedy: String,
-}
-
-#[derive(Serialize)]
-struct File {
-    name: String,
-    description: String,
-    sha256: String,
-    bytes: String,
-    mime: &'static str,
-    relation: &'static str,
-    carried: Option<String>,
-}
-
-/// Chooses the language and minds the characters.
-struct Words {
-    language: Language,
-    missing: Vec<char>,
-}
-
-impl Words {
-    fn text(&mut self, text: &Text) -> String {
-        show(text.get(self.language), &mut self.missing)
-    }
-
-    fn line(&mut self, text: &str) -> String {
-        show(text, &mut self.missing)
-    }
-}
-
 /// Puts figures and attachments into the folder and returns the JSON.
 pub(super) fn write(
     outcome: &Outcome,
@@ -170,7 +36,7 @@ pub(super) fn write(
     language: Language,
     folder: &Path,
 ) -> Result<Contents, ReportFailure> {
-    let mut words = Words { language, missing: Vec::new() };
+    let mut words = Words::new(language);
     let mut findings = Vec::new();
     let files = files(attachments, folder, &mut words, &mut findings)?;
     let mut programs = Vec::with_capacity(outcome.programs.len());
@@ -179,7 +45,7 @@ pub(super) fn write(
             attachments.iter().position(|one| one.role == Role::Program(program.key)).and_then(|at| files.get(at));
         programs.push(listed(program, file, &mut words)?);
     }
-    let mut figures = std::collections::BTreeMap::new();
+    let mut figures = BTreeMap::new();
     for (at, figure) in outcome.figures.iter().enumerate() {
         if let Some(drawing) = drawing(figure, at, folder, &mut words)? {
             figures.insert(figure.key, drawing);
@@ -352,7 +218,7 @@ fn drawing(figure: &Figure, at: usize, folder: &Path, words: &mut Words) -> io::
     Ok(Some(Drawing { file, caption: words.text(&figure.caption), legend }))
 }
 
-fn listed(program: &crate::gcode::program::Program, file: Option<&File>, words: &mut Words) -> io::Result<Listed> {
+fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Result<Listed> {
     let mut listing = Listing::of(program)?;
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);
@@ -367,7 +233,8 @@ fn listed(program: &crate::gcode::program::Program, file: Option<&File>, words: 
         sha256: file.map(|file| file.sha256.clone()).unwrap_or_default(),
         blocks: number::grouped(summary.blocks),
         bytes: number::grouped(summary.bytes),
-        path: number::fixed(summary.path, 1),
+        path: if summary.path > 0.0 { number::fixed(summary.path, 1) } else { String::new() },
+        start: if summary.path > 0.0 { start(program) } else { String::new() },
         time: summary.seconds.map(number::duration).unwrap_or_default(),
         extents: summary
             .extents
@@ -380,6 +247,14 @@ fn listed(program: &crate::gcode::program::Program, file: Option<&File>, words: 
             })
             .collect(),
     })
+}
+
+/// The position from which the program runs, as words.
+fn start(program: &Program) -> String {
+    let named =
+        |axis: &Axis| program.parts.iter().any(|part| matches!(part, Part::Path(path) if path.axes.contains(axis)));
+    let word = |axis: Axis| format!("{}{}", axis.letter(), program.start.get(axis).value());
+    Axis::ALL.into_iter().filter(named).map(word).collect::<Vec<_>>().join(" ")
 }
 
 fn check(finding: &Finding, words: &mut Words) -> Check {
@@ -413,68 +288,4 @@ fn place(place: &Place, words: &mut Words) -> String {
             Language::En => format!("{program}, line {line}"),
         },
     }
-}
-
-/// Copies the attachments into the folder, with their SHA-256; what is too large is listed and not carried.
-fn files(
-    attachments: &[Attachment<'_>],
-    folder: &Path,
-    words: &mut Words,
-    findings: &mut Vec<Finding>,
-) -> io::Result<Vec<File>> {
-    let mut carried = 0;
-    let mut files = Vec::with_capacity(attachments.len());
-    for (at, attachment) in attachments.iter().enumerate() {
-        let (bytes, sha256) = match attachment.content {
-            Content::Bytes(bytes) => (u64::try_from(bytes.len()).unwrap_or(u64::MAX), digest(bytes)?),
-            Content::File(path) => (fs::metadata(path)?.len(), digest(fs::File::open(path)?)?),
-        };
-        let name = words.line(&attachment.name);
-        let copy = (bytes <= CARRIED - carried).then(|| format!("attachment-{at}"));
-        match &copy {
-            Some(copy) => {
-                carried += bytes;
-                match attachment.content {
-                    Content::Bytes(bytes) => fs::write(folder.join(copy), bytes)?,
-                    Content::File(path) => fs::copy(path, folder.join(copy)).map(drop)?,
-                }
-            }
-            None => findings.push(
-                Finding::note(
-                    Place::File,
-                    Text::new(
-                        format!("{name} es demasiado grande para adjuntarlo al informe; se da su SHA-256"),
-                        format!("{name} is too large to be attached to the report; its SHA-256 is given"),
-                    ),
-                )
-                .with(format!("{} bytes", number::grouped(bytes)), format!("{} bytes", number::grouped(CARRIED))),
-            ),
-        }
-        files.push(File {
-            name,
-            description: words.text(&attachment.description),
-            sha256,
-            bytes: number::grouped(bytes),
-            mime: attachment.mime,
-            relation: if attachment.role == Role::Input { "source" } else { "supplement" },
-            carried: copy,
-        });
-    }
-    Ok(files)
-}
-
-/// SHA-256 in lower-case hexadecimal.
-fn digest(mut bytes: impl Read) -> io::Result<String> {
-    let mut hash = Sha256::new();
-    let mut buffer = [0; 64 * 1024];
-    loop {
-        let count = match bytes.read(&mut buffer) {
-            Ok(0) => break,
-            Ok(count) => count,
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(error) => return Err(error),
-        };
-        hash.update(buffer.get(..count).unwrap_or_default());
-    }
-    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
 }

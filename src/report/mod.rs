@@ -5,9 +5,11 @@
 //! ready to print, and never as markup. A character that the fonts cannot show is shown by its code point, and a note
 //! says so.
 
+mod attachments;
 pub mod characters;
 mod compiler;
 mod contents;
+mod document;
 mod failure;
 mod number;
 mod shorten;

@@ -12,9 +12,9 @@ pub(super) const TABLE_ROWS: usize = 60;
 /// Rows kept of a longer table at each end.
 pub(super) const TABLE_ENDS: usize = 20;
 /// Lines kept at the head of a long listing.
-const LISTING_HEAD: usize = 160;
+const LISTING_HEAD: usize = 140;
 /// Lines kept at its tail.
-const LISTING_TAIL: usize = 40;
+const LISTING_TAIL: usize = 20;
 
 /// The rows of a table to print: head, how many are left out, tail.
 pub(super) fn rows(count: usize) -> (std::ops::Range<usize>, usize, std::ops::Range<usize>) {

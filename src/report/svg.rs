@@ -11,16 +11,26 @@ use crate::text::Language;
 
 /// Width of the drawing area on paper in mm.
 const WIDTH: f64 = 160.0;
-/// Greatest height of the drawing area of a drawing in mm.
-const HEIGHT: f64 = 118.0;
 /// Height of the plot area of a graph in mm.
-const GRAPH_HEIGHT: f64 = 62.0;
+const GRAPH_HEIGHT: f64 = 52.0;
 /// Margins around shapes for labels: left, top, right, bottom in mm.
 const MARGIN: [f64; 4] = [5.0, 4.0, 5.0, 4.0];
 /// Margins around a plot for ticks and titles.
 const GRAPH_MARGIN: [f64; 4] = [19.0, 3.0, 5.0, 13.0];
 /// Points of a stroke nearer to the last one drawn are left out, in mm of paper.
 const FINEST: f64 = 0.05;
+
+/// Greatest height of a drawing in mm: what its page leaves beside the table that it belongs to.
+fn height(key: &str) -> f64 {
+    match key {
+        "cover" => 118.0,
+        "villarceau" => 56.0,
+        "plan" | "positions" => 104.0,
+        "crossing" | "tool-path" => 92.0,
+        "safe-ends" | "frame" => 82.0,
+        _ => 62.0,
+    }
+}
 
 /// How an ink looks.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +52,7 @@ pub(super) const fn pen(ink: Ink) -> Pen {
         Pen { colour, width, dash, tint }
     }
     match ink {
-        Ink::Outline => of("#1d232b", 0.3, FULL, "#e9edf1"),
+        Ink::Outline => of("#1d232b", 0.24, FULL, "#e9edf1"),
         Ink::Thin => of("#8d97a3", 0.13, FULL, "#f4f6f8"),
         Ink::Centre => of("#6b7682", 0.15, &[3.0, 0.8, 0.5, 0.8], "#f4f6f8"),
         Ink::Blade => of("#163a63", 0.5, FULL, "#cfdceb"),
@@ -76,7 +86,7 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
     let mut body = String::new();
     let frame = match &figure.axes {
         Some(axes) => graph(&mut body, axes, bounds, language),
-        None => drawing(bounds),
+        None => drawing(bounds, height(figure.key)),
     };
     for stroke in &figure.strokes {
         let points: Vec<[f64; 2]> = stroke.points.iter().map(|&point| frame.at(point)).collect();
@@ -91,7 +101,7 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
     }
     for label in &figure.labels {
         let at = frame.at(label.at);
-        word(&mut body, at, 3.4, "middle", "#1d232b", label.text.get(language));
+        word(&mut body, at, 3.3, "middle", "#1d232b", label.text.get(language));
     }
     let [width, height] = frame.size;
     Some(format!(
@@ -117,10 +127,10 @@ fn bounds(figure: &Figure) -> Option<[[f64; 2]; 2]> {
 }
 
 /// One scale both ways, the shapes in the middle.
-fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Frame {
+fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2], height: f64) -> Frame {
     let [left, top, right, bottom] = MARGIN;
     let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
-    let scale = ((WIDTH - left - right) / dx).min((HEIGHT - top - bottom) / dy);
+    let scale = ((WIDTH - left - right) / dx).min((height - top - bottom) / dy);
     let size = [dx * scale + left + right, dy * scale + top + bottom];
     Frame { scale: [scale, scale], shift: [left - x0 * scale, top + y1 * scale], size }
 }
@@ -204,7 +214,7 @@ fn fill(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
     };
     let _ = writeln!(
         body,
-        "<path d=\"{} Z\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.08\" stroke-linejoin=\"round\"/>",
+        "<path d=\"{} Z\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.14\" stroke-linejoin=\"round\"/>",
         path(points)
     );
 }

@@ -10,8 +10,8 @@ use crate::text::Text;
 
 use super::limits;
 use super::package::{Package, unreadable};
-use super::shared_tables::{limit, structure};
-use super::xml::{attribute, damaged, raw};
+use super::shared_tables::structure;
+use super::xml::{attribute, damaged, limit, raw};
 
 /// What a sheet consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

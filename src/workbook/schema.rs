@@ -45,14 +45,15 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let (entry, language) = first_sheet(&book.gated.sheets, forms)?;
     let sheet = book.read(&entry)?;
     if sheet.survey.unsound {
-        return Err(refusal(sheet.survey.damaged, sheet.survey.findings));
+        let exit = sheet.survey.exit();
+        return Err(refusal(exit, sheet.survey.findings));
     }
     if !sheet.survey.filled {
         return Err(no_cells(&entry));
     }
     let form = form_of(&sheet, forms, language)?;
     let mut values = Values { language, ..Values::default() };
-    let mut damaged = false;
+    let mut exit = Exit::Refused;
     let mut first = Some(sheet);
     for (index, described) in form.sheets.iter().enumerate() {
         let found = if index == 0 { Some(entry.clone()) } else { find(&book.gated.sheets, described, &mut findings)? };
@@ -69,7 +70,15 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         };
         let mut sheet = match first.take() {
             Some(sheet) => sheet,
-            None => book.read(&entry)?,
+            None => match book.read(&entry) {
+                Ok(sheet) => sheet,
+                // Told together with what was found on the sheets before it.
+                Err(mut refusal) => {
+                    exit = refusal.exit;
+                    findings.append(&mut refusal.findings);
+                    continue;
+                }
+            },
         };
         if entry.hidden {
             let name = excerpt(&entry.name, SHOWN);
@@ -82,21 +91,23 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
             ));
         }
         findings.append(&mut sheet.survey.findings);
-        damaged |= sheet.survey.damaged;
+        if exit == Exit::Refused {
+            exit = sheet.survey.exit();
+        }
         if !sheet.survey.unsound {
             take(form.schema, described, &sheet, &mut values, &mut findings);
         }
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
-        return Err(refusal(damaged, findings));
+        return Err(refusal(exit, findings));
     }
     Ok(Filled { form, values, findings })
 }
 
 /// One refusal for everything that was found, gravest first.
-fn refusal(damaged: bool, mut findings: Vec<Finding>) -> Refusal {
+fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
     findings.sort_by_key(|finding| Reverse(finding.grade));
-    Refusal { exit: if damaged { Exit::Unreadable } else { Exit::Refused }, findings }
+    Refusal { exit, findings }
 }
 
 fn refused(place: Place, what: Text, remedy: Text) -> Refusal {

@@ -3,12 +3,12 @@
 use quick_xml::events::Event;
 
 use crate::escape::excerpt;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::Refusal;
 use crate::text::Text;
 
 use super::limits;
 use super::package::Package;
-use super::xml::{self, attribute, damaged, raw};
+use super::xml::{self, attribute, damaged, limit, raw};
 
 /// Walks a part that describes the workbook; false where it is missing. No attribute may have more than `attribute` bytes.
 pub fn structure(
@@ -39,16 +39,11 @@ pub fn structure(
     Ok(true)
 }
 
-/// The refusal of a part that exceeds a limit.
-pub fn limit(part: &str, what: Text) -> Refusal {
-    Refusal::new(Exit::Limit, Finding::stop(Place::Part(part.to_owned()), what, xml::save_again()))
-}
-
 /// Counts the shared texts; without a part there are none.
 ///
 /// # Errors
-/// [`Exit::Limit`] where more are announced than the part can hold or more stand in it than [`limits::STRINGS`];
-/// [`Exit::Unreadable`] for a damaged part.
+/// [`Exit::Limit`](crate::finding::Exit::Limit) where more are announced than the part can hold or more stand in it than [`limits::STRINGS`];
+/// [`Exit::Unreadable`](crate::finding::Exit::Unreadable) for a damaged part.
 pub fn strings(package: &mut Package<'_>, part: &str) -> Result<usize, Refusal> {
     let Some(bytes) = package.part(part, limits::PART)? else {
         return Ok(0);
@@ -101,7 +96,7 @@ pub fn strings(package: &mut Package<'_>, part: &str) -> Result<usize, Refusal> 
 /// Looks at the cell formats, which calamine copies into memory one by one.
 ///
 /// # Errors
-/// [`Exit::Limit`] for more of them, or for longer ones, than [`limits`] allows; [`Exit::Unreadable`] for a damaged part.
+/// [`Exit::Limit`](crate::finding::Exit::Limit) for more of them, or for longer ones, than [`limits`] allows; [`Exit::Unreadable`](crate::finding::Exit::Unreadable) for a damaged part.
 pub fn styles(package: &mut Package<'_>, part: &str) -> Result<(), Refusal> {
     let mut formats = 0_usize;
     let mut within = false;

@@ -458,6 +458,24 @@ fn all_faults_are_listed_at_once_gravest_first() {
 }
 
 #[test]
+fn a_damaged_second_sheet_is_told_beside_the_faults_of_the_first() {
+    let parts = Parts::sound().number("R", "0.025").replace(CALIBRATION, "</worksheet>", "");
+    let refusal = impeller(&parts.zip()).unwrap_err();
+    assert_eq!(refusal.exit, Unreadable);
+    assert_eq!(refusal.findings.iter().map(place).collect::<Vec<_>>(), ["C7", CALIBRATION]);
+}
+
+#[test]
+fn a_wrong_unit_is_told_beside_a_wrong_value() {
+    let parts = Parts::sound().number("R", "1").cell(DATA, "D7", "<c r=\"D7\" t=\"str\"><v>in</v></c>");
+    let refusal = impeller(&parts.zip()).unwrap_err();
+    assert_eq!(refusal.findings.iter().map(place).collect::<Vec<_>>(), ["C7", "D7"]);
+    let empty = Parts::sound().cell(DATA, "D7", "<c r=\"D7\" t=\"str\"><v>in</v></c>").cell(DATA, "C7", "");
+    let refusal = impeller(&empty.zip()).unwrap_err();
+    assert_eq!(refusal.findings.iter().map(place).collect::<Vec<_>>(), ["C7"]);
+}
+
+#[test]
 fn a_spanish_workbook_is_refused_in_spanish_words() {
     let parts = Parts::of(&sound(Language::Es)).number("R", "0.025").string("splitters", "quizá");
     let refusal = impeller(&parts.zip()).unwrap_err();

@@ -1,10 +1,12 @@
 //! What must be read, and how.
 
 use rodete::finding::Grade;
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::Language;
 
+use crate::common;
 use crate::workbook::{CALIBRATION, DATA, Parts, cell, impeller, place, row, sound};
 
 #[test]
@@ -22,6 +24,22 @@ fn the_shipped_case_is_read_in_both_languages_value_for_value() {
             (place.sheet.as_str(), place.cell.as_str()),
             (FORM.sheets[0].name.get(language), cell("R").as_str())
         );
+    }
+}
+
+/// What the command for new workbooks writes is read without a finding, value for value.
+#[test]
+fn the_written_template_is_read_back() {
+    for case in &CASES {
+        for language in Language::ALL {
+            let mut written = std::io::Cursor::new(Vec::new());
+            rodete::workbook::template::write(&FORM, &case.values(language), &case.note, language, &mut written)
+                .unwrap();
+            let filled = impeller(&written.into_inner()).unwrap();
+            assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+            assert_eq!(filled.values.language, language);
+            assert_eq!(filled.values.values, case.values(language).into_iter().collect());
+        }
     }
 }
 
@@ -196,34 +214,16 @@ fn b28_other_sheets_comments_and_derived_values_from_column_g_on_are_not_read() 
     assert!(noted(&parts).is_empty());
 }
 
-/// The results workbook holds the form, derived values beside it from column G on, and many tables behind it.
+/// The results workbook holds the form, derived values beside it, and many tables behind it.
 #[test]
-fn a_results_workbook_with_tables_of_two_thousand_rows_is_an_input() {
-    let mut tables = rust_xlsxwriter::Workbook::new();
-    for table in 0..8 {
-        let sheet = tables.add_worksheet();
-        for row in 0..2_001_u32 {
-            for column in 0..10_u16 {
-                sheet.write(row, column, f64::from(row) / 3.0 + f64::from(column) + f64::from(table)).unwrap();
-            }
-        }
+fn a_results_workbook_of_two_thousand_intervals_is_an_input() {
+    let outcome = common::outcome("full", &[("n", Value::Whole(2_000))]);
+    for language in Language::ALL {
+        let mut written = std::io::Cursor::new(Vec::new());
+        rodete::workbook::results::write(&outcome, language, &mut written).unwrap();
+        let filled = impeller(&written.into_inner()).unwrap();
+        assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+        assert_eq!(filled.values.language, language);
+        assert_eq!(filled.values.values, outcome.values.values);
     }
-    let tables = Parts::of(&tables.save_to_buffer().unwrap());
-    let (mut parts, mut listed, mut targets) = (Parts::sound(), String::new(), String::new());
-    for table in 1..=8 {
-        let part = format!("worksheets/table{table}.xml");
-        parts = parts.put(&format!("xl/{part}"), tables.text(&format!("xl/worksheets/sheet{table}.xml")));
-        listed += &format!("<sheet name=\"Annex {table}\" sheetId=\"{}\" r:id=\"t{table}\"/>", table + 10);
-        targets += &format!("<Relationship Id=\"t{table}\" Type=\"x/relationships/worksheet\" Target=\"{part}\"/>");
-    }
-    for key in ["R", "r", "n", "N"] {
-        let derived = format!("G{}", row(key));
-        parts = parts.cell(DATA, &derived, &format!("<c r=\"{derived}\"><v>53.130102354155</v></c>"));
-    }
-    let parts = parts.replace("xl/workbook.xml", "</sheets>", &format!("{listed}</sheets>")).replace(
-        "xl/_rels/workbook.xml.rels",
-        "</Relationships>",
-        &format!("{targets}</Relationships>"),
-    );
-    assert!(noted(&parts).is_empty());
 }

@@ -94,11 +94,7 @@ impl Scene {
 
 /// Light on a face from the cosine of its angle of incidence, with some light everywhere.
 fn brightness(cosine: f64) -> u8 {
-    const LEVELS: [u8; 9] = [20, 48, 76, 104, 132, 160, 188, 218, 250];
-    let level = (0..9_u8).rev().find(|&level| cosine.max(0.0) * 8.0 >= f64::from(level)).unwrap_or(0);
-    let low = LEVELS.get(usize::from(level)).copied().unwrap_or(250);
-    let high = LEVELS.get(usize::from(level) + 1).copied().unwrap_or(low);
-    let part = cosine.max(0.0) * 8.0 - f64::from(level);
-    // The steps between two levels are counted, so that no float is cast.
-    (low..=high).rev().find(|&one| f64::from(one - low) <= part * f64::from(high - low)).unwrap_or(low)
+    let light = 24.0 + 231.0 * cosine.max(0.0);
+    // Counted up, so that no float is cast.
+    (0..=u8::MAX).find(|&level| f64::from(level) >= light).unwrap_or(u8::MAX)
 }

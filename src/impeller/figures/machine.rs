@@ -31,11 +31,7 @@ pub(super) fn positions(design: &Design, blade: &Blade) -> Figure {
     let path = sampled(blade.points(), FINE).filter_map(|at| blade.machine.get(at)).map(xz).collect();
     strokes.push(line(Ink::Blade, path));
     let size = 0.02 * machine.L;
-    let ring = steps(0.0, TAU, 40).map(|angle| {
-        let (sin, cos) = sin_cos(angle);
-        [pivot[0] + size * cos, pivot[1] + size * sin]
-    });
-    strokes.push(line(Ink::Outline, ring.collect()));
+    strokes.push(line(Ink::Outline, ring(pivot, size)));
     labels.push(label([pivot[0] + 5.0 * size, pivot[1] - 0.5 * size], t("pivote", "pivot")));
     Figure {
         key: "positions",
@@ -89,7 +85,9 @@ fn position(strokes: &mut Vec<Stroke>, labels: &mut Vec<Label>, design: &Design,
     strokes.push(line(Ink::Outline, tool));
     strokes.push(line(Ink::Centre, vec![[tip[0], tip[1]], [tip[0], top + 0.06 * design.L_t]]));
     let angle = format!("B = {}°", B.to_degrees());
-    labels.push(label([tip[0], top + 0.1 * design.L_t], Text::same(angle)));
+    // Beside the tool, on the side away from the path.
+    let side = if B > FRAC_PI_4 { -0.28 } else { 0.28 };
+    labels.push(label([tip[0] + side * design.L_t, top], Text::same(angle)));
 }
 
 /// The way of the tool round a blade in machine XY, with the safe points.
@@ -131,6 +129,63 @@ pub(super) fn safe_points(passes: &Passes) -> Figure {
             (Ink::Safe, t("por los puntos de seguridad", "by the safe points")),
         ],
     }
+}
+
+/// Both ends of a blade in machine XY, to scale, side by side: the blade, the tool at the ends of the passes and at the
+/// safe points.
+pub(super) fn safe_ends(design: &Design, blade: &Blade, passes: &Passes) -> Figure {
+    let (mut strokes, mut labels) = (Vec::new(), Vec::new());
+    let reach = design.d_s + 2.0 * design.d_t + 2.0 * design.w();
+    let last = blade.points().saturating_sub(1);
+    let ends = [
+        (0, &passes.entry, 1.0, -1.15 * reach, t("entrada, B = 90°", "entry, B = 90°")),
+        (last, &passes.exit, -1.0, 1.15 * reach, t("salida, B = 0°", "exit, B = 0°")),
+    ];
+    for (at, safe, inwards, shift, name) in ends {
+        let (Some(P), Some(o), Some(r)) = (blade.machine.get(at), passes.obverse.get(at), passes.reverse.get(at))
+        else {
+            continue;
+        };
+        let place = |point: &Vector3<f64>| [point.x - P.x + shift, point.y - P.y];
+        let along = blade.t_machine * (inwards * reach);
+        let half = blade.b_machine * (design.e / 2.0);
+        let wall: Vec<[f64; 2]> = [P + half, P + half + along, P - half + along, P - half].iter().map(place).collect();
+        strokes.push(Stroke { ink: Ink::Blade, points: wall.clone(), filled: true, arrow: false });
+        strokes.push(line(Ink::Blade, wall.into_iter().cycle().take(5).collect()));
+        for (ink, end, point) in [(Ink::Obverse, o, &safe.obverse), (Ink::Reverse, r, &safe.reverse)] {
+            strokes.push(line(ink, vec![place(end), place(&(end + along))]));
+            strokes.push(line(ink, ring(place(end), design.d_t / 2.0)));
+            strokes.push(line(Ink::Safe, ring(place(point), design.d_t / 2.0)));
+            strokes.push(arrow(Ink::Safe, place(point), place(end)));
+        }
+        strokes.push(line(Ink::Safe, vec![place(&safe.obverse), place(&safe.reverse)]));
+        labels.push(label([shift, -1.5 * reach], name));
+    }
+    Figure {
+        key: "safe-ends",
+        caption: t(
+            "Los extremos del álabe a escala: herramienta al final de las pasadas y en los puntos de seguridad",
+            "The blade's ends to scale: the tool at the ends of the passes and at the safe points",
+        ),
+        axes: None,
+        strokes,
+        labels,
+        legend: vec![
+            (Ink::Blade, t("álabe", "blade")),
+            (Ink::Obverse, t("anverso", "obverse")),
+            (Ink::Reverse, t("reverso", "reverse")),
+            (Ink::Safe, t("puntos de seguridad", "safe points")),
+        ],
+    }
+}
+
+fn ring(centre: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
+    steps(0.0, TAU, 48)
+        .map(|angle| {
+            let (sin, cos) = sin_cos(angle);
+            [centre[0] + radius * cos, centre[1] + radius * sin]
+        })
+        .collect()
 }
 
 /// The turned profile in the stock, half section; the lathe's Z to the right.

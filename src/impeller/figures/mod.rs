@@ -30,6 +30,7 @@ pub fn figures(design: &Design, blade: &Blade, passes: &Passes, splitter: Option
         machine::positions(design, blade),
         geometry::tool_paths(design, blade),
         machine::safe_points(passes),
+        machine::safe_ends(design, blade, passes),
         machine::blank(design),
     ];
     if let Some(splitter) = splitter {

@@ -14,8 +14,10 @@ use crate::impeller::design::Design;
 use crate::impeller::splitter::Splitter;
 use crate::number::trig::sin_cos;
 
-/// Steps of the mesh along a blade, about the hub, and along the hub's meridian.
+/// Steps of the mesh along a blade (fewer where there are many), about the hub, and along the hub's meridian.
 const ALONG: u16 = 44;
+const ALONG_MANY: u16 = 18;
+const MANY: u32 = 12;
 const ABOUT: u16 = 132;
 const MERIDIAN: u16 = 20;
 
@@ -93,6 +95,7 @@ fn splitter_half(design: &Design, blade: &Blade, splitter: &Splitter, v: f64) ->
 /// A blade of a given half thickness, turned about the axis: both flanks, the top and the ends.
 fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, half: impl Fn(f64) -> f64) {
     let circle = blade.circle;
+    let along = if design.N > MANY { ALONG_MANY } else { ALONG };
     let section = |v: f64| -> Option<[Vector3<f64>; 4]> {
         let half = half(v);
         if half <= 0.0 {
@@ -104,13 +107,21 @@ fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, half: impl
         let (side, depth) = (frame.b * half, frame.N * design.a_p);
         Some([point + side, point - side, point - side - depth, point + side - depth].map(|at| about_axis(&at, turn)))
     };
-    let sections: Vec<[Vector3<f64>; 4]> = steps(PI, PI + FRAC_PI_2, ALONG).filter_map(section).collect();
+    let sections: Vec<[Vector3<f64>; 4]> = steps(PI, PI + FRAC_PI_2, along).filter_map(section).collect();
     let nearer = 0.5 * design.a_p;
-    for pair in sections.windows(2) {
+    for (number, pair) in sections.windows(2).enumerate() {
         let ([a, b, c, d], [e, f, g, h]) = (pair[0], pair[1]);
-        scene.add(&[a, e, f, b], &[0, 2], Ink::Outline, nearer + 0.05 * design.a_p);
-        scene.add(&[d, h, e, a], &[0], Ink::Outline, nearer);
-        scene.add(&[b, f, g, c], &[2], Ink::Outline, nearer);
+        // Corner 1 begins the edge at the far end, corner 3 that at the near end of a piece.
+        let ends: &[usize] = match (number == 0, number + 2 == sections.len()) {
+            (true, true) => &[1, 3],
+            (true, false) => &[3],
+            (false, true) => &[1],
+            (false, false) => &[],
+        };
+        let with = |edges: &[usize]| [edges, ends].concat();
+        scene.add(&[a, e, f, b], &with(&[0, 2]), Ink::Outline, nearer + 0.05 * design.a_p);
+        scene.add(&[d, h, e, a], &with(&[0]), Ink::Outline, nearer);
+        scene.add(&[b, f, g, c], &with(&[2]), Ink::Outline, nearer);
     }
     if let (Some([a, b, c, d]), Some([e, f, g, h])) = (sections.first(), sections.last()) {
         scene.add(&[*a, *b, *c, *d], &[0, 1, 2, 3], Ink::Outline, nearer);

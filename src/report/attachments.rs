@@ -1,0 +1,88 @@
+//! The files that a report lists and carries.
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+use super::characters::Words;
+use super::document::File;
+use super::{Attachment, Content, Role, number};
+use crate::finding::{Finding, Place};
+use crate::text::Text;
+
+/// Attachments are carried up to this many bytes in all; larger ones are listed only.
+const CARRIED: u64 = 32 * 1024 * 1024;
+
+/// Copies the attachments into the folder, with their SHA-256; what is too large is listed and not carried.
+pub(super) fn files(
+    attachments: &[Attachment<'_>],
+    folder: &Path,
+    words: &mut Words,
+    findings: &mut Vec<Finding>,
+) -> io::Result<Vec<File>> {
+    let mut carried = 0;
+    let mut files = Vec::with_capacity(attachments.len());
+    for (at, attachment) in attachments.iter().enumerate() {
+        let (bytes, sha256) = match attachment.content {
+            Content::Bytes(bytes) => (u64::try_from(bytes.len()).unwrap_or(u64::MAX), digest(bytes)?),
+            Content::File(path) => (fs::metadata(path)?.len(), digest(fs::File::open(path)?)?),
+        };
+        let name = file_name(&words.line(&attachment.name));
+        let twice = files.iter().any(|file: &File| file.name == name);
+        let copy = (!twice && bytes <= CARRIED - carried).then(|| format!("attachment-{at}"));
+        match &copy {
+            Some(copy) => {
+                carried += bytes;
+                match attachment.content {
+                    Content::Bytes(bytes) => fs::write(folder.join(copy), bytes)?,
+                    Content::File(path) => fs::copy(path, folder.join(copy)).map(drop)?,
+                }
+            }
+            None if twice => {}
+            None => findings.push(
+                Finding::note(
+                    Place::File,
+                    Text::new(
+                        format!("{name} es demasiado grande para adjuntarlo al informe; se da su SHA-256"),
+                        format!("{name} is too large to be attached to the report; its SHA-256 is given"),
+                    ),
+                )
+                .with(format!("{} bytes", number::grouped(bytes)), format!("{} bytes", number::grouped(CARRIED))),
+            ),
+        }
+        files.push(File {
+            name,
+            description: words.text(&attachment.description),
+            sha256,
+            bytes: number::grouped(bytes),
+            mime: attachment.mime,
+            relation: if attachment.role == Role::Input { "source" } else { "supplement" },
+            carried: copy,
+        });
+    }
+    Ok(files)
+}
+
+/// A name that a PDF can carry: no folders, and not only dots.
+fn file_name(name: &str) -> String {
+    let name = name.replace(['/', '\\'], "_");
+    if name.trim_matches('.').is_empty() { "_".to_owned() } else { name }
+}
+
+/// SHA-256 in lower-case hexadecimal.
+fn digest(mut bytes: impl Read) -> io::Result<String> {
+    let mut hash = Sha256::new();
+    let mut buffer = [0; 64 * 1024];
+    loop {
+        let count = match bytes.read(&mut buffer) {
+            Ok(0) => break,
+            Ok(count) => count,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        hash.update(buffer.get(..count).unwrap_or_default());
+    }
+    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+}

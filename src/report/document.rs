@@ -1,0 +1,136 @@
+//! The shape of `contents.json`: texts and numbers ready to print.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::shorten::Listing;
+
+/// Everything the templates set.
+#[derive(Serialize)]
+pub(super) struct Document {
+    pub kind: &'static str,
+    pub language: &'static str,
+    pub part: String,
+    pub material: String,
+    pub workbook: String,
+    pub sha256: String,
+    pub version: String,
+    pub dialect: String,
+    pub style: String,
+    pub stopped: bool,
+    pub parameters: Vec<Group>,
+    pub values: BTreeMap<&'static str, String>,
+    pub quantities: Vec<Row>,
+    pub tables: Vec<Sheet>,
+    pub figures: BTreeMap<&'static str, Drawing>,
+    pub programs: Vec<Listed>,
+    pub checks: Vec<Check>,
+    pub files: Vec<File>,
+}
+
+/// Parameters under one heading.
+#[derive(Serialize)]
+pub(super) struct Group {
+    pub title: String,
+    pub rows: Vec<Row>,
+}
+
+/// One parameter or derived quantity.
+#[derive(Serialize)]
+pub(super) struct Row {
+    pub symbol: String,
+    pub meaning: String,
+    pub value: String,
+    pub unit: &'static str,
+    pub note: String,
+}
+
+/// A table, shortened where it is long.
+#[derive(Serialize)]
+pub(super) struct Sheet {
+    pub key: &'static str,
+    pub name: String,
+    pub title: String,
+    pub source: String,
+    pub counted: bool,
+    pub columns: Vec<Heading>,
+    pub head: Vec<Vec<String>>,
+    pub omitted: usize,
+    pub tail: Vec<Vec<String>>,
+}
+
+/// The head of a column.
+#[derive(Serialize)]
+pub(super) struct Heading {
+    pub symbol: String,
+    pub unit: &'static str,
+    pub text: bool,
+}
+
+/// A figure: the file of its picture, its caption and legend.
+#[derive(Serialize)]
+pub(super) struct Drawing {
+    pub file: String,
+    pub caption: String,
+    pub legend: Vec<Key>,
+}
+
+/// A line of a legend.
+#[derive(Serialize)]
+pub(super) struct Key {
+    pub colour: &'static str,
+    pub width: f64,
+    pub dash: &'static [f64],
+    pub text: String,
+}
+
+/// A program with its listing and what it amounts to.
+#[derive(Serialize)]
+pub(super) struct Listed {
+    pub key: &'static str,
+    pub title: String,
+    pub listing: Listing,
+    pub widest: usize,
+    pub file: String,
+    pub sha256: String,
+    pub blocks: String,
+    pub bytes: String,
+    pub path: String,
+    pub start: String,
+    pub time: String,
+    pub extents: Vec<Extent>,
+}
+
+/// How far an axis goes.
+#[derive(Serialize)]
+pub(super) struct Extent {
+    pub axis: String,
+    pub unit: &'static str,
+    pub least: String,
+    pub greatest: String,
+}
+
+/// A finding.
+#[derive(Serialize)]
+pub(super) struct Check {
+    pub grade: &'static str,
+    pub name: String,
+    pub what: String,
+    pub place: String,
+    pub value: String,
+    pub limit: String,
+    pub remedy: String,
+}
+
+/// A file listed in the report; `carried` is its copy in the folder where it is attached.
+#[derive(Serialize)]
+pub(super) struct File {
+    pub name: String,
+    pub description: String,
+    pub sha256: String,
+    pub bytes: String,
+    pub mime: &'static str,
+    pub relation: &'static str,
+    pub carried: Option<String>,
+}
