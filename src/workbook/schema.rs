@@ -183,8 +183,13 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
 /// A further sheet of a form, in either language.
 fn find(sheets: &[SheetEntry], described: &Sheet, findings: &mut Vec<Finding>) -> Result<Option<SheetEntry>, Refusal> {
     let names = Language::ALL.map(|language| described.name.get(language));
-    let alike: Vec<_> =
+    let mut alike: Vec<_> =
         sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name, &entry.name))).collect();
+    if alike.iter().any(|entry| names.contains(&entry.name.as_str())) {
+        // Beside the sheet itself, one whose name has an accent more is another: the table `Calibración` of results.
+        let plain = |name: &str| name.trim().to_lowercase();
+        alike.retain(|entry| names.iter().any(|name| plain(name) == plain(&entry.name)));
+    }
     let [entry] = alike.as_slice() else {
         return if alike.is_empty() { Ok(None) } else { Err(ambiguous(&alike)) };
     };
