@@ -7,10 +7,10 @@ use calamine::{Reader, Xlsx};
 use crate::escape::printable;
 use crate::finding::Refusal;
 
-use super::cells::{self, SheetCells};
 use super::gate::Gated;
 use super::listing::SheetEntry;
 use super::package::unreadable;
+use super::sheet_cells::{self, SheetCells};
 use super::survey::survey;
 use super::{limits, xml};
 
@@ -46,7 +46,7 @@ impl<'a> Book<'a> {
         let rows = if survey.unsound || !survey.filled {
             Default::default()
         } else {
-            cells::stream(&mut self.xlsx, &sheet.name, &sheet.part)?
+            sheet_cells::stream(&mut self.xlsx, &sheet.name, &sheet.part)?
         };
         Ok(SheetCells { name: sheet.name.clone(), rows, survey })
     }

@@ -12,9 +12,9 @@ use crate::parameter::{Form, Kind, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text};
 
 use super::book::Book;
-use super::cells::{Content, SheetCells};
 use super::gate::gate;
 use super::listing::{self, SheetEntry};
+use super::sheet_cells::{Content, SheetCells};
 use super::value::{self, VALUE, expected, named};
 use super::words;
 
@@ -278,7 +278,7 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
     let at = (*row, VALUE);
     let found = match sheet.cell(at).map(|cell| &cell.content) {
         Some(Content::Text(text, _)) => excerpt(text.trim(), SHOWN),
-        Some(Content::Number(number)) => super::number::decimal(*number),
+        Some(Content::Number(number)) => super::typed_number::decimal(*number),
         Some(Content::Error(error)) => excerpt(error, SHOWN),
         Some(Content::Truth(_) | Content::Date) | None => String::new(),
     };

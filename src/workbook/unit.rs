@@ -3,7 +3,7 @@
 use crate::table::Unit;
 use crate::text::Text;
 
-use super::number::decimal;
+use super::typed_number::decimal;
 
 /// True where a unit cell says this unit, in one of its usual spellings.
 #[must_use]

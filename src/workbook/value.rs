@@ -7,9 +7,9 @@ use crate::table::Unit;
 use crate::text::Text;
 
 use super::address::{self, Position};
-use super::cells::{Content, SheetCells};
 use super::limits;
-use super::number::{self, decimal};
+use super::sheet_cells::{Content, SheetCells};
+use super::typed_number::{self, decimal};
 use super::{unit, words};
 
 /// The column of the values, C.
@@ -213,7 +213,7 @@ impl Reading<'_> {
         let shown = excerpt(text, SHOWN);
         match &self.parameter.kind {
             Kind::Real { .. } | Kind::Whole { .. } => {
-                let remedy = number::hint(text, self.parameter.unit.label());
+                let remedy = typed_number::hint(text, self.parameter.unit.label());
                 self.stop_with(
                     say!(" es el texto \"{shown}\", no un número", " is the text \"{shown}\", not a number"),
                     shown,
