@@ -1,4 +1,52 @@
-//! `rodete`: from a workbook of design parameters to checked tables, ISO programs and a report.
+//! `rodete` (Spanish: impeller): from a workbook of design parameters to checked tables, ISO programs and a report.
+//!
+//! What goes in: an `.xlsx` workbook whose first sheet holds the parameters of a [form](parameter::Form), found by their
+//! symbols. What comes out: every table of the method as a sheet, the ISO programs that the machine reads, and a typeset
+//! report; or a refusal that lists everything found, each with its cell and the remedy. Lengths are in millimetres, angles in
+//! radians inside and in degrees in programs.
+//!
+//! # Concepts
+//! A [`form`](parameter::Form) lists the parameters of a workbook kind with their limits; checked
+//! [`values`](parameter::Values) become a [`design`](impeller::design::Design); the [`job`] turns it into
+//! [`tables`](table::Table), [`programs`](gcode::program::Program) and [`findings`](finding::Finding), all of them in
+//! one [`outcome`](job::Outcome). Sheets, JSON, program files and the report are views of the outcome.
+//!
+//! # Floors
+//! A module imports from its own or a lower floor only; `tests/house.rs` holds this.
+//!
+//! | floor | modules | |
+//! |---|---|---|
+//! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`] | the concepts |
+//! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines |
+//! | 2 | [`machine`] | rotary axes with pivot length, travel, calibration |
+//! | 3 | [`gcode`] | words, dialects, programs and their text |
+//! | 4 | [`impeller`], [`blank`] | the methods, one formula family a file |
+//! | 5 | [`verify`] | judging programs |
+//! | 6 | [`job`] | the pure whole of a workbook kind |
+//! | 7 | [`workbook`], [`report`], [`store`], [`cli`] | the outside world, one wall each |
+//!
+//! Nothing below floor 7 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
+//! machine.
+//!
+//! # Example
+//! The published case, from its values to the first motion block of a blade:
+//!
+//! ```
+//! use rodete::impeller::cases::CASES;
+//! use rodete::impeller::parameters::FORM;
+//! use rodete::job::{self, Source};
+//! use rodete::parameter::Values;
+//! use rodete::text::Language;
+//!
+//! let published = CASES.iter().find(|case| case.name == "tfg-2021").unwrap();
+//! let mut values = Values { language: Language::En, ..Values::default() };
+//! values.values.extend(published.values(Language::En));
+//! let source = Source { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
+//!
+//! let outcome = job::run(&FORM, values, source).unwrap();
+//! let blade = outcome.programs.iter().find(|program| program.key == "blade").unwrap();
+//! assert_eq!(blade.text().lines().nth(1), Some("N20 G1 X11.2 Y14.933 Z0 B0 C0"));
+//! ```
 
 pub mod blank;
 pub mod cli;

@@ -4,6 +4,7 @@
 
 #[path = "bad_workbooks/cells.rs"]
 mod cells;
+mod common;
 #[path = "bad_workbooks/files.rs"]
 mod files;
 #[path = "bad_workbooks/paths.rs"]

@@ -16,10 +16,10 @@ fn golden(name: &str) -> Vec<Vec<String>> {
 
 /// Half a unit of the last printed digit, and a little for the spreadsheet's own noise near 0.
 fn tolerance(printed: &str) -> f64 {
-    let decimals = printed.split(['E', 'e']).next().unwrap().split('.').nth(1).map_or(0, str::len);
+    let decimals: usize = printed.split(['E', 'e']).next().unwrap().split('.').nth(1).map_or(0, str::len);
     let exponent: i32 = printed.split(['E', 'e']).nth(1).map_or(0, |exponent| exponent.parse().unwrap());
     // A figure printed with an exponent below the precision of the rest is the spreadsheet's rounding noise.
-    if exponent < -9 { 1e-14 } else { 0.51 * 10_f64.powi(exponent - i32::try_from(decimals).unwrap()) }
+    if exponent < -9 { 1e-14 } else { 0.51 * rodete::number::trig::pow(10.0, f64::from(exponent) - decimals as f64) }
 }
 
 fn compare(table: &str, columns: &[&str], name: &str, changes: &[(&'static str, Value)]) {

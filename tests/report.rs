@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use rodete::figure::{Axes, Figure, Ink, Stroke};
 use rodete::finding::{Finding, Grade, Place};
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::job::{Outcome, Source};
 use rodete::parameter::{Value, Values};
 use rodete::report::{Attachment, Content, ReportFailure, Role, Typst, typeset};

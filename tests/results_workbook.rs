@@ -7,6 +7,7 @@ use std::io::{Cursor, Read};
 
 use calamine::{Data, Range, Reader, Xlsx};
 use rodete::finding::{Finding, Place};
+use rodete::impeller::parameters::FORM;
 use rodete::job::{Outcome, checks};
 use rodete::parameter::Value;
 use rodete::table::{Column, Entry, Index, Table, Unit};
@@ -162,12 +163,18 @@ fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
     let programs = ProgramSheet::new(&outcome.programs, 50).expect("programs");
     assert_eq!(programs.rows(), 50);
     let mut book = rust_xlsxwriter::Workbook::new();
-    let page = rodete::workbook::page::Page { part: "", origin: "", repeat: (0, 0), landscape: false };
+    let page = rodete::workbook::page::Page { part: "", origin: "", repeat: (0, 0), landscape: false, single: false };
     let styles = rodete::workbook::style::Styles::default();
     programs.write(book.add_worksheet(), Language::En, &styles, &page).expect("columns");
     let mut out = Cursor::new(Vec::new());
     let rows = programs.rows();
-    let long = rodete::workbook::long_rows::LongRows { sheet: 0, first: 0, count: rows, source: programs.source() };
+    let long = rodete::workbook::long_rows::LongRows {
+        sheet: 0,
+        name: String::new(),
+        first: 0,
+        count: rows,
+        source: programs.source(),
+    };
     rodete::workbook::long_rows::save(&mut book, vec![long], &mut out).expect("a workbook");
     let range = sheet(&mut opened(out.into_inner()), "Sheet1");
 
@@ -323,4 +330,60 @@ fn every_chart_finds_all_its_curves() {
     assert_eq!(charts.len(), outcome.charts.len());
     let curves: usize = charts.iter().map(|xml| xml.matches("<c:ser>").count()).sum();
     assert_eq!(curves, outcome.charts.iter().map(|chart| chart.series.len()).sum::<usize>());
+}
+
+#[test]
+fn charts_of_a_long_table_reach_to_its_last_row() {
+    let outcome = common::outcome("full", &[("n", Value::Whole(2_999))]);
+    for (language, sheet) in [(Language::Es, "'Anexo 4'"), (Language::En, "'Annex 4'")] {
+        let xml = parts(written(&outcome, language));
+        let charts: Vec<&String> =
+            xml.iter().filter(|(name, _)| name.starts_with("xl/charts/chart")).map(|(_, xml)| xml).collect();
+        let references: Vec<&str> = charts
+            .iter()
+            .flat_map(|xml| xml.split("<c:f>").skip(1))
+            .map(|rest| rest.split("</c:f>").next().unwrap_or_default())
+            .collect();
+        for column in ["B", "C"] {
+            let whole = format!("{sheet}!${column}$5:${column}$3004");
+            assert!(references.contains(&whole.as_str()), "{whole} is not in {references:?}");
+        }
+        // Only the table of safe points is short.
+        let short = |reference: &&&str| !reference.ends_with("$3004");
+        assert!(references.iter().filter(short).all(|reference| reference.ends_with("$8")), "{references:?}");
+        for chart in &charts {
+            let mut reader = quick_xml::Reader::from_str(chart);
+            while reader.read_event().expect("well-formed") != quick_xml::events::Event::Eof {}
+        }
+    }
+}
+
+/// The slots of a calibration that has a solution.
+fn calibration() -> Vec<(&'static str, Value)> {
+    [("H", 60.0), ("d_w", 50.0), ("e_z", 3.0), ("e_x", 4.0), ("d_t", 6.0), ("x0", -200.0), ("z0", -150.0)]
+        .into_iter()
+        .map(|(symbol, value)| {
+            let (_, parameter) = FORM
+                .parameters()
+                .find(|(_, parameter)| parameter.key == format!("calibration/{symbol}"))
+                .expect("a parameter");
+            (parameter.key, Value::Real(value))
+        })
+        .collect()
+}
+
+#[test]
+fn the_results_workbook_is_an_input_with_the_same_values() {
+    for language in Language::ALL {
+        for case in ["tfg-2021", "full"] {
+            for changes in [Vec::new(), calibration(), vec![("part", Value::Line("=1+1 «álabe»".to_owned()))]] {
+                let outcome = common::outcome(case, &changes);
+                let filled = rodete::workbook::read(&written(&outcome, language), &[&FORM])
+                    .unwrap_or_else(|refusal| panic!("{case} {changes:?}: {:?}", refusal.findings));
+                assert_eq!(filled.values.values, outcome.values.values);
+                assert_eq!(filled.values.language, language);
+                assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+            }
+        }
+    }
 }

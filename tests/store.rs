@@ -66,7 +66,8 @@ fn the_sum_is_that_of_what_stands_in_the_file_after_seeking() {
         out.write_all(b"head")
     });
     assert_eq!(written.expect("written").sha256, sha256(b"headtail"));
-    assert_eq!(set.contents(OsStr::new("a")).expect("contents").expect("in the set"), b"headtail");
+    assert_eq!(fs::read(set.draft(OsStr::new("a")).expect("in the set")).expect("a draft"), b"headtail");
+    assert_eq!(set.draft(OsStr::new("b")), None);
 }
 
 #[test]
@@ -285,6 +286,31 @@ fn a_folder_held_by_another_run_is_refused_with_its_owner() {
     assert_eq!(refusal.exit, Exit::Unwritable);
     assert!(said(&refusal).contains("process 4711"), "{}", said(&refusal));
     assert_eq!(names(there.path()), [".rodete.lock"]);
+}
+
+#[test]
+fn a_lock_file_that_nobody_holds_is_in_nobodys_way() {
+    let there = folder();
+    fs::write(there.path().join(".rodete.lock"), "rodete, process 4711\n").expect("a lock file");
+    let folder = Folder::open(there.path()).expect("a folder");
+    let mut set = set(&folder);
+    write(&mut set, "a.nc", "new").expect("written");
+    set.commit().expect("committed");
+    assert_eq!(names(there.path()), ["a.nc"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_lock_is_not_written_through_a_link() {
+    let there = folder();
+    fs::write(there.path().join("precious"), "mine").expect("a file");
+    std::os::unix::fs::symlink("precious", there.path().join(".rodete.lock")).expect("a link");
+    let folder = Folder::open(there.path()).expect("a folder");
+    let mut set = set(&folder);
+    write(&mut set, "a.nc", "new").expect("written");
+    assert_eq!(set.commit().expect_err("refused").exit, Exit::Unwritable);
+    assert_eq!(fs::read(there.path().join("precious")).expect("the file"), b"mine");
+    assert_eq!(names(there.path()), [".rodete.lock", "precious"]);
 }
 
 #[cfg(unix)]

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::text::Language;
 use rodete::workbook::template;
 
@@ -57,5 +58,19 @@ fn every_defined_name_is_allowed_and_unique_ignoring_case() {
     for (_, parameter) in FORM.parameters() {
         rust_xlsxwriter::check_name(parameter.name).expect("a name that a workbook allows");
         assert!(seen.insert(parameter.name.to_lowercase()), "{} is given twice", parameter.name);
+    }
+}
+
+#[test]
+fn a_new_workbook_is_an_input_with_the_values_of_its_case() {
+    for (_, case, language) in SHIPPED {
+        let filled = rodete::workbook::read(&written(case, language), &[&FORM]).expect("a sound workbook");
+        let case = CASES.iter().find(|one| one.name == case).expect("the case is listed");
+        assert_eq!(filled.values.values.into_iter().collect::<Vec<_>>(), {
+            let mut values = case.values(language);
+            values.sort_by_key(|(key, _)| *key);
+            values
+        });
+        assert!(filled.findings.is_empty(), "{:?}", filled.findings);
     }
 }

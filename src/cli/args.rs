@@ -14,9 +14,9 @@ use crate::text::Language;
 #[command(after_help = "Start with `rodete new impeller`, edit the workbook, then `rodete build impeller.xlsx`.")]
 #[command(after_long_help = "\
 How to work with it:
-  rodete new impeller               writes impeller.xlsx, ready to edit in Excel or LibreOffice
-  rodete check impeller.xlsx        says what would stop a build, and which limits follow from the values
-  rodete build impeller.xlsx        writes tables, programs and report into impeller-out
+  rodete new impeller           writes impeller.xlsx, ready to edit in Excel
+  rodete check impeller.xlsx    says what would stop a build, and the limits
+  rodete build impeller.xlsx    writes tables, programs and report into impeller-out
 
 Exit codes:
     0  done
@@ -28,7 +28,7 @@ Exit codes:
     6  the report failed; sheets and programs are delivered
     7  a limit was reached
   130  interrupted
-With several workbooks the gravest counts: 1 before 5, 7, 4, 3 and 6.")]
+With several workbooks the gravest counts: 2 before 1, 5, 7, 4, 3 and 6.")]
 pub(super) struct Arguments {
     /// What is to be done.
     #[command(subcommand)]

@@ -1,6 +1,8 @@
 //! The command `build`: tables, programs and report of each workbook, all or nothing.
 
 use std::env;
+use std::ffi::OsString;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -57,12 +59,7 @@ pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
         inputs: arguments.workbooks.iter().map(PathBuf::as_path).collect(),
     };
     let mut sink = Sink::new(BUILD, language, arguments.json);
-    let work = |item: &Item| {
-        reading::verdict(&item.workbook, |verdict| {
-            verdict.folder = Some(item.folder.clone());
-            build(item, &settings, verdict)
-        })
-    };
+    let work = |item: &Item| reading::verdict(&item.workbook, |verdict| build(item, &settings, verdict));
     side_by_side::run(&items, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
     sink.end(terminal)
 }
@@ -101,6 +98,7 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
         failed = typeset(item, &bytes, &outcome, language, typst, &mut set, verdict)?;
     }
     verdict.files = set.commit()?;
+    verdict.folder = Some(item.folder.clone());
     verdict.findings.extend(leftovers(item, verdict));
     if let Some(finding) = failed {
         verdict.refuse(Refusal::new(Exit::ReportFailed, finding));
@@ -108,14 +106,14 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
     Ok(())
 }
 
-fn program_name(item: &Item, program: &Program) -> std::ffi::OsString {
+fn program_name(item: &Item, program: &Program) -> OsString {
     store::file_name(&item.stem, &format!("-{}.nc", program.key))
 }
 
 /// Adds the report to the set; gives the finding where it fails, which keeps nothing else from being delivered.
 ///
 /// # Errors
-/// Exit 5 where a program cannot be read back or the report cannot be written.
+/// Exit 5 where the report cannot be written.
 fn typeset(
     item: &Item,
     workbook: &[u8],
@@ -125,13 +123,6 @@ fn typeset(
     set: &mut Set<'_>,
     verdict: &mut Verdict,
 ) -> Result<Option<Finding>, Refusal> {
-    let mut programs = Vec::with_capacity(outcome.programs.len());
-    for program in &outcome.programs {
-        let name = program_name(item, program);
-        if let Some(contents) = set.contents(&name)? {
-            programs.push((program, printable(&name.to_string_lossy()), contents));
-        }
-    }
     let input = Attachment {
         name: outcome.source.workbook.clone(),
         role: Role::Input,
@@ -139,12 +130,15 @@ fn typeset(
         description: Text::fixed("Libro de entrada", "Input workbook"),
         content: Content::Bytes(workbook),
     };
-    let programs = programs.iter().map(|(program, name, contents)| Attachment {
-        name: name.clone(),
-        role: Role::Program(program.key),
-        mime: "text/plain",
-        description: program.title.clone(),
-        content: Content::Bytes(contents),
+    let programs = outcome.programs.iter().filter_map(|program| {
+        let name = program_name(item, program);
+        Some(Attachment {
+            role: Role::Program(program.key),
+            mime: "text/plain",
+            description: program.title.clone(),
+            content: Content::File(set.draft(&name)?),
+            name: printable(&name.to_string_lossy()),
+        })
     });
     let attachments: Vec<_> = std::iter::once(input).chain(programs).collect();
     let at_work = AtWork::begin();
@@ -154,7 +148,7 @@ fn typeset(
         Ok(report) => {
             verdict.findings.extend(report.findings);
             let name = store::file_name(&item.stem, "-report.pdf");
-            set.write(&name, |out| std::io::Write::write_all(out, &report.pdf))?;
+            set.write(&name, |out| out.write_all(&report.pdf))?;
             Ok(None)
         }
         Err(failure) => Ok(Some(failure.finding())),

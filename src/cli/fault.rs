@@ -2,6 +2,8 @@
 
 use std::cell::{Cell, RefCell};
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Place, Refusal};
@@ -10,23 +12,35 @@ use crate::text::Text;
 thread_local! {
     /// What the last panic of this thread said, and where.
     static SAID: RefCell<Option<String>> = const { RefCell::new(None) };
-    /// This thread does guarded work.
-    static GUARDED: Cell<bool> = const { Cell::new(false) };
+    /// How deep in guarded work this thread is.
+    static GUARDED: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Has panics of guarded work noted instead of printed.
+/// The same for threads that guarded work has started.
+static SAID_ELSEWHERE: Mutex<Option<String>> = Mutex::new(None);
+/// Command lines being run: their panics, in whatever thread, are not printed.
+static RUNNING: AtomicUsize = AtomicUsize::new(0);
+
+/// Has panics of a command line noted instead of printed, from here on.
 pub(super) fn note_panics() {
+    RUNNING.fetch_add(1, Ordering::SeqCst);
+    hook();
+}
+
+fn hook() {
     let before = take_hook();
     set_hook(Box::new(move |panic| {
-        if !GUARDED.get() {
-            return before(panic);
+        if GUARDED.get() > 0 {
+            SAID.with(|said| {
+                if let Ok(mut said) = said.try_borrow_mut() {
+                    *said = Some(sentence(panic));
+                }
+            });
+        } else if RUNNING.load(Ordering::SeqCst) > 0 {
+            *SAID_ELSEWHERE.lock().unwrap_or_else(PoisonError::into_inner) = Some(sentence(panic));
+        } else {
+            before(panic);
         }
-        let sentence = sentence(panic);
-        SAID.with(|said| {
-            if let Ok(mut said) = said.try_borrow_mut() {
-                *said = Some(sentence);
-            }
-        });
     }));
 }
 
@@ -42,12 +56,13 @@ fn sentence(panic: &PanicHookInfo<'_>) -> String {
 /// # Errors
 /// Exit 1 if the work panics.
 pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Refusal> {
-    let before = GUARDED.replace(true);
+    GUARDED.set(GUARDED.get() + 1);
     let done = catch_unwind(AssertUnwindSafe(work));
-    GUARDED.set(before);
+    GUARDED.set(GUARDED.get().saturating_sub(1));
     done.map_err(|_| {
-        let said = SAID.with(|said| said.try_borrow_mut().ok().and_then(|mut said| said.take()));
-        refusal(&said.unwrap_or_else(|| "no message".to_owned()))
+        let here = SAID.with(|said| said.try_borrow_mut().ok().and_then(|mut said| said.take()));
+        let elsewhere = || SAID_ELSEWHERE.lock().unwrap_or_else(PoisonError::into_inner).take();
+        refusal(&here.or_else(elsewhere).unwrap_or_else(|| "no message".to_owned()))
     })
 }
 
@@ -75,7 +90,7 @@ mod tests {
 
     #[test]
     fn a_panic_becomes_one_sentence_with_its_place() {
-        note_panics();
+        hook();
         let caught = guarded(|| {
             let none: Option<u8> = std::hint::black_box(None);
             none.expect("a point\nmore")

@@ -1,6 +1,7 @@
 //! The workbook kinds that the commands know.
 
-use crate::impeller::parameters::{CASES, Case, FORM};
+use crate::impeller::cases::{CASES, Case};
+use crate::impeller::parameters::FORM;
 use crate::parameter::{Form, Kind};
 
 /// Every form, the usual one first.

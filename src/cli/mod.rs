@@ -1,7 +1,7 @@
 //! The commands: what is typed, what is printed, how it ends.
 //!
 //! Standard output carries what was asked for, standard error what needs attention. The exit codes are those of
-//! [`Exit`](crate::finding::Exit); of several workbooks the gravest counts.
+//! [`Exit`]; of several workbooks the gravest counts.
 
 mod args;
 mod build;

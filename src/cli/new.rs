@@ -19,9 +19,10 @@ pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
         Ok(written) => {
             for file in written {
                 let path = show::path(&file.path);
+                let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };
                 let text = Text::new(
-                    format!("{path} está listo para rellenar; después: rodete build {path}\n"),
-                    format!("{path} is ready to edit; then: rodete build {path}\n"),
+                    format!("{path} está listo para rellenar; después: rodete build {word}\n"),
+                    format!("{path} is ready to edit; then: rodete build {word}\n"),
                 );
                 terminal.out(text.get(arguments.lang));
             }

@@ -21,7 +21,7 @@ pub(super) struct Verdict {
     pub(super) quantities: Vec<Quantity>,
     /// Everything found.
     pub(super) findings: Vec<Finding>,
-    /// The folder of the outputs, as it was given.
+    /// The folder that files were written to, as it was given.
     pub(super) folder: Option<PathBuf>,
     /// The files that were written.
     pub(super) files: Vec<Written>,

@@ -147,8 +147,8 @@ impl<'a> Lines<'a> {
             Axis::ALL.into_iter().all(|axis| path.axes.contains(&axis) || to.get(axis) == self.at.get(axis)),
             "an axis moves that the block does not name"
         );
-        if let Feed::Each(feeds) = &path.feed
-            && let Some(&feed) = feeds.get(step)
+        if let Feed::Each { words, .. } = &path.feed
+            && let Some(&feed) = words.get(step)
             && (self.program.dialect.feed.in_every_block() || self.feed != Some(feed))
         {
             Word::size('F', feed).write(format, &mut self.line);

@@ -14,7 +14,12 @@ pub enum Feed {
     /// None: a rapid move, or a program that carries no feed.
     None,
     /// One for each move.
-    Each(Arc<[Milli]>),
+    Each {
+        /// The F words.
+        words: Arc<[Milli]>,
+        /// The time that each move takes with its F word, s.
+        seconds: Arc<[f64]>,
+    },
 }
 
 /// Moves through positions.
@@ -34,11 +39,18 @@ pub struct Path {
     pub distance: Distance,
     /// The F words.
     pub feed: Feed,
-    /// The time of each move in seconds where it is known, in the order of the moves.
-    pub seconds: Option<Arc<[f64]>>,
 }
 
 impl Path {
+    /// The time of the `step`th move at feed, s; `None` where it carries no feed.
+    #[must_use]
+    pub fn seconds(&self, step: usize) -> Option<f64> {
+        match &self.feed {
+            Feed::None => None,
+            Feed::Each { seconds, .. } => seconds.get(step).copied(),
+        }
+    }
+
     /// The position of the `step`th move.
     #[must_use]
     pub fn position(&self, step: usize) -> Option<Position> {

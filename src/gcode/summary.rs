@@ -63,9 +63,9 @@ impl Program {
         let (mut seconds, mut timed) = (0.0, false);
         self.for_each_move(&mut |each| {
             summary.path += linear_length(&each.from, &each.to);
-            if let Some(times) = &each.path.seconds {
+            if let Some(time) = each.path.seconds(each.step) {
                 timed = true;
-                seconds += times.get(each.step).copied().unwrap_or(0.0);
+                seconds += time;
             }
         });
         summary.seconds = timed.then_some(seconds);

@@ -29,9 +29,9 @@ const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 pub struct Pass {
     points: Arc<[Position]>,
     backwards: bool,
-    through: (Feed, Option<Arc<[f64]>>),
+    through: Feed,
     end: Arc<[Position]>,
-    out: (Feed, Option<Arc<[f64]>>),
+    out: Feed,
     /// Moves whose feed gave way.
     pub limited: Limited,
 }
@@ -59,14 +59,9 @@ impl Pass {
 
 /// The F word and the time of each move. The time is what the tip needs over the part at the feed F, or longer where an
 /// axis would exceed F_max: the axes run many times the tip's way.
-fn feeds(
-    design: &Design,
-    from: Position,
-    points: &[Position],
-    limited: &mut Limited,
-) -> Result<(Feed, Option<Arc<[f64]>>), OutOfFormat> {
+fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Limited) -> Result<Feed, OutOfFormat> {
     let (Style::Full, Some(F)) = (design.style, design.F) else {
-        return Ok((Feed::None, None));
+        return Ok(Feed::None);
     };
     let law = design.dialect.feed;
     let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
@@ -94,7 +89,7 @@ fn feeds(
         times.push(if resultant > 0.0 { law.seconds(word.value(), resultant) } else { 0.0 });
         (at, tip) = (*to, next);
     }
-    Ok((Feed::Each(words.into()), Some(times.into())))
+    Ok(Feed::Each { words: words.into(), seconds: times.into() })
 }
 
 /// The point of the part at which the tip stands, mm.
@@ -185,7 +180,6 @@ impl<'a> Assembly<'a> {
             rapid,
             distance: self.distance(),
             feed: Feed::None,
-            seconds: None,
         }
     }
 
@@ -203,16 +197,10 @@ impl<'a> Assembly<'a> {
         let through = Path {
             backwards: pass.backwards,
             turn,
-            feed: pass.through.0.clone(),
-            seconds: pass.through.1.clone(),
+            feed: pass.through.clone(),
             ..self.path(Arc::clone(&pass.points), ALL, false)
         };
-        let out = Path {
-            turn,
-            feed: pass.out.0.clone(),
-            seconds: pass.out.1.clone(),
-            ..self.path(Arc::clone(&pass.end), ALL, false)
-        };
+        let out = Path { turn, feed: pass.out.clone(), ..self.path(Arc::clone(&pass.end), ALL, false) };
         if let Some(end) = out.position(0) {
             self.at = end;
         }

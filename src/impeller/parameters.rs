@@ -8,8 +8,6 @@ use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet};
 use crate::table::Unit;
 use crate::text::Text;
 
-pub use crate::impeller::cases::{CASES, Case};
-
 const fn real(
     key: &'static str,
     name: &'static str,

@@ -25,6 +25,10 @@ impl Unfinished {
         self.files.remove(path);
     }
 
+    pub(super) fn begun(&mut self, path: &Path) {
+        self.files.insert(path.to_owned());
+    }
+
     pub(super) fn folder_made(&mut self, path: &Path) {
         self.folders.insert(path.to_owned());
     }
@@ -69,9 +73,12 @@ impl Draft {
         let mut unfinished = unfinished();
         let file = builder.tempfile_in(folder)?;
         let path = file.path().to_owned();
-        unfinished.files.insert(path.clone());
-        // Without locks on this file system, its age alone keeps it from being taken for a leftover.
-        let _ = file.as_file().try_lock();
+        unfinished.begun(&path);
+        // Without a lock its age alone keeps it from being taken for a leftover. On Windows a lock would keep everyone
+        // else from reading it.
+        if cfg!(unix) {
+            let _ = file.as_file().try_lock();
+        }
         Ok(Self { file: Some(file), path })
     }
 
@@ -84,13 +91,9 @@ impl Draft {
         Ok(Output { inner: BufWriter::with_capacity(1 << 16, self.file()?), fault: None })
     }
 
-    /// Reads the file back: its contents.
-    pub(super) fn contents(&self) -> io::Result<Vec<u8>> {
-        let mut file = self.file()?;
-        let mut contents = Vec::new();
-        file.seek(SeekFrom::Start(0))?;
-        file.read_to_end(&mut contents)?;
-        Ok(contents)
+    /// Where the file is until it gets its final name.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Brings the file to the disk and reads it back: its bytes and their SHA-256 in lower-case hexadecimal.
@@ -157,35 +160,62 @@ fn hexadecimal(bytes: &[u8]) -> String {
 }
 
 /// Where the contents of one file are written to. It remembers the first error of the system, so that the message is
-/// right even where a library in between wraps it.
+/// right even where a library in between wraps it. After that error it takes everything and writes nothing: libraries
+/// that finish their work while giving up shall do so in silence.
 #[derive(Debug)]
 pub struct Output<'a> {
     inner: BufWriter<&'a File>,
-    fault: Option<io::Error>,
+    fault: Option<Fault>,
+}
+
+/// The first error, and where writing would stand had there been none.
+#[derive(Debug)]
+struct Fault {
+    error: io::Error,
+    at: u64,
+    end: u64,
+}
+
+impl Fault {
+    fn write(&mut self, bytes: usize) {
+        self.at = self.at.saturating_add(u64::try_from(bytes).unwrap_or(u64::MAX));
+        self.end = self.end.max(self.at);
+    }
+
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        let at = match to {
+            SeekFrom::Start(at) => Some(at),
+            SeekFrom::Current(by) => self.at.checked_add_signed(by),
+            SeekFrom::End(by) => self.end.checked_add_signed(by),
+        };
+        self.at = at.ok_or(io::ErrorKind::InvalidInput)?;
+        Ok(self.at)
+    }
 }
 
 impl Output<'_> {
     /// Flushes; gives the first error that writing met.
     pub(super) fn finish(mut self) -> io::Result<()> {
         let flushed = self.flush();
-        match self.fault.take() {
-            Some(fault) => {
-                // What is still in the buffer cannot be written either, and no more attempt is wanted.
-                let _ = self.inner.into_parts();
-                Err(fault)
-            }
-            None => flushed,
-        }
+        let Some(fault) = self.fault.take() else { return flushed };
+        // What is still in the buffer cannot be written either, and no more attempt is wanted.
+        let _ = self.inner.into_parts();
+        Err(fault.error)
     }
 
     fn remember<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         if let (Err(error), None) = (&result, &self.fault)
             && error.kind() != io::ErrorKind::Interrupted
         {
-            self.fault = Some(match error.raw_os_error() {
+            let error = match error.raw_os_error() {
                 Some(code) => io::Error::from_raw_os_error(code),
                 None => io::Error::new(error.kind(), error.to_string()),
-            });
+            };
+            let mut file: &File = self.inner.get_ref();
+            let at = file.stream_position().unwrap_or(0);
+            let at = at.saturating_add(u64::try_from(self.inner.buffer().len()).unwrap_or(0));
+            let end = file.metadata().map_or(at, |found| found.len().max(at));
+            self.fault = Some(Fault { error, at, end });
         }
         result
     }
@@ -193,11 +223,18 @@ impl Output<'_> {
 
 impl Write for Output<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if let Some(fault) = &mut self.fault {
+            fault.write(bytes.len());
+            return Ok(bytes.len());
+        }
         let written = self.inner.write(bytes);
         self.remember(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
+        if self.fault.is_some() {
+            return Ok(());
+        }
         let flushed = self.inner.flush();
         self.remember(flushed)
     }
@@ -205,7 +242,34 @@ impl Write for Output<'_> {
 
 impl Seek for Output<'_> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        if let Some(fault) = &mut self.fault {
+            return fault.seek(to);
+        }
         let at = self.inner.seek(to);
         self.remember(at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn after_the_first_error_everything_is_taken_and_the_error_kept() {
+        let there = tempfile::tempdir().expect("a folder");
+        let path = there.path().join("read-only");
+        fs::write(&path, "0123456789").expect("a file");
+        // Open for reading alone: the system takes nothing.
+        let file = File::open(&path).expect("the file");
+        let mut output = Output { inner: BufWriter::with_capacity(4, &file), fault: None };
+        assert!(output.write_all(b"more than the buffer").is_err());
+        assert_eq!(output.seek(SeekFrom::End(0)).expect("an end"), 10);
+        output.write_all(b"more").expect("taken");
+        assert_eq!(output.stream_position().expect("a position"), 14);
+        assert_eq!(output.seek(SeekFrom::Current(-4)).expect("a position"), 10);
+        assert!(output.seek(SeekFrom::Current(-11)).is_err());
+        output.flush().expect("taken");
+        assert!(output.finish().is_err());
+        assert_eq!(fs::read(&path).expect("the file"), b"0123456789");
     }
 }

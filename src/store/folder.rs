@@ -12,8 +12,9 @@ use super::reason::{refusal, shown, unwritable};
 use crate::finding::Refusal;
 use crate::text::Text;
 
-/// The age from which an unlocked temporary file is a leftover. It covers the moment between making and locking one.
-const LEFTOVER: Duration = Duration::from_secs(60);
+/// The age from which an unlocked temporary file is a leftover. It covers the moment between making and locking one, or
+/// a whole run where temporary files are not locked.
+const LEFTOVER: Duration = Duration::from_secs(if cfg!(unix) { 60 } else { 3600 });
 
 /// A folder known to exist and to take files.
 #[derive(Debug)]

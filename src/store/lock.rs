@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use same_file::Handle;
 
+use super::draft::unfinished;
 use super::reason::{refusal, shown, unwritable};
 use crate::escape::printable;
 use crate::finding::Refusal;
@@ -51,6 +52,12 @@ impl Lock {
     /// Exit 5 where the lock file cannot be made.
     pub(super) fn attempt(folder: &Path) -> Result<Option<Self>, Refusal> {
         let path = folder.join(NAME);
+        // Under the register, so that an interruption finds the lock file in it or not made at all.
+        let mut unfinished = unfinished();
+        // Its owner is written into it: never through a link.
+        if fs::symlink_metadata(&path).is_ok_and(|found| !found.is_file()) {
+            return Err(unwritable(&path, &ErrorKind::AlreadyExists.into()));
+        }
         let open = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
         let mut file = match open {
             Ok(file) => file,
@@ -71,13 +78,16 @@ impl Lock {
         }
         // The owner's name is a courtesy: without it the lock holds as well.
         let _ = file.set_len(0).and_then(|()| writeln!(file, "rodete, process {}", std::process::id()));
+        unfinished.begun(&path);
         Ok(Some(Self { path, file: Some(file) }))
     }
 }
 
 impl Drop for Lock {
     fn drop(&mut self) {
+        let mut unfinished = unfinished();
         let _ = fs::remove_file(&self.path);
+        unfinished.forget(&self.path);
         if let Some(file) = self.file.take() {
             let _ = file.unlock();
         }

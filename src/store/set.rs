@@ -122,13 +122,11 @@ impl<'f> Set<'f> {
         self.pending.iter().map(|one| &one.written)
     }
 
-    /// The contents of a file written so far; `None` for a name that is not in the set.
-    ///
-    /// # Errors
-    /// Exit 5 where it cannot be read back.
-    pub fn contents(&self, name: &OsStr) -> Result<Option<Vec<u8>>, Refusal> {
-        let Some(one) = self.pending.iter().find(|one| one.written.name == name) else { return Ok(None) };
-        one.draft.contents().map(Some).map_err(|error| unwritable(&one.written.path, &error))
+    /// Where the contents of a file written so far can be read until the set is committed; `None` for a name that is not
+    /// in the set.
+    #[must_use]
+    pub fn draft(&self, name: &OsStr) -> Option<&Path> {
+        self.pending.iter().find(|one| one.written.name == name).map(|one| one.draft.path())
     }
 
     /// Brings all files under their final names, in order.

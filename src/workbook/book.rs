@@ -8,7 +8,8 @@ use crate::escape::printable;
 use crate::finding::Refusal;
 
 use super::cells::{self, SheetCells};
-use super::gate::{Gated, SheetEntry};
+use super::gate::Gated;
+use super::listing::SheetEntry;
 use super::package::unreadable;
 use super::survey::survey;
 use super::{limits, xml};

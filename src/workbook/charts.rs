@@ -4,7 +4,7 @@ use std::fmt;
 
 use rust_xlsxwriter::{
     Chart, ChartAxisLabelPosition, ChartFont, ChartFormat, ChartLayout, ChartLegendPosition, ChartLine, ChartMarker,
-    ChartType, ColNum, Color, RowNum,
+    ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, RowNum,
 };
 
 use super::error::WriteError;
@@ -15,8 +15,11 @@ use crate::text::Language;
 
 /// The plot area, in pixels: the greatest where both axes have one scale, the usual one else.
 const PLOT: [f64; 2] = [520.0, 380.0];
-/// Around it: left, right, top, bottom.
-const MARGINS: [f64; 4] = [85.0, 25.0, 45.0, 95.0];
+/// Around it: left, right, top, bottom; and what a legend takes at the bottom.
+const MARGINS: [f64; 4] = [85.0, 25.0, 45.0, 60.0];
+const LEGEND: f64 = 35.0;
+/// Curves of fewer points than this are points.
+const POINTS: usize = 12;
 /// Where both axes have one scale, the shorter one covers at least this part of the longer.
 const NARROWEST: f64 = 0.25;
 /// About so many intervals on an axis.
@@ -73,7 +76,9 @@ impl<'a> Axis<'a> {
             None => 0,
             Some(at) => ColNum::try_from(at).map_err(|_| WriteError::TooLarge(self.table.key))? + sheet.offset(),
         };
-        Ok((self.sheet, FIRST, column, sheet.last_row()?, column))
+        // A chart of a long table is stretched to all its rows when they are streamed.
+        let last = if sheet.long() { FIRST } else { sheet.last_row()? };
+        Ok((self.sheet, FIRST, column, last, column))
     }
 
     /// Least and greatest value.
@@ -109,13 +114,26 @@ pub fn draw(chart: &job::Chart, tables: &[Placed<'_>], language: Language) -> Re
             *extent = [extent[0].min(low), extent[1].max(high)];
         }
         count += 1;
+        let ink = Color::RGB(*ink);
+        let mut marker = ChartMarker::new();
+        let mut line = ChartFormat::new();
+        if x.table.rows() < POINTS {
+            marker
+                .set_type(ChartMarkerType::Circle)
+                .set_size(7)
+                .set_format(ChartFormat::new().set_solid_fill(ChartSolidFill::new().set_color(ink)));
+            line.set_no_line();
+        } else {
+            marker.set_none();
+            line.set_line(ChartLine::new().set_color(ink).set_width(1.75));
+        }
         drawn
             .add_series()
             .set_name(words(series.name.get(language)))
             .set_categories(x.range(language)?)
             .set_values(y.range(language)?)
-            .set_marker(ChartMarker::new().set_none())
-            .set_format(ChartFormat::new().set_line(ChartLine::new().set_color(Color::RGB(*ink)).set_width(1.75)));
+            .set_marker(&marker)
+            .set_format(&mut line);
     }
     if count == 0 {
         return Ok(None);
@@ -129,7 +147,10 @@ pub fn draw(chart: &job::Chart, tables: &[Placed<'_>], language: Language) -> Re
         let pixels = f64::min(PLOT[0] / x.span(), PLOT[1] / y.span());
         plot = [pixels * x.span(), pixels * y.span()];
     }
-    let [left, right, top, bottom] = MARGINS;
+    let [left, right, top, mut bottom] = MARGINS;
+    if count > 1 {
+        bottom += LEGEND;
+    }
     let (width, height) = (left + plot[0] + right, top + plot[1] + bottom);
     drawn.plot_area().set_layout(
         &ChartLayout::new().set_offset(left / width, top / height).set_dimensions(plot[0] / width, plot[1] / height),

@@ -15,7 +15,7 @@ use crate::text::Language;
 const HEADINGS: RowNum = 2;
 
 /// Widths in characters: grade, place, what, value, limit, remedy.
-const WIDTHS: [f64; 6] = [12.0, 26.0, 58.0, 20.0, 20.0, 48.0];
+const WIDTHS: [f64; 6] = [12.0, 26.0, 54.0, 24.0, 24.0, 44.0];
 
 /// Writes the sheet of an outcome's checks: title, count by grade, and one row for each finding.
 ///

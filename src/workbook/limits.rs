@@ -14,6 +14,10 @@ pub const TOTAL: u64 = 256 * MIB;
 pub const STRUCTURE: u64 = 8 * MIB;
 /// An attribute of such a part, in bytes: they are copied for every sheet.
 pub const ATTRIBUTE: usize = 1_024;
+/// Attributes of one tag.
+pub const ATTRIBUTES: usize = 100_000;
+/// Elements inside of one another.
+pub const DEPTH: usize = 256;
 /// Sheets of the workbook.
 pub const SHEETS: usize = 1_000;
 /// An attribute of the part of cell formats, in bytes: they are copied for every format.

@@ -2,14 +2,15 @@
 //!
 //! The library that writes our workbooks keeps every cell in memory, or else in a temporary file whose faults end the
 //! process. So it writes a long sheet with its headings and one row of empty, formatted cells; that row is replaced by
-//! the real ones on the way from the finished package to the output. Nothing is kept but one block of text.
+//! the real ones on the way from the finished package to the output. Nothing is kept but one block of text. Charts refer
+//! to that one row, too (else the library would keep a text for each cell they refer to), and are stretched to all rows.
 
 use std::fmt;
 use std::io::{Cursor, Read, Seek, Write};
 
 use quick_xml::Reader;
 use quick_xml::events::Event;
-use rust_xlsxwriter::{RowNum, Workbook, column_number_to_name};
+use rust_xlsxwriter::{RowNum, Workbook, column_number_to_name, quote_sheet_name};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
@@ -31,6 +32,8 @@ pub type Source<'a> = Box<dyn FnOnce(&mut Rows<'_>) -> Result<(), WriteError> + 
 pub struct LongRows<'a> {
     /// The sheet, counted from 0.
     pub sheet: usize,
+    /// Its name.
+    pub name: String,
     /// The row, from 0, that holds formatted empty cells: the first to be written.
     pub first: RowNum,
     /// How many rows there will be; at least one.
@@ -153,29 +156,81 @@ pub fn save<W: Write + Seek + Send>(
     }
     let mut skeleton = ZipArchive::new(Cursor::new(workbook.save_to_buffer()?))?;
     let mut package = ZipWriter::new(out);
+    let spans: Vec<Span> = long.iter().map(Span::of).collect();
     let mut long: Vec<(String, LongRows<'_>)> =
         long.into_iter().map(|rows| (format!("xl/worksheets/sheet{}.xml", rows.sheet + 1), rows)).collect();
     for index in 0..skeleton.len() {
         let mut part = skeleton.by_index(index)?;
         let name = part.name_raw().to_vec();
-        let Some(at) = long.iter().position(|(one, _)| one.as_bytes() == name) else {
+        let at = long.iter().position(|(one, _)| one.as_bytes() == name);
+        let chart = name.starts_with(b"xl/charts/");
+        if at.is_none() && !chart {
             package.raw_copy_file(part)?;
             continue;
-        };
-        let (name, rows) = long.swap_remove(at);
-        let mut sheet = String::new();
-        part.read_to_string(&mut sheet)?;
+        }
+        let mut xml = String::new();
+        part.read_to_string(&mut xml)?;
+        let rows = at.map(|at| long.swap_remove(at).1);
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Deflated)
             .compression_level(Some(i64::from(LEVEL)))
             .last_modified_time(zip::DateTime::default())
             .unix_permissions(0o600)
-            .large_file(rows.count > LARGE);
-        package.start_file(name, options)?;
-        stream(&sheet, rows, &mut package)?;
+            .large_file(rows.as_ref().is_some_and(|rows| rows.count > LARGE));
+        package.start_file(String::from_utf8_lossy(&name), options)?;
+        match rows {
+            Some(rows) => stream(&xml, rows, &mut package)?,
+            None => package.write_all(spans.iter().fold(xml, |xml, span| span.stretch(&xml)).as_bytes())?,
+        }
     }
     package.finish()?;
     Ok(())
+}
+
+/// The rows of a long sheet, as charts have to refer to them.
+struct Span {
+    /// What a reference to a column of the sheet starts with, up to the column.
+    start: String,
+    /// How a reference to the sheet's first row ends, from the column on.
+    first: String,
+    /// The last row, from 1.
+    last: RowNum,
+}
+
+impl Span {
+    fn of(rows: &LongRows<'_>) -> Self {
+        let mut sheet = Vec::new();
+        escape(&quote_sheet_name(&rows.name), &mut sheet);
+        Self {
+            start: format!("<c:f>{}!$", String::from_utf8_lossy(&sheet)),
+            first: format!("${}</c:f>", rows.first + 1),
+            last: rows.first + rows.count,
+        }
+    }
+
+    /// A chart with its references to the first row made to go down to the last, and without the values stored for
+    /// them.
+    fn stretch(&self, chart: &str) -> String {
+        let mut stretched = String::with_capacity(chart.len());
+        let mut rest = chart;
+        while let Some((before, after)) = rest.split_once(self.start.as_str()) {
+            stretched.push_str(before);
+            stretched.push_str(&self.start);
+            rest = after;
+            if let Some((column, after)) = after.split_once(self.first.as_str())
+                && column.bytes().all(|byte| byte.is_ascii_uppercase())
+            {
+                let first = self.first.trim_end_matches("</c:f>");
+                stretched.push_str(&format!("{column}{first}:${column}${}</c:f>", self.last));
+                rest = match after.strip_prefix("<c:numCache>").and_then(|cache| cache.split_once("</c:numCache>")) {
+                    Some((_, after)) => after,
+                    None => after,
+                };
+            }
+        }
+        stretched.push_str(rest);
+        stretched
+    }
 }
 
 /// Writes a sheet's text with its row of formatted empty cells replaced.

@@ -2,7 +2,7 @@
 //!
 //! Reading an input workbook: from a path to checked values, or to a refusal that lists everything found.
 //!
-//! [`open`] is the only place that opens a path for reading; [`gate`] walks the package under caps and refuses what is
+//! [`open`] is the only place that opens a path for reading; [`mod@gate`] walks the package under caps and refuses what is
 //! damaged, hostile or not an `.xlsx`; the cells of the form's sheets are then streamed, and [`schema`] turns them into
 //! [`Values`](crate::parameter::Values).
 //!
@@ -28,6 +28,7 @@ pub mod error;
 pub mod form_sheet;
 pub mod gate;
 pub mod limits;
+mod listing;
 pub mod long_rows;
 pub mod names;
 mod number;
@@ -38,6 +39,7 @@ pub mod program_sheet;
 mod raw_value;
 pub mod results;
 pub mod schema;
+mod shared_tables;
 pub mod style;
 mod survey;
 pub mod table_sheet;

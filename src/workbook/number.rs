@@ -31,7 +31,7 @@ pub fn hint(text: &str, unit: &str) -> Text {
     let named = named.unwrap_or(Text::fixed("", ""));
     if foreign.is_none() && strict(plain) {
         return say!(
-            "la celda tiene formato de texto: déle formato General y escriba de nuevo {plain}",
+            "la celda tiene formato de texto: dele formato General y escriba de nuevo {plain}",
             "the cell is formatted as text: set its format to General and type {plain} again"
         );
     }

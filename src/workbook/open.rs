@@ -149,3 +149,33 @@ fn others(path: &Path) -> Text {
         say!("en la carpeta hay: {there}", "the folder has: {there}")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn remedy(path: &Path, error: &io::Error) -> (Exit, String, String) {
+        let refusal = refuse(path, error);
+        let finding = refusal.findings.into_iter().next().map(|finding| (finding.what.en, finding.remedy.en));
+        let (what, remedy) = finding.unwrap_or_default();
+        (refusal.exit, what.into_owned(), remedy.into_owned())
+    }
+
+    #[test]
+    fn a_workbook_that_excel_holds_open_is_to_be_closed() -> io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let path = folder.path().join("impeller.xlsx");
+        let denied = io::Error::from(ErrorKind::PermissionDenied);
+        let (exit, what, before) = remedy(&path, &denied);
+        assert_eq!(exit, Exit::Unreadable);
+        assert!(what.ends_with("impeller.xlsx: no permission to read it"), "{what}");
+        assert_eq!(before, "allow reading it, or copy the file");
+        File::create(folder.path().join("~$impeller.xlsx"))?;
+        let closed = "close it in Excel or LibreOffice and run the command again";
+        assert_eq!(remedy(&path, &denied).2, closed);
+        let other = io::Error::other("device \u{1b}[31mgone");
+        assert!(remedy(&path, &other).1.ends_with("device \\u{1b}[31mgone"));
+        assert_eq!(remedy(&path, &other).2, closed);
+        Ok(())
+    }
+}

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::io::{self, Cursor, Read};
 
-use zip::ZipArchive;
 use zip::result::ZipError;
+use zip::{CompressionMethod, ZipArchive};
 
 use crate::escape::{excerpt, printable};
 use crate::finding::{Exit, Finding, Place, Refusal};
@@ -112,8 +112,8 @@ impl<'a> Package<'a> {
     fn list(&mut self) -> Result<(), Refusal> {
         let mut total = 0_u64;
         for index in 0..self.archive.len() {
-            let entry = self.archive.by_index_data(index).map_err(|error| broken("?", &error))?;
-            let name = entry.name().map_err(|error| broken("?", &error))?.into_owned();
+            let entry = self.archive.by_index_data(index).map_err(|_| nameless(index))?;
+            let name = entry.name().map_err(|_| nameless(index))?.into_owned();
             let normal = name.replace('\\', "/").to_ascii_lowercase();
             let outside = normal.starts_with('/')
                 || normal.contains('\0')
@@ -131,6 +131,14 @@ impl<'a> Package<'a> {
                     "el libro está cifrado; guárdelo como .xlsx sin contraseña",
                     "the workbook is encrypted; save it as .xlsx without a password",
                 )));
+            }
+            let method = entry.compression();
+            if !matches!(method, CompressionMethod::Stored | CompressionMethod::Deflated) {
+                let how = say!(
+                    "método de compresión {method}, ajeno a .xlsx",
+                    "compression method {method}, not one of .xlsx"
+                );
+                return Err(part_damaged(&name, &how));
             }
             let size = entry.size();
             if size > limits::PART {
@@ -153,8 +161,8 @@ impl<'a> Package<'a> {
 
     /// Unpacks an entry to its end without keeping it: the reader compares the checksum there.
     fn verify(&mut self, index: usize) -> Result<(), Refusal> {
-        let mut entry = self.archive.by_index(index).map_err(|error| broken("?", &error))?;
-        let name = entry.name().map(std::borrow::Cow::into_owned).unwrap_or_default();
+        let name = self.archive.name_for_index(index).and_then(Result::ok).unwrap_or_default().into_owned();
+        let mut entry = self.archive.by_index(index).map_err(|error| broken(&name, &error))?;
         let declared = entry.size();
         // One byte more than declared is enough to see that the declaration is false.
         let unpacked = io::copy(&mut entry.by_ref().take(declared + 1), &mut io::sink())
@@ -176,6 +184,15 @@ fn part_damaged(name: &str, how: &Text) -> Refusal {
     damaged(name, Text::new(format!("{shown} está dañado ({})", how.es), format!("{shown} is damaged ({})", how.en)))
 }
 
+/// The refusal of an entry whose name is in no known encoding.
+fn nameless(index: usize) -> Refusal {
+    let number = index + 1;
+    unreadable(say!(
+        "el nombre de la parte {number} del paquete no se puede leer",
+        "the name of entry {number} of the package cannot be read"
+    ))
+}
+
 /// The refusal of an entry that does not unpack.
 fn broken(name: &str, error: &ZipError) -> Refusal {
     let how = match error {
@@ -183,9 +200,6 @@ fn broken(name: &str, error: &ZipError) -> Refusal {
             Text::fixed("suma de comprobación", "checksum")
         }
         ZipError::Io(_) => Text::fixed("datos comprimidos", "compressed data"),
-        ZipError::CompressionMethodNotSupported(method) => {
-            say!("método de compresión {method}, que .xlsx no admite", "compression method {method}, not one of .xlsx")
-        }
         error => Text::same(printable(&error.to_string())),
     };
     part_damaged(name, &how)
@@ -198,7 +212,7 @@ fn too_large(name: &str, most: u64) -> Refusal {
         Finding::stop(
             Place::Part(name.to_owned()),
             say!(
-                "{shown} ocupa descomprimido más de {most} MiB: el libro pasa de {most} MiB en una parte",
+                "{shown}: el libro ocupa descomprimido más de {most} MiB en una sola parte",
                 "{shown}: the workbook unpacks to more than {most} MiB in one part"
             ),
             only_inputs(),

@@ -18,6 +18,8 @@ pub struct Page<'a> {
     pub repeat: (RowNum, RowNum),
     /// Across instead of upright.
     pub landscape: bool,
+    /// Everything on one page; else fitted across only.
+    pub single: bool,
 }
 
 impl Page<'_> {
@@ -26,15 +28,16 @@ impl Page<'_> {
     /// # Errors
     /// For rows outside the sheet.
     pub fn set_up(&self, sheet: &mut Worksheet, language: Language) -> Result<(), XlsxError> {
-        self.set_up_plain(sheet, language);
+        self.set_up_columns(sheet, language);
+        sheet.set_print_fit_to_pages(1, u16::from(self.single));
         sheet.set_repeat_rows(self.repeat.0, self.repeat.1)?;
         Ok(())
     }
 
-    /// The same without repeated rows.
-    pub fn set_up_plain(&self, sheet: &mut Worksheet, language: Language) {
+    /// Sets a sheet up for A4 in its own size, without repeated rows.
+    pub fn set_up_columns(&self, sheet: &mut Worksheet, language: Language) {
         static PAGES: Text = Text::fixed("Página &P de &N", "Page &P of &N");
-        sheet.set_paper_size(A4).set_print_fit_to_pages(1, 0).set_margins(0.6, 0.6, 0.8, 0.7, 0.35, 0.35);
+        sheet.set_paper_size(A4).set_margins(0.6, 0.6, 0.8, 0.7, 0.35, 0.35);
         if self.landscape {
             sheet.set_landscape();
         } else {

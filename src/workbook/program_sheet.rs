@@ -30,6 +30,7 @@ struct Strand<'a> {
     program: &'a Program,
     column: usize,
     skip: u64,
+    width: f64,
 }
 
 /// The programs laid out in columns.
@@ -45,27 +46,27 @@ impl<'a> ProgramSheet<'a> {
     pub fn new(programs: &'a [Program], most: u64) -> Option<Self> {
         let most = most.clamp(1, ROWS);
         let mut others = ORDER.len()..;
-        let mut placed: Vec<(usize, &Program, u64)> = programs
+        let mut placed: Vec<(usize, &Program, Extent)> = programs
             .iter()
             .filter_map(|program| {
                 let place = ORDER.iter().position(|key| *key == program.key).or_else(|| others.next())?;
-                Some((place, program, lines(program)))
+                Some((place, program, Extent::of(program)))
             })
             .collect();
         placed.sort_by_key(|(place, ..)| *place);
         let mut further = others.start;
         let mut strands = Vec::new();
-        for (place, program, count) in &placed {
+        for (place, program, extent) in &placed {
             let mut skip = 0;
-            while skip < *count {
+            while skip < extent.lines {
                 let place = if skip == 0 { *place } else { further };
                 further += usize::from(skip > 0);
-                strands.push(Strand { program, column: place * PITCH, skip });
+                strands.push(Strand { program, column: place * PITCH, skip, width: extent.width() });
                 skip += most;
             }
         }
         strands.sort_by_key(|strand| strand.column);
-        let longest = placed.iter().map(|(.., count)| *count).max()?.min(most);
+        let longest = placed.iter().map(|(.., extent)| extent.lines).max()?.min(most);
         let rows = RowNum::try_from(longest).ok().filter(|rows| *rows > 0)?;
         Some(Self { strands, rows })
     }
@@ -87,15 +88,20 @@ impl<'a> ProgramSheet<'a> {
         styles: &Styles,
         page: &Page<'_>,
     ) -> Result<(), WriteError> {
+        // Each pair of columns is printed on pages of its own, one program after the other.
+        let mut breaks = Vec::new();
         for strand in &self.strands {
             let column = ColNum::try_from(strand.column).map_err(|_| WriteError::TooLarge(NAME))?;
+            if column > 0 {
+                breaks.push(u32::from(column));
+            }
             sheet.set_column_width(column, 9)?;
-            sheet.set_column_width(column + 1, 58)?;
+            sheet.set_column_width(column + 1, strand.width)?;
             sheet.write_blank(0, column, &styles.block_number)?;
             sheet.write_blank(0, column + 1, &styles.block)?;
         }
-        // Across and down: a page is read as a program is.
-        Page { landscape: self.strands.len() > 1, ..*page }.set_up_plain(sheet, language);
+        sheet.set_vertical_page_breaks(&breaks)?;
+        page.set_up_columns(sheet, language);
         Ok(())
     }
 
@@ -136,12 +142,28 @@ impl<'a> ProgramSheet<'a> {
     }
 }
 
-/// How many lines a program has.
-fn lines(program: &Program) -> u64 {
-    let mut lines = program.lines();
-    let mut count = 0;
-    while lines.next().is_some() {
-        count += 1;
+/// How much a program is.
+#[derive(Clone, Copy, Debug, Default)]
+struct Extent {
+    lines: u64,
+    longest: usize,
+}
+
+impl Extent {
+    fn of(program: &Program) -> Self {
+        let mut extent = Self::default();
+        let mut lines = program.lines();
+        while let Some((_, text)) = lines.next() {
+            extent.lines += 1;
+            extent.longest = extent.longest.max(text.len());
+        }
+        extent
     }
-    count
+
+    /// The width of the blocks' column, in characters.
+    fn width(self) -> f64 {
+        const LEAST: u8 = 12;
+        const MOST: u8 = 60;
+        f64::from(u8::try_from(self.longest).unwrap_or(MOST).clamp(LEAST, MOST))
+    }
 }

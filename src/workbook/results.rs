@@ -38,6 +38,7 @@ pub fn write<W: Write + Seek + Send>(outcome: &Outcome, language: Language, out:
             origin: &outcome.source.workbook,
             repeat: (0, 0),
             landscape: false,
+            single: false,
         },
         names: SheetNames::default(),
         workbook: Workbook::new(),
@@ -115,14 +116,16 @@ impl<'a> Results<'a> {
             if sheet.long() {
                 self.long.push(LongRows {
                     sheet: self.workbook.worksheets().len(),
+                    name: name.clone(),
                     first: FIRST,
                     count: sheet.last_row()? + 1 - FIRST,
                     source: sheet.rows(),
                 });
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
-            sheet.write(worksheet, &self.styles, &self.page, !charts.is_empty())?;
-            insert_charts(worksheet, &sheet, &charts, &placed)?;
+            sheet.write(worksheet, &self.styles)?;
+            let below = insert_charts(worksheet, &sheet, &charts, &placed)?;
+            sheet.finish(worksheet, &self.page, below)?;
         }
         Ok(())
     }
@@ -133,9 +136,9 @@ impl<'a> Results<'a> {
         };
         let name = self.names.take(program_sheet::NAME);
         let index = self.workbook.worksheets().len();
-        let worksheet = self.workbook.add_worksheet().set_name(name)?;
+        let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         programs.write(worksheet, self.language, &self.styles, &self.page)?;
-        self.long.push(LongRows { sheet: index, first: 0, count: programs.rows(), source: programs.source() });
+        self.long.push(LongRows { sheet: index, name, first: 0, count: programs.rows(), source: programs.source() });
         Ok(())
     }
 
@@ -148,19 +151,20 @@ impl<'a> Results<'a> {
     }
 }
 
-/// Puts charts beside a table, one below the other.
+/// Puts charts beside a table, one below the other. Returns the row below them; `None` where there are none.
 fn insert_charts(
     worksheet: &mut Worksheet,
     sheet: &TableSheet<'_>,
     charts: &[&Chart],
     placed: &[Placed<'_>],
-) -> Result<(), WriteError> {
-    let mut row: RowNum = FIRST;
+) -> Result<Option<RowNum>, WriteError> {
+    let mut below = None;
     for chart in charts {
         if let Some(drawn) = draw(chart, placed, sheet.language)? {
+            let row = below.map_or(FIRST, |row| row + 1);
             worksheet.insert_chart(row, sheet.beside()?, &drawn.chart)?;
-            row += drawn.height.div_ceil(ROW) + 2;
+            below = Some(row + drawn.height.div_ceil(ROW));
         }
     }
-    Ok(())
+    Ok(below)
 }

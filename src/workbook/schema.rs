@@ -13,7 +13,8 @@ use crate::text::{Language, Text};
 
 use super::book::Book;
 use super::cells::{Content, SheetCells};
-use super::gate::{self, SheetEntry, gate};
+use super::gate::gate;
+use super::listing::{self, SheetEntry};
 use super::value::{self, VALUE, expected, named};
 use super::words;
 
@@ -44,14 +45,15 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let (entry, language) = first_sheet(&book.gated.sheets, forms)?;
     let sheet = book.read(&entry)?;
     if sheet.survey.unsound {
-        return Err(refusal(sheet.survey.damaged, sheet.survey.findings));
+        let exit = sheet.survey.exit();
+        return Err(refusal(exit, sheet.survey.findings));
     }
     if !sheet.survey.filled {
         return Err(no_cells(&entry));
     }
     let form = form_of(&sheet, forms, language)?;
     let mut values = Values { language, ..Values::default() };
-    let mut damaged = false;
+    let mut exit = Exit::Refused;
     let mut first = Some(sheet);
     for (index, described) in form.sheets.iter().enumerate() {
         let found = if index == 0 { Some(entry.clone()) } else { find(&book.gated.sheets, described, &mut findings)? };
@@ -68,7 +70,15 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         };
         let mut sheet = match first.take() {
             Some(sheet) => sheet,
-            None => book.read(&entry)?,
+            None => match book.read(&entry) {
+                Ok(sheet) => sheet,
+                // Told together with what was found on the sheets before it.
+                Err(mut refusal) => {
+                    exit = refusal.exit;
+                    findings.append(&mut refusal.findings);
+                    continue;
+                }
+            },
         };
         if entry.hidden {
             let name = excerpt(&entry.name, SHOWN);
@@ -81,21 +91,23 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
             ));
         }
         findings.append(&mut sheet.survey.findings);
-        damaged |= sheet.survey.damaged;
+        if exit == Exit::Refused {
+            exit = sheet.survey.exit();
+        }
         if !sheet.survey.unsound {
             take(form.schema, described, &sheet, &mut values, &mut findings);
         }
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
-        return Err(refusal(damaged, findings));
+        return Err(refusal(exit, findings));
     }
     Ok(Filled { form, values, findings })
 }
 
 /// One refusal for everything that was found, gravest first.
-fn refusal(damaged: bool, mut findings: Vec<Finding>) -> Refusal {
+fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
     findings.sort_by_key(|finding| Reverse(finding.grade));
-    Refusal { exit: if damaged { Exit::Unreadable } else { Exit::Refused }, findings }
+    Refusal { exit, findings }
 }
 
 fn refused(place: Place, what: Text, remedy: Text) -> Refusal {
@@ -158,7 +170,7 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
             ))
         }
         [(entry, language)] if alike.len() == 1 => {
-            if entry.kind == gate::Kind::Cells {
+            if entry.kind == listing::Kind::Cells {
                 Ok(((*entry).clone(), *language))
             } else {
                 Err(no_cells(entry))
@@ -171,12 +183,17 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
 /// A further sheet of a form, in either language.
 fn find(sheets: &[SheetEntry], described: &Sheet, findings: &mut Vec<Finding>) -> Result<Option<SheetEntry>, Refusal> {
     let names = Language::ALL.map(|language| described.name.get(language));
-    let alike: Vec<_> =
+    let mut alike: Vec<_> =
         sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name, &entry.name))).collect();
+    if alike.iter().any(|entry| names.contains(&entry.name.as_str())) {
+        // Beside the sheet itself, one whose name has an accent more is another: the table `Calibración` of results.
+        let plain = |name: &str| name.trim().to_lowercase();
+        alike.retain(|entry| names.iter().any(|name| plain(name) == plain(&entry.name)));
+    }
     let [entry] = alike.as_slice() else {
         return if alike.is_empty() { Ok(None) } else { Err(ambiguous(&alike)) };
     };
-    if entry.kind != gate::Kind::Cells {
+    if entry.kind != listing::Kind::Cells {
         return Err(no_cells(entry));
     }
     if names.contains(&entry.name.as_str()) {

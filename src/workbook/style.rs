@@ -96,7 +96,7 @@ impl Default for Styles {
             value: Format::new().set_num_format("0.000000"),
             count: Format::new(),
             number_header: header().set_align(FormatAlign::Right),
-            number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right).set_indent(1)),
+            number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
             entry: wrapped(),
             block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),

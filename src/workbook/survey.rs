@@ -45,6 +45,12 @@ pub struct Survey {
 }
 
 impl Survey {
+    /// The exit code of a refusal of this sheet.
+    #[must_use]
+    pub const fn exit(&self) -> Exit {
+        if self.damaged { Exit::Unreadable } else { Exit::Refused }
+    }
+
     /// The merged cells that cover a cell without it being their corner.
     #[must_use]
     pub fn covering(&self, position: Position) -> Option<&Range> {
@@ -65,8 +71,7 @@ pub fn survey(sheet: &str, part: &str, text: &str, strings: usize) -> Result<Sur
             return Ok(());
         }
         // Nothing is gained by reading on.
-        let exit = if walk.survey.damaged { Exit::Unreadable } else { Exit::Refused };
-        Err(Refusal { exit, findings: std::mem::take(&mut walk.survey.findings) })
+        Err(Refusal { exit: walk.survey.exit(), findings: std::mem::take(&mut walk.survey.findings) })
     })?;
     if let Some(first) = walk.far {
         let address = address::format(first);

@@ -29,6 +29,14 @@ const INDEX_WIDTH: f64 = 8.0;
 /// The least and greatest width of a column of texts.
 const TEXT_WIDTH: [f64; 2] = [14.0, 50.0];
 
+/// The width of a column that was not given one.
+const EMPTY_WIDTH: f64 = 8.43;
+/// The widest print for the sake of a title or source.
+const WIDEST: f64 = 120.0;
+
+/// A sheet with fewer rows than this is printed on one page.
+const ONE_PAGE: RowNum = 66;
+
 /// More columns than this are printed across.
 const UPRIGHT: usize = 6;
 
@@ -75,17 +83,11 @@ impl<'a> TableSheet<'a> {
     }
 
     /// Writes the sheet; of a long table the headings and one row of formatted empty cells, to be replaced by
-    /// [`TableSheet::rows`]. `charts` says that charts stand beside it.
+    /// [`TableSheet::rows`].
     ///
     /// # Errors
     /// For a value that is not finite, and for a table larger than a sheet.
-    pub fn write(
-        &self,
-        sheet: &mut Worksheet,
-        styles: &Styles,
-        page: &Page<'_>,
-        charts: bool,
-    ) -> Result<(), WriteError> {
+    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         let offset = self.offset();
         write_text(sheet, 0, 0, self.table.title.get(self.language), &styles.title)?;
         write_text(sheet, 1, 0, self.table.source.get(self.language), &styles.source)?;
@@ -102,10 +104,38 @@ impl<'a> TableSheet<'a> {
         } else {
             self.write_rows(sheet, styles)?;
         }
-        sheet.set_freeze_panes(FIRST, offset)?;
-        let landscape = charts || self.table.columns.len() > UPRIGHT;
-        Page { repeat: (0, UNITS), landscape, ..*page }.set_up(sheet, self.language)?;
         Ok(())
+    }
+
+    /// Sets panes and printing, when everything is written; `below` is the row below the charts, if there are any.
+    ///
+    /// # Errors
+    /// For a table larger than a sheet.
+    pub fn finish(&self, sheet: &mut Worksheet, page: &Page<'_>, below: Option<RowNum>) -> Result<(), WriteError> {
+        sheet.set_freeze_panes(FIRST, self.offset())?;
+        let last = self.last_row()?;
+        if below.is_none() {
+            sheet.set_print_area(0, 0, last, self.printed()?)?;
+        }
+        let landscape = below.is_some() || self.table.columns.len() > UPRIGHT;
+        let single = last.max(below.unwrap_or(0)) < ONE_PAGE;
+        Page { repeat: (0, UNITS), landscape, single, ..*page }.set_up(sheet, self.language)?;
+        Ok(())
+    }
+
+    /// The last column to be printed: that of the table, or further to the right as title and source need.
+    fn printed(&self) -> Result<ColNum, WriteError> {
+        // Bold letters of the title are wider than the digits that widths count.
+        let title = 1.6 * count(self.table.title.get(self.language));
+        let needed = f64::max(title, count(self.table.source.get(self.language))).min(WIDEST);
+        let mut width = f64::from(self.offset()) * INDEX_WIDTH;
+        width += self.table.columns.iter().map(|column| self.width(column)).sum::<f64>();
+        let mut last = (column_number(self.table.columns.len())? + self.offset()).saturating_sub(1);
+        while width < needed {
+            width += EMPTY_WIDTH;
+            last += 1;
+        }
+        Ok(last)
     }
 
     /// Symbol, unit and width of a column; selecting the symbol shows how the values are computed.
@@ -168,8 +198,10 @@ impl<'a> TableSheet<'a> {
                     }
                 }
             }
-            if !texts.is_empty() {
-                sheet.set_row_height(row, row_height(&texts))?;
+            // Rows of one line keep the sheet's own height.
+            let height = row_height(&texts);
+            if height > row_height(&[]) {
+                sheet.set_row_height(row, height)?;
             }
         }
         Ok(())
@@ -206,10 +238,9 @@ impl<'a> TableSheet<'a> {
     fn width(&self, column: &Column) -> f64 {
         match &column.values {
             Values::Texts(texts) => {
-                let longest = texts.iter().map(|text| text.get(self.language).chars().count()).max();
-                let longest = u16::try_from(longest.unwrap_or(0)).unwrap_or(u16::MAX);
+                let longest = texts.iter().map(|text| count(text.get(self.language))).fold(0.0, f64::max);
                 let [least, most] = TEXT_WIDTH;
-                (f64::from(longest) + 2.0).clamp(least, most)
+                (longest + 2.0).clamp(least, most)
             }
             Values::Numbers(_) | Values::Component(..) => NUMBER_WIDTH,
         }
@@ -219,6 +250,11 @@ impl<'a> TableSheet<'a> {
         let symbol = column.symbol.get(self.language);
         WriteError::NotFinite { place: format!("{}, {symbol}, row {}", self.table.key, row + 1) }
     }
+}
+
+/// The number of characters of a text.
+fn count(text: &str) -> f64 {
+    f64::from(u16::try_from(text.chars().count()).unwrap_or(u16::MAX))
 }
 
 /// A column's number on the sheet.

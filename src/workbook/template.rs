@@ -42,7 +42,7 @@ pub fn write<W: Write + Seek + Send>(
         _ => "",
     };
     let styles = Styles::default();
-    let page = Page { part, origin: form.schema, repeat: (0, 0), landscape: false };
+    let page = Page { part, origin: form.schema, repeat: (0, 0), landscape: false, single: false };
     let mut workbook = Workbook::new();
     if let Some(first) = form.sheets.first() {
         workbook.set_properties(&properties(first.title.get(language))?);

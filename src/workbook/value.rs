@@ -25,9 +25,11 @@ const SHOWN: usize = 40;
 /// wrong.
 pub fn read(parameter: &'static Parameter, sheet: &SheetCells, row: u32, findings: &mut Vec<Finding>) -> Option<Value> {
     let mut reading = Reading { parameter, sheet, at: (row, VALUE), findings };
-    let value = reading.value()?;
-    reading.unit();
-    Some(value)
+    let value = reading.value();
+    if is_filled(sheet, row) {
+        reading.unit();
+    }
+    value
 }
 
 /// True where the value cell of a row holds anything, right or wrong.

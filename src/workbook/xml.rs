@@ -10,9 +10,16 @@ use crate::escape::{excerpt, printable};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::text::Text;
 
+use super::limits;
+
 /// The refusal of a part that cannot be read.
 pub fn damaged(part: &str, what: Text) -> Refusal {
     Refusal::new(Exit::Unreadable, Finding::stop(Place::Part(part.to_owned()), what, save_again()))
+}
+
+/// The refusal of a part that exceeds a limit.
+pub fn limit(part: &str, what: Text) -> Refusal {
+    Refusal::new(Exit::Limit, Finding::stop(Place::Part(part.to_owned()), what, save_again()))
 }
 
 /// The remedy for a damaged package.
@@ -63,7 +70,8 @@ pub fn text(part: &str, bytes: Vec<u8>) -> Result<String, Refusal> {
 ///
 /// # Errors
 /// Refuses with [`Exit::Unreadable`] a part that is not well formed, that ends early, that declares a document type or
-/// another encoding, or that uses an entity of its own; and whatever `visit` refuses.
+/// another encoding, or that uses an entity of its own; with [`Exit::Limit`] one of more depth or more attributes than
+/// [`limits`] allows; and whatever `visit` refuses.
 pub fn walk<'a>(
     part: &str,
     text: &'a str,
@@ -93,7 +101,27 @@ pub fn walk<'a>(
             Event::Start(start) => {
                 depth += 1;
                 rooted = true;
-                for attribute in start.attributes() {
+                if depth > limits::DEPTH {
+                    let most = limits::DEPTH;
+                    return Err(limit(
+                        part,
+                        say!(
+                            "la parte {name} tiene más de {most} elementos uno dentro de otro",
+                            "the part {name} has more than {most} elements inside one another"
+                        ),
+                    ));
+                }
+                for (count, attribute) in start.attributes().enumerate() {
+                    if count >= limits::ATTRIBUTES {
+                        let most = limits::ATTRIBUTES;
+                        return Err(limit(
+                            part,
+                            say!(
+                                "la parte {name} tiene más de {most} atributos en una etiqueta",
+                                "the part {name} has more than {most} attributes in one tag"
+                            ),
+                        ));
+                    }
                     let checked = attribute.map_err(|error| error.to_string());
                     let checked = checked.and_then(|one| match unescape(&one.value) {
                         Ok(_) => Ok(()),

@@ -112,7 +112,13 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "clear",
         ),
         value("B7 blanks", "R", &sound().number("R", " 12 "), "holds \" 12 \" as if it were a number", "clear"),
-        value("B7 plus", "R", &sound().value("R", "t=\"n\"", "<v>+infinity</v>"), "as if it were a number", "clear"),
+        value(
+            "B7 plus",
+            "R",
+            &sound().value("R", "t=\"n\"", "<v>+infinity</v>"),
+            "holds +infinity, which is not a finite number",
+            "clear",
+        ),
         at(
             "B7 reference",
             &sound().number("R", "1&#50;"),
@@ -449,6 +455,24 @@ fn all_faults_are_listed_at_once_gravest_first() {
     let expected: Vec<_> = ["N", "R", "n", "e", "F", "dialect", "B_max"].into_iter().map(cell).collect();
     assert_eq!(places, expected);
     assert!(refusal.findings.is_sorted_by_key(|finding| std::cmp::Reverse(finding.grade)));
+}
+
+#[test]
+fn a_damaged_second_sheet_is_told_beside_the_faults_of_the_first() {
+    let parts = Parts::sound().number("R", "0.025").replace(CALIBRATION, "</worksheet>", "");
+    let refusal = impeller(&parts.zip()).unwrap_err();
+    assert_eq!(refusal.exit, Unreadable);
+    assert_eq!(refusal.findings.iter().map(place).collect::<Vec<_>>(), ["C7", CALIBRATION]);
+}
+
+#[test]
+fn a_wrong_unit_is_told_beside_a_wrong_value() {
+    let parts = Parts::sound().number("R", "1").cell(DATA, "D7", "<c r=\"D7\" t=\"str\"><v>in</v></c>");
+    let refusal = impeller(&parts.zip()).unwrap_err();
+    assert_eq!(refusal.findings.iter().map(place).collect::<Vec<_>>(), ["C7", "D7"]);
+    let empty = Parts::sound().cell(DATA, "D7", "<c r=\"D7\" t=\"str\"><v>in</v></c>").cell(DATA, "C7", "");
+    let refusal = impeller(&empty.zip()).unwrap_err();
+    assert_eq!(refusal.findings.iter().map(place).collect::<Vec<_>>(), ["C7"]);
 }
 
 #[test]

@@ -130,6 +130,19 @@ fn hostile_packages_are_refused() {
     ]);
 }
 
+/// Deflate and plain storage are the methods of an .xlsx.
+#[test]
+fn another_compression_method_is_refused_by_its_name() {
+    let mut bytes = Parts::sound().stored();
+    let local = bytes.windows(4).position(|window| window == b"PK\x03\x04").unwrap();
+    let central = bytes.windows(4).position(|window| window == b"PK\x01\x02").unwrap();
+    bytes[local + 8] = 12;
+    bytes[central + 10] = 12;
+    let refusal = impeller(&bytes).unwrap_err();
+    assert_eq!(refusal.exit, Unreadable);
+    assert!(refusal.findings[0].what.en.contains("is damaged (compression method Bzip2"), "{refusal:?}");
+}
+
 /// A part that says it is smaller than it is must not be unpacked to its end.
 #[test]
 fn a_part_that_lies_about_its_size_is_refused() {
@@ -263,6 +276,30 @@ fn hostile_or_broken_parts_are_refused_by_name() {
             "clear cell",
         ),
         at("A22 no table", sound().without(strings).zip(), Unreadable, "A1", "and the workbook has 0", "clear cell"),
+        at(
+            "F28 depth",
+            sound()
+                .replace(DATA, "<sheetData>", &format!("{}{}<sheetData>", "<a>".repeat(300), "</a>".repeat(300)))
+                .zip(),
+            Limit,
+            DATA,
+            "has more than 256 elements inside one another",
+            "",
+        ),
+        at(
+            "A16 too many",
+            sound()
+                .replace(
+                    DATA,
+                    "<sheetData>",
+                    &format!("<sheetData {}>", (0..100_001).map(|index| format!("a{index}=\"\" ")).collect::<String>()),
+                )
+                .zip(),
+            Limit,
+            DATA,
+            "has more than 100000 attributes in one tag",
+            "",
+        ),
         at(
             "styles: brackets",
             sound().replace("xl/styles.xml", "<fonts", &brackets).zip(),

@@ -1,14 +1,26 @@
 //! Whatever is done to a workbook at random, reading it ends in values or in a refusal.
 
+use std::io::Cursor;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use rodete::finding::Grade;
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
+use rodete::text::Language;
+use rodete::workbook::template;
 
 use crate::workbook::{Parts, impeller};
 
 static SOUND: LazyLock<Parts> = LazyLock::new(Parts::sound);
-static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| SOUND.zip());
+/// What the command for new workbooks writes: validation, protection, defined names and all.
+static WRITTEN: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let (case, language) = (&CASES[0], Language::Es);
+    let mut written = Cursor::new(Vec::new());
+    template::write(&FORM, &case.values(language), &case.note, language, &mut written).unwrap();
+    written.into_inner()
+});
+static PARTS: LazyLock<Parts> = LazyLock::new(|| Parts::of(&WRITTEN));
 
 /// Reads the bytes; a refusal must have a reason.
 fn ends(bytes: &[u8]) -> Result<(), TestCaseError> {
@@ -27,7 +39,7 @@ proptest! {
         flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
         cut in prop::option::weighted(0.3, any::<prop::sample::Index>()),
     ) {
-        let mut bytes = PACKED.clone();
+        let mut bytes = WRITTEN.clone();
         for (index, flip) in flips {
             let at = index.index(bytes.len());
             bytes[at] ^= flip;
@@ -49,7 +61,7 @@ proptest! {
             1..6,
         ),
     ) {
-        let mut parts = SOUND.clone();
+        let mut parts = PARTS.clone();
         for (part, place, removed, inserted) in edits {
             let part = part.index(parts.0.len());
             let content = &mut parts.0[part].1;

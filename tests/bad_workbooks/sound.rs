@@ -1,10 +1,12 @@
 //! What must be read, and how.
 
 use rodete::finding::Grade;
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::Language;
 
+use crate::common;
 use crate::workbook::{CALIBRATION, DATA, Parts, cell, impeller, place, row, sound};
 
 #[test]
@@ -22,6 +24,22 @@ fn the_shipped_case_is_read_in_both_languages_value_for_value() {
             (place.sheet.as_str(), place.cell.as_str()),
             (FORM.sheets[0].name.get(language), cell("R").as_str())
         );
+    }
+}
+
+/// What the command for new workbooks writes is read without a finding, value for value.
+#[test]
+fn the_written_template_is_read_back() {
+    for case in &CASES {
+        for language in Language::ALL {
+            let mut written = std::io::Cursor::new(Vec::new());
+            rodete::workbook::template::write(&FORM, &case.values(language), &case.note, language, &mut written)
+                .unwrap();
+            let filled = impeller(&written.into_inner()).unwrap();
+            assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+            assert_eq!(filled.values.language, language);
+            assert_eq!(filled.values.values, case.values(language).into_iter().collect());
+        }
     }
 }
 
@@ -194,4 +212,18 @@ fn b28_other_sheets_comments_and_derived_values_from_column_g_on_are_not_read() 
         &format!("<c r=\"G{}\" t=\"e\"><v>#DIV/0!</v></c>", row("R")),
     );
     assert!(noted(&parts).is_empty());
+}
+
+/// The results workbook holds the form, derived values beside it, and many tables behind it.
+#[test]
+fn a_results_workbook_of_two_thousand_intervals_is_an_input() {
+    let outcome = common::outcome("full", &[("n", Value::Whole(2_000))]);
+    for language in Language::ALL {
+        let mut written = std::io::Cursor::new(Vec::new());
+        rodete::workbook::results::write(&outcome, language, &mut written).unwrap();
+        let filled = impeller(&written.into_inner()).unwrap();
+        assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+        assert_eq!(filled.values.language, language);
+        assert_eq!(filled.values.values, outcome.values.values);
+    }
 }

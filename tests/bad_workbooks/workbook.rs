@@ -3,7 +3,8 @@
 use std::io::{Cursor, Read, Write};
 
 use rodete::finding::{Exit, Finding, Grade, Place, Refusal};
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::cases::CASES;
+use rodete::impeller::parameters::FORM;
 use rodete::parameter::{Kind, Value};
 use rodete::text::Language;
 use rodete::workbook::{Filled, read};

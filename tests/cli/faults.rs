@@ -94,7 +94,7 @@ fn a_full_disk_leaves_the_old_set_and_nothing_else() {
         .current_dir(folder.path())
         .assert()
         .code(5)
-        .stderr(predicate::str::contains("the file is larger than is allowed here"))
+        .stderr(predicate::str::starts_with("error: cannot write to out/impeller-results.xlsx: the file is larger"))
         .stderr(predicate::str::contains("impeller.xlsx: nothing was written"));
     assert!(contents(&out) == before);
 }
@@ -135,6 +135,49 @@ fn an_interruption_leaves_the_old_set_and_nothing_else() {
         assert!(String::from_utf8_lossy(&done.stderr).starts_with("interrupted: "), "{signal}");
         assert!(contents(&out) == before, "{signal}");
     }
+}
+
+/// Interrupts a build while typst works.
+#[cfg(unix)]
+#[test]
+fn an_interruption_takes_the_report_s_child_and_its_folder_along() {
+    use std::os::unix::fs::PermissionsExt;
+    use std::process::{Command, Stdio};
+    use std::thread::sleep;
+    use std::time::Duration;
+
+    let folder = with_impeller();
+    let temporary = folder.path().join("temporary");
+    fs::create_dir(&temporary).expect("a folder");
+    let slow = folder.path().join("typst");
+    fs::write(&slow, "#!/bin/sh\necho $$ > \"$PID\"\nexec sleep 50\n").expect("a script");
+    fs::set_permissions(&slow, fs::Permissions::from_mode(0o755)).expect("its mode");
+    let pid = folder.path().join("pid");
+    let child = Command::new(env!("CARGO_BIN_EXE_rodete"))
+        .args(["build", "impeller.xlsx", "--typst"])
+        .arg(&slow)
+        .current_dir(folder.path())
+        .env("TMPDIR", &temporary)
+        .env("PID", &pid)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("started");
+    let running = || fs::read_to_string(&pid).ok().filter(|text| text.ends_with('\n'));
+    for _ in 0..1000 {
+        if running().is_some() {
+            break;
+        }
+        sleep(Duration::from_millis(10));
+    }
+    let typst = running().expect("typst was started");
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill").success());
+    let done = child.wait_with_output().expect("ended");
+    assert_eq!(done.status.code(), Some(130));
+    let alive = Command::new("kill").args(["-0", typst.trim()]).stderr(Stdio::null()).status().expect("kill");
+    assert!(!alive.success(), "typst is still running");
+    assert!(names(&temporary).is_empty());
+    assert!(!folder.path().join("impeller-out").exists());
 }
 
 /// What a killed process leaves is at most its temporary files; the next run removes them once they are old.

@@ -3,8 +3,9 @@
 
 use rodete::gcode::axis::{Axis, Position};
 use rodete::impeller::blade::Blade;
+use rodete::impeller::cases::CASES;
 use rodete::impeller::design::Design;
-use rodete::impeller::parameters::{CASES, FORM};
+use rodete::impeller::parameters::FORM;
 use rodete::job::{self, Outcome, Source};
 use rodete::number::grid::Milli;
 use rodete::parameter::{Value, Values};
@@ -57,7 +58,7 @@ pub fn read_back(text: &str, start: Position) -> Vec<Position> {
                 _ => {}
             }
             let Some(axis) = Axis::ALL.into_iter().find(|axis| letter.starts_with(axis.letter())) else { continue };
-            let size = Milli::new((number.parse::<f64>().expect("a number") * 1000.0).round() as i32);
+            let size = Milli::round(number.parse().expect("a number")).expect("on the grid");
             at = if absolute { at.with(axis, size) } else { at.moved(axis, size) };
             moves = true;
         }

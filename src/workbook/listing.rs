@@ -1,0 +1,159 @@
+//! Which sheets a workbook lists, and the parts of the package that hold them.
+//!
+//! Names and targets are resolved as calamine resolves them, so that both look at the same parts.
+
+use quick_xml::events::Event;
+
+use crate::escape::excerpt;
+use crate::finding::Refusal;
+use crate::text::Text;
+
+use super::limits;
+use super::package::{Package, unreadable};
+use super::shared_tables::structure;
+use super::xml::{attribute, damaged, limit, raw};
+
+/// What a sheet consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A sheet of cells.
+    Cells,
+    /// A sheet that is one chart or dialogue: it has no cells.
+    Other,
+}
+
+/// A sheet as the workbook lists it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SheetEntry {
+    /// Its name.
+    pub name: String,
+    /// The package's part that holds its cells.
+    pub part: String,
+    /// What it consists of.
+    pub kind: Kind,
+    /// Not shown to the user.
+    pub hidden: bool,
+}
+
+/// The folder of the workbook part, and its name, from the package's own relationships.
+fn root(package: &mut Package<'_>) -> Result<(String, String), Refusal> {
+    let mut target = None;
+    structure(package, "_rels/.rels", limits::ATTRIBUTE, |_, event| {
+        if let Event::Start(start) = event
+            && start.local_name().as_ref() == "Relationship"
+            && raw(start, "Type").is_some_and(|kind| kind.ends_with("/relationships/officeDocument"))
+        {
+            target = attribute(start, "Target").or(target.take());
+        }
+        Ok(())
+    })?;
+    let target = target.ok_or_else(|| no_sheets("_rels/.rels"))?;
+    let (folder, name) = target.split_at(target.rfind('/').map_or(0, |slash| slash + 1));
+    let folder = folder.strip_prefix('/').unwrap_or(folder).to_owned();
+    let name = if name.is_empty() { "workbook.xml" } else { name }.to_owned();
+    if package.has(&format!("{folder}{name}")) {
+        Ok((folder, name))
+    } else {
+        Err(no_sheets(&format!("{folder}{name}")))
+    }
+}
+
+fn no_sheets(part: &str) -> Refusal {
+    let name = excerpt(part, 80);
+    unreadable(say!(
+        "el libro no tiene hojas: falta {name}, o no nombra ninguna",
+        "there are no sheets: {name} is missing or names none"
+    ))
+}
+
+/// A relationship of the workbook part: its target and its type.
+struct Relation {
+    id: String,
+    target: String,
+    kind: String,
+}
+
+fn relations(package: &mut Package<'_>, folder: &str, workbook: &str) -> Result<Vec<Relation>, Refusal> {
+    let part = format!("{folder}_rels/{workbook}.rels");
+    let mut relations = Vec::new();
+    let found = structure(package, &part, limits::ATTRIBUTE, |_, event| {
+        if let Event::Start(start) = event
+            && start.local_name().as_ref() == "Relationship"
+            && let Some(id) = raw(start, "Id")
+        {
+            if relations.len() >= 2 * limits::SHEETS {
+                return Err(limit(&part, Text::fixed("demasiadas relaciones", "too many relationships")));
+            }
+            relations.push(Relation {
+                id: id.into_owned(),
+                target: raw(start, "Target").unwrap_or_default().into_owned(),
+                kind: raw(start, "Type").unwrap_or_default().into_owned(),
+            });
+        }
+        Ok(())
+    })?;
+    if found { Ok(relations) } else { Err(no_sheets(&part)) }
+}
+
+/// The folder of the workbook part, with its last `/`, and the sheets that the part lists.
+///
+/// # Errors
+/// [`Exit::Unreadable`](crate::finding::Exit::Unreadable) where the list or a sheet's part is missing or damaged;
+/// [`Exit::Limit`](crate::finding::Exit::Limit) for more sheets than [`limits::SHEETS`].
+pub fn sheets(package: &mut Package<'_>) -> Result<(String, Vec<SheetEntry>), Refusal> {
+    let (folder, workbook) = root(package)?;
+    let relations = relations(package, &folder, &workbook)?;
+    let part = format!("{folder}{workbook}");
+    let mut sheets = Vec::new();
+    structure(package, &part, limits::ATTRIBUTE, |_, event| {
+        let Event::Start(start) = event else { return Ok(()) };
+        if start.local_name().as_ref() != "sheet" {
+            return Ok(());
+        }
+        let name = attribute(start, "name").unwrap_or_default();
+        let shown = excerpt(&name, 80);
+        let faulty =
+            |es: &str, en: &str| damaged(&part, say!("la hoja \"{shown}\" {es}", "the sheet \"{shown}\" {en}"));
+        if sheets.len() >= limits::SHEETS {
+            return Err(limit(&part, Text::fixed("demasiadas hojas", "too many sheets")));
+        }
+        let hidden = match raw(start, "state").as_deref() {
+            None | Some("visible") => false,
+            Some("hidden" | "veryHidden") => true,
+            Some(_) => return Err(faulty("tiene un estado desconocido", "has an unknown state")),
+        };
+        let id = start
+            .attributes()
+            .flatten()
+            .filter(|one| one.key.local_name().as_ref() == "id")
+            .last()
+            .map(|one| one.value.into_owned())
+            .unwrap_or_default();
+        // The last relationship of an id counts.
+        let relation = relations.iter().rev().find(|relation| relation.id == id);
+        let relation = relation.ok_or_else(|| faulty("no tiene parte en el paquete", "has no part in the package"))?;
+        let kind = match relation.kind.rsplit('/').next() {
+            Some("worksheet") => Kind::Cells,
+            Some("chartsheet" | "dialogsheet") => Kind::Other,
+            _ => return Err(faulty("es de una clase que no se lee", "is of a kind that is not read")),
+        };
+        let target = &relation.target;
+        let path = target.strip_prefix('/').map_or_else(|| format!("{folder}{target}"), str::to_owned);
+        sheets.push(SheetEntry { name, part: path, kind, hidden });
+        Ok(())
+    })?;
+    if sheets.is_empty() {
+        return Err(no_sheets(&part));
+    }
+    if let Some(lost) = sheets.iter().find(|sheet| !package.has(&sheet.part)) {
+        let (name, missing) = (excerpt(&lost.name, 80), excerpt(&lost.part, 80));
+        return Err(damaged(
+            &lost.part,
+            say!(
+                "falta la parte {missing} de la hoja \"{name}\"",
+                "the part {missing} of the sheet \"{name}\" is missing"
+            ),
+        ));
+    }
+    Ok((folder, sheets))
+}
