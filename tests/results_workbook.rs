@@ -387,3 +387,16 @@ fn the_results_workbook_is_an_input_with_the_same_values() {
         }
     }
 }
+
+#[test]
+fn results_say_whether_they_can_be_read_again_and_are_right() {
+    for (n, small) in [(40, true), (5_000, true), (40_000, false)] {
+        let outcome = common::outcome("full", &[("n", Value::Whole(n))]);
+        let bytes = written(&outcome, Language::En);
+        let read = rodete::workbook::read(&bytes, &[&FORM]);
+        let said = text(&sheet(&mut opened(bytes), "DATA"), 2, 0);
+        assert_eq!(said.contains("valid input"), small, "{n}: {said}");
+        assert_eq!(said.contains("too large"), !small, "{n}: {said}");
+        assert_eq!(read.is_ok(), small, "{n}");
+    }
+}

@@ -9,6 +9,7 @@ use super::checks_sheet;
 use super::derived;
 use super::error::WriteError;
 use super::form_sheet::{self, Filling};
+use super::limits;
 use super::long_rows::{LongRows, save};
 use super::names::SheetNames;
 use super::page::{Page, properties};
@@ -16,7 +17,9 @@ use super::program_sheet::{self, ProgramSheet};
 use super::style::Styles;
 use super::table_sheet::{FIRST, TableSheet};
 use super::template::{HOW, OPTIONAL};
+use crate::gcode::program::Program;
 use crate::job::{Chart, Outcome, checks};
+use crate::table::Table;
 use crate::text::{Language, Text};
 
 /// The height of a row in pixels.
@@ -72,10 +75,17 @@ impl<'a> Results<'a> {
             ),
             format!("Computed by rodete {} from {} (SHA-256 {}).", source.version, source.workbook, source.sha256),
         );
-        let again = Text::fixed(
-            "Este libro es a su vez una entrada válida: cambie los valores y vuelva a calcular.",
-            "This workbook is itself a valid input: change the values and build again.",
-        );
+        let again = if within_limits(outcome) {
+            Text::fixed(
+                "Este libro es a su vez una entrada válida: cambie los valores y vuelva a calcular.",
+                "This workbook is itself a valid input: change the values and build again.",
+            )
+        } else {
+            Text::fixed(
+                "Este libro es demasiado grande para volver a leerlo: cambie los valores en el libro de entrada.",
+                "This workbook is too large to be read again: change the values in the input workbook.",
+            )
+        };
         for (index, sheet) in outcome.form.sheets.iter().enumerate() {
             let name = self.names.take(sheet.name.get(language));
             if index == 0 {
@@ -149,6 +159,23 @@ impl<'a> Results<'a> {
         let worksheet = self.workbook.add_worksheet().set_name(name)?;
         checks_sheet::write(worksheet, &table, findings, self.language, &self.styles, &self.page)
     }
+}
+
+/// True where the results are small enough to be read as an input, by a safe estimate of their text.
+fn within_limits(outcome: &Outcome) -> bool {
+    /// Bytes of a cell with a number, and of a line of a program with its number.
+    const CELL: u64 = 50;
+    const LINE: u64 = 170;
+    let cells = |table: &Table| (table.rows() as u64).saturating_mul(table.columns.len() as u64 + 1);
+    let lines = outcome.programs.iter().map(Program::blocks).fold(0_u64, u64::saturating_add);
+    let programs = lines.saturating_mul(LINE);
+    let tables: Vec<u64> = outcome.tables.iter().map(|table| cells(table).saturating_mul(CELL)).collect();
+    let all = tables.iter().fold(programs, |sum, table| sum.saturating_add(*table));
+    // Text of numbers is deflated to less than half.
+    tables.iter().all(|table| *table < limits::PART)
+        && programs < limits::PART
+        && all < limits::TOTAL
+        && all < 2 * limits::FILE
 }
 
 /// Puts charts beside a table, one below the other. Returns the row below them; `None` where there are none.
