@@ -3,6 +3,7 @@
 mod common;
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 use rodete::figure::{Axes, Figure, Ink, Stroke};
@@ -11,7 +12,9 @@ use rodete::impeller::cases::CASES;
 use rodete::impeller::parameters::FORM;
 use rodete::job::{Outcome, Source};
 use rodete::parameter::{Value, Values};
-use rodete::report::{Attachment, Content, ReportFailure, Role, Typst, typeset};
+#[cfg(feature = "embedded-typst")]
+use rodete::report::{Attachment, Content, Role};
+use rodete::report::{ReportFailure, Typst, typeset};
 use rodete::table::{Column, Index, Quantity, Table, Unit};
 use rodete::text::{Language, Text};
 
@@ -48,14 +51,16 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         }],
         programs: Vec::new(),
         charts: Vec::new(),
-        figures: vec![Figure {
-            key: "angles",
-            caption: Text::fixed("Ángulos", "Angles"),
-            axes: Some(Axes { x: Text::fixed("i", "i"), y: Text::fixed("v (rad)", "v (rad)") }),
-            strokes: vec![Stroke { ink: Ink::Safe, points: line, filled: false, arrow: true }],
-            labels: Vec::new(),
-            legend: vec![(Ink::Safe, Text::fixed("v", "v"))],
-        }],
+        figures: LazyLock::new(Box::new(move || {
+            vec![Figure {
+                key: "angles",
+                caption: Text::fixed("Ángulos", "Angles"),
+                axes: Some(Axes { x: Text::fixed("i", "i"), y: Text::fixed("v (rad)", "v (rad)") }),
+                strokes: vec![Stroke { ink: Ink::Safe, points: line, filled: false, arrow: true }],
+                labels: Vec::new(),
+                legend: vec![(Ink::Safe, Text::fixed("v", "v"))],
+            }]
+        })),
         findings: vec![
             Finding::new(Grade::Caution, Place::File, Text::same("a caution"), Text::same("look")).with("1 mm", "2 mm"),
         ],

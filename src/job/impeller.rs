@@ -1,5 +1,7 @@
 //! The impeller workbook: values → design → blade and splitter → tables, programs, checks.
 
+use std::sync::LazyLock;
+
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::axis::Axis;
 use crate::gcode::program::Program;
@@ -82,7 +84,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         form,
         quantities,
         charts: charts::impeller(splitter.is_some()),
-        figures: figures(&design, &blade, &passes, splitter.as_ref()),
+        figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref()))),
         tables,
         programs: if stopped { Vec::new() } else { made.programs },
         findings,

@@ -5,6 +5,9 @@ pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
 
+use std::sync::LazyLock;
+
+use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
 use crate::parameter::{Form, Values};
@@ -49,6 +52,9 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
+/// Drawings made when they are first looked at: a build without a report needs none.
+pub type Figures = LazyLock<Vec<Figure>, Box<dyn FnOnce() -> Vec<Figure> + Send + Sync>>;
+
 /// What came of a design.
 #[derive(Debug)]
 pub struct Outcome {
@@ -67,7 +73,7 @@ pub struct Outcome {
     /// Charts for the sheets.
     pub charts: Vec<Chart>,
     /// Drawings for the report.
-    pub figures: Vec<crate::figure::Figure>,
+    pub figures: Figures,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
 }

@@ -96,10 +96,14 @@ impl Draft {
         &self.path
     }
 
-    /// Brings the file to the disk and reads it back: its bytes and their SHA-256 in lower-case hexadecimal.
-    pub(super) fn settle(&self) -> io::Result<(u64, String)> {
+    /// Brings the file to the disk.
+    pub(super) fn sync(&self) -> io::Result<()> {
+        self.file()?.sync_all()
+    }
+
+    /// Reads the file back: its bytes and their SHA-256 in lower-case hexadecimal.
+    pub(super) fn sum(&self) -> io::Result<(u64, String)> {
         let mut file = self.file()?;
-        file.sync_all()?;
         file.seek(SeekFrom::Start(0))?;
         let mut digest = Sha256::new();
         let mut bytes = 0;
