@@ -35,7 +35,7 @@ fn alone(outcome: &Outcome, out: impl Write + Seek + Send) -> Result<u64, XlsxEr
     let mut cells = 0;
     let mut workbook = Workbook::new();
     for table in &outcome.tables {
-        let sheet = workbook.add_worksheet_with_constant_memory();
+        let sheet = workbook.add_worksheet_with_constant_memory()?;
         for row in 0..table.rows() {
             let at = RowNum::try_from(row).map_err(|_| XlsxError::RowColumnLimitError)?;
             sheet.write_number(at, 0, f64::from(at))?;
@@ -50,7 +50,7 @@ fn alone(outcome: &Outcome, out: impl Write + Seek + Send) -> Result<u64, XlsxEr
         }
     }
     // Programs side by side; a long one goes on in further columns, as in the results.
-    let sheet = workbook.add_worksheet_with_constant_memory();
+    let sheet = workbook.add_worksheet_with_constant_memory()?;
     let mut columns: Vec<_> = Vec::new();
     for program in &outcome.programs {
         let lines = program.blocks();

@@ -12,7 +12,7 @@ use crate::text::{Language, Text};
 const FIRST: ColNum = 6;
 
 /// Widths of columns G to K, in characters.
-const WIDTHS: [f64; 5] = [11.0, 32.0, 15.0, 9.0, 32.0];
+const WIDTHS: [f64; 5] = [11.0, 42.0, 15.0, 9.0, 32.0];
 
 /// The last column used.
 pub const LAST: ColNum = 10;

@@ -48,6 +48,8 @@ pub struct Styles {
     pub count: Format,
     /// A column heading over numbers.
     pub number_header: Format,
+    /// A column heading over text.
+    pub text_header: Format,
     /// A unit over numbers.
     pub number_unit: Format,
     /// A point index.
@@ -98,7 +100,9 @@ impl Default for Styles {
             number_header: header().set_align(FormatAlign::Right),
             number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
-            entry: wrapped(),
+            text_header: header().set_indent(1),
+            // Away from the right-aligned numbers before it.
+            entry: wrapped().set_indent(1),
             block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
             block: Format::new().set_font_name("Consolas").set_font_size(10),
         }

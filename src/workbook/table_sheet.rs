@@ -148,7 +148,7 @@ impl<'a> TableSheet<'a> {
     ) -> Result<(), WriteError> {
         let symbol = column.symbol.get(self.language);
         let (header, unit) = match &column.values {
-            Values::Texts(_) => (&styles.header, &styles.unit),
+            Values::Texts(_) => (&styles.text_header, &styles.unit),
             Values::Numbers(_) | Values::Component(..) => (&styles.number_header, &styles.number_unit),
         };
         write_text(sheet, SYMBOLS, at, symbol, header)?;
