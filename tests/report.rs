@@ -247,6 +247,31 @@ mod embedded {
         }
     }
 
+    #[test]
+    fn the_report_carries_the_workbook_and_every_program() {
+        let workbook = Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks/impeller.xlsx");
+        let folder = tempfile::tempdir().unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rodete"));
+        command.arg("build").arg(&workbook).arg("-o").arg(folder.path()).env_remove("RODETE_TYPST");
+        assert!(command.output().unwrap().status.success());
+        let kept = tempfile::tempdir().unwrap();
+        let mut detach = Command::new("pdfdetach");
+        detach.args(["-saveall", "-o"]).arg(kept.path()).arg(folder.path().join("impeller-report.pdf"));
+        let Ok(output) = detach.output() else {
+            assert!(std::env::var_os("CI").is_none(), "pdfdetach (poppler-utils) is missing");
+            return;
+        };
+        assert!(output.status.success());
+        let same = |name: &str, original: &Path| {
+            assert!(std::fs::read(kept.path().join(name)).unwrap() == std::fs::read(original).unwrap(), "{name}");
+        };
+        same("impeller.xlsx", &workbook);
+        for program in ["blade", "splitter", "impeller", "blank"] {
+            let name = format!("impeller-{program}.nc");
+            same(&name, &folder.path().join(&name));
+        }
+    }
+
     /// The whole way, in two odd environments and in a plain one: locale, time zone and typst's own variables do not show.
     #[test]
     fn no_environment_shows_in_the_bytes() {
