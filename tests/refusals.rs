@@ -2,7 +2,7 @@
 
 mod common;
 
-use rodete::finding::{Exit, Finding, Grade, Place};
+use rodete::finding::{CellPlace, Exit, Finding, Grade, Place};
 use rodete::impeller::design::Design;
 use rodete::impeller::parameters::FORM;
 use rodete::job;
@@ -184,15 +184,18 @@ fn a_splitter_with_nothing_left_is_refused() {
 
 #[test]
 fn an_axis_beyond_its_travel_stops_the_programs() {
-    let outcome = common::outcome("full", &[real("B_max", 80.0), real("Z_min", -200.0)]);
+    let mut values = common::values("full", &[real("B_max", 80.0), real("Z_min", -200.0)]);
+    let cell = CellPlace { sheet: "DATA".to_owned(), cell: "C24".to_owned() };
+    values.cells.insert("B_max", cell.clone());
+    let outcome = job::run(&FORM, values, common::source()).unwrap();
     assert!(outcome.stopped() && outcome.programs.is_empty());
     let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
     // Both axes in blade, splitter and impeller.
     assert_eq!(stops.len(), 6);
     let first =
         stops.iter().find(|stop| stop.what.en.starts_with("axis B") && stop.what.en.contains("One blade")).unwrap();
-    assert_eq!(first.what.en, "axis B goes to 90 ° in \"One blade\"; its limit is 80 °");
-    assert_eq!(first.place, Place::Block { program: "blade", line: 29 });
+    assert_eq!(first.what.en, "axis B goes to 90° in \"One blade\", from line 29 on; its limit is 80°");
+    assert_eq!(first.place, Place::Cells(vec![cell]));
     let text = common::program(&common::outcome("full", &[]), "blade");
     assert_eq!(text.lines().nth(28), Some("N70 G0 B90.000 C-270.000"));
 }

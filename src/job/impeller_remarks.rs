@@ -11,7 +11,7 @@ use crate::number::shown;
 use crate::table::Table;
 use crate::text::Text;
 use crate::verify::closure::{Turn, closure};
-use crate::verify::travel::travel;
+use crate::verify::travel::{Beyond, travel};
 
 pub(super) fn no_splitter(why: NoSplitter) -> Finding {
     let what = match why {
@@ -220,7 +220,7 @@ pub(super) fn judge(design: &Design, programs: &[Program]) -> Vec<Finding> {
             if beyond.is_empty() {
                 findings.push(travel_passed(design, program));
             }
-            findings.extend(beyond);
+            findings.extend(beyond.iter().map(|beyond| travel_left(program, beyond)));
         }
         let bytes = program.summary().bytes;
         if bytes > program.dialect.memory {
@@ -247,6 +247,41 @@ pub(super) fn judge(design: &Design, programs: &[Program]) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// The stop for an axis beyond its travel, at the cell of the limit.
+fn travel_left(program: &Program, beyond: &Beyond) -> Finding {
+    let below = beyond.worst.position < beyond.worst.limit;
+    let (letter, unit) = (beyond.axis.letter(), if beyond.axis.rotary() { "°" } else { " mm" });
+    let key = match (letter, below) {
+        ('X', true) => "X_min",
+        ('X', false) => "X_max",
+        ('Y', true) => "Y_min",
+        ('Y', false) => "Y_max",
+        ('Z', true) => "Z_min",
+        ('Z', false) => "Z_max",
+        (_, true) => "B_min",
+        (_, false) => "B_max",
+    };
+    let (value, limit, line) = (shown(beyond.worst.position, 3), shown(beyond.worst.limit, 3), beyond.line);
+    Finding::stop(
+        Place::Parameters(vec![key]),
+        Text::new(
+            format!(
+                "el eje {letter} llega a {value}{unit} en «{}», desde la línea {line}; su límite es {limit}{unit}",
+                program.title.es
+            ),
+            format!(
+                "axis {letter} goes to {value}{unit} in \"{}\", from line {line} on; its limit is {limit}{unit}",
+                program.title.en
+            ),
+        ),
+        Text::new(
+            format!("compruebe {key}, la longitud de pivote y el cero, o mecanice en otra máquina"),
+            format!("check {key}, the pivot length and the zero, or use another machine"),
+        ),
+    )
+    .with(format!("{value}{unit}"), format!("{limit}{unit}"))
 }
 
 fn travel_passed(design: &Design, program: &Program) -> Finding {

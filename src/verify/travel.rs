@@ -1,56 +1,40 @@
 //! Axis travel: no position of a program may lie beyond the machine's limits.
 
-use crate::finding::{Finding, Place};
 use crate::gcode::axis::Axis;
 use crate::gcode::program::Program;
-use crate::machine::travel::{Travel, excess};
-use crate::number::shown;
-use crate::text::Text;
+use crate::machine::travel::{Excess, Travel, excess};
 
-/// Holds a program against the travel of its axes (program coordinates, mm and degrees): one stop for each axis that
-/// leaves its travel, with the greatest excess and the first block that leaves it.
+/// Where a program leaves the travel of an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beyond {
+    /// The axis.
+    pub axis: Axis,
+    /// The greatest excess; mm or degrees.
+    pub worst: Excess,
+    /// The first line of the program's text that leaves the travel, counted from 1.
+    pub line: usize,
+}
+
+/// Holds a program against the travel of its axes (program coordinates, mm and degrees): what leaves its travel, axis by
+/// axis.
 #[must_use]
-pub fn travel(program: &Program, limits: &[(char, Travel)]) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    for &(letter, limit) in limits {
-        let Some(axis) = Axis::ALL.into_iter().find(|axis| axis.letter() == letter) else { continue };
-        let mut first = None;
-        let mut worst: Option<crate::machine::travel::Excess> = None;
-        let mut judge = |position: f64, line: usize| {
-            if let Some(found) = excess(limit, position) {
-                first.get_or_insert(line);
-                let size = |one: &crate::machine::travel::Excess| (one.position - one.limit).abs();
-                if worst.as_ref().is_none_or(|worst| size(worst) < size(&found)) {
-                    worst = Some(found);
+pub fn travel(program: &Program, limits: &[(char, Travel)]) -> Vec<Beyond> {
+    limits
+        .iter()
+        .filter_map(|&(letter, limit)| {
+            let axis = Axis::ALL.into_iter().find(|axis| axis.letter() == letter)?;
+            let mut beyond: Option<Beyond> = None;
+            let mut judge = |position: f64, line: usize| {
+                let Some(found) = excess(limit, position) else { return };
+                let size = |one: Excess| (one.position - one.limit).abs();
+                let known = beyond.get_or_insert(Beyond { axis, worst: found, line });
+                if size(known.worst) < size(found) {
+                    known.worst = found;
                 }
-            }
-        };
-        judge(program.start.get(axis).value(), 1);
-        program.for_each_move(&mut |each| judge(each.to.get(axis).value(), each.line));
-        if let (Some(line), Some(worst)) = (first, worst) {
-            let unit = if axis.rotary() { "°" } else { "mm" };
-            let (value, limit) = (shown(worst.position, 3), shown(worst.limit, 3));
-            findings.push(
-                Finding::stop(
-                    Place::Block { program: program.key, line },
-                    Text::new(
-                        format!(
-                            "el eje {letter} llega a {value} {unit} en «{}»; su límite es {limit} {unit}",
-                            program.title.es
-                        ),
-                        format!(
-                            "axis {letter} goes to {value} {unit} in \"{}\"; its limit is {limit} {unit}",
-                            program.title.en
-                        ),
-                    ),
-                    Text::new(
-                        format!("compruebe los límites de {letter}, la longitud de pivote y el cero"),
-                        format!("check the limits of {letter}, the pivot length and the zero"),
-                    ),
-                )
-                .with(format!("{value} {unit}"), format!("{limit} {unit}")),
-            );
-        }
-    }
-    findings
+            };
+            judge(program.start.get(axis).value(), 1);
+            program.for_each_move(&mut |each| judge(each.to.get(axis).value(), each.line));
+            beyond
+        })
+        .collect()
 }
