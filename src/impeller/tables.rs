@@ -288,7 +288,8 @@ pub fn calibration(slots: &Slots, nominal: f64) -> Option<(Table, Axis)> {
     };
     let table = Table {
         key: "calibration",
-        name: t("Calibración", "Calibration"),
+        // Not "Calibration" in English: the form has a sheet of that name, and case does not part two sheets.
+        name: t("Calibración", "Calibration results"),
         title: t(
             "Calibración del eje B: forma exacta y de ángulo pequeño",
             "Calibration of the B axis: exact and small-angle form",

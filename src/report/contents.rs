@@ -16,7 +16,7 @@ use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::axis::Axis;
 use crate::gcode::program::{Part, Program};
-use crate::job::Outcome;
+use crate::job::{Outcome, checks};
 use crate::parameter::{Kind, Parameter, Value};
 use crate::table::{Entry, Index, Table};
 use crate::text::{Language, Text};
@@ -266,26 +266,9 @@ fn check(finding: &Finding, words: &mut Words) -> Check {
         },
         name: words.text(&finding.grade.name()),
         what: words.text(&finding.what),
-        place: place(&finding.place, words),
+        place: words.text(&checks::place(&finding.place)),
         value: words.line(&finding.value),
         limit: words.line(&finding.limit),
         remedy: words.text(&finding.remedy),
-    }
-}
-
-fn place(place: &Place, words: &mut Words) -> String {
-    match place {
-        Place::File => String::new(),
-        Place::Part(name) | Place::Sheet(name) => words.line(name),
-        Place::Cells(cells) => {
-            let cells: Vec<String> = cells.iter().map(|one| format!("{}!{}", one.sheet, one.cell)).collect();
-            words.line(&cells.join(", "))
-        }
-        Place::Parameters(keys) => keys.join(", "),
-        Place::Point { table, index } => format!("{table}, i = {index}"),
-        Place::Block { program, line } => match words.language {
-            Language::Es => format!("{program}, línea {line}"),
-            Language::En => format!("{program}, line {line}"),
-        },
     }
 }
