@@ -94,6 +94,17 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
             ),
             Text::fixed("style = full busca el inicio por sí mismo", "style = full finds the start itself"),
         ));
+        let half = shown(180.0 / f64::from(design.N), 3);
+        if design.splitters {
+            findings.push(Finding::caution(
+                at(&["style", "splitters"]),
+                Text::new(
+                    format!("los programas de un álabe y de un intermedio se ejecutan {} veces cada uno; antes del primer intermedio, gire C {half}°", design.N),
+                    format!("the programs of one blade and of one splitter are run {} times each; before the first splitter, turn C by {half}°", design.N),
+                ),
+                Text::fixed("el programa del rodete completo lo hace todo de una vez", "the program of the whole impeller does it all in one run"),
+            ));
+        }
     } else if design.blank.S_m.is_none() {
         findings.push(Finding::caution(
             at(&["S_m"]),
