@@ -248,6 +248,10 @@ fn annex_style_says_that_it_carries_no_feed() {
         finding.grade == Grade::Caution
             && finding.what.en == "style annex carries no feed F and no speed S, like the published programs"
     }));
+    assert!(outcome.findings.iter().any(|finding| {
+        finding.grade == Grade::Caution
+            && finding.what.en.ends_with("are run 4 times each; before the first splitter, turn C by 45°")
+    }));
     assert!(
         outcome.findings.iter().any(|finding| finding.what.en.starts_with("not checked, being empty: X_min, X_max"))
     );
