@@ -127,8 +127,7 @@ fn annex_9_runs_the_reverse_backwards_with_signs_changed() {
         assert_eq!(obverse.len(), 7);
         for (one, other) in obverse.iter().zip(&reverse).skip(2) {
             assert_eq!(one.0, other.0);
-            // Both paths are the mean line's, shifted: rounding may part them by one step of the grid.
-            assert!((one.1 + other.1).abs() < 0.0011, "{} against {}", ours[2 + k], ours[84 - k]);
+            assert!((one.1 + other.1).abs() < 1e-9, "{} against {}", ours[2 + k], ours[84 - k]);
         }
     }
 }
