@@ -257,15 +257,3 @@ impl<'a> Assembly<'a> {
         }
     }
 }
-
-/// The length of a program's cutting path over the part, mm, and the time of its moves at feed, s.
-#[must_use]
-pub fn tip_path(design: &Design, program: &Program) -> f64 {
-    let mut length = 0.0;
-    program.for_each_move(&mut |each| {
-        if !each.path.rapid {
-            length += (tip_position(design, &each.to) - tip_position(design, &each.from)).norm();
-        }
-    });
-    length
-}

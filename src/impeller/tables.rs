@@ -193,7 +193,7 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         index: Index::Point,
         columns,
     };
-    let mut columns = vec![Column::numbers("f", Unit::One, "f_j = ((j+1)/(m+1))⁵ hasta m", splitter.fraction.clone())];
+    let mut columns = vec![Column::numbers("f", Unit::One, "f_j = ((j+1)/(m+1))⁵, j ≤ m", splitter.fraction.clone())];
     columns.extend(Column::vectors(["x_1", "y_1", "z_1"], MM, "P″ − w·f·b″ − a_p·N″", &splitter.out));
     columns.extend(Column::vectors(["x_2", "y_2", "z_2"], MM, "P″ + w·f·b″ − a_p·N″", &splitter.back));
     columns.push(Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)));
