@@ -65,6 +65,13 @@ pub enum Place {
         /// The line in the program's text, counted from 1.
         line: usize,
     },
+    /// A line of a program file that was read.
+    Line {
+        /// The line, counted from 1.
+        line: usize,
+        /// The columns in it, counted from 1 in characters; none where the line as a whole is meant.
+        columns: Vec<usize>,
+    },
 }
 
 /// One thing found.

@@ -24,7 +24,7 @@ fn rs274_is_here() -> bool {
 }
 
 /// The canonical motions of a program: true for a rapid move, and the six axes.
-fn judge(program: &str) -> Result<Vec<(bool, [f64; 6])>, String> {
+fn judge(program: &str) -> Result<Vec<(bool, [f64; 9])>, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     std::fs::write(path("p.ngc"), program).unwrap();
@@ -63,7 +63,7 @@ fn judge(program: &str) -> Result<Vec<(bool, [f64; 6])>, String> {
         .lines()
         .filter_map(|line| {
             let (call, rest) = line.split_once("STRAIGHT_")?.1.split_once('(')?;
-            let mut axes = [0.0; 6];
+            let mut axes = [0.0; 9];
             for (axis, number) in axes.iter_mut().zip(rest.trim_end_matches(')').split(',')) {
                 *axis = number.trim().parse().ok()?;
             }

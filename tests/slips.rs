@@ -237,7 +237,7 @@ fn annex_9_reverse_path_leaves() {
     let blade = ours.programs.iter().find(|program| program.key == "blade").unwrap();
     let left = rodete::verify::closure::net_travel(blade);
     use rodete::gcode::axis::Axis;
-    assert_eq!(Axis::ALL.map(|axis| left.get(axis).thousandths()), [0, 0, 0, 0, 0, 90_000]);
+    assert_eq!(Axis::ALL.map(|axis| left.get(axis).thousandths()), [0, 0, 0, 0, 0, 90_000, 0, 0, 0]);
 }
 
 #[test]

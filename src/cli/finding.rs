@@ -113,6 +113,11 @@ fn place(place: &Place, workbook: &str, language: Language) -> String {
         Place::Block { program, line } => {
             format!("{workbook}, {} {program}, {} {line}", word("programa", "program"), word("línea", "line"))
         }
+        // As compilers and editors write it.
+        Place::Line { line, columns } => match columns.first() {
+            Some(column) => format!("{workbook}:{line}:{column}"),
+            None => format!("{workbook}:{line}"),
+        },
     }
 }
 

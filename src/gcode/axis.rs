@@ -2,7 +2,7 @@
 
 use crate::number::grid::Milli;
 
-/// An axis of a milling machine, in the order in which blocks name them.
+/// An axis of a machine, in the order in which LinuxCNC numbers them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Axis {
     /// Linear, mm.
@@ -17,11 +17,17 @@ pub enum Axis {
     B,
     /// Rotary about Z, degrees.
     C,
+    /// Linear, beside X, mm.
+    U,
+    /// Linear, beside Y, mm.
+    V,
+    /// Linear, beside Z, mm.
+    W,
 }
 
 impl Axis {
     /// All of them.
-    pub const ALL: [Self; 6] = [Self::X, Self::Y, Self::Z, Self::A, Self::B, Self::C];
+    pub const ALL: [Self; 9] = [Self::X, Self::Y, Self::Z, Self::A, Self::B, Self::C, Self::U, Self::V, Self::W];
 
     /// The address letter.
     #[must_use]
@@ -33,6 +39,9 @@ impl Axis {
             Self::A => 'A',
             Self::B => 'B',
             Self::C => 'C',
+            Self::U => 'U',
+            Self::V => 'V',
+            Self::W => 'W',
         }
     }
 
@@ -45,7 +54,7 @@ impl Axis {
 
 /// A position of all axes on the output grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Position([Milli; 6]);
+pub struct Position([Milli; 9]);
 
 impl Position {
     /// The position of one axis.
@@ -69,7 +78,30 @@ impl Position {
 
     /// The differences to another position, in mm and degrees.
     #[must_use]
-    pub fn differences(&self, from: &Self) -> [f64; 6] {
+    pub fn differences(&self, from: &Self) -> [f64; 9] {
         Axis::ALL.map(|axis| (self.get(axis) - from.get(axis)).value())
+    }
+}
+
+/// Where all axes stand: mm for the linear axes, degrees for the rotary ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose(pub [f64; 9]);
+
+impl Pose {
+    /// The position of one axis.
+    #[must_use]
+    pub const fn get(&self, axis: Axis) -> f64 {
+        self.0[axis as usize]
+    }
+
+    /// Puts one axis elsewhere.
+    pub const fn set(&mut self, axis: Axis, value: f64) {
+        self.0[axis as usize] = value;
+    }
+
+    /// The differences to another pose, axis by axis.
+    #[must_use]
+    pub fn differences(&self, from: &Self) -> [f64; 9] {
+        std::array::from_fn(|axis| self.0[axis] - from.0[axis])
     }
 }

@@ -7,6 +7,7 @@ pub mod axis;
 pub mod comment;
 pub mod dialect;
 pub mod lines;
+pub mod motion;
 pub mod program;
 pub mod summary;
 pub mod word;

@@ -85,6 +85,13 @@ pub fn place(place: &Place) -> Text {
         Place::Block { program, line } => {
             Text::new(format!("Programa {program}, línea {line}"), format!("Program {program}, line {line}"))
         }
+        Place::Line { line, columns } => {
+            let list = |word: &str, before: &str| {
+                let columns = columns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+                if columns.is_empty() { format!("{word} {line}") } else { format!("{word} {line}, {before} {columns}") }
+            };
+            Text::new(list("Línea", "columna"), list("Line", "column"))
+        }
     }
 }
 
