@@ -93,7 +93,7 @@ fn linuxcnc_moves_as_planned() {
                 let motions = judge(&program.text()).unwrap();
                 let mut planned = Vec::new();
                 program.for_each_move(&mut |each| {
-                    planned.push((each.path.rapid, each.to.differences(&rodete::gcode::axis::Position::default())));
+                    planned.push((each.path.rapid, each.to.differences(&rodete::machine::axis::Position::default())));
                 });
                 // Before the plan: two positioning blocks. G93 makes no motion, but a null move may be listed.
                 let motions: Vec<_> = motions

@@ -151,10 +151,10 @@ proptest! {
             // Reading starts where the program does; positioning blocks before the first move go there too.
             prop_assert_eq!(&positions[positions.len() + 1 - planned.len()..], &planned[1..]);
             let (first, last) = (planned[0], planned[planned.len() - 1]);
-            for axis in rodete::gcode::axis::Axis::ALL {
+            for axis in rodete::machine::axis::Axis::ALL {
                 let left = (last.get(axis) - first.get(axis)).thousandths();
-                let turn_to_next = program.key != "impeller" && axis == rodete::gcode::axis::Axis::C;
-                let closes = if axis == rodete::gcode::axis::Axis::C { left.rem_euclid(360_000) == 0 } else { left == 0 };
+                let turn_to_next = program.key != "impeller" && axis == rodete::machine::axis::Axis::C;
+                let closes = if axis == rodete::machine::axis::Axis::C { left.rem_euclid(360_000) == 0 } else { left == 0 };
                 prop_assert!(closes || turn_to_next);
             }
             for line in program.text().lines() {

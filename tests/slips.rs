@@ -236,7 +236,7 @@ fn annex_9_reverse_path_leaves() {
     let ours = common::outcome("tfg-2021", &[]);
     let blade = ours.programs.iter().find(|program| program.key == "blade").unwrap();
     let left = rodete::verify::closure::net_travel(blade);
-    use rodete::gcode::axis::Axis;
+    use rodete::machine::axis::Axis;
     assert_eq!(Axis::ALL.map(|axis| left.get(axis).thousandths()), [0, 0, 0, 0, 0, 90_000, 0, 0, 0]);
 }
 
@@ -265,5 +265,5 @@ fn annex_10_shifts_the_part() {
     let ours = common::outcome("tfg-2021", &[]);
     let splitter = ours.programs.iter().find(|program| program.key == "splitter").unwrap();
     let left = rodete::verify::closure::net_travel(splitter);
-    assert_eq!(left.get(rodete::gcode::axis::Axis::Y).thousandths(), 0);
+    assert_eq!(left.get(rodete::machine::axis::Axis::Y).thousandths(), 0);
 }

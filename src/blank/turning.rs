@@ -5,11 +5,11 @@
 //! program has −15, which is −r.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::axis::Position;
 use crate::gcode::dialect::FAGOR_8055_T;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{NumberFormat, Word};
 use crate::geometry::torus::Torus;
+use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
 use crate::parameter::Values;

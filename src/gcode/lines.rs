@@ -2,10 +2,10 @@
 
 use std::io;
 
-use crate::gcode::axis::{Axis, Position};
 use crate::gcode::dialect::CommentForm;
 use crate::gcode::program::{Feed, Part, Path, Program};
 use crate::gcode::word::{Distance, Word, push_whole};
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
 
 /// The lines of a program. Lends each line from one buffer, so that a program of any length needs no memory for its

@@ -1,9 +1,8 @@
-//! ISO programs: axes, words, comments, dialects, and the program with its text.
+//! ISO programs: words, comments, dialects, and the program with its text.
 //!
 //! A [`program::Program`] holds positions on the output grid, not text; its text is made line by line wherever it is
 //! needed (file, sheet, report), so that a program of a million blocks costs no more memory than its points.
 
-pub mod axis;
 pub mod comment;
 pub mod dialect;
 pub mod lines;

@@ -1,6 +1,6 @@
 //! Canonical motions: what a control does with a program, whatever the dialect.
 
-use crate::gcode::axis::{Axis, Pose};
+use crate::machine::axis::{Axis, Pose};
 
 /// The plane of arcs and canned cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::gcode::axis::{Axis, Position};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
 use crate::text::Text;
 

@@ -1,8 +1,8 @@
 //! What a program amounts to: blocks, bytes, extents, path, time.
 
-use crate::gcode::axis::{Axis, Position};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::Number;
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
 
 /// What a program amounts to.

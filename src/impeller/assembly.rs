@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::gcode::axis::{Axis, Position};
 use crate::gcode::program::{Feed, Part, Path, Program};
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::impeller::design::{Design, Style};
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{LIMIT, Milli, OutOfFormat};
 use crate::text::Text;
 

@@ -100,7 +100,7 @@ pub fn header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Pa
         "SIN CONTROL DE PUNTA RTCP - SOLO VALE CON ESTA L",
         "NO TOOL CENTRE POINT CONTROL - TRUE FOR THIS L ONLY",
     );
-    let height = fixed(program.start.get(crate::gcode::axis::Axis::Z).value());
+    let height = fixed(program.start.get(crate::machine::axis::Axis::Z).value());
     comments.line(
         &format!("EMPIEZA Y ACABA EN X0 Y0 Z{height} B0 Y C EN VUELTAS"),
         &format!("STARTS AND ENDS AT X0 Y0 Z{height} B0 AND C IN TURNS"),

@@ -4,7 +4,6 @@
 
 use std::sync::Arc;
 
-use crate::gcode::axis::{Axis, Position};
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::impeller::assembly::{Assembly, Limited, Pass};
@@ -13,6 +12,7 @@ use crate::impeller::design::{Design, Style};
 use crate::impeller::header::{Origin, blank_header, header};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::Passes;
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::text::Text;
 

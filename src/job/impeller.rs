@@ -3,7 +3,6 @@
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Refusal};
-use crate::gcode::axis::Axis;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::impeller::blade::Blade;
@@ -18,6 +17,7 @@ use crate::impeller::tables::{self, Passes};
 use crate::impeller::tool_path::tool_path;
 use crate::job::impeller_remarks::{judge, no_calibration, no_splitter, not_finite, out_of_format, remarks};
 use crate::job::{Outcome, Source, charts};
+use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;

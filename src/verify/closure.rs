@@ -1,8 +1,8 @@
 //! Closure: a program that is run again must start where it started.
 
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::axis::{Axis, Position};
 use crate::gcode::program::Program;
+use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
 use crate::number::shown;
 use crate::text::Text;

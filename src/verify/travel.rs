@@ -1,7 +1,7 @@
 //! Axis travel: no position of a program may lie beyond the machine's limits.
 
-use crate::gcode::axis::Axis;
 use crate::gcode::program::Program;
+use crate::machine::axis::Axis;
 use crate::machine::travel::{Excess, Travel, excess};
 
 /// Where a program leaves the travel of an axis.

@@ -1,12 +1,12 @@
 //! What the tests share: the published design and designs like it.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
-use rodete::gcode::axis::{Axis, Position};
 use rodete::impeller::blade::Blade;
 use rodete::impeller::cases::CASES;
 use rodete::impeller::design::Design;
 use rodete::impeller::parameters::FORM;
 use rodete::job::{self, Outcome, Source};
+use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
