@@ -11,10 +11,8 @@ use crate::impeller::design::Design;
 use crate::impeller::figures::figures;
 use crate::impeller::header::Origin;
 use crate::impeller::programs::{Tracks, programs};
-use crate::impeller::safety::{End, safe_end};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
-use crate::impeller::tool_path::tool_path;
 use crate::job::impeller_remarks::{judge, no_calibration, no_splitter, not_finite, out_of_format, remarks};
 use crate::job::{Outcome, Source, charts};
 use crate::machine::axis::Axis;
@@ -33,7 +31,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     };
     let design = Design::new(&values).map_err(refused)?;
     let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
-    let passes = passes(&design, &blade);
+    let passes = Passes::new(&design, &blade);
     let mut stops = Vec::new();
     let splitter = if design.splitters {
         Splitter::new(&blade, design.N, design.w(), design.a_p).map_err(|why| stops.push(no_splitter(why))).ok()
@@ -91,16 +89,6 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         values,
         source,
     })
-}
-
-/// The passes of one blade with their safe points.
-fn passes(design: &Design, blade: &Blade) -> Passes {
-    let (w, a_p) = (design.w(), design.a_p);
-    let (obverse, reverse) = (tool_path(blade, w, a_p), tool_path(blade, -w, a_p));
-    let last = blade.points() - 1;
-    let safe = |end, i: usize| safe_end(end, &obverse[i], &reverse[i], design.d_s, design.d_t, w);
-    let (entry, exit) = (safe(End::Entry, 0), safe(End::Exit, last));
-    Passes { obverse, reverse, entry, exit }
 }
 
 /// Derived limits, angles and lengths.
