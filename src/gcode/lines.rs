@@ -41,22 +41,32 @@ impl Program {
         Ok(())
     }
 
+    /// Calls `line` for each line of the program in order, as the control reads it but without the end of line.
+    ///
+    /// # Errors
+    /// Passes on the error of `line`.
+    pub fn for_each_line(&self, line: &mut dyn FnMut(&str) -> io::Result<()>) -> io::Result<()> {
+        let mut whole = String::new();
+        self.for_each(&mut |number, text| {
+            whole.clear();
+            if let Some(number) = number {
+                whole.push('N');
+                push_whole(&mut whole, number);
+                whole.push(' ');
+            }
+            whole.push_str(text);
+            line(&whole)
+        })
+    }
+
     /// Writes the program's text as the control reads it.
     ///
     /// # Errors
     /// Passes on the error of `out`.
     pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let mut line = String::new();
-        self.for_each(&mut |number, text| {
-            line.clear();
-            if let Some(number) = number {
-                line.push('N');
-                push_whole(&mut line, number);
-                line.push(' ');
-            }
-            line.push_str(text);
-            line.push_str(self.dialect.end_of_line);
-            out.write_all(line.as_bytes())
+        self.for_each_line(&mut |line| {
+            out.write_all(line.as_bytes())?;
+            out.write_all(self.dialect.end_of_line.as_bytes())
         })
     }
 

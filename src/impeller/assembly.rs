@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::gcode::dialect::FeedLaw;
 use crate::gcode::program::{Feed, Part, Path, Program, Role};
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::impeller::design::{Design, Style};
@@ -87,12 +88,26 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
         let wanted = if resultant > 0.0 { law.word(seconds, resultant) } else { least };
         let word = if wanted.is_finite() { wanted.clamp(least, most) } else { most };
         limited.by_format += usize::from(resultant > 0.0 && (word - wanted).abs() > 0.0);
-        let word = Milli::round(word)?;
+        let word = slower(law, word)?;
         words.push(word);
         times.push(if resultant > 0.0 { law.seconds(word.value(), resultant) } else { 0.0 });
         (at, tip) = (*to, next);
     }
     Ok(Feed::Each { words: words.into(), seconds: times.into() })
+}
+
+/// An F word on the grid, rounded to the slower side, so that neither tip nor axes run faster than they may.
+fn slower(law: FeedLaw, word: f64) -> Result<Milli, OutOfFormat> {
+    let scaled = word * 1000.0;
+    // A word that is on the grid but for the arithmetic stays what it is.
+    let whole = if (scaled - scaled.round()).abs() < 1e-6 {
+        scaled
+    } else if law == FeedLaw::Seconds {
+        scaled.ceil()
+    } else {
+        scaled.floor().max(1.0)
+    };
+    Milli::round(whole / 1000.0)
 }
 
 /// The point of the part at which the tip stands, mm.

@@ -13,12 +13,13 @@ use crate::impeller::header::Origin;
 use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
-use crate::job::impeller_remarks::{judge, no_calibration, no_splitter, not_finite, out_of_format, remarks};
+use crate::job::impeller_remarks::{no_calibration, no_splitter, not_finite, out_of_format, remarks};
 use crate::job::{Outcome, Source, charts};
 use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
+use crate::verify::impeller::{Geometry, verify};
 
 /// Computes an impeller.
 ///
@@ -74,7 +75,10 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         .map_err(|error| refused(vec![out_of_format(error)]))?;
     let quantities = quantities(&design, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
-    findings.extend(judge(&design, &made.programs));
+    let verification = verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
+    tables.push(verification.table(&made.programs));
+    findings.extend(verification.findings);
+    let curves = verification.curves;
     let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
@@ -82,7 +86,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         form,
         quantities,
         charts: charts::impeller(splitter.is_some()),
-        figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref()))),
+        figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref(), &curves))),
         tables,
         programs: if stopped { Vec::new() } else { made.programs },
         findings,
