@@ -338,8 +338,10 @@ impl Cutting<'_, '_> {
             }
         });
         let splitters = least(|clearances| clearances.splitters).map(|(track, found)| {
-            let name =
-                Text::fixed("Holgura a los intermedios enteros", "Clearance to the splitters where they stand in full");
+            let name = Text::fixed(
+                "Holgura a los intermedios, pasado el cruce",
+                "Clearance to the splitters, past the crossing",
+            );
             let check = Check::passed("splitters", name, program, Text::same(mm(found.distance)), Text::same(""));
             let check = check.at(Some(found.at));
             if found.distance >= 0.0 || !track.of_splitter() {

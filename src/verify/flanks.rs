@@ -5,9 +5,10 @@
 //! evenly along it; between two of them, and between the straight lines of a flank, the true distance is smaller by
 //! less than R/5000.
 //!
-//! A splitter's flanks count from the point where it stands in full on both sides: before it the splitter ends in its
-//! neighbours' channels, which were cut before it and are meant to cut it off. Its own passes must leave the blades
-//! alone. One fraction of the offset serves both of its sides, though, as published: it is made for the side on which
+//! A splitter's flanks count from the point at which the paths on both of its sides have crossed its neighbours': before
+//! it the splitter ends in its neighbours' channels, which were cut before it and are meant to cut it off. How far they
+//! still reach into it past the crossing, which is that of the tips in plan, is said and not held against them. Its own
+//! passes must leave the blades alone. One fraction of the offset serves both of its sides, though, as published: it is made for the side on which
 //! the paths cross first, and on the other side the tool may reach the neighbour. That is for a person to judge, since
 //! it belongs to the method; a blade that cuts into a blade, or a splitter into a splitter, stops the work.
 
@@ -56,7 +57,7 @@ pub struct Neighbours {
     machine: Rotary,
     radius: f64,
     N: u32,
-    /// From which point index on a splitter stands in full on both sides.
+    /// From which point index on a splitter is past the crossings on both sides.
     full: Option<f64>,
 }
 

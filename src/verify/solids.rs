@@ -179,25 +179,17 @@ impl Stock {
     #[must_use]
     pub fn distance(&self, radius: f64, z: f64) -> f64 {
         let Torus { R, r } = self.torus;
-        let (out, below) = (radius - R, -z);
-        let tube = hypot(out, z);
-        let inside = z <= 0.0 && below <= self.length && out <= 0.0 && tube >= r;
-        // The outline: upper face, a quarter of the tube, the side, the lower face.
-        let segment = |from: [f64; 2], to: [f64; 2]| {
-            let (along, to_point) = ([to[0] - from[0], to[1] - from[1]], [radius - from[0], z - from[1]]);
-            let square = along[0] * along[0] + along[1] * along[1];
-            let part = if square > 0.0 {
-                ((to_point[0] * along[0] + to_point[1] * along[1]) / square).clamp(0.0, 1.0)
-            } else {
-                0.0
-            };
-            hypot(to_point[0] - along[0] * part, to_point[1] - along[1] * part)
-        };
+        let (out, bottom) = (radius - R, -self.length.max(r));
+        // Far from overflow, the plain root serves.
+        let length = |x: f64, z: f64| (x * x + z * z).sqrt();
+        let tube = length(out, z);
+        let inside = z <= 0.0 && z >= bottom && out <= 0.0 && tube >= r;
+        // The outline: a quarter of the tube, the upper face, the side, the lower face.
         let arc = if out <= 0.0 && z <= 0.0 { (tube - r).abs() } else { f64::INFINITY };
-        let distance = arc
-            .min(segment([0.0, 0.0], [R - r, 0.0]))
-            .min(segment([R, -r], [R, -self.length.max(r)]))
-            .min(segment([R, -self.length.max(r)], [0.0, -self.length.max(r)]));
+        let upper = length((out + r).max(0.0), z);
+        let side = length(out, (z + r).max(0.0).max(bottom - z));
+        let lower = length(out.max(0.0), z - bottom);
+        let distance = arc.min(upper).min(side).min(lower);
         if inside { -distance } else { distance }
     }
 

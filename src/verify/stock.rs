@@ -5,8 +5,8 @@
 //! is the turned blank before anything is milled. It is a body of revolution about the axis of C, so that C does not
 //! matter. The distance of the tool from it is the least of points over end, rim and side of the tool, then sought down
 //! to its minimum. Along a move it changes by no more than the way W of the farthest point, so that after a distance c
-//! nothing nearer than the least known one can come within (c − least)/W of the move: steps of that length, and
-//! [`FINE`] more, miss the true least by less than [`FINE`].
+//! nothing nearer than the least known one can come within (c − least)/W of the move: steps of that length, and a
+//! twentieth of the safety distance more, miss the true least by less than that twentieth.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -24,7 +24,7 @@ use crate::verify::solids::Stock;
 use crate::verify::step::{Judge, Step};
 use crate::verify::tip_path::between;
 
-/// By how much the least clearance of a move may be missed.
+/// By what part of the safety distance the least clearance of a move may be missed.
 pub const FINE: f64 = 0.05;
 
 /// Directions about the tool and heights along it that are looked at first.
@@ -38,6 +38,7 @@ pub struct Room {
     L: f64,
     radius: f64,
     length: f64,
+    fine: f64,
 }
 
 impl Room {
@@ -49,6 +50,7 @@ impl Room {
             L: design.machine.L,
             radius: design.d_t / 2.0,
             length: design.L_t,
+            fine: design.d_s * FINE,
         }
     }
 
@@ -62,7 +64,13 @@ impl Room {
             let (sin, cos) = sin_cos(angle);
             let (x, y) = (x + self.radius * part * cos, y + self.radius * part * sin);
             let z = z + self.L + self.length * height;
-            self.stock.distance(hypot(x * cos_B + z * sin_B, y), z * cos_B - x * sin_B - self.L)
+            self.stock.distance(
+                {
+                    let out = x * cos_B + z * sin_B;
+                    (out * out + y * y).sqrt()
+                },
+                z * cos_B - x * sin_B - self.L,
+            )
         };
         let mut best = (f64::INFINITY, [0.0, 0.0, 0.0]);
         let mut take = |point: [f64; 3]| {
@@ -112,7 +120,7 @@ impl Room {
         while way > 0.0 && fraction < 1.0 {
             let here = self.distance(&between(from, to, fraction));
             least = least.min(here);
-            fraction += (here - least + FINE) / way;
+            fraction += (here - least + self.fine) / way;
         }
         least
     }
@@ -196,8 +204,8 @@ impl Judge for Clear<'_> {
         rows.into_iter().filter_map(|(key, name, found)| Some((key, name, found?))).map(|(key, name, (least, at))| {
             let check = Check::passed(key, name, program, Text::same(mm(least)), Text::same(mm(self.d_s)));
             let check = check.at(Some(at));
-            // What the search may miss, and the millionths by which a safe point is rounded.
-            if least >= self.d_s - FINE {
+            // A twentieth is what the search may miss, and more than safe points lose to rounding.
+            if least >= self.d_s - self.room.fine {
                 return check;
             }
             let (distance, line) = (shown(least.abs(), 3), at.line);

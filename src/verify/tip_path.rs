@@ -88,7 +88,7 @@ impl Peak {
 const FEW: usize = 400;
 
 /// Most points of a curve to be drawn.
-const DRAWN: usize = 400;
+const DRAWN: usize = 240;
 
 /// What is known of the tip along one track.
 #[derive(Clone, Debug)]
@@ -101,7 +101,7 @@ pub struct Along {
     pub metal: Peak,
     /// The greatest distance of a block's end from its exact point: what the grid of 0.001 leaves.
     pub grid: Peak,
-    /// x and how far into the metal, to be drawn.
+    /// x and how far into the metal in the middle of blocks, to be drawn.
     pub curve: Vec<[f64; 2]>,
     parts: u16,
     stride: usize,
@@ -112,7 +112,7 @@ impl Along {
     #[must_use]
     pub fn new(ideal: Ideal, n: usize) -> Self {
         let parts: u16 = if n <= FEW { 8 } else { 4 };
-        let stride = if n * usize::from(parts) <= DRAWN { 1 } else { (n * 2).div_ceil(DRAWN) };
+        let stride = n.div_ceil(DRAWN).max(1);
         let peak = Peak::default();
         Self { ideal, total: peak, metal: peak, grid: peak, curve: Vec::new(), parts, stride }
     }
@@ -136,7 +136,8 @@ impl Along {
             let at = deviation(&self.ideal, machine, &between(ends[0], ends[1], fraction), turn, x);
             self.total.raise(at.total, x, block);
             self.metal.raise(at.into_metal(), x, block);
-            if drawn && (self.stride == 1 || 2 * part == self.parts) {
+            // The middle of a block is where it leaves its path farthest.
+            if drawn && 2 * part == self.parts {
                 self.curve.push([x, at.into_metal()]);
             }
         }

@@ -41,7 +41,7 @@ pub(super) fn fraction(splitter: &Splitter) -> Figure {
     }
 }
 
-/// How far the tip goes into the metal between the blocks, along each track.
+/// How far the tip goes into the metal in the middle of each block, along each track.
 pub(super) fn deviation(curves: &[Curve]) -> Figure {
     let ink = |track: Track| match track {
         Track::Obverse => Ink::Obverse,
@@ -52,8 +52,8 @@ pub(super) fn deviation(curves: &[Curve]) -> Figure {
     Figure {
         key: "deviation",
         caption: t(
-            "Desviación de la punta a lo largo del álabe, positiva hacia el metal",
-            "Deviation of the tip along the blade, positive into the metal",
+            "Desviación de la punta en mitad de cada bloque, positiva hacia el metal",
+            "Deviation of the tip in the middle of each block, positive into the metal",
         ),
         axes: Some(Axes { x: Text::same("i"), y: t("hacia el metal (µm)", "into the metal (µm)") }),
         strokes: curves
