@@ -7,7 +7,6 @@ use crate::impeller::blade::Blade;
 use crate::impeller::design::{Design, Style};
 use crate::impeller::figures::Curve;
 use crate::impeller::splitter::Splitter;
-use crate::impeller::track::Track;
 use crate::number::grid::Milli;
 use crate::table::{Column, Index, Table};
 use crate::text::Text;
@@ -63,7 +62,7 @@ pub fn verify(geometry: Geometry<'_>, programs: &[Program]) -> Verification {
         match judged {
             Ok(checks) => verification.add(program, checks, text),
             Err(finding) => {
-                verification.findings.push(finding);
+                verification.findings.push(*finding);
                 verification.add(program, Vec::new(), text);
             }
         }
@@ -80,9 +79,9 @@ pub fn verify(geometry: Geometry<'_>, programs: &[Program]) -> Verification {
 pub fn judge(
     geometry: Geometry<'_>,
     program: &Program,
-    motions: impl Iterator<Item = Result<Motion, Finding>>,
+    motions: impl Iterator<Item = Result<Motion, Box<Finding>>>,
     known: &mut Known,
-) -> Result<Vec<Check>, Finding> {
+) -> Result<Vec<Check>, Box<Finding>> {
     let design = geometry.design;
     let mut agreement = Agreement::new(design.machine, expected(design, program));
     let mut closure = Closure::new(turn(design, program));
@@ -208,11 +207,4 @@ impl Verification {
             ],
         }
     }
-}
-
-/// The tracks of a design, for those who show them.
-#[must_use]
-pub fn tracks(geometry: Geometry<'_>) -> impl Iterator<Item = Track> {
-    let with = geometry.splitter.is_some();
-    Track::ALL.into_iter().filter(move |track| with || !track.of_splitter())
 }

@@ -17,8 +17,8 @@ use crate::verify::tip_path::Along;
 
 /// The greatest n that is tried: the form's own limit.
 const MOST: usize = 100_000;
-/// Blocks that may be computed in all: about as long as it takes to read a large program.
-const BLOCKS: usize = 400_000;
+/// Blocks a track that may be computed in all: a fraction of a second.
+const BLOCKS: usize = 100_000;
 
 /// The greatest deviation of the tip along any track of a design cut in n steps, from the positions on the grid; mm.
 ///

@@ -10,7 +10,7 @@ use crate::machine::axis::Pose;
 ///
 /// A program that begins wherever the machine stands may be counted from any point; [`super::step`] puts it where the
 /// plan starts.
-pub fn read_back(program: &Program) -> impl Iterator<Item = Result<Motion, Finding>> + '_ {
+pub fn read_back(program: &Program) -> impl Iterator<Item = Result<Motion, Box<Finding>>> + '_ {
     let header = program.parts.iter().filter(|part| matches!(part, Part::Opening(_) | Part::Comment(_))).count();
     program.moves().map(move |each| {
         let kind = match (&each.path.feed, each.path.rapid) {

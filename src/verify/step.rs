@@ -70,7 +70,6 @@ impl Step<'_> {
     }
 
     /// Where a judge that watches positions must look: the end, and the beginning where it is known.
-    #[must_use]
     pub fn ends(&self) -> impl Iterator<Item = &Pose> {
         let known = !matches!(self.stage, Stage::Positioning);
         known.then_some(&self.motion.from).into_iter().chain([&self.motion.to])
@@ -99,7 +98,7 @@ pub struct Steps<'a, I> {
     started: bool,
 }
 
-impl<'a, I: Iterator<Item = Result<Motion, Finding>>> Steps<'a, I> {
+impl<'a, I: Iterator<Item = Result<Motion, Box<Finding>>>> Steps<'a, I> {
     /// The steps of a program whose text gave these motions.
     #[must_use]
     pub fn new(program: &'a Program, motions: I) -> Self {
@@ -110,8 +109,8 @@ impl<'a, I: Iterator<Item = Result<Motion, Finding>>> Steps<'a, I> {
     }
 }
 
-impl<'a, I: Iterator<Item = Result<Motion, Finding>>> Iterator for Steps<'a, I> {
-    type Item = Result<Step<'a>, Finding>;
+impl<'a, I: Iterator<Item = Result<Motion, Box<Finding>>>> Iterator for Steps<'a, I> {
+    type Item = Result<Step<'a>, Box<Finding>>;
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
@@ -146,9 +145,9 @@ impl<'a, I: Iterator<Item = Result<Motion, Finding>>> Iterator for Steps<'a, I> 
 /// Where the text cannot be read on.
 pub fn watch(
     program: &Program,
-    motions: impl Iterator<Item = Result<Motion, Finding>>,
+    motions: impl Iterator<Item = Result<Motion, Box<Finding>>>,
     judges: &mut [&mut dyn Judge],
-) -> Result<(), Finding> {
+) -> Result<(), Box<Finding>> {
     for step in Steps::new(program, motions) {
         let step = step?;
         for judge in &mut *judges {

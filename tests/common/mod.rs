@@ -74,7 +74,7 @@ pub fn read_back(text: &str, start: Position) -> Vec<Position> {
 }
 
 /// The motions that a program's text gives, from all axes at 0: a small reader of its own, word by word.
-pub fn motions(text: &str, program: &Program) -> Vec<Result<Motion, Finding>> {
+pub fn motions(text: &str, program: &Program) -> Vec<Result<Motion, Box<Finding>>> {
     let mut at = Pose::default();
     let (mut absolute, mut rapid, mut per_minute, mut F) = (true, false, true, None);
     let mut motions = Vec::new();
