@@ -7,6 +7,7 @@ pub mod comment;
 pub mod dialect;
 pub mod lines;
 pub mod motion;
+pub mod offset_preamble;
 pub mod program;
 pub mod summary;
 pub mod word;
