@@ -243,6 +243,9 @@ impl OffsetsSheet<'_> {
         active: bool,
     ) -> Result<(), WriteError> {
         let styles = &self.styles;
+        // A table's numbers stand under their headings, which have no indent.
+        let [input_number, input_text] =
+            [&styles.input_number, &styles.input_text].map(|format| format.clone().set_indent(0));
         write_text(sheet, row, NAMES, name, &styles.symbol)?;
         for (at, column) in (1..).zip(Column::all()) {
             let number = match column {
@@ -256,10 +259,10 @@ impl OffsetsSheet<'_> {
                     let Kind::Choice(choices) = parameter.kind else { continue };
                     let choice = choices.iter().find(|choice| (choice.key == YES) == active);
                     let label = choice.map_or("", |choice| choice.label.get(self.language));
-                    write_text(sheet, row, at, label, &styles.input_text)?;
+                    write_text(sheet, row, at, label, &input_text)?;
                 }
                 (_, Some(number)) => {
-                    sheet.write_number_with_format(row, at, number + 0.0, &styles.input_number)?;
+                    sheet.write_number_with_format(row, at, number + 0.0, &input_number)?;
                 }
                 // G92 does not turn.
                 (_, None) => {
