@@ -18,6 +18,7 @@ How to work with it:
   rodete new impeller           writes impeller.xlsx, ready to edit in Excel
   rodete check impeller.xlsx    says what would stop a build, and the limits
   rodete build impeller.xlsx    writes tables, programs and report into impeller-out
+  rodete offsets linuxcnc.var   shows the work offsets of a LinuxCNC machine
 
 Exit codes:
     0  done
