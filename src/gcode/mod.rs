@@ -9,6 +9,7 @@ pub mod dialect;
 pub mod interpreter;
 pub mod lines;
 pub mod motion;
+pub mod offset_preamble;
 pub mod program;
 mod read_back;
 pub mod summary;
