@@ -80,6 +80,42 @@ impl<'l> Cursor<'l> {
 
     /// A decimal number without a sign: digits with at most one point among them.
     pub(super) fn number(&mut self) -> Outcome<Decimal> {
+        self.short_number().map_or_else(|| self.any_number(), Ok)
+    }
+
+    /// A number of at most 15 digits that the next word or the end of the line follows, as nearly all are; `None`, without
+    /// passing anything, for any other.
+    fn short_number(&mut self) -> Option<Decimal> {
+        let bytes = self.line.get(self.at..)?;
+        let digits = |from: usize, mantissa: &mut u64| {
+            let mut at = from;
+            while let Some(digit) = bytes.get(at).map(|byte| byte.wrapping_sub(b'0'))
+                && digit < 10
+                && at < 16
+            {
+                *mantissa = *mantissa * 10 + u64::from(digit);
+                at += 1;
+            }
+            at
+        };
+        let mut mantissa = 0;
+        let whole = digits(0, &mut mantissa);
+        let point = bytes.get(whole) == Some(&b'.');
+        let end = if point { digits(whole + 1, &mut mantissa) } else { whole };
+        let decimals = end - whole - usize::from(point);
+        if whole + decimals == 0 || end >= 16 {
+            return None;
+        }
+        // A blank may stand inside a number: look behind it.
+        let next = bytes.get(end..)?.iter().find(|&&byte| byte != b' ').copied();
+        if matches!(next, Some(b'0'..=b'9' | b'.' | b'\t' | b'(' | b'e' | b'E')) {
+            return None;
+        }
+        self.at += end;
+        Some(Decimal { value: decimal(mantissa, decimals), point })
+    }
+
+    fn any_number(&mut self) -> Outcome<Decimal> {
         let start = self.at;
         let (mut mantissa, mut digits, mut decimals, mut point, mut long) = (0_u64, 0_usize, 0_usize, false, false);
         loop {
