@@ -83,9 +83,10 @@ mod tests {
     #[test]
     fn tools_are_read_with_their_lengths_in_millimetres() {
         let tools = parse(b"T1 P1 Z+1.5 D0.25 ; drill\n\n;none\nT12 P3 X-1 Z2\n", LengthUnit::Inch).unwrap();
-        assert_eq!(tools[&1].offset.get(Axis::Z), 38.1);
-        assert_eq!(tools[&1].diameter, 6.35);
-        assert_eq!(tools[&12].offset.get(Axis::X), -25.4);
+        let near = |one: f64, other: f64| (one - other).abs() < 1e-12;
+        assert!(near(tools[&1].offset.get(Axis::Z), 38.1));
+        assert!(near(tools[&1].diameter, 6.35));
+        assert!(near(tools[&12].offset.get(Axis::X), -25.4));
     }
 
     #[test]
