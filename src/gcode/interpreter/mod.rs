@@ -329,7 +329,7 @@ impl<'a> Interpreter<'a> {
                 return Ok(());
             }
             if self.percent {
-                return self.end();
+                return if self.stage == Stage::Opening { self.end_of_file() } else { self.end() };
             }
         }
         Err(Fault::at(
