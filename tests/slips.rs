@@ -227,9 +227,8 @@ fn net(name: &str) -> [f64; 5] {
 /// What a program of ours leaves of X, Y, Z, B and C, summed over its text.
 fn left(program: &rodete::gcode::program::Program) -> [f64; 5] {
     use rodete::machine::axis::Axis;
-    let motions = common::motions(&program.text(), program);
-    let (first, last) = (motions.first().unwrap().as_ref().unwrap(), motions.last().unwrap().as_ref().unwrap());
-    let net = last.to.differences(&first.from);
+    let motions: Vec<_> = program.read_back().map(Result::unwrap).collect();
+    let net = motions.last().unwrap().to.differences(&motions.first().unwrap().from);
     [Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C].map(|axis| (net[axis as usize] * 1000.0).round() / 1000.0 + 0.0)
 }
 

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use proptest::prelude::*;
 use rodete::finding::Grade;
+use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::program::Program;
 use rodete::impeller::blade::Blade;
 use rodete::impeller::design::Design;
@@ -187,8 +188,8 @@ impl Prepared {
         let geometry = Geometry { design: &self.design, blade: &self.blade, splitter: Some(&self.splitter) };
         let program = self.programs.iter().find(|program| program.key == key).unwrap();
         let text = change(&program.text());
-        let motions = common::motions(&text, program);
-        let mut checks: Vec<Check> = judge(geometry, program, motions.into_iter(), &mut Known::new(geometry)).unwrap();
+        let mut read = Interpreter::over(text.as_bytes(), Setting::new(program.dialect));
+        let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry));
         let mut characters = Characters::new(program);
         text.lines().for_each(|line| characters.line(line));
         checks.push(characters.check());

@@ -6,6 +6,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use super::kinds;
+use crate::gcode::dialect::ALL;
+use crate::machine::work_offset::System;
 use crate::text::Language;
 
 /// From a workbook of design parameters to checked tables, ISO programs and a report for 5-axis impellers.
@@ -17,6 +19,8 @@ How to work with it:
   rodete new impeller           writes impeller.xlsx, ready to edit in Excel
   rodete check impeller.xlsx    says what would stop a build, and the limits
   rodete build impeller.xlsx    writes tables, programs and report into impeller-out
+  rodete verify program.nc      reads a program as the control would and says what it comes to
+  rodete offsets linuxcnc.var   shows the work offsets of a LinuxCNC machine
 
 Exit codes:
     0  done
@@ -48,6 +52,20 @@ pub(super) enum Command {
     /// nothing: a file appears under its name only when the whole set is complete. Several workbooks are built side
     /// by side, and one that is refused does not stop the others.
     Build(Build),
+    /// Read ISO programs as the control would and say what they come to
+    ///
+    /// Extents, end position, path length, time, and everything that is wrong, each with line and column. Exit 3 where a
+    /// program is refused, 7 where a loop does not end. Lengths in millimetres, angles in degrees, whatever the program's
+    /// unit.
+    Verify(Verify),
+    /// Show and edit the work offsets in LinuxCNC's parameter file
+    ///
+    /// Without options: G54 to G59.3, G92, G28 and G30 as the file holds them, and the blocks that give a control the
+    /// same offsets. Lengths are in the machine's unit, millimetres unless --inch is given. With --set, --use or a
+    /// workbook that exists the file is rewritten, all or nothing; other parameters stay digit by digit, and a file
+    /// that does not exist is made with the parameters that LinuxCNC wants. Close LinuxCNC before: it holds the
+    /// parameters in memory and writes them over the file when it ends.
+    Offsets(Offsets),
 }
 
 /// Arguments of `new`.
@@ -102,6 +120,77 @@ pub(super) struct Build {
     /// Print one JSON document instead of text: findings, derived values, written files with their SHA-256
     #[arg(long)]
     pub(super) json: bool,
+}
+
+/// Arguments of `verify`.
+#[derive(Debug, Args)]
+pub(super) struct Verify {
+    /// Programs to read
+    #[arg(required = true, value_name = "PROGRAM")]
+    pub(super) programs: Vec<PathBuf>,
+    /// Dialect of the programs [default: told from the program]
+    #[arg(long, value_parser = PossibleValuesParser::new(ALL.map(|dialect| dialect.name)))]
+    pub(super) dialect: Option<String>,
+    /// LinuxCNC's parameter file: work offsets and parameters at the start
+    #[arg(long, value_name = "FILE")]
+    pub(super) var: Option<PathBuf>,
+    /// LinuxCNC's tool table: tool lengths
+    #[arg(long, value_name = "FILE")]
+    pub(super) tools: Option<PathBuf>,
+    /// Print one JSON object for each canonical motion
+    #[arg(long, conflicts_with = "json")]
+    pub(super) canon: bool,
+    /// Skip blocks that begin with /
+    #[arg(long)]
+    pub(super) block_delete: bool,
+    /// The control forgets G92 and G52 at the end of a program (DISABLE_G92_PERSISTENCE)
+    #[arg(long)]
+    pub(super) no_g92_persistence: bool,
+    /// The machine counts in inches: var file, tool table, and programs that do not say their unit
+    #[arg(long)]
+    pub(super) inch: bool,
+    /// Language of the messages [default: en]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
+    /// Print one JSON document instead of text
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+/// Arguments of `offsets`.
+#[derive(Debug, Args)]
+pub(super) struct Offsets {
+    /// LinuxCNC's parameter file, PARAMETER_FILE in the INI file
+    #[arg(value_name = "FILE.var")]
+    pub(super) file: PathBuf,
+    /// Set axis words of a system, in machine coordinates: "G55 X2 Y1 Z-2 R30"
+    ///
+    /// Takes G54 to G59.3 with X Y Z A B C U V W, and R, the rotation in degrees; axes that are not named stay. G52
+    /// with axis words writes the registers that G92 and G52 share and puts them in force; G92.1 clears them, G92.2 and
+    /// G92.3 take them out of force and put them back. G92 with axis words is refused: it starts from the position of
+    /// the machine. Numbers have a decimal point, no exponent and at most six decimals. May be given several times; done
+    /// in order, after the workbook.
+    #[arg(long, value_name = "WORDS")]
+    pub(super) set: Vec<String>,
+    /// Make a system the active one, parameter 5220
+    #[arg(long = "use", value_name = "SYSTEM", value_parser = system())]
+    pub(super) active: Option<System>,
+    /// Workbook with the sheet OFFSETS (ORIGENES): read into the file if it exists, else written from it
+    #[arg(long, value_name = "FILE.xlsx")]
+    pub(super) workbook: Option<PathBuf>,
+    /// The machine counts in inches: lengths of the file, of --set and of the workbook
+    #[arg(long)]
+    pub(super) inch: bool,
+    /// Language of the messages and of a new workbook [default: en]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
+    /// Print one JSON document instead of text
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+fn system() -> impl TypedValueParser<Value = System> {
+    PossibleValuesParser::new(System::ALL.map(System::name)).map(|name| System::from_name(&name).unwrap_or_default())
 }
 
 fn language() -> impl TypedValueParser<Value = Language> {

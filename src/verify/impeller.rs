@@ -1,7 +1,7 @@
 //! The verification of an impeller: every program read back once, every judge asked.
 
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::motion::Motion;
+use crate::gcode::interpreter::{Fault, Interpreter, NO_FEED};
 use crate::gcode::program::Program;
 use crate::impeller::blade::Blade;
 use crate::impeller::design::{Design, Style};
@@ -12,11 +12,10 @@ use crate::table::{Column, Index, Table};
 use crate::text::Text;
 use crate::verify::agreement::{Agreement, Passes};
 use crate::verify::arcs::Arcs;
-use crate::verify::check::{Check, Verdict};
+use crate::verify::check::{At, Check, FAULT, Verdict};
 use crate::verify::closure::{Closure, Turn};
 use crate::verify::cutting::{Cutting, Known};
 use crate::verify::feed::Feeds;
-use crate::verify::source::read_back;
 use crate::verify::step::watch;
 use crate::verify::stock::Clear;
 use crate::verify::text::read;
@@ -51,37 +50,23 @@ pub fn verify(geometry: Geometry<'_>, programs: &[Program]) -> Verification {
     let mut known = Known::new(geometry);
     let mut verification = Verification { checks: Vec::new(), findings: Vec::new(), curves: Vec::new() };
     for program in programs {
-        let judged = if program.key == "blank" {
-            Ok(Vec::new())
+        let checks = if program.key == "blank" {
+            Vec::new()
         } else {
-            judge(geometry, program, read_back(program), &mut known)
+            judge(geometry, program, &mut program.read_back(), &mut known)
         };
         let characters = read(program);
         let bytes = characters.bytes();
         let text = characters.check();
-        match judged {
-            Ok(checks) => verification.add(program, checks, text),
-            Err(finding) => {
-                verification.findings.push(*finding);
-                verification.add(program, Vec::new(), text);
-            }
-        }
+        verification.add(program, checks, text);
         verification.findings.extend(too_long(program, bytes));
     }
     verification.curves = known.curves();
     verification
 }
 
-/// Judges the motions that a program's text gives.
-///
-/// # Errors
-/// Where the text cannot be read on.
-pub fn judge(
-    geometry: Geometry<'_>,
-    program: &Program,
-    motions: impl Iterator<Item = Result<Motion, Box<Finding>>>,
-    known: &mut Known,
-) -> Result<Vec<Check>, Box<Finding>> {
+/// Judges the motions that a program's text gives. A text that the interpreter refuses is asked nothing else.
+pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'_>, known: &mut Known) -> Vec<Check> {
     let design = geometry.design;
     let mut agreement = Agreement::new(design.machine, expected(design, program));
     let mut closure = Closure::new(turn(design, program));
@@ -94,10 +79,42 @@ pub fn judge(
     let mut cutting = Cutting::new(geometry, known);
     let mut judges: [&mut dyn crate::verify::step::Judge; 8] =
         [&mut agreement, &mut closure, &mut axes, &mut turning, &mut feeds, &mut cutting, &mut clear, &mut arcs];
-    watch(program, motions, &mut judges)?;
-    let checks = judges.iter_mut().flat_map(|judge| judge.checks(program)).collect();
+    let read = watch(program, &mut *text, &mut judges);
+    let mut checks = vec![reading(program, text, read.as_ref().err())];
+    if read.is_ok() {
+        checks.extend(judges.iter_mut().flat_map(|judge| judge.checks(program)));
+    }
     known.clear_moves = clear_moves;
-    Ok(checks)
+    checks
+}
+
+/// How the interpreter took the text.
+fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Box<Fault>>) -> Check {
+    let lines = text.lines();
+    let name = Text::fixed("Leído de nuevo por el intérprete", "Read back by the interpreter");
+    let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
+    let check = Check::passed("reading", name, program, value, Text::same(program.dialect.name));
+    if let Some(fault) = fault {
+        let at = At { line: fault.line, n: None, point: None };
+        let what = Text::new(
+            format!("el control no toma la línea {} de «{}»: {}", fault.line, program.title.es, fault.what.es),
+            format!("the control does not take line {} of \"{}\": {}", fault.line, program.title.en, fault.what.en),
+        );
+        let remedy = if fault.remedy.is_empty() { FAULT } else { fault.remedy.clone() };
+        return check.at(Some(at)).found(Verdict::Stop, what, remedy);
+    }
+    // Of feeds the judge of feeds speaks.
+    match text.remarks().into_iter().find(|remark| remark.grade >= Grade::Caution && remark.what != NO_FEED) {
+        None => check,
+        Some(remark) => check.found(
+            Verdict::Caution,
+            Text::new(
+                format!("«{}»: {}", program.title.es, remark.what.es),
+                format!("\"{}\": {}", program.title.en, remark.what.en),
+            ),
+            remark.remedy,
+        ),
+    }
 }
 
 /// How many passes of each track a program should make.

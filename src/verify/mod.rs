@@ -18,6 +18,7 @@
 //! | [`text`] | are characters, numbers and lines such as the control takes them |
 //! | [`arcs`] | would LinuxCNC take an arc |
 
+pub mod account;
 pub mod agreement;
 pub mod arcs;
 pub mod check;
@@ -29,7 +30,6 @@ pub mod floor;
 pub mod impeller;
 pub mod refinement;
 pub mod solids;
-pub mod source;
 pub mod step;
 pub mod stock;
 pub mod text;

@@ -1,6 +1,6 @@
 //! The motions of a program beside its plan, and what a judge is.
 
-use crate::finding::Finding;
+use crate::gcode::interpreter::Fault;
 use crate::gcode::motion::{Kind, Motion};
 use crate::gcode::program::{Move, Moves, Program, Role};
 use crate::impeller::track::Track;
@@ -98,7 +98,7 @@ pub struct Steps<'a, I> {
     started: bool,
 }
 
-impl<'a, I: Iterator<Item = Result<Motion, Box<Finding>>>> Steps<'a, I> {
+impl<'a, I: Iterator<Item = Result<Motion, Box<Fault>>>> Steps<'a, I> {
     /// The steps of a program whose text gave these motions.
     #[must_use]
     pub fn new(program: &'a Program, motions: I) -> Self {
@@ -109,14 +109,14 @@ impl<'a, I: Iterator<Item = Result<Motion, Box<Finding>>>> Steps<'a, I> {
     }
 }
 
-impl<'a, I: Iterator<Item = Result<Motion, Box<Finding>>>> Iterator for Steps<'a, I> {
-    type Item = Result<Step<'a>, Box<Finding>>;
+impl<'a, I: Iterator<Item = Result<Motion, Box<Fault>>>> Iterator for Steps<'a, I> {
+    type Item = Result<Step<'a>, Box<Fault>>;
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
             let mut motion = match self.motions.next()? {
                 Ok(motion) => motion,
-                Err(finding) => return Some(Err(finding)),
+                Err(fault) => return Some(Err(fault)),
             };
             let shift = *self.shift.get_or_insert_with(|| self.start.differences(&motion.from));
             for axis in Axis::ALL {
@@ -142,12 +142,12 @@ impl<'a, I: Iterator<Item = Result<Motion, Box<Finding>>>> Iterator for Steps<'a
 /// Lets all judges see all motions of a program.
 ///
 /// # Errors
-/// Where the text cannot be read on.
+/// Passes on what the interpreter refuses.
 pub fn watch(
     program: &Program,
-    motions: impl Iterator<Item = Result<Motion, Box<Finding>>>,
+    motions: impl Iterator<Item = Result<Motion, Box<Fault>>>,
     judges: &mut [&mut dyn Judge],
-) -> Result<(), Box<Finding>> {
+) -> Result<(), Box<Fault>> {
     for step in Steps::new(program, motions) {
         let step = step?;
         for judge in &mut *judges {

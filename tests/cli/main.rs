@@ -5,5 +5,7 @@
 mod common;
 mod environment;
 mod faults;
+mod offsets;
 mod usage;
+mod verify;
 mod work;

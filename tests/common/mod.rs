@@ -1,16 +1,12 @@
 //! What the tests share: the published design and designs like it.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
-use rodete::finding::Finding;
-use rodete::gcode::dialect::FeedLaw;
-use rodete::gcode::motion::{Feed, Kind, Motion};
-use rodete::gcode::program::Program;
 use rodete::impeller::blade::Blade;
 use rodete::impeller::cases::CASES;
 use rodete::impeller::design::Design;
 use rodete::impeller::parameters::FORM;
 use rodete::job::{self, Outcome, Source};
-use rodete::machine::axis::{Axis, Pose, Position};
+use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
@@ -71,41 +67,4 @@ pub fn read_back(text: &str, start: Position) -> Vec<Position> {
         }
     }
     positions
-}
-
-/// The motions that a program's text gives, from all axes at 0: a small reader of its own, word by word.
-pub fn motions(text: &str, program: &Program) -> Vec<Result<Motion, Box<Finding>>> {
-    let mut at = Pose::default();
-    let (mut absolute, mut rapid, mut per_minute, mut F) = (true, false, true, None);
-    let mut motions = Vec::new();
-    for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.starts_with([';', '(', '%'])) {
-        let (from, mut n, mut moves) = (at, None, false);
-        for word in line.split_whitespace() {
-            let (letter, number) = word.split_at(1);
-            let Ok(value) = number.parse::<f64>() else { continue };
-            match (letter, number) {
-                ("N", _) => n = number.parse().ok(),
-                ("G", "90") => absolute = true,
-                ("G", "91") => absolute = false,
-                ("G", "0") => rapid = true,
-                ("G", "1") => rapid = false,
-                ("G", "93") => per_minute = false,
-                ("G", "94") => per_minute = true,
-                ("F", _) => F = Some(value),
-                _ => {}
-            }
-            if let Some(axis) = Axis::ALL.into_iter().find(|axis| letter.starts_with(axis.letter())) {
-                at.set(axis, if absolute { value } else { at.get(axis) + value });
-                moves = true;
-            }
-        }
-        if moves {
-            let way = at.differences(&from).iter().map(|by| by * by).sum::<f64>().sqrt();
-            let law = if per_minute { FeedLaw::Resultant } else { program.dialect.feed };
-            let seconds = F.filter(|_| !rapid).map(|F| law.seconds(F, way));
-            let kind = if rapid { Kind::Rapid } else { Kind::Feed(Feed::default()) };
-            motions.push(Ok(Motion { line: index + 1, n, kind, from, to: at, machine: at, seconds }));
-        }
-    }
-    motions
 }
