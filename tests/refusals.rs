@@ -259,6 +259,15 @@ fn annex_style_says_that_it_carries_no_feed() {
 }
 
 #[test]
+fn programs_without_feed_are_refused_where_the_control_needs_one() {
+    let found = refused("tfg-2021", &[("dialect", Value::Choice("linuxcnc"))]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(found[0].what.en, "style annex carries no feed F, and dialect linuxcnc does not move without it");
+    assert_eq!(found[0].remedy.en, "style = full");
+    assert_eq!(found[0].place, Place::Parameters(vec!["style", "dialect"]));
+}
+
+#[test]
 fn every_program_says_that_it_closes() {
     for case in ["tfg-2021", "full"] {
         let outcome = common::outcome(case, &[]);

@@ -109,6 +109,10 @@ fn coarse_steps_are_a_caution_that_names_the_n() {
 fn shipped_programs_pass_but_for_the_published_splitter() {
     for case in ["tfg-2021", "full"] {
         for dialect in ["fagor-8055", "fagor-8070", "linuxcnc"] {
+            // LinuxCNC does not move without F, which style annex does not carry.
+            if case == "tfg-2021" && dialect == "linuxcnc" {
+                continue;
+            }
             for distance in ["G90", "G91"] {
                 let changes = [
                     ("dialect", Value::Choice(dialect)),
@@ -180,7 +184,10 @@ impl Prepared {
         let design = Design::new(&common::values(case, changes)).unwrap();
         let blade = common::blade(&design);
         let splitter = Splitter::new(&blade, design.N, design.w(), design.a_p).unwrap();
-        Self { design, blade, splitter, programs: common::outcome(case, changes).programs }
+        let outcome = common::outcome(case, changes);
+        let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
+        assert!(stops.is_empty(), "{stops:?}");
+        Self { design, blade, splitter, programs: outcome.programs }
     }
 
     /// The worst verdict of each check on a program's text after a change.
@@ -198,7 +205,7 @@ impl Prepared {
             let known = worst.entry(check.key).or_insert(check.verdict);
             *known = check.verdict.max(*known);
             if check.verdict > Verdict::Note {
-                let finding = check.finding().unwrap();
+                let finding = check.finding().unwrap_or_else(|| panic!("{check:?}"));
                 assert!(!finding.what.es.is_empty() && !finding.remedy.es.is_empty());
             }
         }
