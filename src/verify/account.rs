@@ -4,7 +4,7 @@ use crate::finding::{Finding, Grade, Place};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
-use crate::number::shown;
+use crate::number::{shown, trig};
 use crate::text::Text;
 
 /// Least and greatest position of each axis; mm and degrees.
@@ -57,19 +57,24 @@ impl Account {
                     let [_, _, across] = arc.plane.axes();
                     arc.length(by[across as usize])
                 };
-                let program = &mut self.program;
-                let machine = &mut self.machine;
-                // The offsets between program and machine coordinates are those at the end of the arc; where the system is
-                // rotated the quarter points are not the farthest of the machine's axes and only its ends count.
-                let offset = motion.machine.differences(&motion.to);
-                let start = before.differences(&motion.from);
-                let level = offset.iter().zip(start).all(|(one, other)| (one - other).abs() < 1e-9);
+                let (program, machine) = (&mut self.program, &mut self.machine);
+                let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
+                let to_machine = |at: &Pose| {
+                    let by = at.differences(&motion.to);
+                    let mut at = Pose(std::array::from_fn(|axis| motion.machine.0[axis] + by[axis]));
+                    at.set(Axis::X, motion.machine.get(Axis::X) + by[0] * cos - by[1] * sin);
+                    at.set(Axis::Y, motion.machine.get(Axis::Y) + by[0] * sin + by[1] * cos);
+                    at
+                };
                 arc.quarters(&motion.from, &motion.to, &mut |at| {
                     reach(program, at);
-                    if level {
-                        reach(machine, &Pose(std::array::from_fn(|axis| at.0[axis] + offset[axis])));
-                    }
+                    reach(machine, &to_machine(at));
                 });
+                if arc.rotation != 0.0 {
+                    for direction in [[cos, -sin, 0.0], [sin, cos, 0.0]] {
+                        arc.farthest(&motion.from, &motion.to, direction, &mut |at| reach(machine, &to_machine(at)));
+                    }
+                }
             }
             Kind::Dwell(_) => {}
         }
@@ -125,4 +130,73 @@ pub fn drift(interpreter: &Interpreter<'_>, start: &Pose) -> Option<Finding> {
         Finding::note(Place::File, turns)
     };
     Some(finding.with(list, "X 0  Y 0  Z 0"))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::interpreter::Setting;
+
+    /// The extents of an arc in machine coordinates, from many points along it.
+    fn sampled(motion: &Motion) -> Extents {
+        let Kind::Arc(arc, _) = motion.kind else { unreachable!("an arc") };
+        let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
+        let [a, b, _] = arc.plane.axes();
+        let mut extents = None;
+        for step in 0..=20_000_u16 {
+            let part = f64::from(step) / 20_000.0;
+            let (up, along) = trig::sin_cos(arc.start + arc.sweep * part);
+            let mut at = Pose(std::array::from_fn(|axis| {
+                motion.from.0[axis] + (motion.to.0[axis] - motion.from.0[axis]) * part - motion.to.0[axis]
+            }));
+            at.set(a, arc.centre[0] + arc.radius * along - motion.to.get(a));
+            at.set(b, arc.centre[1] + arc.radius * up - motion.to.get(b));
+            let [x, y, z] = [at.0[0], at.0[1], at.0[2]];
+            let mut machine = motion.machine;
+            for (axis, by) in [(Axis::X, x * cos - y * sin), (Axis::Y, x * sin + y * cos), (Axis::Z, z)] {
+                machine.set(axis, machine.get(axis) + by);
+            }
+            reach(&mut extents, &machine);
+        }
+        extents.unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn arcs_reach_as_far_as_their_points_under_any_rotation(
+            plane in 17_u8..20, code in 2_u8..4, rotation in -180.0..180.0_f64, i in -50.0..50.0_f64,
+            j in 1.0..50.0_f64, turn in 0.1..6.2_f64, rise in -200.0..200.0_f64, P in 1_u8..4,
+        ) {
+            let (sin, cos) = trig::sin_cos(turn);
+            let end = [i - i * cos + j * sin, j - i * sin - j * cos];
+            let [first, second, across, I, J] = match plane {
+                17 => ["X", "Y", "Z", "I", "J"],
+                18 => ["Z", "X", "Y", "K", "I"],
+                _ => ["Y", "Z", "X", "J", "K"],
+            };
+            let text = format!(
+                "G10 L2 P2 X5 Y-7 R{rotation:.9}\nG55 G{plane} G21 G0 X0 Y0 Z0\nG{code} {first}{:.9} {second}{:.9} \
+                 {across}{rise:.9} {I}{i:.9} {J}{j:.9} P{P} F100\nM2\n",
+                end[0], end[1]
+            );
+            let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
+            let mut before = interpreter.position().1;
+            let mut found = None;
+            while let Some(motion) = interpreter.next() {
+                let motion = motion.unwrap();
+                let mut account = Account::default();
+                account.take(&motion, &before);
+                before = motion.machine;
+                found = Some((motion, account.machine.unwrap()));
+            }
+            let (motion, found) = found.unwrap();
+            for (found, expected) in found.iter().zip(sampled(&motion)) {
+                prop_assert!((found[0] - expected[0]).abs() < 1e-4 && (found[1] - expected[1]).abs() < 1e-4, "{found:?} {expected:?}\n{text}");
+                prop_assert!(found[0] <= expected[0] + 1e-7 && found[1] >= expected[1] - 1e-7);
+            }
+        }
+    }
 }
