@@ -182,10 +182,10 @@ mod tests {
                  {across}{rise:.9} {I}{i:.9} {J}{j:.9} P{P} F100\nM2\n",
                 end[0], end[1]
             );
-            let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
+            let interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
             let mut before = interpreter.position().1;
             let mut found = None;
-            while let Some(motion) = interpreter.next() {
+            for motion in interpreter {
                 let motion = motion.unwrap();
                 let mut account = Account::default();
                 account.take(&motion, &before);
