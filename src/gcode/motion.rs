@@ -1,6 +1,6 @@
 //! Canonical motions: what a control does with a program, whatever the dialect.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig;
@@ -74,8 +74,6 @@ pub struct Arc {
     pub turns: i32,
     /// The radius at the start, mm.
     pub radius: f64,
-    /// The direction of the start seen from the centre, radians from the first axis towards the second.
-    pub start: f64,
     /// The angle swept, positive counter-clockwise, radians.
     pub sweep: f64,
     /// How far the work offset turns program coordinates about Z against the machine's, degrees.
@@ -106,7 +104,9 @@ impl Arc {
         if self.sweep == 0.0 || D.abs() >= H {
             return;
         }
-        let (low, high) = (self.start.min(self.start + self.sweep), self.start.max(self.start + self.sweep));
+        let [x, y] = [from.get(a) - self.centre[0], from.get(b) - self.centre[1]];
+        let start = trig::atan2(y, x);
+        let (low, high) = (start.min(start + self.sweep), start.max(start + self.sweep));
         let (middle, aside) = (trig::atan2(share[1], share[0]), trig::asin(D / H));
         for stationary in [middle + aside, middle + PI - aside] {
             let first = stationary + ((low - stationary) / TAU).ceil() * TAU;
@@ -115,7 +115,7 @@ impl Arc {
                 continue;
             }
             for angle in [first, last] {
-                let part = (angle - self.start) / self.sweep;
+                let part = (angle - start) / self.sweep;
                 let (sin, cos) = trig::sin_cos(angle);
                 let mut at = Pose(std::array::from_fn(|axis| from.0[axis] + (to.0[axis] - from.0[axis]) * part));
                 at.set(a, self.centre[0] + self.radius * cos);
@@ -125,35 +125,36 @@ impl Arc {
         }
     }
 
-    /// The points of the arc between two poses where it reaches farthest along its plane's axes, start and end left out:
-    /// at every quarter turn about its centre that it passes. Program coordinates; the other axes at their share of the way.
-    pub fn quarters(&self, from: &Pose, to: &Pose, visit: &mut dyn FnMut(&Pose)) {
+    /// How far the arc between two poses reaches along the axes of its plane where it passes a quarter turn about its
+    /// centre: there it is farthest. Program coordinates.
+    pub fn quarters(&self, from: &Pose, to: &Pose, visit: &mut dyn FnMut(Axis, f64)) {
         let [a, b, _] = self.plane.axes();
-        if self.sweep == 0.0 {
-            return;
-        }
-        // At most the four quarters of one turn are farthest; a helix adds nothing to them.
-        let (begin, step) = if self.sweep > 0.0 {
-            ((self.start / FRAC_PI_2).floor() + 1.0, 1.0)
-        } else {
-            ((self.start / FRAC_PI_2).ceil() - 1.0, -1.0)
+        let clockwise = self.sweep < 0.0;
+        // Quarters counted in the direction of the arc.
+        let quarter = |pose: &Pose| {
+            let (x, y) = (pose.get(a) - self.centre[0], pose.get(b) - self.centre[1]);
+            let y = if clockwise { -y } else { y };
+            match (x > 0.0, y > 0.0) {
+                (true, _) if y >= 0.0 => 0_u8,
+                (false, true) => 1,
+                (false, false) if x < 0.0 => 2,
+                _ => 3,
+            }
         };
-        for passed in 0..4_u8 {
-            let quarter = begin + step * f64::from(passed);
-            let part = (quarter * FRAC_PI_2 - self.start) / self.sweep;
-            if part >= 1.0 {
-                break;
+        let (first, last) = (quarter(from), quarter(to));
+        let passed = match (last + 4 - first) % 4 {
+            _ if self.sweep.abs() >= TAU => 4,
+            0 if self.sweep.abs() > PI => 4,
+            passed => passed,
+        };
+        let up = if clockwise { -self.radius } else { self.radius };
+        for next in first + 1..=first + passed {
+            match next % 4 {
+                0 => visit(a, self.centre[0] + self.radius),
+                1 => visit(b, self.centre[1] + up),
+                2 => visit(a, self.centre[0] - self.radius),
+                _ => visit(b, self.centre[1] - up),
             }
-            let mut at = *from;
-            for axis in Axis::ALL {
-                at.set(axis, from.get(axis) + (to.get(axis) - from.get(axis)) * part);
-            }
-            let ways = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 3")]
-            let way = ways[quarter.rem_euclid(4.0) as usize % 4];
-            at.set(a, self.centre[0] + self.radius * way[0]);
-            at.set(b, self.centre[1] + self.radius * way[1]);
-            visit(&at);
         }
     }
 }

@@ -7,8 +7,40 @@ use crate::machine::axis::{Axis, Pose};
 use crate::number::{shown, trig};
 use crate::text::Text;
 
-/// Least and greatest position of each axis; mm and degrees.
-pub type Extents = [[f64; 2]; 9];
+/// How far each axis reaches; mm and degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extents {
+    /// The least position of each axis.
+    pub least: Pose,
+    /// The greatest position of each axis.
+    pub greatest: Pose,
+}
+
+impl Extents {
+    const fn at(pose: Pose) -> Self {
+        Self { least: pose, greatest: pose }
+    }
+
+    /// The least and the greatest position of an axis.
+    #[must_use]
+    pub const fn of(&self, axis: Axis) -> [f64; 2] {
+        [self.least.get(axis), self.greatest.get(axis)]
+    }
+
+    fn reach(&mut self, pose: &Pose) {
+        for axis in 0..pose.0.len() {
+            let (at, least, greatest) = (pose.0[axis], &mut self.least.0[axis], &mut self.greatest.0[axis]);
+            *least = if at < *least { at } else { *least };
+            *greatest = if at > *greatest { at } else { *greatest };
+        }
+    }
+
+    fn reach_along(&mut self, axis: Axis, at: f64) {
+        let (least, greatest) = (self.least.get(axis), self.greatest.get(axis));
+        self.least.set(axis, least.min(at));
+        self.greatest.set(axis, greatest.max(at));
+    }
+}
 
 /// What a program comes to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,48 +63,38 @@ pub struct Account {
     pub end: [Pose; 2],
 }
 
-fn reach(extents: &mut Option<Extents>, pose: &Pose) {
-    let extents = extents.get_or_insert_with(|| pose.0.map(|at| [at, at]));
-    for (extent, at) in extents.iter_mut().zip(pose.0) {
-        extent[0] = extent[0].min(at);
-        extent[1] = extent[1].max(at);
-    }
-}
-
 impl Account {
     /// Takes a motion into account. `before` is the machine position before it.
     pub fn take(&mut self, motion: &Motion, before: &Pose) {
         self.motions += 1;
-        reach(&mut self.program, &motion.from);
-        reach(&mut self.program, &motion.to);
-        reach(&mut self.machine, before);
-        reach(&mut self.machine, &motion.machine);
+        let program = self.program.get_or_insert(Extents::at(motion.from));
+        let machine = self.machine.get_or_insert(Extents::at(*before));
+        program.reach(&motion.from);
+        program.reach(&motion.to);
+        machine.reach(before);
+        machine.reach(&motion.machine);
         let by = motion.to.differences(&motion.from);
         let straight = (by[0] * by[0] + by[1] * by[1] + by[2] * by[2]).sqrt();
         match motion.kind {
             Kind::Rapid => self.rapid_path += straight,
             Kind::Feed(_) => self.feed_path += straight,
             Kind::Arc(arc, _) => {
-                self.feed_path += {
-                    let [_, _, across] = arc.plane.axes();
-                    arc.length(by[across as usize])
-                };
-                let (program, machine) = (&mut self.program, &mut self.machine);
-                let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
-                let to_machine = |at: &Pose| {
-                    let by = at.differences(&motion.to);
-                    let mut at = Pose(std::array::from_fn(|axis| motion.machine.0[axis] + by[axis]));
-                    at.set(Axis::X, motion.machine.get(Axis::X) + by[0] * cos - by[1] * sin);
-                    at.set(Axis::Y, motion.machine.get(Axis::Y) + by[0] * sin + by[1] * cos);
-                    at
-                };
-                arc.quarters(&motion.from, &motion.to, &mut |at| {
-                    reach(program, at);
-                    reach(machine, &to_machine(at));
+                let [_, _, across] = arc.plane.axes();
+                self.feed_path += arc.length(by[across as usize]);
+                arc.quarters(&motion.from, &motion.to, &mut |axis, at| {
+                    program.reach_along(axis, at);
+                    let offset = motion.machine.get(axis) - motion.to.get(axis);
+                    if arc.rotation == 0.0 || axis == Axis::Z {
+                        machine.reach_along(axis, at + offset);
+                    }
                 });
                 if arc.rotation != 0.0 {
-                    for direction in [[cos, -sin, 0.0], [sin, cos, 0.0]] {
-                        arc.farthest(&motion.from, &motion.to, direction, &mut |at| reach(machine, &to_machine(at)));
+                    let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
+                    for (axis, [x, y]) in [(Axis::X, [cos, -sin]), (Axis::Y, [sin, cos])] {
+                        arc.farthest(&motion.from, &motion.to, [x, y, 0.0], &mut |at| {
+                            let by = at.differences(&motion.to);
+                            machine.reach_along(axis, motion.machine.get(axis) + by[0] * x + by[1] * y);
+                        });
                     }
                 }
             }
@@ -145,10 +167,12 @@ mod tests {
         let Kind::Arc(arc, _) = motion.kind else { unreachable!("an arc") };
         let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
         let [a, b, _] = arc.plane.axes();
-        let mut extents = None;
+        let mut extents: Option<Extents> = None;
+        let [x, y] = [motion.from.get(a) - arc.centre[0], motion.from.get(b) - arc.centre[1]];
+        let start = trig::atan2(y, x);
         for step in 0..=20_000_u16 {
             let part = f64::from(step) / 20_000.0;
-            let (up, along) = trig::sin_cos(arc.start + arc.sweep * part);
+            let (up, along) = trig::sin_cos(start + arc.sweep * part);
             let mut at = Pose(std::array::from_fn(|axis| {
                 motion.from.0[axis] + (motion.to.0[axis] - motion.from.0[axis]) * part - motion.to.0[axis]
             }));
@@ -159,7 +183,7 @@ mod tests {
             for (axis, by) in [(Axis::X, x * cos - y * sin), (Axis::Y, x * sin + y * cos), (Axis::Z, z)] {
                 machine.set(axis, machine.get(axis) + by);
             }
-            reach(&mut extents, &machine);
+            extents.get_or_insert(Extents::at(machine)).reach(&machine);
         }
         extents.unwrap()
     }
@@ -193,9 +217,12 @@ mod tests {
                 found = Some((motion, account.machine.unwrap()));
             }
             let (motion, found) = found.unwrap();
-            for (found, expected) in found.iter().zip(sampled(&motion)) {
-                prop_assert!((found[0] - expected[0]).abs() < 1e-4 && (found[1] - expected[1]).abs() < 1e-4, "{found:?} {expected:?}\n{text}");
-                prop_assert!(found[0] <= expected[0] + 1e-7 && found[1] >= expected[1] - 1e-7);
+            let expected = sampled(&motion);
+            let all = [(found.least, expected.least, -1.0), (found.greatest, expected.greatest, 1.0)];
+            for (found, expected, outwards) in all {
+                for by in found.differences(&expected) {
+                    prop_assert!((-1e-7..1e-4).contains(&(by * outwards)), "{found:?} {expected:?}\n{text}");
+                }
             }
         }
     }

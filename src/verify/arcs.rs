@@ -58,8 +58,7 @@ mod tests {
             pose
         };
         // G18: the centre is given along Z, then X.
-        let arc =
-            Arc { plane: Plane::ZX, centre: [1.0, 2.0], turns: 1, radius: 3.0, start: 0.0, sweep: 1.0, rotation: 0.0 };
+        let arc = Arc { plane: Plane::ZX, centre: [1.0, 2.0], turns: 1, radius: 3.0, sweep: 1.0, rotation: 0.0 };
         let (from, to) = (at(2.0, 4.0), at(6.0, 1.0));
         let kind = Kind::Arc(arc, Feed::default());
         let motion = Motion { line: 1, n: None, kind, from, to, machine: to, seconds: None };

@@ -5,7 +5,7 @@
 //! inch, in centre form the radii at start and end may differ by 0.0283 mm or 0.1 % (the greater), and never by more than
 //! 2.83 mm.
 
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{SQRT_2, TAU};
 
 use crate::gcode::code::G;
 use crate::gcode::interpreter::Interpreter;
@@ -103,20 +103,11 @@ impl Interpreter<'_> {
             None => self.centre_by_offsets(start, end, [first, second])?,
         };
         let turns = if clockwise { -turns } else { turns };
-        let angle = |point: [f64; 2]| trig::atan2(point[1] - centre[1], point[0] - centre[0]);
-        let direction = angle(start);
-        let (x, y) = (start[0] - centre[0], start[1] - centre[1]);
-        let radius = (x * x + y * y).sqrt();
-        let rotation = self.frame.work.rotation;
-        let arc = Arc {
-            plane,
-            centre,
-            turns,
-            radius,
-            start: direction,
-            sweep: sweep(turns, angle(end) - direction),
-            rotation,
-        };
+        let [x, y] = [start[0] - centre[0], start[1] - centre[1]];
+        let [to_x, to_y] = [end[0] - centre[0], end[1] - centre[1]];
+        let between = trig::atan2(x * to_y - y * to_x, x * to_x + y * to_y);
+        let (radius, rotation) = ((x * x + y * y).sqrt(), self.frame.work.rotation);
+        let arc = Arc { plane, centre, turns, radius, sweep: sweep(turns, between), rotation };
         let seconds = self.seconds(arc.length(to.get(c) - self.current.get(c)), feed);
         self.emit(Kind::Arc(arc, feed), to, seconds);
         Ok(())
@@ -238,18 +229,11 @@ fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()> {
     Ok(())
 }
 
-/// The angle that an arc of some turns sweeps, positive counter-clockwise, from the difference of the directions of its end and
-/// its start; radians.
+/// The angle that an arc of some turns sweeps, positive counter-clockwise, from the angle between the directions of its
+/// start and its end, −π to π; radians.
 fn sweep(turns: i32, between: f64) -> f64 {
     let whole = f64::from(turns.abs() - 1) * TAU;
     // An arc whose end is its start is a full circle. A hair of rounding must not make it none.
-    let between = if between > PI {
-        between - TAU
-    } else if between < -PI {
-        between + TAU
-    } else {
-        between
-    };
     if turns > 0 {
         (if between <= 1e-12 { between + TAU } else { between }) + whole
     } else {
