@@ -97,6 +97,25 @@ pub struct Sheet {
     pub sections: &'static [Section],
 }
 
+/// A filled-in form to start from.
+#[derive(Debug)]
+pub struct Case {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// A sentence on where the values come from, for the sheet.
+    pub note: Text,
+    /// The values by key, with texts in a language.
+    pub filled: fn(Language) -> Vec<(&'static str, Value)>,
+}
+
+impl Case {
+    /// The values by key; parameters not named stay empty.
+    #[must_use]
+    pub fn values(&self, language: Language) -> Vec<(&'static str, Value)> {
+        (self.filled)(language)
+    }
+}
+
 /// A workbook kind: the form that a user fills in.
 #[derive(Debug)]
 pub struct Form {
@@ -104,6 +123,10 @@ pub struct Form {
     pub kind: &'static str,
     /// Name and version, as `rodete-impeller 1`.
     pub schema: &'static str,
+    /// The cases that a new workbook can start from, the usual one first.
+    pub cases: &'static [Case],
+    /// The keys of the programs that its builds may write, in the order of their sheets.
+    pub programs: &'static [&'static str],
     /// The sheets; the first is required and holds the schema cell.
     pub sheets: &'static [Sheet],
 }
@@ -193,3 +216,57 @@ impl Values {
         finding
     }
 }
+
+/// A real number.
+#[must_use]
+pub const fn real(
+    key: &'static str,
+    name: &'static str,
+    unit: Unit,
+    [min, max]: [f64; 2],
+    required: bool,
+    meaning: Text,
+    note: Text,
+) -> Parameter {
+    Parameter { key, name, meaning, unit, kind: Kind::Real { min, max }, required, note }
+}
+
+/// A whole number.
+#[must_use]
+pub const fn whole(
+    key: &'static str,
+    name: &'static str,
+    unit: Unit,
+    [min, max]: [u32; 2],
+    required: bool,
+    meaning: Text,
+    note: Text,
+) -> Parameter {
+    Parameter { key, name, meaning, unit, kind: Kind::Whole { min, max }, required, note }
+}
+
+/// A parameter of another kind, without a unit.
+#[must_use]
+pub const fn other(
+    key: &'static str,
+    name: &'static str,
+    kind: Kind,
+    required: bool,
+    meaning: Text,
+    note: Text,
+) -> Parameter {
+    Parameter { key, name, meaning, unit: Unit::None, kind, required, note }
+}
+
+/// A text in both languages.
+#[must_use]
+pub const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// The dialects of milling and cutting controls.
+pub const DIALECTS: &[Choice] = &[
+    Choice { key: "fagor-8055", label: t("fagor-8055", "fagor-8055") },
+    Choice { key: "fagor-8070", label: t("fagor-8070", "fagor-8070") },
+    Choice { key: "linuxcnc", label: t("linuxcnc", "linuxcnc") },
+];

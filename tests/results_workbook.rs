@@ -160,7 +160,7 @@ fn programs_stand_side_by_side_line_for_line() {
 #[test]
 fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
     let outcome = common::outcome("tfg-2021", &[]);
-    let programs = ProgramSheet::new(&outcome.programs, 50).expect("programs");
+    let programs = ProgramSheet::new(&outcome.programs, outcome.form.programs, 50).expect("programs");
     assert_eq!(programs.rows(), 50);
     let mut book = rust_xlsxwriter::Workbook::new();
     let page = rodete::workbook::page::Page { part: "", origin: "", repeat: (0, 0), landscape: false, single: false };

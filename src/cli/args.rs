@@ -74,15 +74,14 @@ pub(super) struct New {
     /// Kind of workbook
     #[arg(value_parser = PossibleValuesParser::new(kinds::names()))]
     pub(super) kind: String,
-    /// File to write; one that exists is never replaced
-    #[arg(default_value = "impeller.xlsx")]
-    pub(super) file: PathBuf,
+    /// File to write; one that exists is never replaced [default: <KIND>.xlsx]
+    pub(super) file: Option<PathBuf>,
     /// Language of the workbook
     #[arg(long, value_name = "LANGUAGE", value_parser = language(), default_value = "en")]
     pub(super) lang: Language,
-    /// Values to start from
-    #[arg(long, value_parser = PossibleValuesParser::new(kinds::cases()), default_value = kinds::first_case())]
-    pub(super) case: String,
+    /// Values to start from; each kind has its own [default: the first of the kind]
+    #[arg(long, value_parser = PossibleValuesParser::new(kinds::cases()))]
+    pub(super) case: Option<String>,
 }
 
 /// Arguments of `check`.

@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::args::Build;
 use super::interrupt::{self, AtWork};
+use super::kinds::FORMS;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Verdict;
@@ -23,7 +24,10 @@ use crate::text::{Language, Text};
 use crate::workbook::results;
 
 /// Endings of every file that a build may write; one that is not of this build may be left from an earlier one.
-const ENDINGS: [&str; 6] = ["-results.xlsx", "-blade.nc", "-splitter.nc", "-impeller.nc", "-blank.nc", "-report.pdf"];
+fn endings() -> impl Iterator<Item = String> {
+    let programs = FORMS.iter().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
+    ["-results.xlsx", "-report.pdf"].into_iter().map(str::to_owned).chain(programs)
+}
 
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";
@@ -81,8 +85,8 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
     let mut set = Set::new(folder, &settings.inputs, Existing::Replace);
-    for ending in ENDINGS {
-        set.check(&store::file_name(&item.stem, ending))?;
+    for ending in endings() {
+        set.check(&store::file_name(&item.stem, &ending))?;
     }
     let language = settings.language.unwrap_or(filled.values.language);
     let outcome = reading::compute(&item.workbook, filled, verdict)?;
@@ -158,9 +162,8 @@ fn typeset(
 /// A caution for each file in the folder that bears the name of an output and is not of this build: a program of an
 /// earlier one must not be taken for one of this.
 fn leftovers(item: &Item, verdict: &Verdict) -> Vec<Finding> {
-    ENDINGS
-        .iter()
-        .map(|ending| store::file_name(&item.stem, ending))
+    endings()
+        .map(|ending| store::file_name(&item.stem, &ending))
         .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
         .map(|name| item.folder.join(name))
         .filter(|path| path.symlink_metadata().is_ok())

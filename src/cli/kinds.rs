@@ -1,8 +1,7 @@
 //! The workbook kinds that the commands know.
 
-use crate::impeller::cases::{CASES, Case};
 use crate::impeller::parameters::FORM;
-use crate::parameter::{Form, Kind};
+use crate::parameter::{Case, Form, Kind};
 
 /// Every form, the usual one first.
 pub(super) static FORMS: [&Form; 1] = [&FORM];
@@ -12,19 +11,17 @@ pub(super) fn names() -> Vec<&'static str> {
     FORMS.iter().map(|form| form.kind).collect()
 }
 
-/// The names of the cases that a new workbook can start from.
+/// The names of the cases that new workbooks can start from, of all kinds.
 pub(super) fn cases() -> Vec<&'static str> {
-    CASES.iter().map(|case| case.name).collect()
+    FORMS.iter().flat_map(|form| form.cases).map(|case| case.name).collect()
 }
 
-/// The case that a new workbook starts from if none is named.
-pub(super) fn first_case() -> &'static str {
-    CASES.first().map_or("", |case| case.name)
-}
-
-/// The case with a name.
-pub(super) fn case(name: &str) -> Option<&'static Case> {
-    CASES.iter().find(|case| case.name == name)
+/// The case of a kind with a name, or its usual one; `None` where it has none of that name.
+pub(super) fn case(form: &Form, name: Option<&str>) -> Option<&'static Case> {
+    match name {
+        None => form.cases.first(),
+        Some(name) => form.cases.iter().find(|case| case.name == name),
+    }
 }
 
 /// What `--version` says: the version, the forms that can be read, the dialects that can be written.

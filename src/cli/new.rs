@@ -1,7 +1,7 @@
 //! The command `new`: a ready-to-edit workbook.
 
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::args::New;
 use super::kinds::{self, FORMS};
@@ -33,12 +33,26 @@ pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
 }
 
 fn write(arguments: &New) -> Result<Vec<Written>, Refusal> {
-    let name = workbook_name(&arguments.file)?;
-    let form = FORMS.into_iter().find(|form| form.kind == arguments.kind);
-    let (Some(form), Some(case)) = (form, kinds::case(&arguments.case)) else {
-        return Err(fault::refusal("a kind or case without a form"));
+    let Some(form) = FORMS.into_iter().find(|form| form.kind == arguments.kind) else {
+        return Err(fault::refusal("a kind without a form"));
     };
-    let folder = Folder::open(arguments.file.parent().unwrap_or(Path::new("")))?;
+    let case = kinds::case(form, arguments.case.as_deref()).ok_or_else(|| {
+        let (kind, cases) = (form.kind, form.cases.iter().map(|case| case.name).collect::<Vec<_>>().join(", "));
+        Refusal::new(
+            Exit::CommandLine,
+            Finding::stop(
+                Place::File,
+                Text::new(
+                    format!("{kind} no tiene el caso {}", arguments.case.as_deref().unwrap_or_default()),
+                    format!("{kind} has no case {}", arguments.case.as_deref().unwrap_or_default()),
+                ),
+                Text::new(format!("casos de {kind}: {cases}"), format!("cases of {kind}: {cases}")),
+            ),
+        )
+    })?;
+    let file = arguments.file.clone().unwrap_or_else(|| PathBuf::from(format!("{}.xlsx", form.kind)));
+    let name = workbook_name(&file)?;
+    let folder = Folder::open(file.parent().unwrap_or(Path::new("")))?;
     let mut set = Set::new(&folder, &[], Existing::Keep);
     let values = case.values(arguments.lang);
     set.write(name, |out| template::write(form, &values, &case.note, arguments.lang, out))?;

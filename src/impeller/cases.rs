@@ -1,30 +1,8 @@
 //! The cases that a new impeller workbook can start from.
 
 use crate::impeller::parameters::SCHEMA;
-use crate::parameter::Value;
-use crate::text::{Language, Text};
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
-
-/// A filled-in form to start from.
-#[derive(Debug)]
-pub struct Case {
-    /// Its name on the command line.
-    pub name: &'static str,
-    /// A sentence on where the values come from, for the sheet.
-    pub note: Text,
-    values: fn(Language) -> Vec<(&'static str, Value)>,
-}
-
-impl Case {
-    /// The values by key; parameters not named stay empty.
-    #[must_use]
-    pub fn values(&self, language: Language) -> Vec<(&'static str, Value)> {
-        (self.values)(language)
-    }
-}
+use crate::parameter::{Case, Value, t};
+use crate::text::Language;
 
 /// The cases that a new workbook can start from, the usual one first.
 pub static CASES: [Case; 2] = [
@@ -34,7 +12,7 @@ pub static CASES: [Case; 2] = [
             "La pieza publicada, con programas completos. F, S y F_max están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
             "The published part, with complete programs. F, S and F_max are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
         ),
-        values: full,
+        filled: full,
     },
     Case {
         name: "tfg-2021",
@@ -42,7 +20,7 @@ pub static CASES: [Case; 2] = [
             "El caso publicado (UPCT, 2021). Las tablas fijan e + d_t = 8 y d_s + d_t/2 = 8; aquí d_t = 6, e = 2, d_s = 5. L = 147.5 + 95.4 = 242.9.",
             "The published case (UPCT, 2021). Its tables fix e + d_t = 8 and d_s + d_t/2 = 8; here d_t = 6, e = 2, d_s = 5. L = 147.5 + 95.4 = 242.9.",
         ),
-        values: published,
+        filled: published,
     },
 ];
 

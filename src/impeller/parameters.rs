@@ -4,59 +4,15 @@
 //! 5.2), the turning of the blank (section 4.1); what the source leaves to the operator (feed, speed, dialect, travel)
 //! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
 
-use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet};
+use crate::impeller::cases::CASES;
+use crate::parameter::{Choice, DIALECTS, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
 use crate::table::Unit;
 use crate::text::Text;
-
-const fn real(
-    key: &'static str,
-    name: &'static str,
-    unit: Unit,
-    [min, max]: [f64; 2],
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: Kind::Real { min, max }, required, note }
-}
-
-const fn whole(
-    key: &'static str,
-    name: &'static str,
-    unit: Unit,
-    [min, max]: [u32; 2],
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: Kind::Whole { min, max }, required, note }
-}
-
-const fn other(
-    key: &'static str,
-    name: &'static str,
-    kind: Kind,
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit: Unit::None, kind, required, note }
-}
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-impeller 1";
 
 const YES_NO: &[Choice] = &[Choice { key: "yes", label: t("sí", "yes") }, Choice { key: "no", label: t("no", "no") }];
-
-const DIALECTS: &[Choice] = &[
-    Choice { key: "fagor-8055", label: t("fagor-8055", "fagor-8055") },
-    Choice { key: "fagor-8070", label: t("fagor-8070", "fagor-8070") },
-    Choice { key: "linuxcnc", label: t("linuxcnc", "linuxcnc") },
-];
 
 const STYLES: &[Choice] =
     &[Choice { key: "annex", label: t("annex", "annex") }, Choice { key: "full", label: t("full", "full") }];
@@ -504,6 +460,8 @@ const CALIBRATION: &[Parameter] = &[
 pub static FORM: Form = Form {
     kind: "impeller",
     schema: SCHEMA,
+    cases: &CASES,
+    programs: &["blade", "splitter", "impeller", "blank"],
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),

@@ -18,9 +18,6 @@ pub const NAME: &str = "INCR";
 /// The rows of a sheet.
 pub const ROWS: u64 = 1_048_576;
 
-/// The programs in the order of their columns; one that is left out leaves its columns empty.
-const ORDER: [&str; 4] = ["blade", "splitter", "impeller", "blank"];
-
 /// From one pair of columns to the next.
 const PITCH: usize = 3;
 
@@ -41,15 +38,16 @@ pub struct ProgramSheet<'a> {
 }
 
 impl<'a> ProgramSheet<'a> {
-    /// Lays the programs out in columns of at most `most` rows. `None` where there is no line at all.
+    /// Lays the programs out in columns of at most `most` rows, in the order of their keys; one that is left out leaves its
+    /// columns empty. `None` where there is no line at all.
     #[must_use]
-    pub fn new(programs: &'a [Program], most: u64) -> Option<Self> {
+    pub fn new(programs: &'a [Program], order: &[&str], most: u64) -> Option<Self> {
         let most = most.clamp(1, ROWS);
-        let mut others = ORDER.len()..;
+        let mut others = order.len()..;
         let mut placed: Vec<(usize, &Program, Extent)> = programs
             .iter()
             .filter_map(|program| {
-                let place = ORDER.iter().position(|key| *key == program.key).or_else(|| others.next())?;
+                let place = order.iter().position(|key| *key == program.key).or_else(|| others.next())?;
                 Some((place, program, Extent::of(program)))
             })
             .collect();

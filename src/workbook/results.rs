@@ -141,7 +141,8 @@ impl<'a> Results<'a> {
     }
 
     fn write_programs(&mut self) -> Result<(), WriteError> {
-        let Some(programs) = ProgramSheet::new(&self.outcome.programs, program_sheet::ROWS) else {
+        let Some(programs) = ProgramSheet::new(&self.outcome.programs, self.outcome.form.programs, program_sheet::ROWS)
+        else {
             return Ok(());
         };
         let name = self.names.take(program_sheet::NAME);
