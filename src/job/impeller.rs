@@ -19,7 +19,7 @@ use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
-use crate::verify::impeller::{Geometry, verify};
+use crate::verify::impeller::{Geometry, SOURCE, verify};
 
 /// Computes an impeller.
 ///
@@ -75,10 +75,10 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         .map_err(|error| refused(vec![out_of_format(error)]))?;
     let quantities = quantities(&design, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
-    let verification = verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
-    tables.push(verification.table(&made.programs));
+    let (verification, curves) =
+        verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
+    tables.push(verification.table(&made.programs, SOURCE));
     findings.extend(verification.findings);
-    let curves = verification.curves;
     let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);

@@ -36,3 +36,4 @@ pub mod text;
 pub mod tip_path;
 pub mod travel;
 pub mod turning;
+pub mod verification;

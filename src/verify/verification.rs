@@ -1,0 +1,137 @@
+//! What the judges of a workbook kind answered: checks, findings, and the table of them.
+
+use crate::finding::{Finding, Grade, Place};
+use crate::gcode::interpreter::{Fault, Interpreter, NO_FEED};
+use crate::gcode::program::Program;
+use crate::table::{Column, Index, Table};
+use crate::text::Text;
+use crate::verify::check::{At, Check, FAULT, Verdict};
+use crate::verify::text;
+
+/// What came of the verification.
+#[derive(Debug, Default)]
+pub struct Verification {
+    /// Every check of every program, in their order.
+    pub checks: Vec<Check>,
+    /// What there is to say beside the table.
+    pub findings: Vec<Finding>,
+}
+
+/// How the interpreter took the text.
+#[must_use]
+pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>) -> Check {
+    let lines = text.lines();
+    let name = Text::fixed("Leído de nuevo por el intérprete", "Read back by the interpreter");
+    let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
+    let check = Check::passed("reading", name, program, value, Text::same(program.dialect.name));
+    if let Some(fault) = fault {
+        let at = At { line: fault.line, n: None, point: None };
+        let what = Text::new(
+            format!("el control no toma la línea {} de «{}»: {}", fault.line, program.title.es, fault.what.es),
+            format!("the control does not take line {} of \"{}\": {}", fault.line, program.title.en, fault.what.en),
+        );
+        let remedy = if fault.remedy.is_empty() { FAULT } else { fault.remedy.clone() };
+        return check.at(Some(at)).found(Verdict::Stop, what, remedy);
+    }
+    // Of feeds the judge of feeds speaks.
+    match text.remarks().into_iter().find(|remark| remark.grade >= Grade::Caution && remark.what != NO_FEED) {
+        None => check,
+        Some(remark) => check.found(
+            Verdict::Caution,
+            Text::new(
+                format!("«{}»: {}", program.title.es, remark.what.es),
+                format!("\"{}\": {}", program.title.en, remark.what.en),
+            ),
+            remark.remedy,
+        ),
+    }
+}
+
+/// The caution for a program that its control may not hold.
+fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
+    (bytes > program.dialect.memory).then(|| {
+        Finding::caution(
+            Place::Block { program: program.key, line: 1 },
+            Text::new(
+                format!(
+                    "el programa «{}» ocupa {bytes} bytes, más que la memoria habitual del control",
+                    program.title.es
+                ),
+                format!("program \"{}\" takes {bytes} bytes, more than the control's usual memory", program.title.en),
+            ),
+            Text::fixed("ejecútelo desde disco o red, o un n menor", "run it from disk or network, or a smaller n"),
+        )
+        .with(bytes.to_string(), program.dialect.memory.to_string())
+    })
+}
+
+impl Verification {
+    /// Takes the checks of a program, and those of its text as characters. Stops are said for each program; what else
+    /// there is to say, once.
+    pub fn add(&mut self, program: &Program, mut checks: Vec<Check>) {
+        let characters = text::read(program);
+        let bytes = characters.bytes();
+        checks.push(characters.check());
+        let stopped = checks.iter().any(|check| check.verdict == Verdict::Stop);
+        let held = checks.iter().filter(|check| check.verdict == Verdict::Passed).count();
+        for check in &checks {
+            let said = self.checks.iter().any(|known| known.key == check.key && known.verdict == check.verdict);
+            if let Some(finding) = check.finding()
+                && (check.verdict == Verdict::Stop || !said)
+            {
+                self.findings.push(finding);
+            }
+        }
+        if !stopped {
+            self.findings.push(
+                Finding::new(
+                    Grade::Note,
+                    Place::Block { program: program.key, line: 1 },
+                    Text::new(
+                        format!(
+                            "comprobaciones que cumple «{}», leído de nuevo: vea la tabla Verificación",
+                            program.title.es
+                        ),
+                        format!(
+                            "checks that \"{}\", read back, has passed: see the table Verification",
+                            program.title.en
+                        ),
+                    ),
+                    Text::fixed("", ""),
+                )
+                .with(held.to_string(), ""),
+            );
+        }
+        self.checks.extend(checks);
+        self.findings.extend(too_long(program, bytes));
+    }
+
+    /// The table of the verification: a row for each check of each program.
+    #[must_use]
+    pub fn table(&self, programs: &[Program], source: Text) -> Table {
+        let column = |symbol: Text, entry: &dyn Fn(&Check) -> Text| {
+            Column::texts(symbol, "", self.checks.iter().map(entry).collect())
+        };
+        let title = |check: &Check| {
+            let program = programs.iter().find(|program| program.key == check.program);
+            program.map_or_else(|| Text::same(check.program), |program| program.title.clone())
+        };
+        Table {
+            key: "verification",
+            name: Text::fixed("Verificación", "Verification"),
+            title: Text::fixed("Verificación de los programas", "Verification of the programs"),
+            source,
+            index: Index::None,
+            columns: vec![
+                column(Text::fixed("Programa", "Program"), &title),
+                column(Text::fixed("Comprobación", "Check"), &|check| check.name.clone()),
+                column(Text::fixed("Valor", "Value"), &|check| check.value.clone()),
+                column(Text::fixed("Límite", "Limit"), &|check| check.limit.clone()),
+                column(Text::fixed("Lugar", "Place"), &|check| {
+                    check.at.map_or_else(|| Text::same(""), |at| at.words())
+                }),
+                column(Text::fixed("Resultado", "Verdict"), &|check| check.verdict.name()),
+            ],
+        }
+    }
+}
