@@ -138,9 +138,9 @@ fn shipped_programs_pass_but_for_the_published_splitter() {
 fn the_published_splitter_cuts_into_its_neighbour() {
     let design = published(40);
     let blade = common::blade(&design);
-    let splitter = Splitter::new(&blade, design.N, design.w(), design.a_p).unwrap();
+    let splitter = Splitter::new(&design, &blade).unwrap();
     assert!(splitter.crossing.along_first < 20.0 && splitter.crossing.along_second > 27.0);
-    let tip = design.machine.to_part(&splitter.out[20], blade.B[20], blade.C[20]);
+    let tip = design.machine.to_part(&splitter.out.path[20], blade.B[20], blade.C[20]);
     let (sin, cos) = rodete::number::trig::sin_cos(std::f64::consts::PI / 4.0);
     let dense = Blade::new(design.torus, 4000, 0.0, design.machine);
     let nearest = (0..dense.points())
@@ -183,7 +183,7 @@ impl Prepared {
     fn new(case: &str, changes: &[(&'static str, Value)]) -> Self {
         let design = Design::new(&common::values(case, changes)).unwrap();
         let blade = common::blade(&design);
-        let splitter = Splitter::new(&blade, design.N, design.w(), design.a_p).unwrap();
+        let splitter = Splitter::new(&design, &blade).unwrap();
         let outcome = common::outcome(case, changes);
         let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
         assert!(stops.is_empty(), "{stops:?}");
