@@ -94,7 +94,7 @@ impl<'a> Lines<'a> {
         self.line.clear();
         loop {
             match program.parts.get(self.part)? {
-                Part::Opening(text) => {
+                Part::Line(text) => {
                     self.part += 1;
                     self.line.push_str(text);
                     return Some((None, &self.line));

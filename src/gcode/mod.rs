@@ -6,6 +6,7 @@
 pub mod code;
 pub mod comment;
 pub mod dialect;
+pub mod header;
 pub mod interpreter;
 pub mod lines;
 pub mod motion;

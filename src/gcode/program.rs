@@ -75,8 +75,8 @@ impl Path {
 /// A part of a program.
 #[derive(Clone, Debug)]
 pub enum Part {
-    /// A line as it stands: the dialect's first line.
-    Opening(String),
+    /// A line as it stands: the first line of a dialect, a block of a published program.
+    Line(String),
     /// A comment, cleaned already.
     Comment(String),
     /// A block of words without moves, or of a turning program.

@@ -3,78 +3,28 @@
 //! Without tool-centre-point control a program is true for one pivot length and one position of the part, so both are
 //! stated.
 
-use crate::gcode::comment::clean;
-use crate::gcode::dialect::{Dialect, FeedLaw};
+use crate::gcode::dialect::FeedLaw;
+use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::Distance;
 use crate::impeller::design::Design;
 use crate::number::grid::Milli;
 use crate::number::shown;
-use crate::text::Language;
-
-/// Where the programs come from, for their headers.
-#[derive(Clone, Copy, Debug)]
-pub struct Origin<'a> {
-    /// The workbook's file name.
-    pub workbook: &'a str,
-    /// Its SHA-256 in hexadecimal.
-    pub sha256: &'a str,
-    /// The version of rodete.
-    pub version: &'a str,
-    /// The language of comments.
-    pub language: Language,
-}
-
-/// Comments under construction in one language.
-struct Comments {
-    language: Language,
-    parts: Vec<Part>,
-}
-
-impl Comments {
-    fn line(&mut self, es: &str, en: &str) {
-        let text = match self.language {
-            Language::Es => es,
-            Language::En => en,
-        };
-        self.parts.push(Part::Comment(clean(text)));
-    }
-}
 
 fn fixed(value: f64) -> String {
     format!("{value:.3}")
 }
 
-fn identity(design: &Design, program: &Program, origin: &Origin<'_>) -> Comments {
-    let dialect: &Dialect = program.dialect;
-    let opening = dialect.opening_line(design.program, program.key).map(Part::Opening);
-    let mut comments = Comments { language: origin.language, parts: opening.into_iter().collect() };
-    let number = design.program;
-    comments.line(
-        &format!("PROGRAMA {number:04} - {}", program.title.es),
-        &format!("PROGRAM {number:04} - {}", program.title.en),
-    );
-    comments.line(&format!("PIEZA {}", design.part), &format!("PART {}", design.part));
-    if !design.material.is_empty() {
-        comments.line(&format!("MATERIAL {}", design.material), &format!("MATERIAL {}", design.material));
-    }
-    comments.line(&format!("LIBRO {}", origin.workbook), &format!("WORKBOOK {}", origin.workbook));
-    let (first, second) = origin.sha256.split_at(origin.sha256.len().min(32));
-    comments.line(&format!("SHA-256 {first}"), &format!("SHA-256 {first}"));
-    comments.line(&format!("        {second}"), &format!("        {second}"));
-    comments.line(
-        &format!("RODETE {} - DIALECTO {}", origin.version, dialect.name),
-        &format!("RODETE {} - DIALECT {}", origin.version, dialect.name),
-    );
-    comments
+fn identity(design: &Design, program: &Program, origin: &Origin<'_>) -> Header {
+    let work = Work { part: &design.part, material: &design.material, number: design.program };
+    Header::new(program.dialect, program.key, &program.title, work, origin)
 }
 
-fn extents(comments: &mut Comments, program: &Program) {
+fn extents(header: &mut Header, program: &Program) {
     let shown = |value: Milli| fixed(value.value());
     for (letter, low, high) in program.extents() {
         let (low, high) = (shown(low), shown(high));
-        comments
-            .line(&format!("RECORRIDO {letter} DE {low} A {high}"), &format!("EXTENT {letter} FROM {low} TO {high}"));
+        header.line(&format!("RECORRIDO {letter} DE {low} A {high}"), &format!("EXTENT {letter} FROM {low} TO {high}"));
     }
 }
 

@@ -4,13 +4,14 @@
 
 use std::sync::Arc;
 
+use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::impeller::assembly::{Assembly, Limited, Pass};
 use crate::impeller::blade::Blade;
 use crate::impeller::design::{Design, Style};
 use crate::impeller::fade::Fade;
-use crate::impeller::header::{Origin, blank_header, header};
+use crate::impeller::header::{blank_header, header};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::Passes;
 use crate::impeller::track::Track;

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Refusal};
+use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::impeller::blade::Blade;
@@ -10,7 +11,6 @@ use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::impeller::design::Design;
 use crate::impeller::fade::Fade;
 use crate::impeller::figures::figures;
-use crate::impeller::header::Origin;
 use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
