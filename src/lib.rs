@@ -60,6 +60,7 @@ pub mod job;
 pub mod machine;
 pub mod number;
 pub mod parameter;
+pub mod pipe;
 pub mod report;
 pub mod store;
 pub mod table;

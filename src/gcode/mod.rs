@@ -9,6 +9,7 @@ pub mod dialect;
 pub mod header;
 pub mod interpreter;
 pub mod lines;
+pub mod machine_codes;
 pub mod motion;
 pub mod offset_preamble;
 pub mod program;

@@ -8,6 +8,15 @@ use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
 use crate::text::Text;
 
+/// How programs are laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// As the published annexes.
+    Annex,
+    /// What a machinist expects: header, safety block, feed and speed, fixed decimals.
+    Full,
+}
+
 /// The F words of a path.
 #[derive(Clone, Debug)]
 pub enum Feed {

@@ -9,6 +9,9 @@ pub enum NumberFormat {
     Trimmed,
     /// Three decimals always: `X5.670`, `X0.000`. On some controls `X1` is 0.001 mm.
     Fixed,
+    /// Six decimals always, as the published program of a pipe; a number without a point stays as it is. Only lines that
+    /// stand as they are have it.
+    Six,
 }
 
 /// Coordinates that follow.
@@ -60,7 +63,7 @@ impl Word {
         match (self.number, format) {
             (Number::Whole(number), _) => push_whole(block, number),
             (Number::Size(size), NumberFormat::Trimmed) => push_size(block, size, true),
-            (Number::Size(size), NumberFormat::Fixed) => push_size(block, size, false),
+            (Number::Size(size), NumberFormat::Fixed | NumberFormat::Six) => push_size(block, size, false),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Geometry: the torus, its Villarceau circles, the Darboux frame along them, plane polylines.
 
+pub mod circle;
 pub mod darboux;
+pub mod pipe_pair;
 pub mod polyline;
 pub mod torus;
 pub mod villarceau;

@@ -1,7 +1,7 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::word::{Number, Word};
+use crate::gcode::machine_codes::refused_codes;
 use crate::geometry::torus::Torus;
 use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::impeller::design::{Design, Style};
@@ -270,48 +270,8 @@ impl Design {
                 Text::fixed("style = full", "style = full"),
             );
         }
-        for (key, list) in [("start_codes", &self.start_codes), ("end_codes", &self.end_codes)] {
-            for word in list {
-                let Number::Whole(number) = word.number else { continue };
-                let keys: &[&'static str] =
-                    if key == "start_codes" { &["start_codes", "dialect"] } else { &["end_codes", "dialect"] };
-                let ends = matches!(number, 2 | 30);
-                if word.letter != 'M' {
-                    stop(
-                        keys,
-                        format!("{key} lleva {}{number}: aquí sólo valen códigos M", word.letter),
-                        format!("{key} holds {}{number}: only M codes may stand here", word.letter),
-                        Text::fixed("quite el código G", "take the G code out"),
-                    );
-                } else if !self.dialect.knows_machine_code(number) {
-                    stop(
-                        keys,
-                        format!("el dialecto {} no conoce M{number}", self.dialect.name),
-                        format!("dialect {} does not know M{number}", self.dialect.name),
-                        Text::new(
-                            format!("quite M{number} de {key}, o elija el dialecto del control"),
-                            format!("take M{number} out of {key}, or choose the control's dialect"),
-                        ),
-                    );
-                } else if ends && key == "start_codes" {
-                    stop(
-                        keys,
-                        format!("start_codes lleva M{number}, que termina el programa"),
-                        format!("start_codes holds M{number}, which ends the program"),
-                        Text::new(format!("quite M{number}"), format!("take M{number} out")),
-                    );
-                }
-            }
-        }
-        let ends = |word: &Word| matches!(word.number, Number::Whole(2 | 30)) && word.letter == 'M';
-        if !self.end_codes.last().is_some_and(ends) {
-            stop(
-                &["end_codes"],
-                "end_codes no acaba con M2 ni M30: el programa no tendría fin".to_owned(),
-                "end_codes does not close with M2 or M30: the program would have no end".to_owned(),
-                Text::fixed("escriba M30 al final", "put M30 at the end"),
-            );
-        }
+        findings.extend(refused_codes(self.dialect, "start_codes", &self.start_codes, false));
+        findings.extend(refused_codes(self.dialect, "end_codes", &self.end_codes, true));
         let passes = 2 * u64::from(self.N) * if self.splitters { 2 } else { 1 };
         let blocks = passes.saturating_mul(self.n as u64 + 1);
         if blocks > MOST_BLOCKS {

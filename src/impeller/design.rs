@@ -3,6 +3,7 @@
 use crate::blank::turning::Turning;
 use crate::finding::{Finding, Place};
 use crate::gcode::dialect::Dialect;
+pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word, codes};
 use crate::geometry::torus::Torus;
 use crate::impeller::fade::Fade;
@@ -12,15 +13,6 @@ use crate::machine::rotary::Rotary;
 use crate::machine::travel::Travel;
 use crate::parameter::Values;
 use crate::text::Text;
-
-/// How programs are laid out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Style {
-    /// As the published annexes.
-    Annex,
-    /// What a machinist expects: header, safety block, feed and speed, fixed decimals.
-    Full,
-}
 
 /// A design that may be computed. Lengths in mm, angles of B in degrees (as programmed).
 #[derive(Clone, Debug)]

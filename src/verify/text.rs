@@ -154,7 +154,8 @@ fn size(text: &str, format: NumberFormat) -> bool {
             (NumberFormat::Fixed, decimals) => {
                 decimals.is_some_and(|decimals| decimals.len() == 3 && digits(decimals, 3))
             }
-            (NumberFormat::Trimmed, None) => true,
+            (NumberFormat::Trimmed | NumberFormat::Six, None) => true,
+            (NumberFormat::Six, Some(decimals)) => digits(decimals, 6) && decimals.len() == 6,
             (NumberFormat::Trimmed, Some(decimals)) => digits(decimals, 3) && !decimals.ends_with('0'),
         }
 }

@@ -1,0 +1,19 @@
+//! The branch pipe cut to fit a header at any angle, concentric or eccentric.
+//!
+//! The template is equation 9 of the published source (see [`crate::geometry::pipe_pair`]) on a development of a chosen
+//! radius; the cut runs half the kerf beside it on the side of the waste, as arcs through triples on a flat sheet or as
+//! short straight moves on the turning pipe.
+//!
+//! # References
+//! Martínez, Ledesma, Vega: "Creación de códigos G para las trayectorias de corte de tuberías con plasma", Universidad de
+//! Guanajuato; equations 1 to 19, tables 1 and 2, figure 15. Slips of the source are named where they matter.
+
+pub mod arcs;
+pub mod cases;
+pub mod contradictions;
+pub mod cut;
+pub mod design;
+pub mod outline;
+pub mod parameters;
+pub mod program;
+pub mod tables;

@@ -1,0 +1,103 @@
+//! The curve to cut on the development, and the path of the torch beside it.
+//!
+//! # Frame
+//! x runs round the pipe, 2πρ long, ρ the radius of the development; y runs along the pipe towards the header. What is
+//! kept of the branch lies below the curve, the waste above it.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector2;
+
+use crate::geometry::pipe_pair::{PipePair, Side};
+
+/// The curve on a development, and the torch's path at a distance from it on the side of the waste.
+#[derive(Clone, Copy, Debug)]
+pub struct Outline {
+    /// The pipes.
+    pub pair: PipePair,
+    /// ρ, the radius of the development.
+    pub radius: f64,
+    /// Z, how far up the branch the sheet's lower edge is from the curve at φ = 0.
+    pub Z: f64,
+    /// The torch's distance from the curve: half the kerf.
+    pub beside: f64,
+}
+
+/// Samples a turn when the whole curve is looked at.
+const LOOKS: u16 = 7200;
+
+impl Outline {
+    /// The length of the development, once round.
+    #[must_use]
+    pub fn round(&self) -> f64 {
+        TAU * self.radius
+    }
+
+    /// The point of the curve at φ.
+    #[must_use]
+    pub fn curve(&self, phi: f64) -> Vector2<f64> {
+        Vector2::new(self.radius * phi, self.pair.depth(phi) + self.Z)
+    }
+
+    /// The direction of the curve at φ, of length 1.
+    #[must_use]
+    pub fn along(&self, phi: f64, side: Side) -> Vector2<f64> {
+        Vector2::new(self.radius, self.pair.slope(phi, side)).normalize()
+    }
+
+    /// The direction across the curve into the waste, of length 1.
+    #[must_use]
+    pub fn across(&self, phi: f64, side: Side) -> Vector2<f64> {
+        let along = self.along(phi, side);
+        Vector2::new(-along.y, along.x)
+    }
+
+    /// The torch's place at φ; at a corner that at the end of one side.
+    #[must_use]
+    pub fn torch(&self, phi: f64, side: Side) -> Vector2<f64> {
+        self.curve(phi) + self.across(phi, side) * self.beside
+    }
+
+    /// The corners in one turn, from 0 on.
+    #[must_use]
+    pub fn corners(&self) -> Vec<f64> {
+        self.pair.corners()
+    }
+
+    /// The angles of a turn looked at, in order.
+    fn looks() -> impl Iterator<Item = f64> {
+        (0..=LOOKS).map(|at| TAU * f64::from(at) / f64::from(LOOKS))
+    }
+
+    /// The least and greatest y of the curve.
+    #[must_use]
+    pub fn extent(&self) -> [f64; 2] {
+        let ys = Self::looks().chain(self.corners()).map(|phi| self.curve(phi).y);
+        ys.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], y| [least.min(y), most.max(y)])
+    }
+
+    /// The least radius with which the curve bends round the waste, and where: a kerf of twice that cuts into what is
+    /// kept. From the circles through three neighbouring looks.
+    #[must_use]
+    pub fn tightest(&self) -> Option<(f64, f64)> {
+        let corners = self.corners();
+        let step = TAU / f64::from(LOOKS);
+        let mut least: Option<(f64, f64)> = None;
+        for phi in Self::looks() {
+            if corners.iter().any(|corner| (corner - phi).abs() < 2.0 * step) {
+                continue;
+            }
+            let points = [phi - step, phi, phi + step].map(|phi| self.curve(phi));
+            if let Some(circle) = crate::geometry::circle::through(points)
+                && circle.left
+                && least.is_none_or(|(radius, _)| circle.radius < radius)
+            {
+                least = Some((circle.radius, phi));
+            }
+        }
+        least
+    }
+}

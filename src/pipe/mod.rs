@@ -1,0 +1,4 @@
+//! Pipes: what cuts a branch to fit a header, and the hole in the header.
+
+pub mod insert;
+pub mod size;
