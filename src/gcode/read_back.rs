@@ -46,7 +46,13 @@ impl Program {
     /// made of. Millimetres, all offsets 0, no tool table.
     #[must_use]
     pub fn read_back(&self) -> Interpreter<'_> {
+        self.read_back_with(Setting::new(self.dialect))
+    }
+
+    /// The same with another setting.
+    #[must_use]
+    pub fn read_back_with(&self, setting: Setting) -> Interpreter<'_> {
         let text = Text { lines: self.lines(), line: String::new(), at: 0 };
-        Interpreter::new(Box::new(text), Setting::new(self.dialect))
+        Interpreter::new(Box::new(text), setting)
     }
 }

@@ -415,6 +415,9 @@ impl<'a> Interpreter<'a> {
                 Text::fixed("compruebe que es el archivo correcto", "check that it is the right file"),
             ));
         }
+        if self.setting.part {
+            return Ok(());
+        }
         Err(Fault::block(
             Text::fixed("el programa termina sin M2 ni M30", "the program ends without M2 or M30"),
             if percent {

@@ -67,6 +67,8 @@ pub struct Setting {
     pub block_delete: bool,
     /// G92 and G52 outlive the program.
     pub keep_g92: bool,
+    /// The text is a part of a program: it needs no end.
+    pub part: bool,
     /// Subprograms in files of their own.
     pub files: Box<dyn Files>,
     /// The budget.
@@ -84,6 +86,7 @@ impl Setting {
             tools: None,
             block_delete: false,
             keep_g92: true,
+            part: false,
             files: Box::new(NoFiles),
             budget: Budget::default(),
         }
