@@ -40,6 +40,14 @@ pub struct Stroke {
     pub arrow: bool,
 }
 
+impl Stroke {
+    /// An open polyline.
+    #[must_use]
+    pub const fn line(ink: Ink, points: Vec<[f64; 2]>) -> Self {
+        Self { ink, points, filled: false, arrow: false }
+    }
+}
+
 /// A word on a drawing.
 #[derive(Clone, Debug)]
 pub struct Label {

@@ -43,7 +43,11 @@ fn table_1_is_reproduced_to_its_last_digit() {
     for row in printed.lines().skip(1) {
         let cells: Vec<&str> = row.split(',').collect();
         let point = points[cells[0].parse::<usize>().expect("j")];
-        assert_eq!([format!("{:.4}", point.x), format!("{:.4}", (point.y * 1e4).floor() / 1e4)], [cells[1], cells[2]], "{row}");
+        assert_eq!(
+            [format!("{:.4}", point.x), format!("{:.4}", (point.y * 1e4).floor() / 1e4)],
+            [cells[1], cells[2]],
+            "{row}"
+        );
         rows += 1;
     }
     assert_eq!(rows, 13);

@@ -4,5 +4,6 @@ pub mod circle;
 pub mod darboux;
 pub mod pipe_pair;
 pub mod polyline;
+pub mod scene;
 pub mod torus;
 pub mod villarceau;

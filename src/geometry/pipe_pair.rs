@@ -120,11 +120,7 @@ impl PipePair {
         let (sin, cos) = sin_cos(phi);
         let s = (self.R * self.cos_beta(0.0) + self.r * self.cos) / self.sin - depth;
         let (across, along) = (self.r * cos, s);
-        Vector3::new(
-            along * self.cos + across * self.sin,
-            self.e + self.r * sin,
-            along * self.sin - across * self.cos,
-        )
+        Vector3::new(along * self.cos + across * self.sin, self.e + self.r * sin, along * self.sin - across * self.cos)
     }
 
     /// How far a point is from the header's surface, mm; negative inside.

@@ -14,8 +14,8 @@ use crate::gcode::program::{Program, Style};
 use crate::geometry::pipe_pair::Side;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
-use crate::number::trig::{atan2, sin_cos};
 use crate::number::shown;
+use crate::number::trig::{atan2, sin_cos};
 use crate::pipe::insert::arcs::triples;
 use crate::pipe::insert::cut::{Cut, Follows};
 use crate::pipe::insert::design::{Design, Mode};
@@ -371,11 +371,7 @@ fn answers(design: &Design, program: &Program, watch: &mut Watch<'_>, planned: u
                 format!("los arcos se apartan {off} de la curva exacta; la tolerancia es {limit}"),
                 format!("the arcs leave the exact curve by {off}; the tolerance is {limit}"),
             ),
-            if design.mode == Mode::Flat {
-                Text::fixed("un N mayor", "a greater N")
-            } else {
-                FAULT
-            },
+            if design.mode == Mode::Flat { Text::fixed("un N mayor", "a greater N") } else { FAULT },
         )
     };
     let name = Text::fixed("Borde cortado, sobre el tubo base", "Edge that is cut, on the header");

@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 
-use super::camera::Camera;
 use super::{FINE, arrow, label, line, sampled, steps, t};
 use crate::figure::{Figure, Ink, Label, Stroke};
+use crate::geometry::scene::Camera;
 use crate::geometry::torus::Torus;
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;

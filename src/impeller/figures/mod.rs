@@ -2,7 +2,6 @@
 //!
 //! Everything is drawn from the same geometry that the tables show; nothing is traced by hand.
 
-mod camera;
 mod geometry;
 mod graphs;
 mod machine;
@@ -62,7 +61,7 @@ const fn t(es: &'static str, en: &'static str) -> Text {
 }
 
 fn line(ink: Ink, points: Vec<[f64; 2]>) -> Stroke {
-    Stroke { ink, points, filled: false, arrow: false }
+    Stroke::line(ink, points)
 }
 
 fn arrow(ink: Ink, from: [f64; 2], to: [f64; 2]) -> Stroke {

@@ -4,10 +4,10 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 
-use super::camera::{Camera, Scene};
 use super::{steps, t};
 use crate::figure::{Figure, Ink};
 use crate::geometry::darboux::Darboux;
+use crate::geometry::scene::{Camera, Scene};
 use crate::geometry::torus::Torus;
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;

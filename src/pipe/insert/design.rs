@@ -75,10 +75,10 @@ impl Pipe {
                 {
                     stop(
                         &keys,
+                        format!("{size} {nps} cédula {number} es {outside} × {thick} mm, y {D} o {t} dicen otra cosa"),
                         format!(
-                            "{size} {nps} cédula {number} es {outside} × {thick} mm, y {D} o {t} dicen otra cosa"
+                            "{size} {nps} schedule {number} is {outside} × {thick} mm, and {D} or {t} say otherwise"
                         ),
-                        format!("{size} {nps} schedule {number} is {outside} × {thick} mm, and {D} or {t} say otherwise"),
                         Text::new(
                             format!("deje vacíos {D} y {t}, o el tamaño nominal"),
                             format!("leave {D} and {t} empty, or the nominal size"),

@@ -37,10 +37,7 @@ const PIPES: &[Parameter] = &[
         Kind::Choice(NPS),
         false,
         t("Tamaño nominal del injerto (NPS)", "Nominal size of the branch (NPS)"),
-        t(
-            "ASME B36.10; con la cédula, en lugar de D y t",
-            "ASME B36.10; with the schedule, in place of D and t",
-        ),
+        t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
     ),
     other(
         "branch_schedule",
@@ -74,10 +71,7 @@ const PIPES: &[Parameter] = &[
         Kind::Choice(NPS),
         false,
         t("Tamaño nominal del tubo base (NPS)", "Nominal size of the header (NPS)"),
-        t(
-            "ASME B36.10; con la cédula, en lugar de D y t",
-            "ASME B36.10; with the schedule, in place of D and t",
-        ),
+        t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
     ),
     other(
         "header_schedule",
@@ -198,7 +192,15 @@ const CUTTING: &[Parameter] = &[
         t("Superficie del desarrollo", "Surface of the development"),
         t("exterior: plantilla que envuelve el tubo", "outside: a template wrapped round the pipe"),
     ),
-    real("kerf", "kerf", MM, [0.0, 20.0], true, t("Ancho del corte", "Kerf"), t("0: sin compensar", "0: not compensated")),
+    real(
+        "kerf",
+        "kerf",
+        MM,
+        [0.0, 20.0],
+        true,
+        t("Ancho del corte", "Kerf"),
+        t("0: sin compensar", "0: not compensated"),
+    ),
     real(
         "F",
         "feed_F",

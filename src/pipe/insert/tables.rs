@@ -127,7 +127,11 @@ pub fn way(design: &Design, cut: &Cut) -> Table {
             Column::numbers("R", MM, "", std::iter::once(0.0).chain(radius).collect::<Vec<_>>()),
             Column::numbers("φ", Unit::Degree, "", std::iter::once(0.0).chain(phi).collect::<Vec<_>>()),
             Column::texts(t("código", "code"), "", std::iter::once(t("G0", "G0")).chain(code).collect()),
-            Column::texts(t("sigue", "follows"), "", std::iter::once(t("perforación", "pierce")).chain(follows).collect()),
+            Column::texts(
+                t("sigue", "follows"),
+                "",
+                std::iter::once(t("perforación", "pierce")).chain(follows).collect(),
+            ),
         ],
     }
 }

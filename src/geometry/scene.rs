@@ -1,4 +1,4 @@
-//! An axonometric view of the part, and faces drawn from far to near so that near ones hide what is behind.
+//! An axonometric view of a part, and faces drawn from far to near so that near ones hide what is behind.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ use crate::number::trig::sin_cos;
 
 /// A parallel projection.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Camera {
+pub struct Camera {
     right: Vector3<f64>,
     up: Vector3<f64>,
     towards: Vector3<f64>,
@@ -15,6 +15,7 @@ pub(super) struct Camera {
 
 impl Camera {
     /// A view from a direction given by azimuth and elevation in degrees.
+    #[must_use]
     pub fn new(azimuth: f64, elevation: f64) -> Self {
         let (sin_a, cos_a) = sin_cos(azimuth.to_radians());
         let (sin_e, cos_e) = sin_cos(elevation.to_radians());
@@ -26,29 +27,34 @@ impl Camera {
     }
 
     /// Where a point falls on the drawing.
+    #[must_use]
     pub fn see(&self, point: &Vector3<f64>) -> [f64; 2] {
         [self.right.dot(point), self.up.dot(point)]
     }
 
     /// A curve as a stroke.
+    #[must_use]
     pub fn curve(&self, ink: Ink, points: impl IntoIterator<Item = Vector3<f64>>) -> Stroke {
-        super::line(ink, points.into_iter().map(|point| self.see(&point)).collect())
+        Stroke::line(ink, points.into_iter().map(|point| self.see(&point)).collect())
     }
 
     /// True for a face with this normal that is seen from in front.
+    #[must_use]
     pub fn faces(&self, normal: &Vector3<f64>) -> bool {
         normal.dot(&self.towards) > 0.0
     }
 }
 
 /// A face of the part with the edges that are drawn along it.
+#[derive(Debug)]
 struct Face {
     depth: f64,
     strokes: Vec<Stroke>,
 }
 
 /// Faces of a solid, to be drawn far ones first.
-pub(super) struct Scene {
+#[derive(Debug)]
+pub struct Scene {
     camera: Camera,
     light: Vector3<f64>,
     faces: Vec<Face>,
@@ -56,6 +62,7 @@ pub(super) struct Scene {
 
 impl Scene {
     /// An empty scene; the light comes over the viewer's left shoulder.
+    #[must_use]
     pub fn new(camera: Camera) -> Self {
         let light = camera.towards * 0.62 - camera.right * 0.46 + camera.up * 0.63;
         Self { camera, light, faces: Vec::new() }
@@ -79,13 +86,14 @@ impl Scene {
         let mut strokes = vec![Stroke { ink: shade, points: seen.clone(), filled: true, arrow: false }];
         for &edge in edges {
             if let (Some(&from), Some(&to)) = (seen.get(edge), seen.get((edge + 1) % seen.len())) {
-                strokes.push(super::line(ink, vec![from, to]));
+                strokes.push(Stroke::line(ink, vec![from, to]));
             }
         }
         self.faces.push(Face { depth, strokes });
     }
 
     /// The strokes, far faces first.
+    #[must_use]
     pub fn strokes(mut self) -> Vec<Stroke> {
         self.faces.sort_by(|one, other| one.depth.total_cmp(&other.depth));
         self.faces.into_iter().flat_map(|face| face.strokes).collect()
