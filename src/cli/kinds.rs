@@ -1,10 +1,11 @@
 //! The workbook kinds that the commands know.
 
-use crate::impeller::parameters::FORM;
+use crate::impeller;
 use crate::parameter::{Case, Form, Kind};
+use crate::pipe;
 
 /// Every form, the usual one first.
-pub(super) static FORMS: [&Form; 1] = [&FORM];
+pub(super) static FORMS: [&Form; 2] = [&impeller::parameters::FORM, &pipe::insert::parameters::FORM];
 
 /// The kinds' names.
 pub(super) fn names() -> Vec<&'static str> {

@@ -13,6 +13,7 @@ pub mod cases;
 pub mod contradictions;
 pub mod cut;
 pub mod design;
+pub mod figures;
 pub mod outline;
 pub mod parameters;
 pub mod program;
