@@ -30,7 +30,7 @@ pub enum FeedMode {
     InverseTime,
 }
 
-/// A feed with the unit it is printed in, in mm: lengths are mm.
+/// A feed: the rate as it is printed, in the active unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Feed {
     pub mode: FeedMode,
@@ -82,8 +82,8 @@ pub struct Canon {
 /// Why there is no [`Canon`].
 #[derive(Clone, Debug)]
 pub enum Refused {
-    /// The message.
-    Error(String),
+    /// The message, and what was done before it.
+    Error(String, Box<Canon>),
     /// It did not come to an end in time.
     Deadline,
 }
@@ -149,9 +149,7 @@ impl Judge<'_> {
             .stderr(std::fs::File::create(path("err")).unwrap())
             .spawn()
             .unwrap();
-        if !self.ends_well(child)? {
-            return Err(Refused::Error(lossy(&path("err"))));
-        }
+        let well = self.ends_well(child)?;
         let mut reading = Reading::default();
         for line in lossy(&path("out")).lines() {
             reading.line(line);
@@ -163,7 +161,8 @@ impl Judge<'_> {
                 Some((number.parse().ok()?, value.trim().parse().ok()?))
             })
             .collect();
-        Ok(Canon { motions: reading.motions, calls: reading.calls, var })
+        let canon = Canon { motions: reading.motions, calls: reading.calls, var };
+        if well { Ok(canon) } else { Err(Refused::Error(lossy(&path("err")), Box::new(canon))) }
     }
 
     /// Whether it ends with success before the deadline.
@@ -264,7 +263,7 @@ impl Reading {
                 self.mode = FeedMode::PerRevolution;
             }
             ("SET_FEED_MODE", _) => {}
-            ("SET_FEED_RATE", &[rate]) => self.rate = rate * self.unit,
+            ("SET_FEED_RATE", &[rate]) => self.rate = rate,
             ("DWELL", &[seconds]) => self.motion(n, Kind::Dwell(seconds), None),
             ("STRAIGHT_TRAVERSE", by) => self.motion(n, Kind::Rapid, Some(self.offset(by).by)),
             ("STRAIGHT_FEED", by) => self.motion(n, Kind::Feed(self.feed()), Some(self.offset(by).by)),

@@ -1,0 +1,89 @@
+//! Programs by chance through both interpreters.
+//!
+//! The seed is fixed, so that every run judges the same programs; `PROPTEST_RNG_SEED=N` takes another, and
+//! `PROPTEST_CASES=N` more of them.
+
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{RngSeed, TestRunner};
+
+use crate::agreement::agree;
+use crate::common::rs274::{self, Judge, Refused};
+use crate::{corpus, expressions, generator, ours, soup};
+
+/// Where rodete refuses on purpose what rs274 takes: a part of the message, and why.
+const STRICTER: [(&str, &str); 1] = [("99999", "positions beyond ±99,999.999 are slips")];
+
+fn config() -> ProptestConfig {
+    let asked = ProptestConfig::default();
+    ProptestConfig {
+        cases: if std::env::var_os("PROPTEST_CASES").is_some() { asked.cases } else { 200 },
+        rng_seed: if asked.rng_seed == RngSeed::Random { RngSeed::Fixed(274) } else { asked.rng_seed },
+        failure_persistence: None,
+        ..asked
+    }
+}
+
+/// Both take it with the same motions and offsets, or both refuse it after the same motions.
+fn compare(program: &str, judge: &Judge) -> Result<(), TestCaseError> {
+    let (ours, fault) = ours::motions(program.as_bytes(), judge);
+    let outcome = match (judge.run(program.as_bytes()), fault) {
+        (Err(Refused::Deadline), _) => Err("rs274 does not end".to_owned()),
+        (Ok(_), None) => corpus::judge(program.as_bytes(), *judge),
+        (Err(Refused::Error(_, done)), Some(_)) => agree(&ours, &done.motions),
+        (Ok(_), Some(fault)) if STRICTER.iter().any(|(part, _)| fault.message.contains(part)) => Ok(()),
+        (Ok(_), Some(fault)) => Err(format!("refused by ours alone: {fault}")),
+        (Err(Refused::Error(message, _)), None) => Err(format!("refused by rs274 alone: {message}")),
+    };
+    outcome.map_err(|fault| TestCaseError::fail(format!("{fault}\n{program}")))
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn programs_by_chance_move_as_in_linuxcnc(program in generator::programs(30)) {
+        if rs274::is_here() {
+            let tools = corpus::tools();
+            compare(&program.text, &Judge { var: Some(&program.var), tools: Some(&tools), ..Judge::default() })?;
+        }
+    }
+
+    #[test]
+    fn blocks_by_chance_are_taken_or_refused_as_in_linuxcnc(program in soup::soups()) {
+        if rs274::is_here() {
+            let tools = corpus::tools();
+            compare(&program, &Judge { tools: Some(&tools), ..Judge::default() })?;
+        }
+    }
+
+    #[test]
+    fn expressions_by_chance_come_to_the_same(program in expressions::programs()) {
+        if rs274::is_here() {
+            compare(&program, &Judge::default())?;
+        }
+    }
+}
+
+/// How many of a hundred programs rs274 takes.
+fn taken<T>(programs: impl Strategy<Value = T>, run: impl Fn(&T) -> Result<rs274::Canon, Refused>) -> usize {
+    let mut runner = TestRunner::new(config());
+    (0..100).filter(|_| run(&programs.new_tree(&mut runner).unwrap().current()).is_ok()).count()
+}
+
+#[test]
+fn most_programs_by_chance_are_good_and_blocks_by_chance_are_good_and_bad() {
+    if !rs274::is_here() {
+        return;
+    }
+    let tools = corpus::tools();
+    let judge = Judge { tools: Some(&tools), ..Judge::default() };
+    let programs = taken(generator::programs(30), |program| {
+        Judge { var: Some(&program.var), ..judge }.run(program.text.as_bytes())
+    });
+    assert!(programs > 80, "{programs} of 100 programs");
+    let soups = taken(soup::soups(), |program| judge.run(program.as_bytes()));
+    assert!((10..60).contains(&soups), "{soups} of 100 soups");
+    let expressions = taken(expressions::programs(), |program| judge.run(program.as_bytes()));
+    assert!((20..90).contains(&expressions), "{expressions} of 100 expressions");
+}
