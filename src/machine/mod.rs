@@ -1,6 +1,10 @@
-//! The machine: its axes, rotary axes B and C with their pivot length, axis travel, calibration of the B axis.
+//! The machine: its axes, rotary axes B and C with their pivot length, axis travel, calibration of the B axis, work
+//! offsets and the file in which LinuxCNC keeps them.
 
 pub mod axis;
 pub mod calibration;
+pub mod length_unit;
 pub mod rotary;
 pub mod travel;
+pub mod var_file;
+pub mod work_offset;

@@ -1,0 +1,287 @@
+//! LinuxCNC's parameter file, also called var file: the numbered parameters that outlive a program and a restart.
+//!
+//! One parameter a line, its number, white space and its value, in ascending order:
+//!
+//! ```text
+//! 5220 1.000000
+//! 5221 12.500000
+//! ```
+//!
+//! # References
+//! The behaviour of LinuxCNC's interpreter (`rs274`, 2.9): it writes a tab and six decimals, refuses numbers outside of
+//! 1 to 5601 and lines that are not in ascending order, a parameter given twice among them. What it cannot read it
+//! skips or reads in part, without a word: `5221 1,5` as 1, `5221 0x10` as 16, `5221.5 3` as 0.5, `5221 inf` as
+//! infinity. All of this is refused here.
+
+use std::collections::BTreeMap;
+
+use crate::escape::excerpt;
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::text::Text;
+
+/// The greatest number of a parameter.
+pub const LAST: u32 = 5601;
+
+/// The longest file that is read, in bytes: 46 for every parameter there can be, where LinuxCNC writes about 15.
+pub const FILE: usize = 256 * 1024;
+
+/// The longest line, in bytes without its end: LinuxCNC reads a longer one as two.
+pub const LINE: usize = 254;
+
+/// The greatest value, up or down: with six decimals it fills less than half a line.
+pub const GREATEST: f64 = 1e99;
+
+/// A parameter that the file cannot hold.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("parameter {number} cannot be set to {value}: numbers go from 1 to 5601, values up to 1e99")]
+pub struct Unfit {
+    /// The parameter's number.
+    pub number: u32,
+    /// The value it was to get.
+    pub value: f64,
+}
+
+/// The parameters of a file. What was read stays, digit by digit, until it is set.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VarFile(BTreeMap<u32, Entry>);
+
+/// A value as it stands in the file. The number is always that of the text.
+#[derive(Clone, Debug, PartialEq)]
+struct Entry {
+    value: f64,
+    text: String,
+}
+
+impl VarFile {
+    /// Reads a file.
+    ///
+    /// Empty lines, lines that end in CR LF and a missing last line end are taken; so are all number forms that stand for
+    /// the same value in every reader: `1`, `+1.5`, `.5`, `-5.`, `1.5e3`. A file without any parameter is an empty one.
+    ///
+    /// # Errors
+    /// [`Exit::Limit`] for more than [`FILE`] bytes. [`Exit::Refused`], with every fault by line and column, for a line
+    /// that is no `number value` pair or is longer than [`LINE`], a number outside of 1 to [`LAST`], a value that is no
+    /// decimal number within ±[`GREATEST`], a parameter given twice or out of order.
+    pub fn parse(bytes: &[u8]) -> Result<Self, Refusal> {
+        if bytes.len() > FILE {
+            let finding = Finding::stop(
+                Place::File,
+                Text::fixed(
+                    "el archivo de parámetros es más largo que cualquiera de LinuxCNC",
+                    "the parameter file is longer than any of LinuxCNC",
+                ),
+                Text::fixed(
+                    "indique el archivo .var que nombra PARAMETER_FILE en el archivo INI",
+                    "give the .var file that PARAMETER_FILE in the INI file names",
+                ),
+            )
+            .with(format!("{} bytes", bytes.len()), format!("≤ {FILE} bytes"));
+            return Err(Refusal::new(Exit::Limit, finding));
+        }
+        let mut file = Self::default();
+        let mut findings = Vec::new();
+        // Where each parameter stands; the last key is the greatest so far.
+        let mut lines = BTreeMap::new();
+        for (index, bytes) in bytes.split(|&byte| byte == b'\n').enumerate() {
+            let line = index + 1;
+            match read_line(line, bytes) {
+                Ok(None) => {}
+                Ok(Some((number, entry))) => match order(line, number, &lines) {
+                    Some(finding) => findings.push(finding),
+                    None => {
+                        lines.insert(number, line);
+                        file.0.insert(number, entry);
+                    }
+                },
+                Err(finding) => findings.push(*finding),
+            }
+        }
+        if findings.is_empty() { Ok(file) } else { Err(Refusal { exit: Exit::Refused, findings }) }
+    }
+
+    /// The value of a parameter, if the file holds it.
+    #[must_use]
+    pub fn get(&self, number: u32) -> Option<f64> {
+        self.0.get(&number).map(|entry| entry.value)
+    }
+
+    /// Sets a parameter. The file carries six decimals, so the value is rounded to them, and [`get`](Self::get) then
+    /// gives the rounded one; where the parameter already has exactly this value, its digits stay as they are.
+    ///
+    /// # Errors
+    /// For a number outside of 1 to [`LAST`] and a value that is not finite or beyond ±[`GREATEST`].
+    pub fn set(&mut self, number: u32, value: f64) -> Result<(), Unfit> {
+        if !(1..=LAST).contains(&number) || !value.is_finite() || value.abs() > GREATEST {
+            return Err(Unfit { number, value });
+        }
+        #[expect(clippy::float_cmp, reason = "only the very same value leaves the digits alone")]
+        let same = self.get(number).is_some_and(|held| held == value);
+        if !same {
+            let text = format!("{value:.6}");
+            let text = if text == "-0.000000" { "0.000000".to_owned() } else { text };
+            // What was formatted is a number.
+            let value = text.parse().unwrap_or(value);
+            self.0.insert(number, Entry { value, text });
+        }
+        Ok(())
+    }
+
+    /// Adds the parameters that LinuxCNC's own files always hold and that are missing here: 0, and 1 for 5220.
+    pub fn complete(&mut self) {
+        for number in required() {
+            let value = if number == 5220 { 1.0 } else { 0.0 };
+            self.0.entry(number).or_insert_with(|| Entry { value, text: format!("{value:.6}") });
+        }
+    }
+
+    /// The parameters in ascending order.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
+        self.0.iter().map(|(&number, entry)| (number, entry.value))
+    }
+
+    /// True where there is no parameter.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The file's text as LinuxCNC writes it: a tab between number and value, ascending, each line ended by LF.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.0.iter().map(|(number, entry)| format!("{number}\t{}\n", entry.text)).collect()
+    }
+}
+
+/// The parameters that LinuxCNC writes into every file: G28 and G30 positions, G92 with its switch, the active
+/// coordinate system, and nine origins with their rotation. 5231 to 5240 and their like are in no file of its own.
+pub fn required() -> impl Iterator<Item = u32> {
+    let systems = (0..9).flat_map(|system| (1..=10).map(move |part| 5220 + 20 * system + part));
+    (5161..=5169).chain(5181..=5189).chain(5210..=5220).chain(systems)
+}
+
+/// Reads a line without its LF: nothing where it is empty.
+fn read_line(line: usize, bytes: &[u8]) -> Result<Option<(u32, Entry)>, Box<Finding>> {
+    let text = String::from_utf8_lossy(bytes.strip_suffix(b"\r").unwrap_or(bytes));
+    if text.len() > LINE {
+        let finding = Finding::stop(
+            Place::Line { line, columns: Vec::new() },
+            Text::fixed(
+                "la línea es demasiado larga: LinuxCNC la leería como dos",
+                "the line is too long: LinuxCNC would read it as two",
+            ),
+            Text::fixed("deje en la línea un número y un valor", "leave a number and a value in the line"),
+        );
+        return Err(Box::new(finding.with(format!("{} bytes", text.len()), format!("≤ {LINE} bytes"))));
+    }
+    let place = |column| Place::Line { line, columns: vec![column] };
+    let mut words = words(&text);
+    let (Some((at, number)), value, rest) = (words.next(), words.next(), words.next()) else { return Ok(None) };
+    let number = read_number(place(at), number)?;
+    match (value, rest) {
+        (None, _) => Err(Box::new(Finding::stop(
+            place(at),
+            Text::new(format!("el parámetro {number} no tiene valor"), format!("parameter {number} has no value")),
+            pair(),
+        ))),
+        (Some(_), Some((at, rest))) => Err(Box::new(Finding::stop(
+            place(at),
+            Text::new(
+                format!("sobra texto después del valor: '{}'", excerpt(rest, 20)),
+                format!("there is text after the value: '{}'", excerpt(rest, 20)),
+            ),
+            pair(),
+        ))),
+        (Some((at, text)), None) => {
+            let value = read_value(place(at), text)?;
+            Ok(Some((number, Entry { value, text: text.to_owned() })))
+        }
+    }
+}
+
+/// The words of a line with their columns, counted from 1 in characters.
+fn words(line: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut column = 1;
+    line.split([' ', '\t']).filter_map(move |word| {
+        let at = column;
+        column += word.chars().count() + 1;
+        (!word.is_empty()).then_some((at, word))
+    })
+}
+
+fn pair() -> Text {
+    Text::fixed(
+        "escriba en cada línea el número de un parámetro y su valor, como '5221 12.500000'",
+        "write in each line the number of a parameter and its value, as '5221 12.500000'",
+    )
+}
+
+fn read_number(place: Place, text: &str) -> Result<u32, Box<Finding>> {
+    let shown = excerpt(text, 20);
+    let whole = text.strip_prefix(['+', '-']).unwrap_or(text);
+    if whole.is_empty() || !whole.bytes().all(|byte| byte.is_ascii_digit()) {
+        let what = Text::new(
+            format!("'{shown}' no es el número de un parámetro"),
+            format!("'{shown}' is not the number of a parameter"),
+        );
+        return Err(Box::new(Finding::stop(place, what, pair())));
+    }
+    text.parse().ok().filter(|number| (1..=LAST).contains(number)).ok_or_else(|| {
+        let finding = Finding::stop(
+            place,
+            Text::fixed("no hay parámetro con este número", "there is no parameter of this number"),
+            Text::fixed("corrija el número o quite la línea", "correct the number or take the line out"),
+        );
+        Box::new(finding.with(shown, format!("1 … {LAST}")))
+    })
+}
+
+fn read_value(place: Place, text: &str) -> Result<f64, Box<Finding>> {
+    let shown = excerpt(text, 30);
+    let plain = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    let remedy = if text.contains(',') {
+        Text::fixed("el separador decimal es el punto: '1.5'", "the decimal separator is the point: '1.5'")
+    } else {
+        Text::fixed("escriba un número decimal, como '-12.5'", "write a decimal number, as '-12.5'")
+    };
+    let finding = match text.parse::<f64>() {
+        Ok(value) if plain && value.abs() <= GREATEST => return Ok(value),
+        Ok(value) if plain || !value.is_finite() => Finding::stop(
+            place,
+            Text::fixed("el valor es demasiado grande o no es finito", "the value is too great or not finite"),
+            remedy,
+        )
+        .with(shown, format!("±{GREATEST:e}")),
+        _ => {
+            let what = Text::new(format!("'{shown}' no es un número"), format!("'{shown}' is not a number"));
+            Finding::stop(place, what, remedy)
+        }
+    };
+    Err(Box::new(finding))
+}
+
+/// Why a parameter may not come after those read before it, as LinuxCNC judges.
+fn order(line: usize, number: u32, before: &BTreeMap<u32, usize>) -> Option<Finding> {
+    let place = Place::Line { line, columns: Vec::new() };
+    if let Some(first) = before.get(&number) {
+        return Some(Finding::stop(
+            place,
+            Text::new(
+                format!("el parámetro {number} se da dos veces, la primera en la línea {first}"),
+                format!("parameter {number} is given twice, first in line {first}"),
+            ),
+            Text::fixed("quite una de las dos líneas", "take one of the two lines out"),
+        ));
+    }
+    let (last, first) = before.last_key_value().filter(|(last, _)| **last > number)?;
+    Some(Finding::stop(
+        place,
+        Text::new(
+            format!("el parámetro {number} está después del {last} de la línea {first}"),
+            format!("parameter {number} stands after {last} of line {first}"),
+        ),
+        Text::fixed(
+            "ordene las líneas por número, de menor a mayor; LinuxCNC no lee el archivo de otro modo",
+            "sort the lines by number, ascending; LinuxCNC does not read the file otherwise",
+        ),
+    ))
+}
