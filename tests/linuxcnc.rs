@@ -1,9 +1,13 @@
 //! LinuxCNC's own interpreter, `rs274` of the Debian package linuxcnc-uspace, as an independent judge of the programs in
 //! its dialect. A black box: private HOME, fresh variable file, a deadline.
 
+#[path = "interpreter/agreement.rs"]
+mod agreement;
 mod common;
+#[path = "interpreter/ours.rs"]
+mod ours;
 
-use common::rs274::{self, Canon, Kind, Six};
+use common::rs274::{self, Canon, Judge, Kind, Six};
 use rodete::machine::axis::Position;
 use rodete::parameter::Value;
 
@@ -61,6 +65,55 @@ fn linuxcnc_moves_as_planned() {
                     assert!(miss < 0.000_051, "{}: {judged:?} against {planned:?}", program.key);
                 }
             }
+        }
+    }
+}
+
+/// Three that know nothing of one another: the plan that the text was written from, rodete's interpreter of the text, and
+/// LinuxCNC's.
+#[test]
+fn plan_interpreter_and_linuxcnc_agree_on_our_programs() {
+    for (distance, n, splitters) in [("G90", 40, "yes"), ("G91", 40, "yes"), ("G90", 23, "no")] {
+        let outcome = common::outcome(
+            "full",
+            &[
+                ("dialect", Value::Choice("linuxcnc")),
+                ("distance", Value::Choice(distance)),
+                ("n", Value::Whole(n)),
+                ("splitters", Value::Choice(splitters)),
+            ],
+        );
+        for program in outcome.programs.iter().filter(|program| program.key != "blank") {
+            let text = program.text();
+            let judge = Judge { tools: Some(TOOLS), ..Judge::default() };
+            let (motions, _) =
+                ours::run(text.as_bytes(), &judge).unwrap_or_else(|fault| panic!("{}: {fault}", program.key));
+            if rs274::is_here() {
+                agreement::agree(&motions, &judge.run(text.as_bytes()).unwrap().motions).unwrap();
+            }
+            let read = motions.iter().filter(|motion| motion.from != motion.to);
+            // Positioning blocks come before the plan.
+            let mut planned = 0;
+            program.for_each_move(&mut |_| planned += 1);
+            let before = read.clone().count().checked_sub(planned).expect("every planned move is in the text");
+            let mut read = read.skip(before);
+            program.for_each_move(&mut |each| {
+                let motion = read.next().expect("a motion");
+                assert_eq!(motion.line, each.line, "{}", program.key);
+                assert_eq!(matches!(motion.kind, rodete::gcode::motion::Kind::Rapid), each.path.rapid);
+                let planned = each.to.differences(&Position::default());
+                let miss = motion.machine.0.iter().zip(planned).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(miss < 1e-9, "{} line {}: {motion:?} against {planned:?}", program.key, each.line);
+                // F is the inverse of the time, with three decimals.
+                if let (Some(seconds), false) = (each.path.seconds(each.step), each.path.rapid) {
+                    let read = motion.seconds.expect("a time");
+                    assert!(
+                        (60.0 / read - 60.0 / seconds).abs() < 0.000_501,
+                        "line {}: {read} s, {seconds} s planned",
+                        each.line
+                    );
+                }
+            });
         }
     }
 }

@@ -26,7 +26,7 @@ fn config() -> ProptestConfig {
 
 /// Both take it with the same motions and offsets, or both refuse it after the same motions.
 fn compare(program: &str, judge: &Judge) -> Result<(), TestCaseError> {
-    let (ours, fault) = ours::motions(program.as_bytes(), judge);
+    let (ours, _, fault) = ours::until_fault(program.as_bytes(), judge);
     let outcome = match (judge.run(program.as_bytes()), fault) {
         (Err(Refused::Deadline), _) => Err("rs274 does not end".to_owned()),
         (Ok(_), None) => corpus::judge(program.as_bytes(), *judge),
