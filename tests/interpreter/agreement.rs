@@ -17,10 +17,22 @@ const NOTHING: f64 = 1e-6;
 /// # Errors
 /// Says which motions differ, and in what.
 pub fn agree(ours: &[Motion], theirs: &[rs274::Motion]) -> Result<(), String> {
+    match begins(ours, theirs)? {
+        [] => Ok(()),
+        [their, ..] => Err(format!("ours has no motion like {their:?}")),
+    }
+}
+
+/// The motions of rs274 that are left after ours, which are the same up to there. rs274 begins a cycle before it finds
+/// fault with it; rodete refuses the whole block.
+///
+/// # Errors
+/// As for [`agree`].
+pub fn begins<'a>(ours: &[Motion], theirs: &'a [rs274::Motion]) -> Result<&'a [rs274::Motion], String> {
     let (mut at, mut to) = (0, 0);
     loop {
         match (ours.get(at), theirs.get(to)) {
-            (None, None) => return Ok(()),
+            (None, None) => return Ok(&[]),
             (Some(our), Some(their)) => match difference(our, their) {
                 None => (at, to) = (at + 1, to + 1),
                 Some(_) if goes_nowhere(our) => at += 1,
@@ -34,7 +46,7 @@ pub fn agree(ours: &[Motion], theirs: &[rs274::Motion]) -> Result<(), String> {
             (Some(our), None) if goes_nowhere(our) => at += 1,
             (None, Some(their)) if their.goes_nowhere() => to += 1,
             (Some(our), None) => return Err(format!("rs274 has no motion like {our:?}")),
-            (None, Some(their)) => return Err(format!("ours has no motion like {their:?}")),
+            (None, Some(_)) => return Ok(&theirs[to..]),
         }
     }
 }

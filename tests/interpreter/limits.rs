@@ -8,7 +8,7 @@ use rodete::gcode::motion::Motion;
 use crate::common::rs274::Judge;
 use crate::ours::setting;
 
-fn read(program: &[u8]) -> Vec<Result<Motion, Fault>> {
+fn read(program: &[u8]) -> Vec<Result<Motion, Box<Fault>>> {
     let mut setting = setting(&Judge::default());
     setting.budget = Budget { repeated_blocks: 2_000, ..Budget::default() };
     Interpreter::over(program, setting).collect()
