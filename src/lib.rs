@@ -18,7 +18,7 @@
 //! |---|---|---|
 //! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`] | the concepts |
 //! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines |
-//! | 2 | [`machine`] | axes, rotary axes with pivot length, travel, calibration |
+//! | 2 | [`machine`] | axes, rotary axes with pivot length, travel, calibration, work offsets |
 //! | 3 | [`gcode`] | words, dialects, programs and their text, motions |
 //! | 4 | [`impeller`], [`blank`] | the methods, one formula family a file |
 //! | 5 | [`verify`] | judging programs |

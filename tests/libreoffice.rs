@@ -9,9 +9,12 @@ use std::process::Command;
 use calamine::{Data, Reader, Xlsx, open_workbook};
 use rodete::impeller::cases::CASES;
 use rodete::impeller::parameters::FORM;
+use rodete::machine::length_unit::LengthUnit;
+use rodete::machine::var_file::VarFile;
 use rodete::parameter::Value;
 use rodete::text::Language;
-use rodete::workbook::{results, template};
+use rodete::workbook::offsets_table::OffsetsTable;
+use rodete::workbook::{offsets_sheet, results, template};
 
 /// LibreOffice takes a second or two; a hang is ended after this many.
 const DEADLINE: &str = "120";
@@ -65,8 +68,41 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
             let outcome = common::outcome(case.name, std::slice::from_ref(&hostile));
             results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
         }
+        let unit = LengthUnit::Inch;
+        let to = create(format!("offsets-{}.xlsx", language.code()));
+        offsets_sheet::write(&var_file(), unit, "a.var", language, to).expect("offsets");
     }
     files
+}
+
+/// Offsets whose every value is another.
+fn var_file() -> VarFile {
+    let mut file = VarFile::default();
+    file.complete();
+    let numbers: Vec<u32> = file.iter().map(|(number, _)| number).filter(|number| *number > 5220).collect();
+    for (number, at) in numbers.into_iter().zip(1..) {
+        file.set(number, f64::from(at) / 7.0).expect("a parameter");
+    }
+    file.set(5220, 7.0).expect("a parameter");
+    file
+}
+
+#[test]
+fn offsets_come_back_from_libreoffice_to_the_last_digit() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("offsets.xlsx");
+    let to = std::fs::File::create(&path).expect("a file");
+    let file = var_file();
+    offsets_sheet::write(&file, LengthUnit::Inch, "a.var", Language::Es, to).expect("offsets");
+    let made = std::fs::read(converted(&path, "xlsx:Calc MS Excel 2007 XML", "xlsx")).expect("LibreOffice's workbook");
+    let table = OffsetsTable::read(&made, LengthUnit::Inch).expect("the sheet");
+    let mut back = VarFile::default();
+    back.complete();
+    table.apply(&mut back).expect("values of a var file");
+    assert_eq!(back.text(), file.text());
 }
 
 #[test]

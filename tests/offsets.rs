@@ -7,8 +7,10 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 use rodete::finding::{Exit, Grade, Place, Refusal};
+use rodete::gcode::offset_preamble::preamble;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::length_unit::LengthUnit;
+use rodete::machine::offset_edit::Edit;
 use rodete::machine::var_file::{FILE, LAST, VarFile, required};
 use rodete::machine::work_offset::{Frame, Offsets, System, WorkOffset};
 use rodete::text::Language;
@@ -388,4 +390,149 @@ fn linuxcnc_agrees_on_the_machine_position() {
     for difference in after.g28.differences(&machine) {
         assert!(difference.abs() < 2e-5, "{:?} against {machine:?}", after.g28);
     }
+}
+
+#[test]
+fn an_edit_sets_what_it_names_and_nothing_else() {
+    for (text, changed) in [
+        ("G55 X2 Y1 Z-2", "5241\t2.000000\n5242\t1.000000\n5243\t-2.000000\n"),
+        ("g59.3x+1.5w.25r-30", "5381\t1.500000\n5389\t0.250000\n5390\t-30.000000\n"),
+        (" G54  A90. B-0 C0.123456 ", "5224\t90.000000\n5225\t0.000000\n5226\t0.123456\n"),
+        ("G92.2", "5210\t0.000000\n"),
+        ("G92.3", "5210\t1.000000\n"),
+        ("G54 X99999.999 R360", "5221\t99999.999000\n5230\t360.000000\n"),
+    ] {
+        let mut file = VarFile::default();
+        Edit::parse(text, LengthUnit::Millimetre).expect(text).apply(&mut file).unwrap();
+        assert_eq!(file.text(), changed, "{text}");
+    }
+    let mut file = read("5210\t2.5\n5211\t1\n5212\t2\n5241\t0.12345678\n5242\t3\n");
+    Edit::parse("G52 Y5", LengthUnit::Millimetre).unwrap().apply(&mut file).unwrap();
+    Edit::parse("G55 Y4", LengthUnit::Millimetre).unwrap().apply(&mut file).unwrap();
+    assert_eq!(file.text(), "5210\t2.5\n5211\t1\n5212\t5.000000\n5241\t0.12345678\n5242\t4.000000\n");
+}
+
+#[test]
+fn every_bad_edit_is_refused_with_its_reason_and_a_hint() {
+    let codes = "write G54 to G59.3 with X Y Z A B C U V W R, as 'G55 X2 Y1 Z-2', G52 with axes, or G92.1, G92.2 or G92.3 alone";
+    for (text, what, hint) in [
+        ("", "the code is missing", codes),
+        ("X2 Y1", "the code is missing", codes),
+        ("G55", "there is no axis to set", codes),
+        ("G52", "there is no axis to set", codes),
+        ("G53 X1", "G53 cannot be set", codes),
+        ("G59.4 X1", "G59.4 cannot be set", codes),
+        ("G055 X1", "G055 cannot be set", codes),
+        ("G92.1 X1", "G92.1 takes no axis words", codes),
+        (
+            "G92 X1",
+            "G92 starts from the position of the machine, which the file does not know",
+            "write G52 with the offsets, which are kept in the same registers, or G92.1 to clear them",
+        ),
+        ("G55 X1,5", "'1,5' is not a number", "the decimal separator is the point: X1.5"),
+        ("G55 X1e3", "exponents are not taken", "write the number out, as 1000"),
+        ("G55 X--5", "'--5' is not a number", "write the number next to the letter, as X-12.5"),
+        ("G55 X1.2.3", "'1.2.3' is not a number", "write the number next to the letter, as X-12.5"),
+        ("G55 X.", "'.' is not a number", "write the number next to the letter, as X-12.5"),
+        ("G55 X\u{2212}5", "'\u{2212}5' is not a number", "write the number next to the letter, as X-12.5"),
+        ("G55 X", "X has no number", "write the number next to the letter, as X-12.5"),
+        ("G55 X 5", "'5' does not begin with a letter", "write every word together, as X2.5"),
+        ("G55 X1 x2", "X is given twice", "leave one of the two"),
+        ("G55 Q1", "Q is no axis", "axes are X Y Z A B C U V W; R is the rotation"),
+        ("G52 R1", "G52 has no rotation", "give R to a system, as 'G55 R30'"),
+        ("G55 X100000", "X100000 is beyond \u{b1}99999.999", "check the number and the unit"),
+        ("G55 R361", "R361 is beyond \u{b1}360", "check the number and the unit"),
+        ("G55 X0.1234567", "X0.1234567 has more decimals than the file's 6", "round it"),
+        ("G55 X1\u{1b}[2J", "'1\\u{1b}[2' is not a number", "write the number next to the letter, as X-12.5"),
+    ] {
+        let finding = Edit::parse(text, LengthUnit::Millimetre).expect_err(text);
+        assert!(finding.what.en.ends_with(&format!(": {what}")), "{text:?}: {}", finding.what.en);
+        assert_eq!(finding.remedy.en, hint, "{text:?}");
+        assert!(!finding.what.es.is_empty() && !finding.remedy.es.is_empty());
+    }
+    assert!(Edit::parse("G55 X3937", LengthUnit::Inch).is_ok() && Edit::parse("G55 X3938", LengthUnit::Inch).is_err());
+}
+
+#[test]
+fn edits_of_g92_do_what_linuxcnc_does() {
+    if !rs274_is_here() {
+        return;
+    }
+    let registers = |file: &VarFile| -> Vec<f64> { (5210..5220).map(|number| file.get(number).unwrap()).collect() };
+    for switch in [0, 1] {
+        let mut before = read(&format!("5210\t{switch}\n5211\t1\n5212\t2\n5216\t30\n"));
+        before.complete();
+        for edit in ["G52 X3 C45", "G52 Y0", "G92.1", "G92.2", "G92.3"] {
+            let mut ours = before.clone();
+            Edit::parse(edit, LengthUnit::Inch).unwrap().apply(&mut ours).unwrap();
+            let (_, theirs) = rs274(&format!("G20 {edit}\nM2\n"), Some(&before.text())).unwrap();
+            assert_eq!(registers(&ours), registers(&read(&theirs)), "{edit} with the switch at {switch}");
+        }
+    }
+}
+
+#[test]
+fn the_blocks_give_linuxcnc_the_offsets_of_the_file() {
+    if !rs274_is_here() {
+        return;
+    }
+    let mut offsets = Offsets { active: System::G58, ..Offsets::default() };
+    for (system, at) in System::ALL.into_iter().zip(1_u8..) {
+        let at = f64::from(at);
+        offsets.system_mut(system).origin = Pose([at / 7.0, -30.0 * at, 0.0, 5.5 * at, 0.0, -at, 0.0, 0.0, 0.0]);
+        offsets.system_mut(system).rotation = 11.25 * at;
+    }
+    // What another program left on the control must be gone afterwards. B is in no block, since no system uses it.
+    let stale: String =
+        (5211..=5216).chain(5221..=5224).chain([5226]).map(|number| format!("{number}\t77\n")).collect();
+    let stale = format!("5210\t1\n{stale}");
+    for unit in [LengthUnit::Inch, LengthUnit::Millimetre] {
+        for (g92, g92_on) in [([0.0; 9], false), ([1.5, 0.0, -2.0, 30.0, 0.0, 0.0, 0.0, 0.0, 0.0], true)] {
+            offsets.g92 = Pose(g92);
+            for g92_on in [g92_on, false] {
+                offsets.g92_on = g92_on;
+                let mut file = VarFile::default();
+                offsets.write(&mut file, unit).unwrap();
+                let blocks = preamble(&file, unit).unwrap();
+                assert_eq!(blocks.last().map(String::as_str), Some("G58"));
+                let (canon, left) = rs274(&format!("{}\nM2\n", blocks.join("\n")), Some(&stale)).unwrap();
+                let (theirs, _) = Offsets::read(&read(&left), LengthUnit::Inch);
+                let near =
+                    |one: &Pose, other: &Pose| one.differences(other).iter().all(|difference| difference.abs() < 2e-5);
+                for (ours, theirs) in offsets.systems.iter().zip(&theirs.systems) {
+                    assert!(near(&ours.origin, &theirs.origin), "{ours:?} against {theirs:?}");
+                    assert!((ours.rotation - theirs.rotation).abs() < 1e-6);
+                }
+                assert!(near(&offsets.g92, &theirs.g92), "{:?} against {:?}", offsets.g92, theirs.g92);
+                assert_eq!(offsets.g92_on, theirs.g92_on);
+                // M2 goes back to G54; the system before that is the file's.
+                let selected: Vec<_> = calls(&canon, "SET_G5X_OFFSET").iter().map(|call| call[0]).collect();
+                assert_eq!(selected[selected.len() - 2..], [5.0, 1.0]);
+            }
+        }
+    }
+}
+
+#[test]
+fn no_blocks_are_made_of_values_that_no_program_carries() {
+    let file = read("5220\t1\n5222\t100000\n5230\t1e50\n5242\t99999.999\n");
+    assert_eq!(preamble(&file, LengthUnit::Millimetre), Err(vec![5222, 5230]));
+    assert_eq!(preamble(&file, LengthUnit::Inch), Err(vec![5222, 5242, 5230]));
+}
+
+#[test]
+fn blocks_carry_at_least_three_decimals_and_all_that_the_file_has() {
+    let file = read("5220\t2\n5221\t-0.0000001\n5222\t0.1\n5223\t2.123456\n5227\t-5\n5241\t1234.5678\n");
+    let blocks = preamble(&file, LengthUnit::Millimetre).unwrap();
+    assert_eq!(
+        blocks[..4],
+        [
+            "G21 G90",
+            "G92.1",
+            "G10 L2 P1 X0.000 Y0.100 Z2.123456 U-5.000 R0.000",
+            "G10 L2 P2 X1234.5678 Y0.000 Z0.000 U0.000 R0.000",
+        ]
+    );
+    assert_eq!((blocks.len(), blocks[11].as_str()), (12, "G55"));
+    assert_eq!(preamble(&file, LengthUnit::Inch).unwrap()[0], "G20 G90");
 }

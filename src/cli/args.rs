@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use super::kinds;
+use crate::machine::work_offset::System;
 use crate::text::Language;
 
 /// From a workbook of design parameters to checked tables, ISO programs and a report for 5-axis impellers.
@@ -17,6 +18,7 @@ How to work with it:
   rodete new impeller           writes impeller.xlsx, ready to edit in Excel
   rodete check impeller.xlsx    says what would stop a build, and the limits
   rodete build impeller.xlsx    writes tables, programs and report into impeller-out
+  rodete offsets linuxcnc.var   shows the work offsets of a LinuxCNC machine
 
 Exit codes:
     0  done
@@ -48,6 +50,14 @@ pub(super) enum Command {
     /// nothing: a file appears under its name only when the whole set is complete. Several workbooks are built side
     /// by side, and one that is refused does not stop the others.
     Build(Build),
+    /// Show and edit the work offsets in LinuxCNC's parameter file
+    ///
+    /// Without options: G54 to G59.3, G92, G28 and G30 as the file holds them, and the blocks that give a control the
+    /// same offsets. Lengths are in the machine's unit, millimetres unless --inch is given. With --set, --use or a
+    /// workbook that exists the file is rewritten, all or nothing; other parameters stay digit by digit, and a file
+    /// that does not exist is made with the parameters that LinuxCNC wants. Close LinuxCNC before: it holds the
+    /// parameters in memory and writes them over the file when it ends.
+    Offsets(Offsets),
 }
 
 /// Arguments of `new`.
@@ -102,6 +112,42 @@ pub(super) struct Build {
     /// Print one JSON document instead of text: findings, derived values, written files with their SHA-256
     #[arg(long)]
     pub(super) json: bool,
+}
+
+/// Arguments of `offsets`.
+#[derive(Debug, Args)]
+pub(super) struct Offsets {
+    /// LinuxCNC's parameter file, PARAMETER_FILE in the INI file
+    #[arg(value_name = "FILE.var")]
+    pub(super) file: PathBuf,
+    /// Set axis words of a system, in machine coordinates: "G55 X2 Y1 Z-2 R30"
+    ///
+    /// Takes G54 to G59.3 with X Y Z A B C U V W, and R, the rotation in degrees; axes that are not named stay. G52
+    /// with axis words writes the registers that G92 and G52 share and puts them in force; G92.1 clears them, G92.2 and
+    /// G92.3 take them out of force and put them back. G92 with axis words is refused: it starts from the position of
+    /// the machine. Numbers have a decimal point, no exponent and at most six decimals. May be given several times; done
+    /// in order, after the workbook.
+    #[arg(long, value_name = "WORDS")]
+    pub(super) set: Vec<String>,
+    /// Make a system the active one, parameter 5220
+    #[arg(long = "use", value_name = "SYSTEM", value_parser = system())]
+    pub(super) active: Option<System>,
+    /// Workbook with the sheet OFFSETS (ORIGENES): read into the file if it exists, else written from it
+    #[arg(long, value_name = "FILE.xlsx")]
+    pub(super) workbook: Option<PathBuf>,
+    /// The machine counts in inches: lengths of the file, of --set and of the workbook
+    #[arg(long)]
+    pub(super) inch: bool,
+    /// Language of the messages and of a new workbook [default: en]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
+    /// Print one JSON document instead of text
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+fn system() -> impl TypedValueParser<Value = System> {
+    PossibleValuesParser::new(System::ALL.map(System::name)).map(|name| System::from_name(&name).unwrap_or_default())
 }
 
 fn language() -> impl TypedValueParser<Value = Language> {

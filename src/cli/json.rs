@@ -43,7 +43,7 @@ struct Quantity<'a> {
 
 /// A file that was written.
 #[derive(Serialize)]
-struct File<'a> {
+pub(super) struct File<'a> {
     name: String,
     path: String,
     bytes: u64,
@@ -61,8 +61,13 @@ pub(super) fn document(command: &str, exit: Exit, verdicts: &[Verdict]) -> Strin
         status: status(exit),
         workbooks: verdicts.iter().map(workbook).collect(),
     };
+    laid_out(&document)
+}
+
+/// A document as text, on lines, with characters that a terminal would obey escaped.
+pub(super) fn laid_out(document: &impl Serialize) -> String {
     // Every key is a text and a string takes everything: there is nothing to fail.
-    let text = serde_json::to_string_pretty(&document).unwrap_or_default();
+    let text = serde_json::to_string_pretty(document).unwrap_or_default();
     // Outside of strings the line feeds lay the document out; inside they are escaped already.
     let mut shown = String::with_capacity(text.len() + 1);
     for character in text.chars() {
@@ -86,12 +91,6 @@ fn workbook(verdict: &Verdict) -> Workbook<'_> {
         meaning: &one.meaning,
         source: &one.source,
     });
-    let files = verdict.files.iter().map(|file| File {
-        name: file.name.to_string_lossy().into_owned(),
-        path: file.path.to_string_lossy().into_owned(),
-        bytes: file.bytes,
-        sha256: &file.sha256,
-    });
     Workbook {
         workbook: verdict.workbook.to_string_lossy().into_owned(),
         sha256: verdict.sha256.as_deref(),
@@ -101,8 +100,19 @@ fn workbook(verdict: &Verdict) -> Workbook<'_> {
         findings: &verdict.findings,
         quantities: quantities.collect(),
         folder: verdict.folder.as_ref().map(|folder| folder.to_string_lossy().into_owned()),
-        files: files.collect(),
+        files: files(verdict),
     }
+}
+
+/// The files that were written.
+pub(super) fn files(verdict: &Verdict) -> Vec<File<'_>> {
+    let file = verdict.files.iter().map(|file| File {
+        name: file.name.to_string_lossy().into_owned(),
+        path: file.path.to_string_lossy().into_owned(),
+        bytes: file.bytes,
+        sha256: &file.sha256,
+    });
+    file.collect()
 }
 
 #[cfg(test)]

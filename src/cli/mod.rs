@@ -11,6 +11,8 @@ mod interrupt;
 mod json;
 mod kinds;
 mod new;
+mod offsets;
+mod offsets_view;
 mod plan;
 mod quantity;
 mod reading;
@@ -36,6 +38,7 @@ use crate::text::Language;
 /// The commands' names in JSON.
 const CHECK: &str = "check";
 const BUILD: &str = "build";
+const OFFSETS: &str = "offsets";
 
 /// Runs a command line, the program's name first, and gives the process exit code.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
@@ -66,6 +69,7 @@ fn command(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termina
         Command::New(new) => new::run(&new, terminal),
         Command::Check(arguments) => check(&arguments, terminal),
         Command::Build(arguments) => build::run(&arguments, terminal),
+        Command::Offsets(arguments) => offsets::run(&arguments, terminal),
     }
 }
 

@@ -49,7 +49,7 @@ fn write(arguments: &New) -> Result<Vec<Written>, Refusal> {
 ///
 /// # Errors
 /// Exit 2 where it does not end in `.xlsx`: Excel would not open it.
-fn workbook_name(file: &Path) -> Result<&OsStr, Refusal> {
+pub(super) fn workbook_name(file: &Path) -> Result<&OsStr, Refusal> {
     match (file.file_name(), file.extension()) {
         (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("xlsx") => Ok(name),
         _ => {

@@ -35,7 +35,7 @@ pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, termi
 }
 
 /// The files with size and SHA-256, one a line.
-fn files(verdict: &Verdict) -> String {
+pub(super) fn files(verdict: &Verdict) -> String {
     let longest = verdict.files.iter().map(|file| textwrap::core::display_width(&path(&file.path))).max().unwrap_or(0);
     verdict
         .files
@@ -90,7 +90,7 @@ pub(super) fn path(path: &Path) -> String {
 }
 
 /// The first characters of a SHA-256.
-fn short(sha256: &str) -> &str {
+pub(super) fn short(sha256: &str) -> &str {
     sha256.get(..16).unwrap_or(sha256)
 }
 

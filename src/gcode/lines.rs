@@ -46,18 +46,12 @@ impl Program {
     /// # Errors
     /// Passes on the error of `out`.
     pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        let mut lines = self.lines();
         let mut line = String::new();
-        self.for_each(&mut |number, text| {
-            line.clear();
-            if let Some(number) = number {
-                line.push('N');
-                push_whole(&mut line, number);
-                line.push(' ');
-            }
-            line.push_str(text);
-            line.push_str(self.dialect.end_of_line);
-            out.write_all(line.as_bytes())
-        })
+        while lines.next_whole(&mut line) {
+            out.write_all(line.as_bytes())?;
+        }
+        Ok(())
     }
 
     /// The program's text.
@@ -125,6 +119,21 @@ impl<'a> Lines<'a> {
                 },
             }
         }
+    }
+
+    /// Puts the next line, with its number and its end, into `line`; false where there is none.
+    pub(super) fn next_whole(&mut self, line: &mut String) -> bool {
+        line.clear();
+        let end_of_line = self.program.dialect.end_of_line;
+        let Some((number, text)) = self.next() else { return false };
+        if let Some(number) = number {
+            line.push('N');
+            push_whole(line, number);
+            line.push(' ');
+        }
+        line.push_str(text);
+        line.push_str(end_of_line);
+        true
     }
 
     fn count(&mut self) -> Option<u32> {

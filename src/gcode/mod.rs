@@ -3,10 +3,14 @@
 //! A [`program::Program`] holds positions on the output grid, not text; its text is made line by line wherever it is
 //! needed (file, sheet, report), so that a program of a million blocks costs no more memory than its points.
 
+pub mod code;
 pub mod comment;
 pub mod dialect;
+pub mod interpreter;
 pub mod lines;
 pub mod motion;
+pub mod offset_preamble;
 pub mod program;
+mod read_back;
 pub mod summary;
 pub mod word;

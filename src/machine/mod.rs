@@ -4,6 +4,7 @@
 pub mod axis;
 pub mod calibration;
 pub mod length_unit;
+pub mod offset_edit;
 pub mod rotary;
 pub mod travel;
 pub mod var_file;

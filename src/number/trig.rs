@@ -1,7 +1,7 @@
 //! Transcendental functions, all from `libm`: those of the standard library differ in the last digit between
 //! platforms, and the same workbook must give the same bytes everywhere. Angles in radians.
 
-pub use libm::{acos, asin, atan, atan2, cos, hypot, log10, pow, sin, tan};
+pub use libm::{acos, asin, atan, atan2, cos, exp, hypot, log, log10, pow, sin, tan};
 
 /// Sine and cosine of one angle.
 #[must_use]

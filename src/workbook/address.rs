@@ -35,6 +35,12 @@ fn column(letters: &str) -> Option<u32> {
 /// The address of a position.
 #[must_use]
 pub fn format((row, column): Position) -> String {
+    format!("{}{}", letters(column), u64::from(row) + 1)
+}
+
+/// The letters of a column counted from 0.
+#[must_use]
+pub fn letters(column: u32) -> String {
     let mut letters = Vec::with_capacity(3);
     let mut rest = u64::from(column) + 1;
     while rest > 0 {
@@ -42,8 +48,7 @@ pub fn format((row, column): Position) -> String {
         letters.push(char::from(b'A' + letter));
         rest = (rest - 1) / 26;
     }
-    let letters: String = letters.into_iter().rev().collect();
-    format!("{letters}{}", u64::from(row) + 1)
+    letters.into_iter().rev().collect()
 }
 
 /// A rectangle of cells, both corners included.

@@ -34,19 +34,19 @@ impl<'a> Book<'a> {
         Ok(Self { gated, xlsx })
     }
 
-    /// The cells of a sheet. Where its survey found it unsound or empty, no cells but only the survey.
+    /// The cells of a sheet in so many columns, from A on. Where its survey found it unsound or empty, no cells but only the survey.
     ///
     /// # Errors
     /// Where the sheet's part is damaged as a whole.
-    pub fn read(&mut self, sheet: &SheetEntry) -> Result<SheetCells, Refusal> {
+    pub fn read(&mut self, sheet: &SheetEntry, columns: u32) -> Result<SheetCells, Refusal> {
         let bytes = self.gated.package.part(&sheet.part, limits::PART)?.unwrap_or_default();
         let text = xml::text(&sheet.part, bytes)?;
-        let survey = survey(&sheet.name, &sheet.part, &text, self.gated.strings)?;
+        let survey = survey(&sheet.name, &sheet.part, &text, self.gated.strings, columns)?;
         drop(text);
         let rows = if survey.unsound || !survey.filled {
             Default::default()
         } else {
-            sheet_cells::stream(&mut self.xlsx, &sheet.name, &sheet.part)?
+            sheet_cells::stream(&mut self.xlsx, &sheet.name, &sheet.part, columns)?
         };
         Ok(SheetCells { name: sheet.name.clone(), rows, survey })
     }

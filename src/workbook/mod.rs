@@ -30,6 +30,8 @@ pub mod limits;
 mod listing;
 pub mod long_rows;
 pub mod names;
+pub mod offsets_sheet;
+pub mod offsets_table;
 mod open;
 mod package;
 pub mod page;
@@ -51,5 +53,5 @@ mod words;
 mod xml;
 
 pub use gate::gate;
-pub use open::open;
+pub use open::{Input, open, open_as};
 pub use schema::{Filled, read};

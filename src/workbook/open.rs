@@ -10,55 +10,94 @@ use crate::text::Text;
 
 use super::limits;
 
-/// Most names of other workbooks that a refusal lists.
+/// Most names of other files that a refusal lists.
 const NAMES: usize = 3;
 /// Most entries of a folder that are looked through for them.
 const FOLDER_ENTRIES: usize = 10_000;
 
-/// The bytes of a workbook's file, read once: what happens to the file afterwards changes nothing.
+/// A kind of file that is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Input {
+    /// A workbook.
+    Workbook,
+    /// LinuxCNC's parameter file.
+    VarFile,
+}
+
+impl Input {
+    /// What it is called, as the object of "name".
+    const fn named(self) -> Text {
+        match self {
+            Self::Workbook => Text::fixed("el libro .xlsx", "the .xlsx workbook"),
+            Self::VarFile => Text::fixed("el archivo .var", "the .var file"),
+        }
+    }
+
+    /// How names of its kind end.
+    const fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Workbook => &[".xlsx", ".xlsm"],
+            Self::VarFile => &[".var"],
+        }
+    }
+}
+
+/// The bytes of a workbook's file; see [`open_as`].
+///
+/// # Errors
+/// As [`open_as`].
+pub fn open(path: &Path) -> Result<Vec<u8>, Refusal> {
+    open_as(Input::Workbook, path)
+}
+
+/// The bytes of a file, read once: what happens to the file afterwards changes nothing.
 ///
 /// # Errors
 /// Refuses with [`Exit::Unreadable`] a path that is missing, no regular file or may not be read, and with
 /// [`Exit::Limit`] a file of more than [`limits::FILE`] bytes.
-pub fn open(path: &Path) -> Result<Vec<u8>, Refusal> {
+pub fn open_as(input: Input, path: &Path) -> Result<Vec<u8>, Refusal> {
     // Asked before opening: opening a pipe would wait for a writer.
-    let metadata = fs::metadata(path).map_err(|error| refuse(path, &error))?;
+    let metadata = fs::metadata(path).map_err(|error| refuse(input, path, &error))?;
+    let named = input.named();
     if metadata.is_dir() {
         return Err(cannot(
             path,
             &Text::fixed("es una carpeta", "it is a folder"),
-            Text::fixed(
-                "indique el libro .xlsx que está dentro de la carpeta",
-                "name the .xlsx workbook inside the folder",
-            ),
+            say!("indique {named} que está dentro de la carpeta", "name {named} inside the folder", named = named),
         ));
     }
     if !metadata.is_file() {
         return Err(cannot(
             path,
             &Text::fixed("no es un archivo normal", "it is not a regular file"),
-            Text::fixed("indique un libro .xlsx guardado en disco", "name an .xlsx workbook stored on disk"),
+            say!("indique {named}, guardado en disco", "name {named}, stored on disk", named = named),
         ));
     }
     if metadata.len() > limits::FILE {
-        return Err(too_large(path));
+        return Err(too_large(input, path));
     }
     let mut bytes = Vec::new();
     File::open(path)
         .and_then(|file| file.take(limits::FILE + 1).read_to_end(&mut bytes))
-        .map_err(|error| refuse(path, &error))?;
-    if u64::try_from(bytes.len()).is_ok_and(|length| length <= limits::FILE) { Ok(bytes) } else { Err(too_large(path)) }
+        .map_err(|error| refuse(input, path, &error))?;
+    if u64::try_from(bytes.len()).is_ok_and(|length| length <= limits::FILE) {
+        Ok(bytes)
+    } else {
+        Err(too_large(input, path))
+    }
 }
 
-fn too_large(path: &Path) -> Refusal {
+fn too_large(input: Input, path: &Path) -> Refusal {
+    let remedy = match input {
+        Input::Workbook => {
+            Text::fixed("deje en el libro sólo las hojas de entrada", "leave only the input sheets in the workbook")
+        }
+        Input::VarFile => say!("indique {named}", "name {named}", named = input.named()),
+    };
     let (name, most) = (printable_path(path), limits::mebibytes(limits::FILE));
     Refusal::new(
         Exit::Limit,
-        Finding::stop(
-            Place::File,
-            say!("{name} ocupa más de {most} MiB", "{name} is larger than {most} MiB"),
-            Text::fixed("deje en el libro sólo las hojas de entrada", "leave only the input sheets in the workbook"),
-        ),
+        Finding::stop(Place::File, say!("{name} ocupa más de {most} MiB", "{name} is larger than {most} MiB"), remedy),
     )
 }
 
@@ -69,7 +108,7 @@ fn cannot(path: &Path, why: &Text, remedy: Text) -> Refusal {
 }
 
 /// The refusal for what the operating system answered.
-fn refuse(path: &Path, error: &io::Error) -> Refusal {
+fn refuse(input: Input, path: &Path, error: &io::Error) -> Refusal {
     let locked = Text::fixed(
         "ciérrelo en Excel o LibreOffice y repita la orden",
         "close it in Excel or LibreOffice and run the command again",
@@ -79,7 +118,7 @@ fn refuse(path: &Path, error: &io::Error) -> Refusal {
         return cannot(path, &Text::fixed("otro programa lo tiene abierto", "another program has it open"), locked);
     }
     match error.kind() {
-        ErrorKind::NotFound => cannot(path, &Text::fixed("no existe", "no such file"), others(path)),
+        ErrorKind::NotFound => cannot(path, &Text::fixed("no existe", "no such file"), others(input, path)),
         ErrorKind::NotADirectory => cannot(
             path,
             &Text::fixed("una parte de la ruta no es una carpeta", "a part of the path is not a folder"),
@@ -112,8 +151,8 @@ fn lock_file(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// A remedy that names the workbooks of the folder, those most alike first.
-fn others(path: &Path) -> Text {
+/// A remedy that names the files of the kind in the folder, those most alike first.
+fn others(input: Input, path: &Path) -> Text {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -127,10 +166,10 @@ fn others(path: &Path) -> Text {
         .filter(|name| !name.starts_with("~$"))
         .filter_map(|name| {
             let lower = name.to_lowercase();
-            let workbook = lower.ends_with(".xlsx") || lower.ends_with(".xlsm");
+            let kind = input.endings().iter().any(|ending| lower.ends_with(ending));
             // Names are at most a few hundred bytes, so the distance is cheap.
             let distance = strsim::damerau_levenshtein(&wanted, &lower);
-            workbook.then_some((distance * 3 > wanted.chars().count(), distance, name))
+            kind.then_some((distance * 3 > wanted.chars().count(), distance, name))
         })
         .collect();
     names.sort();
@@ -155,7 +194,7 @@ mod tests {
     use super::*;
 
     fn remedy(path: &Path, error: &io::Error) -> (Exit, String, String) {
-        let refusal = refuse(path, error);
+        let refusal = refuse(Input::Workbook, path, error);
         let finding = refusal.findings.into_iter().next().map(|finding| (finding.what.en, finding.remedy.en));
         let (what, remedy) = finding.unwrap_or_default();
         (refusal.exit, what.into_owned(), remedy.into_owned())

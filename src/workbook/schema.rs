@@ -15,6 +15,7 @@ use super::book::Book;
 use super::gate::gate;
 use super::listing::{self, SheetEntry};
 use super::sheet_cells::{Content, SheetCells};
+use super::survey::COLUMNS;
 use super::value::{self, VALUE, expected, named};
 use super::words;
 
@@ -43,7 +44,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut book = Book::open(gate(bytes)?)?;
     let mut findings = std::mem::take(&mut book.gated.notes);
     let (entry, language) = first_sheet(&book.gated.sheets, forms)?;
-    let sheet = book.read(&entry)?;
+    let sheet = book.read(&entry, COLUMNS)?;
     if sheet.survey.unsound {
         let exit = sheet.survey.exit();
         return Err(refusal(exit, sheet.survey.findings));
@@ -70,7 +71,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         };
         let mut sheet = match first.take() {
             Some(sheet) => sheet,
-            None => match book.read(&entry) {
+            None => match book.read(&entry, COLUMNS) {
                 Ok(sheet) => sheet,
                 // Told together with what was found on the sheets before it.
                 Err(mut refusal) => {
@@ -80,16 +81,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
                 }
             },
         };
-        if entry.hidden {
-            let name = excerpt(&entry.name, SHOWN);
-            findings.push(Finding::note(
-                Place::Sheet(entry.name.clone()),
-                say!(
-                    "la hoja \"{name}\" está oculta; se lee igualmente",
-                    "the sheet \"{name}\" is hidden; it is read all the same"
-                ),
-            ));
-        }
+        findings.extend(hidden(&entry));
         findings.append(&mut sheet.survey.findings);
         if exit == Exit::Refused {
             exit = sheet.survey.exit();
@@ -105,16 +97,16 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
 }
 
 /// One refusal for everything that was found, gravest first.
-fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
+pub(super) fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
     findings.sort_by_key(|finding| Reverse(finding.grade));
     Refusal { exit, findings }
 }
 
-fn refused(place: Place, what: Text, remedy: Text) -> Refusal {
+pub(super) fn refused(place: Place, what: Text, remedy: Text) -> Refusal {
     Refusal::new(Exit::Refused, Finding::stop(place, what, remedy))
 }
 
-fn no_cells(entry: &SheetEntry) -> Refusal {
+pub(super) fn no_cells(entry: &SheetEntry) -> Refusal {
     let name = excerpt(&entry.name, SHOWN);
     refused(
         Place::Sheet(entry.name.clone()),
@@ -124,6 +116,20 @@ fn no_cells(entry: &SheetEntry) -> Refusal {
             "open it in Excel or LibreOffice, check it and save it again as .xlsx",
         ),
     )
+}
+
+/// A note on a sheet that is read although it is not shown.
+pub(super) fn hidden(entry: &SheetEntry) -> Option<Finding> {
+    let name = excerpt(&entry.name, SHOWN);
+    entry.hidden.then(|| {
+        Finding::note(
+            Place::Sheet(entry.name.clone()),
+            say!(
+                "la hoja \"{name}\" está oculta; se lee igualmente",
+                "the sheet \"{name}\" is hidden; it is read all the same"
+            ),
+        )
+    })
 }
 
 /// The sheet that a form begins with, and its language.
@@ -137,6 +143,23 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
             }
         }
     }
+    sheet_named(
+        sheets,
+        &names,
+        Text::fixed("parta de un libro nuevo con \"rodete new\"", "start from a new workbook with \"rodete new\""),
+    )
+}
+
+/// The one sheet that bears one of the names, and the language of that name; `otherwise` is the remedy where there is no
+/// such sheet and none alike.
+///
+/// # Errors
+/// [`Exit::Refused`] where there is none, or more than one that a person would take for it.
+pub(super) fn sheet_named(
+    sheets: &[SheetEntry],
+    names: &[(&str, Language)],
+    otherwise: Text,
+) -> Result<(SheetEntry, Language), Refusal> {
     let found: Vec<_> = sheets
         .iter()
         .filter_map(|entry| names.iter().find(|name| name.0 == entry.name).map(|name| (entry, name.1)))
@@ -158,10 +181,7 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
                         "rename the sheet \"{name}\" to \"{right}\""
                     )
                 }
-                None => Text::fixed(
-                    "parta de un libro nuevo con \"rodete new\"",
-                    "start from a new workbook with \"rodete new\"",
-                ),
+                None => otherwise,
             };
             Err(refused(
                 Place::File,

@@ -1,4 +1,4 @@
-//! The cells of one sheet, streamed: columns A to E of the rows that hold something.
+//! The cells of one sheet, streamed: the first columns, A to E of a form, of the rows that hold something.
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
@@ -11,7 +11,7 @@ use crate::finding::{CellPlace, Exit, Finding, Place, Refusal};
 use super::address::{self, Position};
 use super::limits;
 use super::package::only_inputs;
-use super::survey::{COLUMNS, Survey};
+use super::survey::Survey;
 use super::xml::damaged;
 
 /// What a cell holds.
@@ -39,13 +39,16 @@ pub struct Cell {
     pub percent: bool,
 }
 
-/// A sheet of a form, as far as it is read.
+/// The rows of a sheet: as many cells each as columns are read.
+pub type Rows = BTreeMap<u32, Vec<Option<Cell>>>;
+
+/// A sheet, as far as it is read.
 #[derive(Debug)]
 pub struct SheetCells {
     /// The sheet's name as it stands in the workbook.
     pub name: String,
-    /// The rows that hold something in columns A to E, by their index from 0.
-    pub rows: BTreeMap<u32, [Option<Cell>; COLUMNS as usize]>,
+    /// The rows that hold something in the columns that are read, by their index from 0.
+    pub rows: Rows,
     /// What the walk over its part saw.
     pub survey: Survey,
 }
@@ -73,20 +76,17 @@ impl SheetCells {
     }
 }
 
-/// The rows of a sheet that calamine may read: its survey found it sound.
+/// The rows of a sheet that calamine may read: its survey found it sound. So many columns are read, from A on.
 ///
 /// # Errors
 /// [`Exit::Unreadable`] where calamine does not read the sheet; [`Exit::Limit`] for more than [`limits::ROWS`] rows.
-pub fn stream(
-    xlsx: &mut Xlsx<Cursor<&[u8]>>,
-    sheet: &str,
-    part: &str,
-) -> Result<BTreeMap<u32, [Option<Cell>; COLUMNS as usize]>, Refusal> {
+pub fn stream(xlsx: &mut Xlsx<Cursor<&[u8]>>, sheet: &str, part: &str, columns: u32) -> Result<Rows, Refusal> {
     let fault = |error: &calamine::XlsxError| {
         let (name, why) = (excerpt(sheet, 80), printable(&error.to_string()));
         damaged(part, say!("la hoja \"{name}\" no se puede leer: {why}", "the sheet \"{name}\" cannot be read: {why}"))
     };
-    let mut rows: BTreeMap<u32, [Option<Cell>; COLUMNS as usize]> = BTreeMap::new();
+    let width = usize::try_from(columns).unwrap_or_default();
+    let mut rows = Rows::new();
     let mut reader = xlsx.worksheet_cells_reader(sheet).map_err(|error| fault(&error))?;
     let percentages: Vec<bool> = reader
         .styles()
@@ -95,22 +95,23 @@ pub fn stream(
         .collect();
     while let Some((cell, style)) = reader.next_cell_with_style_id().map_err(|error| fault(&error))? {
         let (row, column) = cell.get_position();
-        let Some(column) = usize::try_from(column).ok().filter(|_| column < COLUMNS) else { continue };
+        let Some(column) = usize::try_from(column).ok().filter(|column| *column < width) else { continue };
         let Some(content) = content(cell.get_value()) else { continue };
         let percent = percentages.get(style).copied().unwrap_or_default();
-        let kept = rows.entry(row).or_default();
+        let kept = rows.entry(row).or_insert_with(|| vec![None; width]);
         if let Some(slot) = kept.get_mut(column) {
             *slot = Some(Cell { content, percent });
         }
         if rows.len() > limits::ROWS {
             let (name, most) = (excerpt(sheet, 80), limits::ROWS);
+            let last = address::letters(columns.saturating_sub(1));
             return Err(Refusal::new(
                 Exit::Limit,
                 Finding::stop(
                     Place::Sheet(sheet.to_owned()),
                     say!(
-                        "la hoja \"{name}\" tiene más de {most} filas con contenido en las columnas A a E",
-                        "the sheet \"{name}\" has more than {most} rows with content in columns A to E"
+                        "la hoja \"{name}\" tiene más de {most} filas con contenido en las columnas A a {last}",
+                        "the sheet \"{name}\" has more than {most} rows with content in columns A to {last}"
                     ),
                     only_inputs(),
                 ),

@@ -18,6 +18,8 @@ use super::xml::{self, damaged, raw};
 
 /// Columns A to E: all that is read of a form's sheet.
 pub const COLUMNS: u32 = 5;
+/// The most columns that are read of any sheet, from A on: the bits of one mark.
+const MARKS: u32 = u16::BITS;
 /// Cells beyond this column or row are so far out that they are mentioned.
 const FAR: Position = (10_000, 26);
 /// Findings after which a sheet is given up.
@@ -34,7 +36,7 @@ pub struct Survey {
     pub judged: BTreeSet<Position>,
     /// Cells with a formula and no value stored with it.
     pub uncalculated: BTreeSet<Position>,
-    /// Merged cells that reach into columns A to E.
+    /// Merged cells that reach into the columns that are read.
     pub merges: Vec<Range>,
     /// True where calamine must not read the sheet.
     pub unsound: bool,
@@ -58,13 +60,13 @@ impl Survey {
     }
 }
 
-/// Walks a sheet's part.
+/// Walks a sheet's part, of which so many columns are read, from A on.
 ///
 /// # Errors
 /// [`Exit::Unreadable`](crate::finding::Exit::Unreadable) where the part is no sound XML or no sheet; faults of single cells are
 /// listed in the survey instead.
-pub fn survey(sheet: &str, part: &str, text: &str, strings: usize) -> Result<Survey, Refusal> {
-    let mut walk = Walk { sheet, part, strings, ..Walk::default() };
+pub fn survey(sheet: &str, part: &str, text: &str, strings: usize, columns: u32) -> Result<Survey, Refusal> {
+    let mut walk = Walk { sheet, part, strings, columns: columns.min(MARKS), ..Walk::default() };
     xml::walk(part, text, |depth, event| {
         walk.visit(depth, event)?;
         if walk.survey.findings.len() < FINDINGS {
@@ -104,13 +106,14 @@ struct Walk<'s> {
     sheet: &'s str,
     part: &'s str,
     strings: usize,
+    columns: u32,
     survey: Survey,
     state: State,
     row: u32,
     column: u32,
     cell: Open,
-    /// One bit for each of the columns A to E, by row.
-    seen: Vec<u8>,
+    /// One bit for each column that is read, by row.
+    seen: Vec<u16>,
     far: Option<Position>,
 }
 
@@ -251,17 +254,17 @@ impl Walk<'_> {
         self.mark();
     }
 
-    /// Refuses a cell of columns A to E that is given twice.
+    /// Refuses a cell that is read and given twice.
     fn mark(&mut self) {
         let (row, column) = self.cell.position;
         let Ok(index) = usize::try_from(row) else { return };
-        if column >= COLUMNS || row >= limits::GRID_ROWS {
+        if column >= self.columns || row >= limits::GRID_ROWS {
             return;
         }
         if self.seen.len() <= index {
             self.seen.resize(index + 1, 0);
         }
-        let bit = 1_u8 << column;
+        let bit = 1_u16 << column;
         if let Some(bits) = self.seen.get_mut(index) {
             let twice = *bits & bit != 0;
             *bits |= bit;
@@ -293,7 +296,7 @@ impl Walk<'_> {
         if filled && (position.0 >= FAR.0 || position.1 >= FAR.1) && self.far.is_none() {
             self.far = Some(position);
         }
-        let near = position.1 < COLUMNS;
+        let near = position.1 < self.columns;
         let kind = cell.kind.as_deref();
         if near && cell.formula && value.is_empty() && !cell.inline && !(kind == Some("str") && cell.value.is_some()) {
             self.survey.uncalculated.insert(position);
@@ -310,7 +313,7 @@ impl Walk<'_> {
         let range = raw(start, "ref").and_then(|range| Range::parse(&range)).ok_or_else(|| {
             self.broken(&Text::fixed("una combinación de celdas no es válida", "a range of merged cells is not valid"))
         })?;
-        if range.start.1 < COLUMNS {
+        if range.start.1 < self.columns {
             self.survey.merges.push(range);
         }
         Ok(())

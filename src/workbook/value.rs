@@ -32,10 +32,25 @@ pub fn read(parameter: &'static Parameter, sheet: &SheetCells, row: u32, finding
     value
 }
 
+/// Reads the value of a parameter from any cell, without a unit cell beside it; otherwise as [`read`].
+pub fn read_at(
+    parameter: &'static Parameter,
+    sheet: &SheetCells,
+    at: Position,
+    findings: &mut Vec<Finding>,
+) -> Option<Value> {
+    Reading { parameter, sheet, at, findings }.value()
+}
+
 /// True where the value cell of a row holds anything, right or wrong.
 #[must_use]
 pub fn is_filled(sheet: &SheetCells, row: u32) -> bool {
-    let at = (row, VALUE);
+    holds(sheet, (row, VALUE))
+}
+
+/// True where a cell holds anything, right or wrong.
+#[must_use]
+pub fn holds(sheet: &SheetCells, at: Position) -> bool {
     sheet.cell(at).is_some() || sheet.survey.uncalculated.contains(&at) || sheet.survey.judged.contains(&at)
 }
 

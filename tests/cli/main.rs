@@ -5,5 +5,6 @@
 mod common;
 mod environment;
 mod faults;
+mod offsets;
 mod usage;
 mod work;

@@ -7,6 +7,13 @@
 //! Fagor CNC 8070 (G93 machining time in seconds); LinuxCNC G-code reference (G93 inverse time, comments in
 //! parentheses, G21, G49).
 
+mod fagor;
+mod fanuc;
+mod linuxcnc;
+pub mod reading;
+
+use crate::gcode::code::M;
+use crate::gcode::dialect::reading::Reading;
 use crate::gcode::word::Word;
 
 /// How the control takes the F word of a move that linear and rotary axes make together. In each form the move takes
@@ -79,7 +86,7 @@ pub enum Opening {
 }
 
 /// A dialect.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Dialect {
     /// The name in workbooks and on the command line.
     pub name: &'static str,
@@ -99,10 +106,10 @@ pub struct Dialect {
     pub offset_word: bool,
     /// How feed is programmed.
     pub feed: FeedLaw,
-    /// The M codes that the control knows; `None` where the machine's builder defines them freely up to M9999.
-    pub machine_codes: Option<&'static [u32]>,
     /// Memory for one program in bytes, beyond which a Caution is given.
     pub memory: u64,
+    /// How programs are read.
+    pub reading: &'static Reading,
 }
 
 /// Fagor CNC 8055, milling.
@@ -114,7 +121,7 @@ pub static FAGOR_8055: Dialect = Dialect {
 };
 
 /// Fagor CNC 8055 T, turning.
-pub static FAGOR_8055_T: Dialect = Dialect { name: "fagor-8055-t", ..FAGOR_8055_BASE };
+pub static FAGOR_8055_T: Dialect = Dialect { name: "fagor-8055-t", reading: &fagor::TURNING_8055, ..FAGOR_8055_BASE };
 
 /// What milling and turning have in common.
 const FAGOR_8055_BASE: Dialect = Dialect {
@@ -127,8 +134,8 @@ const FAGOR_8055_BASE: Dialect = Dialect {
     change_in_tool_block: true,
     offset_word: true,
     feed: FeedLaw::Resultant,
-    machine_codes: None,
     memory: 1 << 20,
+    reading: &fagor::MILLING_8055,
 };
 
 /// Fagor CNC 8070, milling.
@@ -142,8 +149,8 @@ pub static FAGOR_8070: Dialect = Dialect {
     change_in_tool_block: true,
     offset_word: true,
     feed: FeedLaw::Seconds,
-    machine_codes: None,
     memory: 1 << 30,
+    reading: &fagor::MILLING_8070,
 };
 
 /// LinuxCNC, milling.
@@ -157,14 +164,46 @@ pub static LINUXCNC: Dialect = Dialect {
     change_in_tool_block: true,
     offset_word: false,
     feed: FeedLaw::InverseTime,
-    machine_codes: Some(&[0, 1, 2, 3, 4, 5, 7, 8, 9, 30, 48, 49, 50, 51, 53, 60]),
     memory: 1 << 30,
+    reading: &linuxcnc::READING,
 };
+
+/// Fanuc, turning, G-code system A. Read only: rodete writes no program in it.
+pub static FANUC_LATHE_A: Dialect = Dialect {
+    name: "fanuc-lathe-a",
+    opening: Opening::None,
+    comment: CommentForm::Parentheses,
+    end_of_line: "\r\n",
+    greatest_number: 99_999,
+    safety: &[],
+    change_in_tool_block: true,
+    offset_word: false,
+    feed: FeedLaw::Resultant,
+    memory: 1 << 19,
+    reading: &fanuc::LATHE_A,
+};
+
+/// All dialects, as they are named on the command line.
+pub static ALL: [&Dialect; 5] = [&LINUXCNC, &FAGOR_8055, &FAGOR_8070, &FAGOR_8055_T, &FANUC_LATHE_A];
 
 /// The milling dialects.
 pub static MILLING: [&Dialect; 3] = [&FAGOR_8055, &FAGOR_8070, &LINUXCNC];
 
+impl PartialEq for Dialect {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Dialect {}
+
 impl Dialect {
+    /// The dialect with a name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<&'static Self> {
+        ALL.into_iter().find(|dialect| dialect.name == name)
+    }
+
     /// The milling dialect with a name.
     #[must_use]
     pub fn milling(name: &str) -> Option<&'static Self> {
@@ -192,10 +231,10 @@ impl Dialect {
         }
     }
 
-    /// True where the control knows an M code.
+    /// True where an M code may stand by itself in a block of the dialect.
     #[must_use]
     pub fn knows_machine_code(&self, number: u32) -> bool {
-        self.machine_codes.is_none_or(|known| known.contains(&number) || (100..=199).contains(&number))
+        !matches!((self.reading.machine_code)(number), None | Some(M::Refused(_) | M::Call | M::Return | M::SetTool))
     }
 
     /// The first line of a program with a number and a name; `None` where there is none.

@@ -1,0 +1,198 @@
+//! The command `offsets`: LinuxCNC's work offsets, shown, edited, and exchanged with a workbook.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use super::args::Offsets;
+use super::offsets_view::{self, View};
+use super::terminal::Terminal;
+use super::verdict::{Verdict, gravest};
+use super::{fault, interrupt, plan, reading, refused};
+use crate::escape::printable;
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::gcode::offset_preamble::preamble;
+use crate::machine::length_unit::LengthUnit;
+use crate::machine::offset_edit::Edit;
+use crate::machine::var_file::{Unfit, VarFile};
+use crate::machine::work_offset::{self, ACTIVE};
+use crate::store::{self, Existing, Folder, Set};
+use crate::text::Text;
+use crate::workbook::offsets_sheet;
+use crate::workbook::offsets_table::OffsetsTable;
+use crate::workbook::{self, Input};
+
+/// What became of the workbook that was named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// It was read into the file.
+    In,
+    /// It was written from the file.
+    Out,
+}
+
+/// Shows, edits or exchanges, and prints what came of it.
+pub(super) fn run(arguments: &Offsets, terminal: &mut Terminal) -> Exit {
+    let language = arguments.lang.unwrap_or_default();
+    let unit = if arguments.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
+    let named: Vec<_> = [Some(&arguments.file), arguments.workbook.as_ref()].into_iter().flatten().cloned().collect();
+    let begun = plan::twice(&named).and_then(|()| edits(&arguments.set, unit));
+    let edits = match begun {
+        Ok(edits) => edits,
+        Err(refusal) => return refused(&refusal, language, terminal),
+    };
+    interrupt::listen();
+    let mut view = View { unit, file: None, preamble: Vec::new(), sheet: None };
+    let verdict = reading::verdict(&arguments.file, |verdict| work(arguments, &edits, unit, &mut view, verdict));
+    let exit = verdict.exit;
+    if arguments.json {
+        terminal.out(&offsets_view::document(&verdict, &view));
+    } else {
+        offsets_view::show(&verdict, &view, language, terminal);
+    }
+    exit
+}
+
+/// The edits that were asked for.
+///
+/// # Errors
+/// Exit 2 with everything that is wrong with them.
+fn edits(set: &[String], unit: LengthUnit) -> Result<Vec<Edit>, Refusal> {
+    let (mut edits, mut findings) = (Vec::new(), Vec::new());
+    for words in set {
+        match Edit::parse(words, unit) {
+            Ok(edit) => edits.push(edit),
+            Err(finding) => findings.push(*finding),
+        }
+    }
+    if findings.is_empty() { Ok(edits) } else { Err(Refusal { exit: Exit::CommandLine, findings }) }
+}
+
+fn work(
+    arguments: &Offsets,
+    edits: &[Edit],
+    unit: LengthUnit,
+    view: &mut View,
+    verdict: &mut Verdict,
+) -> Result<(), Refusal> {
+    // A link that leads nowhere is something, too: it is neither read nor written through.
+    let there = |path: &Path| fs::symlink_metadata(path).is_ok();
+    let way = arguments.workbook.as_deref().map(|path| if there(path) { Way::In } else { Way::Out });
+    let changes = !edits.is_empty() || arguments.active.is_some() || way == Some(Way::In);
+    let mut file = VarFile::default();
+    if !changes || there(&arguments.file) {
+        let bytes = workbook::open_as(Input::VarFile, &arguments.file)?;
+        verdict.sha256 = Some(store::sha256(&bytes));
+        file = VarFile::parse(&bytes)?;
+    } else {
+        file.complete();
+    }
+    if let (Some(path), Some(Way::In)) = (&arguments.workbook, way) {
+        let read = reading::verdict(path, |verdict| {
+            let bytes = workbook::open(path)?;
+            verdict.sha256 = Some(store::sha256(&bytes));
+            verdict.schema = Some(offsets_sheet::SCHEMA);
+            let table = OffsetsTable::read(&bytes, unit)?;
+            table.apply(&mut file).map_err(unfit)?;
+            verdict.findings = table.findings;
+            Ok(())
+        });
+        verdict.exit = gravest(verdict.exit, read.exit);
+        view.sheet = Some((Way::In, read));
+        if verdict.exit != Exit::Done {
+            return Ok(());
+        }
+    }
+    for edit in edits {
+        edit.apply(&mut file).map_err(unfit)?;
+    }
+    if let Some(system) = arguments.active {
+        file.set(ACTIVE, f64::from(system.number())).map_err(unfit)?;
+    }
+    judge(&file, unit, view, verdict);
+    write(arguments, &file, unit, changes, way, view, verdict)?;
+    view.file = Some(file);
+    Ok(())
+}
+
+/// A value that the file cannot hold: edits and sheets admit none.
+fn unfit(unfit: Unfit) -> Refusal {
+    fault::refusal(&unfit.to_string())
+}
+
+/// What is to say about the file's offsets, and the blocks that set them.
+fn judge(file: &VarFile, unit: LengthUnit, view: &mut View, verdict: &mut Verdict) {
+    verdict.findings.extend(work_offset::Offsets::read(file, unit).1);
+    match preamble(file, unit) {
+        Ok(blocks) => view.preamble = blocks,
+        Err(parameters) => {
+            let list = parameters.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+            verdict.findings.push(Finding::caution(
+                Place::File,
+                Text::new(
+                    format!("no hay bloques G10: ningún programa lleva los valores de {list}"),
+                    format!("there are no G10 blocks: no program may carry the values of {list}"),
+                ),
+                Text::fixed(
+                    "corrija los valores: de −99999.999 a 99999.999 mm o grados",
+                    "correct the values: −99999.999 to 99999.999 mm or degrees",
+                ),
+            ));
+        }
+    }
+}
+
+/// Writes the file, if it changes, and the workbook, if it is not there: both or none where they are in one folder, else
+/// the file first.
+fn write(
+    arguments: &Offsets,
+    file: &VarFile,
+    unit: LengthUnit,
+    changes: bool,
+    way: Option<Way>,
+    view: &mut View,
+    verdict: &mut Verdict,
+) -> Result<(), Refusal> {
+    let path = arguments.file.as_path();
+    let name = path.file_name().unwrap_or_default();
+    let out = arguments.workbook.as_deref().filter(|_| way == Some(Way::Out));
+    let inputs: Vec<&Path> = arguments.workbook.as_deref().filter(|_| way == Some(Way::In)).into_iter().collect();
+    let folder_of = |path: &Path| Folder::open(path.parent().unwrap_or(Path::new("")));
+    let language = arguments.lang.unwrap_or_default();
+    let origin = printable(&name.to_string_lossy());
+    let beside = changes && out.is_some_and(|out| out.parent() == path.parent());
+    let (folder, elsewhere) = (
+        if changes { Some(folder_of(path)?) } else { None },
+        if beside { None } else { out.map(folder_of).transpose()? },
+    );
+    // All contents are on the disk before the first name is given.
+    let mut sets = Vec::new();
+    if let Some(folder) = &folder {
+        let mut set = Set::new(folder, &inputs, Existing::Replace);
+        set.write(name, |to| to.write_all(file.text().as_bytes()))?;
+        sets.push(set);
+    }
+    if let Some(folder) = &elsewhere {
+        sets.push(Set::new(folder, &[path], Existing::Keep));
+    }
+    if let (Some(set), Some(out)) = (sets.last_mut(), out) {
+        let name = super::new::workbook_name(out)?;
+        set.write(name, |to| offsets_sheet::write(file, unit, &origin, language, to))?;
+    }
+    for set in sets {
+        verdict.files.extend(set.commit()?);
+    }
+    if changes {
+        verdict.findings.push(Finding::note(
+            Place::File,
+            Text::fixed(
+                "si LinuxCNC está en marcha, al cerrarse escribe sus propios parámetros en el archivo: ciérrelo y repita",
+                "if LinuxCNC is running, it writes its own parameters over the file when it ends: close it and do this again",
+            ),
+        ));
+    }
+    if let Some(out) = out {
+        view.sheet = Some((Way::Out, Verdict::new(out.to_owned())));
+    }
+    Ok(())
+}

@@ -1,0 +1,281 @@
+//! What G and M codes mean, whatever number a dialect gives them, and which of them exclude each other.
+
+use crate::gcode::motion::{FeedMode, Plane};
+use crate::text::Text;
+
+/// A modal group: of one group a block may name one code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Group {
+    /// Codes for one block: dwell, work offsets by program, reference points, machine coordinates.
+    NonModal,
+    /// Motion and canned cycles.
+    Motion,
+    /// Plane.
+    Plane,
+    /// Absolute or incremental coordinates.
+    Distance,
+    /// Absolute or incremental arc centres.
+    Centre,
+    /// What F means.
+    Feed,
+    /// Units of length.
+    Units,
+    /// Cutter radius compensation.
+    CutterCompensation,
+    /// Tool length offset.
+    ToolLength,
+    /// Where canned cycles retract to.
+    Retract,
+    /// Work offset.
+    WorkOffset,
+    /// Exact stop or blending.
+    Path,
+    /// Constant surface speed or revolutions per minute.
+    Speed,
+    /// G92 set aside and taken up again.
+    SetPosition,
+    /// Anything else that rodete refuses by its name.
+    Other,
+}
+
+/// How many groups there are.
+pub const GROUPS: usize = Group::Other as usize + 1;
+
+impl Group {
+    /// The group's name.
+    #[must_use]
+    pub const fn name(self) -> Text {
+        match self {
+            Self::NonModal => Text::fixed("códigos de un solo bloque", "codes for one block"),
+            Self::Motion => Text::fixed("movimiento", "motion"),
+            Self::Plane => Text::fixed("plano", "plane"),
+            Self::Distance => Text::fixed("cotas absolutas o incrementales", "distance mode"),
+            Self::Centre => Text::fixed("centros absolutos o incrementales", "arc centre mode"),
+            Self::Feed => Text::fixed("modo de avance", "feed mode"),
+            Self::Units => Text::fixed("unidades", "units"),
+            Self::CutterCompensation => Text::fixed("compensación de radio", "cutter radius compensation"),
+            Self::ToolLength => Text::fixed("compensación de longitud", "tool length offset"),
+            Self::Retract => Text::fixed("retirada de los ciclos fijos", "canned cycle return"),
+            Self::WorkOffset => Text::fixed("origen de pieza", "work offset"),
+            Self::Path => Text::fixed("control de la trayectoria", "path control"),
+            Self::Speed => Text::fixed("modo del husillo", "spindle speed mode"),
+            Self::SetPosition => Text::fixed("estado de G92", "G92 state"),
+            Self::Other => Text::fixed("otros códigos", "other codes"),
+        }
+    }
+}
+
+/// A drilling cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cycle {
+    /// Peck drilling with chip breaking (G73).
+    ChipBreak,
+    /// Left-hand tapping with a floating chuck (G74).
+    TapLeft,
+    /// Drilling (G81).
+    Drill,
+    /// Drilling with dwell (G82).
+    DrillDwell,
+    /// Peck drilling (G83).
+    Peck,
+    /// Right-hand tapping with a floating chuck (G84).
+    TapRight,
+    /// Boring, out at feed (G85).
+    Bore,
+    /// Boring, dwell, spindle stop, out at rapid (G86).
+    BoreStop,
+    /// Back boring (G87).
+    BackBore,
+    /// Boring, dwell, spindle stop, out by hand (G88).
+    BoreManual,
+    /// Boring, dwell, out at feed (G89).
+    BoreDwell,
+}
+
+impl Cycle {
+    /// The number of its G code in LinuxCNC.
+    #[must_use]
+    pub const fn number(self) -> f64 {
+        match self {
+            Self::ChipBreak => 73.0,
+            Self::TapLeft => 74.0,
+            Self::Drill => 81.0,
+            Self::DrillDwell => 82.0,
+            Self::Peck => 83.0,
+            Self::TapRight => 84.0,
+            Self::Bore => 85.0,
+            Self::BoreStop => 86.0,
+            Self::BackBore => 87.0,
+            Self::BoreManual => 88.0,
+            Self::BoreDwell => 89.0,
+        }
+    }
+}
+
+/// The meaning of a G code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum G {
+    /// Rapid move.
+    Rapid,
+    /// Straight move at feed.
+    Linear,
+    /// Arc or helix; true for clockwise.
+    Arc(bool),
+    /// Dwell.
+    Dwell,
+    /// Work offset or tool table by program (G10).
+    SetOffsets,
+    /// Plane of arcs and cycles.
+    Plane(Plane),
+    /// Inches.
+    Inch,
+    /// Millimetres.
+    Millimetre,
+    /// To a reference point: false G28, true G30.
+    Reference(bool),
+    /// Keep this position as a reference point: false G28.1, true G30.1.
+    SetReference(bool),
+    /// No cutter radius compensation.
+    CutterCompensationOff,
+    /// Tool length offset from the tool table.
+    ToolLength,
+    /// Tool length offset given in the block.
+    ToolLengthGiven,
+    /// Tool length offset added to the one in force.
+    ToolLengthAdded,
+    /// No tool length offset.
+    ToolLengthOff,
+    /// Local offset (G52).
+    LocalOffset,
+    /// This block in machine coordinates (G53).
+    MachineCoordinates,
+    /// Work offset 1 to 9 (G54 to G59.3).
+    WorkOffset(u8),
+    /// Path control without effect on the programmed path.
+    PathControl,
+    /// Canned cycle.
+    Cycle(Cycle),
+    /// No canned cycle, no motion.
+    Cancel,
+    /// Absolute coordinates.
+    Absolute,
+    /// Incremental coordinates.
+    Incremental,
+    /// Absolute arc centres.
+    CentreAbsolute,
+    /// Arc centres from the start of the arc.
+    CentreIncremental,
+    /// This position gets these coordinates (G92).
+    SetPosition,
+    /// G92 off and its registers cleared (G92.1).
+    ClearPosition,
+    /// G92 off, its registers kept (G92.2).
+    SuspendPosition,
+    /// G92 on again (G92.3).
+    RestorePosition,
+    /// What F means.
+    Feed(FeedMode),
+    /// Cycles return to the height before the cycle (G98).
+    ReturnInitial,
+    /// Cycles return to R (G99).
+    ReturnR,
+    /// Constant surface speed.
+    ConstantSurfaceSpeed,
+    /// Revolutions per minute.
+    Rpm,
+    /// This position gets these coordinates or, with S alone, S is the greatest speed under constant surface speed.
+    SetPositionOrSpeed,
+    /// Known to the dialect and refused by name.
+    Refused(Group, &'static Name),
+}
+
+/// The name of something that is refused, Spanish and English.
+pub type Name = (&'static str, &'static str);
+
+impl G {
+    /// Its group.
+    #[must_use]
+    pub const fn group(self) -> Group {
+        match self {
+            Self::Rapid | Self::Linear | Self::Arc(_) | Self::Cycle(_) | Self::Cancel => Group::Motion,
+            Self::Dwell
+            | Self::SetOffsets
+            | Self::Reference(_)
+            | Self::SetReference(_)
+            | Self::LocalOffset
+            | Self::MachineCoordinates
+            | Self::SetPosition
+            | Self::SetPositionOrSpeed => Group::NonModal,
+            Self::Plane(_) => Group::Plane,
+            Self::Inch | Self::Millimetre => Group::Units,
+            Self::CutterCompensationOff => Group::CutterCompensation,
+            Self::ToolLength | Self::ToolLengthGiven | Self::ToolLengthAdded | Self::ToolLengthOff => Group::ToolLength,
+            Self::WorkOffset(_) => Group::WorkOffset,
+            Self::PathControl => Group::Path,
+            Self::Absolute | Self::Incremental => Group::Distance,
+            Self::CentreAbsolute | Self::CentreIncremental => Group::Centre,
+            Self::ClearPosition | Self::SuspendPosition | Self::RestorePosition => Group::SetPosition,
+            Self::Feed(_) => Group::Feed,
+            Self::ReturnInitial | Self::ReturnR => Group::Retract,
+            Self::ConstantSurfaceSpeed | Self::Rpm => Group::Speed,
+            Self::Refused(group, _) => group,
+        }
+    }
+
+    /// True where the code takes the block's axis words for itself, so that no motion may stand beside it.
+    #[must_use]
+    pub const fn takes_axes(self) -> bool {
+        matches!(
+            self,
+            Self::SetOffsets | Self::Reference(_) | Self::LocalOffset | Self::SetPosition | Self::SetPositionOrSpeed
+        )
+    }
+}
+
+/// The meaning of an M code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum M {
+    /// Stop until the operator goes on (M0, M1, M60).
+    Pause,
+    /// End of the program (M2, M30).
+    End,
+    /// Spindle on: true for clockwise (M3, M4).
+    Spindle(bool),
+    /// Spindle off (M5).
+    SpindleOff,
+    /// Spindle to an angle (M19).
+    SpindleOrient,
+    /// Tool change (M6).
+    ToolChange,
+    /// The loaded tool gets a number (M61).
+    SetTool,
+    /// Coolant (M7, M8, M9).
+    Coolant,
+    /// Override switches (M48 to M53).
+    Override,
+    /// Call of a subprogram (M98).
+    Call,
+    /// Return from a subprogram (M99).
+    Return,
+    /// A code of the machine's builder or user: not run, and said so.
+    User,
+    /// Known to the dialect and refused by name.
+    Refused(&'static Name),
+}
+
+impl M {
+    /// The group: of one group a block may name one code. User codes and what is refused stand alone.
+    #[must_use]
+    pub const fn group(self) -> u8 {
+        match self {
+            Self::Pause | Self::End | Self::Call | Self::Return => 4,
+            Self::ToolChange | Self::SetTool => 6,
+            Self::Spindle(_) | Self::SpindleOff | Self::SpindleOrient => 7,
+            Self::Coolant => 8,
+            Self::Override => 9,
+            Self::User => 10,
+            Self::Refused(_) => 5,
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! Fagor CNC 8055 M, 8055 T and 8070: the codes whose motion rodete follows, and the others by name.
+//!
+//! # References
+//! Fagor Automation, CNC 8055 M and CNC 8055 T programming manuals, CNC 8070 programming manual: lists of G functions.
+
+use crate::gcode::code::{G, Group, M, Name};
+use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading};
+use crate::gcode::motion::{FeedMode, Plane};
+
+/// How programs of the 8055 M are read.
+pub static MILLING_8055: Reading = Reading {
+    letters: Letters::of("ABCDFIJKRSTUVWXYZ"),
+    refused_letters: Letters::of("P"),
+    free: Letters::of("DFST"),
+    codes: &CODES_8055,
+    machine_code,
+    comments: Comments::Semicolon,
+    expressions: false,
+    longest_line: 4096,
+    feed_required: false,
+    plane: Plane::XY,
+    diameter: false,
+    incremental_letters: false,
+    point_required: false,
+    dwell: &[(b'K' - b'A', 0.01)],
+    most_machine_codes: 7,
+};
+
+/// How programs of the 8055 T are read.
+pub static TURNING_8055: Reading = Reading {
+    letters: Letters::of("ABCDFIJKQRSTUVWXYZ"),
+    codes: &CODES_8055_T,
+    plane: Plane::ZX,
+    diameter: true,
+    ..MILLING_8055
+};
+
+/// How programs of the 8070 are read.
+pub static MILLING_8070: Reading = Reading { codes: &CODES_8070, dwell: &[(b'K' - b'A', 1.0)], ..MILLING_8055 };
+
+const GEOMETRY: Name = (
+    "ayudas geométricas (redondeos, chaflanes, arcos tangentes)",
+    "geometric aids (corner rounding, chamfers, tangent arcs)",
+);
+const MIRROR: Name = ("imagen espejo, escala y giro de coordenadas", "mirror image, scaling and pattern rotation");
+const ZONE: Name = ("zonas de trabajo", "work zones");
+const THREAD: Name = ("roscado electrónico", "electronic threading");
+const COMPENSATION: Name = ("compensación de radio de herramienta", "tool radius compensation");
+const LENGTH: Name =
+    ("compensación de longitud con la tabla del control", "tool length compensation by the control's table");
+const TRANSFORMATION: Name = ("transformación de coordenadas y TCP", "coordinate transformation and TCP");
+const ADDITIVE: Name = ("traslado de origen aditivo", "additive zero offset");
+const CYCLE: Name = ("ciclos fijos", "canned cycles");
+const TURNING_CYCLE: Name = ("ciclos fijos de torneado", "turning cycles");
+const PROBE: Name = ("búsqueda de referencia y palpado", "home search and probing");
+const POLAR: Name = ("origen polar", "polar origin");
+const CUTTING_POINT: Name = ("avance constante del punto de corte", "constant feed of the cutting point");
+const INVERSE: Name = ("avance como inversa del tiempo", "feed as inverse of the time");
+const CANCEL_ZERO: Name = ("anulación del traslado de origen", "zero offset cancellation");
+
+/// What 8055 M, 8055 T and 8070 have in common.
+const COMMON: [(usize, G); 35] = [
+    (0, G::Rapid),
+    (10, G::Linear),
+    (20, G::Arc(true)),
+    (30, G::Arc(false)),
+    (40, G::Dwell),
+    (50, G::PathControl),
+    (60, G::Refused(Group::Other, &GEOMETRY)),
+    (70, G::PathControl),
+    (80, G::Refused(Group::Motion, &GEOMETRY)),
+    (90, G::Refused(Group::Motion, &GEOMETRY)),
+    (100, G::Refused(Group::Other, &MIRROR)),
+    (110, G::Refused(Group::Other, &MIRROR)),
+    (120, G::Refused(Group::Other, &MIRROR)),
+    (130, G::Refused(Group::Other, &MIRROR)),
+    (140, G::Refused(Group::Other, &MIRROR)),
+    (170, G::Plane(Plane::XY)),
+    (180, G::Plane(Plane::ZX)),
+    (190, G::Plane(Plane::YZ)),
+    (330, G::Refused(Group::Motion, &THREAD)),
+    (360, G::Refused(Group::Other, &GEOMETRY)),
+    (370, G::Refused(Group::Other, &GEOMETRY)),
+    (380, G::Refused(Group::Other, &GEOMETRY)),
+    (390, G::Refused(Group::Other, &GEOMETRY)),
+    (400, G::CutterCompensationOff),
+    (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (500, G::PathControl),
+    (700, G::Inch),
+    (710, G::Millimetre),
+    (720, G::Refused(Group::Other, &MIRROR)),
+    (730, G::Refused(Group::Other, &MIRROR)),
+    (740, G::Refused(Group::NonModal, &PROBE)),
+    (900, G::Absolute),
+    (910, G::Incremental),
+    (940, G::Feed(FeedMode::PerMinute)),
+];
+
+/// The codes of a table after the common ones.
+const fn with<const N: usize>(own: &[(usize, G)]) -> Codes {
+    let mut list = [(999, G::Rapid); N];
+    let mut at = 0;
+    while at < N {
+        list[at] = if at < COMMON.len() { COMMON[at] } else { own[at - COMMON.len()] };
+        at += 1;
+    }
+    Codes::new(&list)
+}
+
+const OFFSETS_8055: [(usize, G); 7] = [
+    (530, G::MachineCoordinates),
+    (540, G::WorkOffset(1)),
+    (550, G::WorkOffset(2)),
+    (560, G::WorkOffset(3)),
+    (570, G::WorkOffset(4)),
+    (580, G::Refused(Group::WorkOffset, &ADDITIVE)),
+    (590, G::Refused(Group::WorkOffset, &ADDITIVE)),
+];
+
+const OWN_8055: [(usize, G); 38] = [
+    OFFSETS_8055[0],
+    OFFSETS_8055[1],
+    OFFSETS_8055[2],
+    OFFSETS_8055[3],
+    OFFSETS_8055[4],
+    OFFSETS_8055[5],
+    OFFSETS_8055[6],
+    (200, G::Refused(Group::Other, &ZONE)),
+    (210, G::Refused(Group::Other, &ZONE)),
+    (220, G::Refused(Group::Other, &ZONE)),
+    (320, G::Refused(Group::Feed, &INVERSE)),
+    (430, G::Refused(Group::ToolLength, &LENGTH)),
+    (440, G::ToolLengthOff),
+    (450, G::Refused(Group::Other, &TRANSFORMATION)),
+    (480, G::Refused(Group::Other, &TRANSFORMATION)),
+    (490, G::Refused(Group::Other, &TRANSFORMATION)),
+    (510, G::PathControl),
+    (750, G::Refused(Group::NonModal, &PROBE)),
+    (760, G::Refused(Group::NonModal, &PROBE)),
+    (690, G::Refused(Group::Motion, &CYCLE)),
+    (790, G::Refused(Group::Motion, &CYCLE)),
+    (800, G::Cancel),
+    (810, G::Refused(Group::Motion, &CYCLE)),
+    (820, G::Refused(Group::Motion, &CYCLE)),
+    (830, G::Refused(Group::Motion, &CYCLE)),
+    (840, G::Refused(Group::Motion, &CYCLE)),
+    (850, G::Refused(Group::Motion, &CYCLE)),
+    (860, G::Refused(Group::Motion, &CYCLE)),
+    (870, G::Refused(Group::Motion, &CYCLE)),
+    (880, G::Refused(Group::Motion, &CYCLE)),
+    (890, G::Refused(Group::Motion, &CYCLE)),
+    (920, G::SetPositionOrSpeed),
+    (930, G::Refused(Group::Other, &POLAR)),
+    (950, G::Feed(FeedMode::PerRevolution)),
+    (960, G::Refused(Group::Speed, &CUTTING_POINT)),
+    (970, G::PathControl),
+    (980, G::ReturnInitial),
+    (990, G::ReturnR),
+];
+
+static CODES_8055: Codes = with::<{ COMMON.len() + OWN_8055.len() }>(&OWN_8055);
+
+const OWN_8055_T: [(usize, G); 32] = [
+    OFFSETS_8055[0],
+    OFFSETS_8055[1],
+    OFFSETS_8055[2],
+    OFFSETS_8055[3],
+    OFFSETS_8055[4],
+    OFFSETS_8055[5],
+    OFFSETS_8055[6],
+    (200, G::Refused(Group::Other, &ZONE)),
+    (210, G::Refused(Group::Other, &ZONE)),
+    (220, G::Refused(Group::Other, &ZONE)),
+    (340, G::Refused(Group::Motion, &THREAD)),
+    (450, G::Refused(Group::Other, &TRANSFORMATION)),
+    (510, G::PathControl),
+    (660, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (680, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (690, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (750, G::Refused(Group::NonModal, &PROBE)),
+    (760, G::Refused(Group::NonModal, &PROBE)),
+    (810, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (820, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (830, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (840, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (850, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (860, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (870, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (880, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (890, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (920, G::SetPositionOrSpeed),
+    (930, G::Refused(Group::Other, &POLAR)),
+    (950, G::Feed(FeedMode::PerRevolution)),
+    (960, G::ConstantSurfaceSpeed),
+    (970, G::Rpm),
+];
+
+static CODES_8055_T: Codes = with::<{ COMMON.len() + OWN_8055_T.len() }>(&OWN_8055_T);
+
+const OWN_8070: [(usize, G); 30] = [
+    (200, G::Refused(Group::Plane, &TRANSFORMATION)),
+    (300, G::Refused(Group::Other, &POLAR)),
+    (310, G::Refused(Group::Other, &POLAR)),
+    (530, G::Refused(Group::WorkOffset, &CANCEL_ZERO)),
+    (540, G::WorkOffset(1)),
+    (550, G::WorkOffset(2)),
+    (560, G::WorkOffset(3)),
+    (570, G::WorkOffset(4)),
+    (580, G::WorkOffset(5)),
+    (590, G::WorkOffset(6)),
+    (600, G::PathControl),
+    (610, G::PathControl),
+    (630, G::Refused(Group::Motion, &THREAD)),
+    (800, G::Cancel),
+    (810, G::Refused(Group::Motion, &CYCLE)),
+    (820, G::Refused(Group::Motion, &CYCLE)),
+    (830, G::Refused(Group::Motion, &CYCLE)),
+    (840, G::Refused(Group::Motion, &CYCLE)),
+    (850, G::Refused(Group::Motion, &CYCLE)),
+    (860, G::Refused(Group::Motion, &CYCLE)),
+    (870, G::Refused(Group::Motion, &CYCLE)),
+    (880, G::Refused(Group::Motion, &CYCLE)),
+    (890, G::Refused(Group::Motion, &CYCLE)),
+    (920, G::SetPosition),
+    (930, G::Feed(FeedMode::Seconds)),
+    (950, G::Feed(FeedMode::PerRevolution)),
+    (960, G::ConstantSurfaceSpeed),
+    (970, G::Rpm),
+    (980, G::ReturnInitial),
+    (990, G::ReturnR),
+];
+
+static CODES_8070: Codes = with::<{ COMMON.len() + OWN_8070.len() }>(&OWN_8070);
+
+fn machine_code(number: u32) -> Option<M> {
+    Some(match number {
+        0 | 1 => M::Pause,
+        2 | 30 => M::End,
+        3 => M::Spindle(true),
+        4 => M::Spindle(false),
+        5 => M::SpindleOff,
+        6 => M::ToolChange,
+        8 | 9 => M::Coolant,
+        19 => M::SpindleOrient,
+        // The machine's builder defines the others, the clamps M10 to M13 of the published programs among them.
+        7 | 10..=9999 => M::User,
+        _ => return None,
+    })
+}

@@ -1,0 +1,95 @@
+//! Fanuc, turning, G-code system A: U and W are the increments, G90, G92 and G94 are cycles, G98 and G99 say what F
+//! means.
+//!
+//! # References
+//! The lathe simulator's list of codes; Fanuc Series 0i-T operator's manual, G-code system A.
+
+use crate::gcode::code::{G, Group, M, Name};
+use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading};
+use crate::gcode::motion::{FeedMode, Plane};
+
+/// How programs of Fanuc's system A are read.
+pub static LATHE_A: Reading = Reading {
+    letters: Letters::of("CFIKPQRSTUWXZ"),
+    refused_letters: Letters::of("ABDEHJLVY"),
+    free: Letters::of("FST"),
+    codes: &CODES,
+    machine_code,
+    comments: Comments::Parentheses,
+    expressions: false,
+    longest_line: 4096,
+    feed_required: false,
+    plane: Plane::ZX,
+    diameter: true,
+    incremental_letters: true,
+    point_required: true,
+    dwell: &[(b'X' - b'A', 1.0), (b'U' - b'A', 1.0), (b'P' - b'A', 0.001)],
+    most_machine_codes: 3,
+};
+
+const CYCLE: Name = ("ciclos de torneado", "turning cycles");
+const DRILLING: Name = ("ciclos de taladrado", "drilling cycles");
+const THREAD: Name = ("roscado", "threading");
+const COMPENSATION: Name = ("compensación de radio de punta", "nose radius compensation");
+const MACRO: Name = ("macros", "macros");
+const REFERENCE: Name = ("retorno al punto de referencia", "return to the reference point");
+const CALL: Name = ("subprogramas", "subprograms");
+
+static CODES: Codes = Codes::new(&[
+    (0, G::Rapid),
+    (10, G::Linear),
+    (20, G::Arc(true)),
+    (30, G::Arc(false)),
+    (40, G::Dwell),
+    (180, G::Plane(Plane::ZX)),
+    (200, G::Inch),
+    (210, G::Millimetre),
+    (280, G::Refused(Group::NonModal, &REFERENCE)),
+    (300, G::Refused(Group::NonModal, &REFERENCE)),
+    (320, G::Refused(Group::Motion, &THREAD)),
+    (340, G::Refused(Group::Motion, &THREAD)),
+    (400, G::CutterCompensationOff),
+    (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (500, G::SetPositionOrSpeed),
+    (530, G::MachineCoordinates),
+    (540, G::WorkOffset(1)),
+    (550, G::WorkOffset(2)),
+    (560, G::WorkOffset(3)),
+    (570, G::WorkOffset(4)),
+    (580, G::WorkOffset(5)),
+    (590, G::WorkOffset(6)),
+    (650, G::Refused(Group::NonModal, &MACRO)),
+    (700, G::Refused(Group::NonModal, &CYCLE)),
+    (710, G::Refused(Group::NonModal, &CYCLE)),
+    (720, G::Refused(Group::NonModal, &CYCLE)),
+    (730, G::Refused(Group::NonModal, &CYCLE)),
+    (740, G::Refused(Group::NonModal, &CYCLE)),
+    (750, G::Refused(Group::NonModal, &CYCLE)),
+    (760, G::Refused(Group::NonModal, &THREAD)),
+    (800, G::Cancel),
+    (810, G::Refused(Group::Motion, &DRILLING)),
+    (820, G::Refused(Group::Motion, &DRILLING)),
+    (830, G::Refused(Group::Motion, &DRILLING)),
+    (900, G::Refused(Group::Motion, &CYCLE)),
+    (920, G::Refused(Group::Motion, &THREAD)),
+    (940, G::Refused(Group::Motion, &CYCLE)),
+    (960, G::ConstantSurfaceSpeed),
+    (970, G::Rpm),
+    (980, G::Feed(FeedMode::PerMinute)),
+    (990, G::Feed(FeedMode::PerRevolution)),
+]);
+
+fn machine_code(number: u32) -> Option<M> {
+    Some(match number {
+        0 | 1 => M::Pause,
+        2 | 30 => M::End,
+        3 => M::Spindle(true),
+        4 => M::Spindle(false),
+        5 => M::SpindleOff,
+        7..=9 => M::Coolant,
+        38 | 39 => M::User,
+        97..=99 => M::Refused(&CALL),
+        _ => return None,
+    })
+}

@@ -1,0 +1,147 @@
+//! LinuxCNC: its G and M codes as its G-code reference has them.
+
+use crate::gcode::code::{Cycle, G, Group, M, Name};
+use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading};
+use crate::gcode::motion::{FeedMode, Plane};
+
+/// How LinuxCNC's programs are read.
+pub static READING: Reading = Reading {
+    letters: Letters::of("ABCDFHIJKLPQRSTUVWXYZ"),
+    refused_letters: Letters::of("E"),
+    free: Letters::of("FST"),
+    codes: &CODES,
+    machine_code,
+    comments: Comments::ParenthesesAndSemicolon,
+    expressions: true,
+    longest_line: 255,
+    feed_required: true,
+    plane: Plane::XY,
+    diameter: false,
+    incremental_letters: false,
+    point_required: false,
+    dwell: &[(b'P' - b'A', 1.0)],
+    most_machine_codes: 4,
+};
+
+const SPLINE: Name = ("curvas spline y NURBS", "spline and NURBS curves");
+const LATHE_MODE: Name = ("modo diámetro o radio del torno", "lathe diameter and radius mode");
+const UVW_PLANE: Name = ("planos de los ejes U, V y W", "planes of the axes U, V and W");
+const SYNCHRONISED: Name = ("movimiento sincronizado con el husillo", "spindle-synchronised motion");
+const PROBE: Name = ("palpado", "probing");
+const COMPENSATION: Name = ("compensación de radio de herramienta", "cutter radius compensation");
+const TURNING: Name = ("ciclos de torneado y roscado", "turning and threading cycles");
+
+static CODES: Codes = Codes::new(&[
+    (0, G::Rapid),
+    (10, G::Linear),
+    (20, G::Arc(true)),
+    (30, G::Arc(false)),
+    (40, G::Dwell),
+    (50, G::Refused(Group::Motion, &SPLINE)),
+    (51, G::Refused(Group::Motion, &SPLINE)),
+    (52, G::Refused(Group::Motion, &SPLINE)),
+    (53, G::Refused(Group::NonModal, &SPLINE)),
+    (70, G::Refused(Group::Other, &LATHE_MODE)),
+    (80, G::Refused(Group::Other, &LATHE_MODE)),
+    (100, G::SetOffsets),
+    (170, G::Plane(Plane::XY)),
+    (180, G::Plane(Plane::ZX)),
+    (190, G::Plane(Plane::YZ)),
+    (171, G::Refused(Group::Plane, &UVW_PLANE)),
+    (181, G::Refused(Group::Plane, &UVW_PLANE)),
+    (191, G::Refused(Group::Plane, &UVW_PLANE)),
+    (200, G::Inch),
+    (210, G::Millimetre),
+    (280, G::Reference(false)),
+    (281, G::SetReference(false)),
+    (300, G::Reference(true)),
+    (301, G::SetReference(true)),
+    (330, G::Refused(Group::Motion, &SYNCHRONISED)),
+    (331, G::Refused(Group::Motion, &SYNCHRONISED)),
+    (382, G::Refused(Group::Motion, &PROBE)),
+    (383, G::Refused(Group::Motion, &PROBE)),
+    (384, G::Refused(Group::Motion, &PROBE)),
+    (385, G::Refused(Group::Motion, &PROBE)),
+    (400, G::CutterCompensationOff),
+    (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (411, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (421, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (430, G::ToolLength),
+    (431, G::ToolLengthGiven),
+    (432, G::ToolLengthAdded),
+    (490, G::ToolLengthOff),
+    (520, G::LocalOffset),
+    (530, G::MachineCoordinates),
+    (540, G::WorkOffset(1)),
+    (550, G::WorkOffset(2)),
+    (560, G::WorkOffset(3)),
+    (570, G::WorkOffset(4)),
+    (580, G::WorkOffset(5)),
+    (590, G::WorkOffset(6)),
+    (591, G::WorkOffset(7)),
+    (592, G::WorkOffset(8)),
+    (593, G::WorkOffset(9)),
+    (610, G::PathControl),
+    (611, G::PathControl),
+    (640, G::PathControl),
+    (700, G::Refused(Group::Motion, &TURNING)),
+    (710, G::Refused(Group::Motion, &TURNING)),
+    (711, G::Refused(Group::Motion, &TURNING)),
+    (712, G::Refused(Group::Motion, &TURNING)),
+    (720, G::Refused(Group::Motion, &TURNING)),
+    (721, G::Refused(Group::Motion, &TURNING)),
+    (722, G::Refused(Group::Motion, &TURNING)),
+    (760, G::Refused(Group::Motion, &TURNING)),
+    (730, G::Cycle(Cycle::ChipBreak)),
+    (740, G::Cycle(Cycle::TapLeft)),
+    (800, G::Cancel),
+    (810, G::Cycle(Cycle::Drill)),
+    (820, G::Cycle(Cycle::DrillDwell)),
+    (830, G::Cycle(Cycle::Peck)),
+    (840, G::Cycle(Cycle::TapRight)),
+    (850, G::Cycle(Cycle::Bore)),
+    (860, G::Cycle(Cycle::BoreStop)),
+    (870, G::Cycle(Cycle::BackBore)),
+    (880, G::Cycle(Cycle::BoreManual)),
+    (890, G::Cycle(Cycle::BoreDwell)),
+    (900, G::Absolute),
+    (901, G::CentreAbsolute),
+    (910, G::Incremental),
+    (911, G::CentreIncremental),
+    (920, G::SetPosition),
+    (921, G::ClearPosition),
+    (922, G::SuspendPosition),
+    (923, G::RestorePosition),
+    (930, G::Feed(FeedMode::InverseTime)),
+    (940, G::Feed(FeedMode::PerMinute)),
+    (950, G::Feed(FeedMode::PerRevolution)),
+    (960, G::ConstantSurfaceSpeed),
+    (970, G::Rpm),
+    (980, G::ReturnInitial),
+    (990, G::ReturnR),
+]);
+
+const OUTPUTS: Name = ("entradas y salidas digitales y analógicas", "digital and analog inputs and outputs");
+const SAVE: Name = ("guardar y recuperar el estado modal", "saving and restoring the modal state");
+
+fn machine_code(number: u32) -> Option<M> {
+    Some(match number {
+        0 | 1 | 60 => M::Pause,
+        2 | 30 => M::End,
+        3 => M::Spindle(true),
+        4 => M::Spindle(false),
+        5 => M::SpindleOff,
+        6 => M::ToolChange,
+        7..=9 => M::Coolant,
+        19 => M::SpindleOrient,
+        48..=53 => M::Override,
+        61 => M::SetTool,
+        62..=68 => M::Refused(&OUTPUTS),
+        70..=73 => M::Refused(&SAVE),
+        98 => M::Call,
+        99 => M::Return,
+        100..=199 => M::User,
+        _ => return None,
+    })
+}

@@ -1,0 +1,290 @@
+//! Arcs and helices.
+//!
+//! # References
+//! LinuxCNC, G2/G3: centre and radius form, turns P; its tolerances: in radius form half the chord may exceed R by 0.00005
+//! inch, in centre form the radii at start and end may differ by 0.0283 mm or 0.1 % (the greater), and never by more than
+//! 2.83 mm.
+
+use std::f64::consts::SQRT_2;
+
+use crate::gcode::code::G;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::motion::{Arc, Kind, Plane};
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::length_unit::LengthUnit;
+use crate::number::shown;
+use crate::text::Text;
+
+/// Least radius, and what half the chord may exceed R by; mm.
+const LEAST: f64 = 0.000_05 * 25.4;
+/// Part of a radius by which the radii at start and end may differ.
+const RELATIVE: f64 = 0.001;
+/// A half chord this near to R makes a half circle.
+const TINY: f64 = 1e-12;
+
+impl Plane {
+    /// The letters of the centre along the first and second axis, and the one across.
+    const fn centre_letters(self) -> [usize; 3] {
+        match self {
+            Self::XY => [letter::I, letter::J, letter::K],
+            Self::ZX => [letter::K, letter::I, letter::J],
+            Self::YZ => [letter::J, letter::K, letter::I],
+        }
+    }
+}
+
+fn name(letter: usize) -> char {
+    char::from(b'A' + u8::try_from(letter).unwrap_or(0))
+}
+
+impl Interpreter<'_> {
+    /// An arc of the block in hand.
+    pub(super) fn arc(&mut self, clockwise: bool) -> Outcome<()> {
+        let plane = self.modal.plane;
+        let [first, second, across] = plane.centre_letters();
+        let centred = self.block.has(first) || self.block.has(second) || self.block.has(across);
+        let radius = self.block.get(letter::R);
+        match (radius, centred) {
+            (None, false) => {
+                return Err(Fault::block(
+                    Text::fixed("arco sin centro (I J K) ni radio R", "arc without a centre (I J K) or radius R"),
+                    Text::fixed("dé el centro o el radio", "give the centre or the radius"),
+                ));
+            }
+            (Some(_), true) => {
+                return Err(Fault::at(
+                    &[self.block.column(letter::R)],
+                    Text::fixed("arco con centro y con radio R", "arc with a centre and with radius R"),
+                    Text::fixed("deje uno de los dos", "leave one of the two"),
+                ));
+            }
+            _ => {}
+        }
+        let feed = self.feed()?;
+        if self.block.has(across) {
+            return Err(Fault::at(
+                &[self.block.column(across)],
+                Text::new(
+                    format!("{} no pertenece al plano {}", name(across), plane.name()),
+                    format!("{} does not belong to the plane {}", name(across), plane.name()),
+                ),
+                Text::new(
+                    format!("use {} y {}, o cambie de plano", name(first), name(second)),
+                    format!("use {} and {}, or change the plane", name(first), name(second)),
+                ),
+            ));
+        }
+        let turns = self.turns()?;
+        self.modal.motion = G::Arc(clockwise);
+        let to = self.end_point();
+        let [a, b, c] = plane.axes();
+        let start = [self.current.get(a), self.current.get(b)];
+        let end = [to.get(a), to.get(b)];
+        let centre = match radius {
+            Some(R) => {
+                let named = [a, b].into_iter().any(|axis| self.block.has(AXES[axis as usize]));
+                // U and W of a lathe stand for X and Z.
+                let incremental =
+                    self.reading.incremental_letters && (self.block.has(letter::U) || self.block.has(letter::W));
+                if !named && !incremental {
+                    return Err(Fault::at(
+                        &[self.block.column(letter::R)],
+                        Text::new(
+                            format!("arco con R sin {} ni {}", a.letter(), b.letter()),
+                            format!("arc with R without {} or {}", a.letter(), b.letter()),
+                        ),
+                        Text::fixed("dé el punto final", "give the end point"),
+                    ));
+                }
+                self.centre_by_radius(start, end, self.modal.unit.to_mm(R), clockwise)?
+            }
+            None => self.centre_by_offsets(start, end, [first, second])?,
+        };
+        let arc = Arc { plane, centre, turns: if clockwise { -turns } else { turns } };
+        let length = length(&arc, start, end, to.get(c) - self.current.get(c));
+        let seconds = self.seconds(length, feed);
+        self.emit(Kind::Arc(arc, feed), to, seconds);
+        Ok(())
+    }
+
+    /// P, the number of turns.
+    fn turns(&self) -> Outcome<i32> {
+        let Some(P) = self.block.get(letter::P) else { return Ok(1) };
+        whole(P).filter(|&turns| turns >= 1).and_then(|turns| i32::try_from(turns).ok()).ok_or_else(|| {
+            Fault::at(
+                &[self.block.column(letter::P)],
+                Text::new(format!("P{P} no es un número de vueltas"), format!("P{P} is no number of turns")),
+                Text::fixed("P es un número entero de 1 en adelante", "P is a whole number from 1 on"),
+            )
+        })
+    }
+
+    fn centre_by_offsets(&self, start: [f64; 2], end: [f64; 2], letters: [usize; 2]) -> Outcome<[f64; 2]> {
+        let unit = self.modal.unit;
+        let mut centre = [0.0; 2];
+        for (along, letter) in letters.into_iter().enumerate() {
+            centre[along] = match (self.block.get(letter), self.modal.centre_absolute) {
+                (Some(word), true) => unit.to_mm(word),
+                (Some(word), false) => start[along] + unit.to_mm(word),
+                (None, false) => start[along],
+                (None, true) => {
+                    return Err(Fault::block(
+                        Text::new(
+                            format!("falta {} en un arco de centro absoluto", name(letter)),
+                            format!("{} is missing in an arc with absolute centre", name(letter)),
+                        ),
+                        Text::fixed("dé las dos coordenadas del centro", "give both coordinates of the centre"),
+                    ));
+                }
+            };
+        }
+        let distance = |point: [f64; 2]| crate::number::trig::hypot(point[0] - centre[0], point[1] - centre[1]);
+        check_radii(distance(start), distance(end), unit).map(|()| centre)
+    }
+
+    /// The centre of an arc with a radius: to the left of the chord for a counter-clockwise arc up to half a circle.
+    fn centre_by_radius(&self, start: [f64; 2], end: [f64; 2], R: f64, clockwise: bool) -> Outcome<[f64; 2]> {
+        let chord = [end[0] - start[0], end[1] - start[1]];
+        let half = (chord[0] * chord[0] + chord[1] * chord[1]).sqrt() / 2.0;
+        let column = self.block.column(letter::R);
+        let unit = self.modal.unit;
+        let text = |value: f64| format!("{} {}", shown(unit.from_mm(value), 4), unit.symbol());
+        let radius = R.abs();
+        if half == 0.0 {
+            return Err(Fault::at(
+                &[column],
+                Text::fixed("arco con R cuyo final es su principio", "arc with R that ends where it starts"),
+                Text::fixed("programe el círculo con I, J o K", "program the circle with I, J or K"),
+            ));
+        }
+        if half - radius > LEAST || radius == 0.0 {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("radio {} demasiado pequeño: media cuerda {}", text(radius), text(half)),
+                    format!("radius {} too small to reach the end: half the chord is {}", text(radius), text(half)),
+                ),
+                Text::new(format!("R de al menos {}", text(half)), format!("R of at least {}", text(half))),
+            ));
+        }
+        let offset = if half / radius > 1.0 - TINY { 0.0 } else { (radius * radius - half * half).sqrt() };
+        let side = if clockwise == (R > 0.0) { -offset } else { offset };
+        let scale = side / (2.0 * half);
+        Ok([f64::midpoint(start[0], end[0]) - chord[1] * scale, f64::midpoint(start[1], end[1]) + chord[0] * scale])
+    }
+}
+
+/// LinuxCNC's rule for the radii at start and end of an arc with a centre; mm, in the unit whose tolerance counts.
+///
+/// # Errors
+/// With both radii and their difference.
+pub(super) fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()> {
+    let tolerance = match unit {
+        LengthUnit::Inch => 2.0 * 0.001 * SQRT_2 * 25.4,
+        LengthUnit::Millimetre => 2.0 * 0.01 * SQRT_2,
+    };
+    let difference = (start - end).abs();
+    let text = |value: f64| format!("{} {}", shown(unit.from_mm(value), 4), unit.symbol());
+    if start < LEAST || end < LEAST {
+        return Err(Fault::block(
+            Text::new(
+                format!("arco de radio cero: r1 {}, r2 {}", text(start), text(end)),
+                format!("zero-radius arc: r1 {}, r2 {}", text(start), text(end)),
+            ),
+            Text::fixed("compruebe el centro", "check the centre"),
+        ));
+    }
+    if difference > 100.0 * tolerance || (difference > tolerance && difference > RELATIVE * start.max(end)) {
+        return Err(Fault::block(
+            Text::new(
+                format!(
+                    "el final no está en el círculo: r1 {}, r2 {}, diferencia {}",
+                    text(start),
+                    text(end),
+                    text(difference)
+                ),
+                format!(
+                    "the end is not on the circle: r1 {}, r2 {}, difference {}",
+                    text(start),
+                    text(end),
+                    text(difference)
+                ),
+            ),
+            Text::fixed("compruebe el final y el centro", "check the end and the centre"),
+        ));
+    }
+    Ok(())
+}
+
+/// The angle that an arc sweeps, positive counter-clockwise, from the start and the end in its plane; radians.
+#[must_use]
+fn sweep(arc: &Arc, start: [f64; 2], end: [f64; 2]) -> f64 {
+    use std::f64::consts::TAU;
+    let angle = |point: [f64; 2]| crate::number::trig::atan2(point[1] - arc.centre[1], point[0] - arc.centre[0]);
+    let between = angle(end) - angle(start);
+    let whole = f64::from(arc.turns.abs() - 1) * TAU;
+    // An arc whose end is its start is a full circle. A hair of rounding must not make it none.
+    if arc.turns > 0 {
+        (if between <= 1e-12 { between + TAU } else { between }) + whole
+    } else {
+        (if between >= -1e-12 { between - TAU } else { between }) - whole
+    }
+}
+
+/// The length of an arc or helix; mm.
+fn length(arc: &Arc, start: [f64; 2], end: [f64; 2], rise: f64) -> f64 {
+    let radius = crate::number::trig::hypot(start[0] - arc.centre[0], start[1] - arc.centre[1]);
+    let around = sweep(arc, start, end) * radius;
+    (around * around + rise * rise).sqrt()
+}
+
+impl Arc {
+    /// The length of the arc between two poses; mm.
+    #[must_use]
+    pub fn length(&self, from: &Pose, to: &Pose) -> f64 {
+        let [a, b, c] = self.plane.axes();
+        length(self, [from.get(a), from.get(b)], [to.get(a), to.get(b)], to.get(c) - from.get(c))
+    }
+
+    /// The angle swept between two poses, positive counter-clockwise; radians.
+    #[must_use]
+    pub fn sweep(&self, from: &Pose, to: &Pose) -> f64 {
+        let [a, b, _] = self.plane.axes();
+        sweep(self, [from.get(a), from.get(b)], [to.get(a), to.get(b)])
+    }
+
+    /// The points of the arc between two poses where it reaches farthest along its plane's axes, start and end left out:
+    /// at every quarter turn about its centre that it passes. Program coordinates; the other axes at their share of the way.
+    pub fn quarters(&self, from: &Pose, to: &Pose, visit: &mut dyn FnMut(&Pose)) {
+        use std::f64::consts::FRAC_PI_2;
+        let [a, b, c] = self.plane.axes();
+        let (x, y) = (from.get(a) - self.centre[0], from.get(b) - self.centre[1]);
+        let radius = crate::number::trig::hypot(x, y);
+        let (start, sweep) = (crate::number::trig::atan2(y, x), self.sweep(from, to));
+        if sweep == 0.0 {
+            return;
+        }
+        // At most the four quarters of one turn are farthest; a helix adds nothing to them.
+        let step = FRAC_PI_2.copysign(sweep);
+        let begin = if sweep > 0.0 { (start / FRAC_PI_2).floor() + 1.0 } else { (start / FRAC_PI_2).ceil() - 1.0 };
+        for quarter in 0..4_u8 {
+            let angle = begin * FRAC_PI_2 + f64::from(quarter) * step;
+            let part = (angle - start) / sweep;
+            if part >= 1.0 {
+                break;
+            }
+            let mut at = *from;
+            for axis in Axis::ALL {
+                at.set(axis, from.get(axis) + (to.get(axis) - from.get(axis)) * part);
+            }
+            let (sin, cos) = crate::number::trig::sin_cos(angle);
+            at.set(a, self.centre[0] + radius * cos);
+            at.set(b, self.centre[1] + radius * sin);
+            at.set(c, from.get(c) + (to.get(c) - from.get(c)) * part);
+            visit(&at);
+        }
+    }
+}

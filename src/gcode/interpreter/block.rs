@@ -1,0 +1,190 @@
+//! What stands in one block.
+
+use crate::gcode::code::{G, GROUPS, Group, M};
+
+/// A letter, counted from A = 0.
+pub(super) mod letter {
+    macro_rules! letters {
+        ($($name:ident = $character:literal),*) => { $(pub(in super::super) const $name: usize = ($character - b'A') as usize;)* };
+    }
+    letters!(
+        A = b'A',
+        B = b'B',
+        C = b'C',
+        D = b'D',
+        F = b'F',
+        H = b'H',
+        I = b'I',
+        J = b'J',
+        K = b'K',
+        L = b'L',
+        P = b'P',
+        Q = b'Q',
+        R = b'R',
+        S = b'S',
+        T = b'T',
+        U = b'U',
+        V = b'V',
+        W = b'W',
+        X = b'X',
+        Y = b'Y',
+        Z = b'Z'
+    );
+}
+
+/// The letters of the axes in the order of [`Axis::ALL`](crate::machine::axis::Axis::ALL).
+pub(super) const AXES: [usize; 9] =
+    [letter::X, letter::Y, letter::Z, letter::A, letter::B, letter::C, letter::U, letter::V, letter::W];
+
+/// How many groups of M codes there are.
+const MACHINE_GROUPS: usize = 11;
+
+/// A parameter that a block sets.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Parameter {
+    Number(usize),
+    Name(String),
+}
+
+/// One block: its words and codes. Reused from line to line.
+#[derive(Debug)]
+pub(super) struct Block {
+    /// The block number.
+    pub(super) n: Option<u32>,
+    /// One bit for each letter that stands in the block.
+    pub(super) present: u32,
+    values: [f64; 26],
+    columns: [u16; 26],
+    /// One bit for each group of which a G code stands in the block.
+    pub(super) groups: u16,
+    g: [G; GROUPS],
+    g_columns: [u16; GROUPS],
+    machine_groups: u16,
+    m: [(M, u32); MACHINE_GROUPS],
+    m_columns: [u16; MACHINE_GROUPS],
+    /// How many M codes there are.
+    pub(super) machine_codes: usize,
+    /// Parameters set by the block, once it has been read.
+    pub(super) settings: Vec<(Parameter, f64)>,
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a line has at most 4096 characters")]
+const fn short(column: usize) -> u16 {
+    column as u16
+}
+
+impl Block {
+    pub(super) const fn new() -> Self {
+        Self {
+            n: None,
+            present: 0,
+            values: [0.0; 26],
+            columns: [0; 26],
+            groups: 0,
+            g: [G::Rapid; GROUPS],
+            g_columns: [0; GROUPS],
+            machine_groups: 0,
+            m: [(M::Pause, 0); MACHINE_GROUPS],
+            m_columns: [0; MACHINE_GROUPS],
+            machine_codes: 0,
+            settings: Vec::new(),
+        }
+    }
+
+    /// Empties the block.
+    pub(super) fn clear(&mut self) {
+        self.n = None;
+        self.present = 0;
+        self.groups = 0;
+        self.machine_groups = 0;
+        self.machine_codes = 0;
+        self.settings.clear();
+    }
+
+    /// True where a letter has a word.
+    pub(super) const fn has(&self, letter: usize) -> bool {
+        self.present & (1 << letter) != 0
+    }
+
+    /// The number of a letter's word.
+    pub(super) fn get(&self, letter: usize) -> Option<f64> {
+        if self.has(letter) { self.values.get(letter).copied() } else { None }
+    }
+
+    /// The column of a letter's word.
+    pub(super) fn column(&self, letter: usize) -> usize {
+        self.columns.get(letter).copied().unwrap_or(0).into()
+    }
+
+    /// Puts a word in; the column of the first one if the letter has one already.
+    pub(super) fn put(&mut self, letter: usize, value: f64, column: usize) -> Result<(), usize> {
+        if self.has(letter) {
+            return Err(self.column(letter));
+        }
+        if let (Some(slot), Some(place)) = (self.values.get_mut(letter), self.columns.get_mut(letter)) {
+            *slot = value;
+            *place = short(column);
+            self.present |= 1 << letter;
+        }
+        Ok(())
+    }
+
+    /// Takes a word out, as its meaning has been used up.
+    pub(super) fn take(&mut self, letter: usize) -> Option<f64> {
+        let value = self.get(letter);
+        self.present &= !(1 << letter);
+        value
+    }
+
+    /// The G code of a group.
+    pub(super) fn g(&self, group: Group) -> Option<G> {
+        let at = group as usize;
+        if self.groups & (1 << at) != 0 { self.g.get(at).copied() } else { None }
+    }
+
+    /// The column of a group's G code.
+    pub(super) fn g_column(&self, group: Group) -> usize {
+        self.g_columns.get(group as usize).copied().unwrap_or(0).into()
+    }
+
+    /// Puts a G code in; the column of the first one if its group has one already.
+    pub(super) fn put_g(&mut self, g: G, column: usize) -> Result<(), usize> {
+        let at = g.group() as usize;
+        if self.groups & (1 << at) != 0 {
+            return Err(self.g_columns[at].into());
+        }
+        self.groups |= 1 << at;
+        self.g[at] = g;
+        self.g_columns[at] = short(column);
+        Ok(())
+    }
+
+    /// The M code of a group, with its number.
+    pub(super) fn m(&self, group: u8) -> Option<(M, u32)> {
+        let at = usize::from(group);
+        if self.machine_groups & (1 << at) != 0 { self.m.get(at).copied() } else { None }
+    }
+
+    /// The column of a group's M code.
+    pub(super) fn m_column(&self, group: u8) -> usize {
+        self.m_columns.get(usize::from(group)).copied().unwrap_or(0).into()
+    }
+
+    /// True where the block has M codes.
+    pub(super) const fn has_machine_codes(&self) -> bool {
+        self.machine_groups != 0
+    }
+
+    /// Puts an M code in; the column of the first one if its group has one already.
+    pub(super) fn put_m(&mut self, m: M, number: u32, column: usize) -> Result<(), usize> {
+        let at = usize::from(m.group());
+        self.machine_codes += 1;
+        if self.machine_groups & (1 << at) != 0 {
+            return Err(self.m_columns[at].into());
+        }
+        self.machine_groups |= 1 << at;
+        self.m[at] = (m, number);
+        self.m_columns[at] = short(column);
+        Ok(())
+    }
+}

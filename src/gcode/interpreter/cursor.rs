@@ -1,0 +1,353 @@
+//! The characters of a line as the control sees them: blanks and comments passed over, letters alike in both cases.
+
+use crate::gcode::dialect::reading::Comments;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::text::Text;
+
+/// A place in a line.
+#[derive(Debug)]
+pub(super) struct Cursor<'l> {
+    line: &'l [u8],
+    at: usize,
+    parentheses: bool,
+    semicolon: bool,
+    /// The column of a number with blanks inside, if there is one.
+    pub(super) parted: Option<usize>,
+    /// How deep the expression in hand is nested.
+    pub(super) depth: usize,
+}
+
+impl<'l> Cursor<'l> {
+    /// The beginning of a line whose comments have been checked by [`comments`].
+    pub(super) const fn new(line: &'l [u8], comments: Comments) -> Self {
+        Self {
+            line,
+            at: 0,
+            parentheses: !matches!(comments, Comments::Semicolon),
+            semicolon: true,
+            parted: None,
+            depth: 0,
+        }
+    }
+
+    /// The column of the next character, counted from 0.
+    pub(super) const fn column(&self) -> usize {
+        self.at
+    }
+
+    /// The next character that counts, in lower case, without passing it; 0 at the end of the block.
+    pub(super) fn peek(&mut self) -> u8 {
+        loop {
+            match self.line.get(self.at) {
+                None => return 0,
+                Some(b' ' | b'\t') => self.at += 1,
+                Some(b'(') if self.parentheses => {
+                    let close = memchr::memchr(b')', &self.line[self.at..]);
+                    self.at = close.map_or(self.line.len(), |close| self.at + close + 1);
+                }
+                Some(b';') if self.semicolon => {
+                    self.at = self.line.len();
+                    return 0;
+                }
+                Some(character) => return character.to_ascii_lowercase(),
+            }
+        }
+    }
+
+    /// Passes the character that [`Cursor::peek`] has shown.
+    pub(super) const fn pass(&mut self) {
+        self.at += 1;
+    }
+
+    /// Passes a character if it is the next one.
+    pub(super) fn accept(&mut self, wanted: u8) -> bool {
+        let found = self.peek() == wanted;
+        self.at += usize::from(found);
+        found
+    }
+
+    /// Passes a word of lower-case letters if it stands next.
+    pub(super) fn accept_word(&mut self, word: &str) -> bool {
+        let start = self.at;
+        for wanted in word.bytes() {
+            if !self.accept(wanted) {
+                self.at = start;
+                return false;
+            }
+        }
+        true
+    }
+
+    /// A decimal number without a sign: digits with at most one point among them.
+    pub(super) fn number(&mut self) -> Outcome<Decimal> {
+        self.short_number().map_or_else(|| self.any_number(), Ok)
+    }
+
+    /// A number of at most 15 digits that the next word or the end of the line follows, as nearly all are; `None`, without
+    /// passing anything, for any other.
+    fn short_number(&mut self) -> Option<Decimal> {
+        let bytes = self.line.get(self.at..)?;
+        let digits = |from: usize, mantissa: &mut u64| {
+            let mut at = from;
+            while let Some(digit) = bytes.get(at).map(|byte| byte.wrapping_sub(b'0'))
+                && digit < 10
+                && at < 16
+            {
+                *mantissa = *mantissa * 10 + u64::from(digit);
+                at += 1;
+            }
+            at
+        };
+        let mut mantissa = 0;
+        let whole = digits(0, &mut mantissa);
+        let point = bytes.get(whole) == Some(&b'.');
+        let end = if point { digits(whole + 1, &mut mantissa) } else { whole };
+        let decimals = end - whole - usize::from(point);
+        if whole + decimals == 0 || end >= 16 {
+            return None;
+        }
+        // A blank may stand inside a number: look behind it.
+        let next = bytes.get(end..)?.iter().find(|&&byte| byte != b' ').copied();
+        if matches!(next, Some(b'0'..=b'9' | b'.' | b'\t' | b'(' | b'e' | b'E')) {
+            return None;
+        }
+        self.at += end;
+        Some(Decimal { value: decimal(mantissa, decimals), point })
+    }
+
+    fn any_number(&mut self) -> Outcome<Decimal> {
+        let start = self.at;
+        let (mut mantissa, mut digits, mut decimals, mut point, mut long) = (0_u64, 0_usize, 0_usize, false, false);
+        loop {
+            match self.line.get(self.at) {
+                Some(&digit @ b'0'..=b'9') => {
+                    digits += 1;
+                    decimals += usize::from(point);
+                    if mantissa < 1 << 52 {
+                        mantissa = mantissa * 10 + u64::from(digit - b'0');
+                    } else {
+                        long = true;
+                    }
+                }
+                Some(b'.') if point => return Err(two_points(self.at)),
+                Some(b'.') => point = true,
+                // Blanks and comments do not part a number; whether one goes on is rarely asked.
+                Some(b' ' | b'\t' | b'(') => {
+                    let behind = self.at;
+                    if !matches!(self.peek(), b'0'..=b'9' | b'.') {
+                        self.at = behind;
+                        break;
+                    }
+                    self.parted = Some(start);
+                    continue;
+                }
+                Some(b'e' | b'E') if self.is_exponent() => return Err(exponent(self.at)),
+                _ => break,
+            }
+            self.at += 1;
+        }
+        if digits == 0 {
+            return Err(no_number(start));
+        }
+        let value = if long || mantissa >= 1 << 53 || decimals > 22 {
+            // More digits than a number can hold: read them all, rounded once.
+            let text: String = self.line[start..self.at]
+                .iter()
+                .filter(|byte| byte.is_ascii_digit() || **byte == b'.')
+                .map(|&byte| char::from(byte))
+                .collect();
+            text.parse().map_err(|_| no_number(start))?
+        } else {
+            decimal(mantissa, decimals)
+        };
+        Ok(Decimal { value, point })
+    }
+
+    fn is_exponent(&self) -> bool {
+        match self.line.get(self.at + 1) {
+            Some(b'0'..=b'9') => true,
+            Some(b'+' | b'-') => self.line.get(self.at + 2).is_some_and(u8::is_ascii_digit),
+            _ => false,
+        }
+    }
+
+    /// The text inside `<` and `>`, in lower case and without blanks; the cursor stands on `<`.
+    pub(super) fn name(&mut self) -> Outcome<String> {
+        let start = self.at;
+        self.pass();
+        let mut name = String::new();
+        loop {
+            match self.peek() {
+                b'>' => {
+                    self.pass();
+                    break;
+                }
+                0 => {
+                    return Err(Fault::at(
+                        &[start],
+                        Text::fixed("falta «>» al final del nombre", "'>' is missing at the end of the name"),
+                        Text::fixed("cierre el nombre con «>»", "close the name with '>'"),
+                    ));
+                }
+                character if character.is_ascii_graphic() => {
+                    name.push(char::from(character));
+                    self.pass();
+                }
+                character => return Err(strange(self.line, self.at, character)),
+            }
+        }
+        if name.is_empty() {
+            return Err(Fault::at(
+                &[start],
+                Text::fixed("el nombre está vacío", "the name is empty"),
+                Text::fixed("dé un nombre entre «<» y «>»", "give a name between '<' and '>'"),
+            ));
+        }
+        Ok(name)
+    }
+
+    /// The refusal of the character in hand.
+    pub(super) fn refuse_character(&mut self) -> Box<Fault> {
+        let character = self.peek();
+        strange(self.line, self.at, character)
+    }
+}
+
+/// A number as it stands in a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Decimal {
+    pub(super) value: f64,
+    /// It has a decimal point.
+    pub(super) point: bool,
+}
+
+/// A whole number below 2^53 divided by a power of ten up to 10^22: both are exact, so that the quotient is the double
+/// nearest to the decimal number (Clinger, "How to read floating point numbers accurately", 1990).
+fn decimal(mantissa: u64, decimals: usize) -> f64 {
+    const POWERS: [f64; 23] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
+        1e20, 1e21, 1e22,
+    ];
+    #[expect(clippy::cast_precision_loss, reason = "below 2^53")]
+    let whole = mantissa as f64;
+    POWERS.get(decimals).map_or(f64::NAN, |power| whole / power)
+}
+
+/// The comments of a line, each with its column; refuses what is nested, unclosed or no text.
+pub(super) fn comments(line: &[u8], form: Comments) -> Outcome<Vec<(usize, &[u8])>> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(next) = line.get(at..).and_then(|rest| memchr::memchr3(b'(', b')', b';', rest)) {
+        let start = at + next;
+        match (line[start], form) {
+            (b';', Comments::Parentheses) => {
+                let rest = line[start + 1..].trim_ascii();
+                if rest.is_empty() {
+                    break;
+                }
+                return Err(Fault::at(
+                    &[start],
+                    Text::fixed("hay texto detrás del fin de bloque «;»", "there is text after the end of block ';'"),
+                    Text::fixed("escriba un bloque por línea", "write one block a line"),
+                ));
+            }
+            (b';', _) => {
+                found.push((start, &line[start + 1..]));
+                break;
+            }
+            (b'(', Comments::Semicolon) => {
+                return Err(Fault::at(
+                    &[start],
+                    Text::fixed(
+                        "las sentencias en lenguaje de alto nivel de Fagor no están implementadas",
+                        "statements of Fagor's high-level language are not supported",
+                    ),
+                    Text::fixed("escriba los comentarios detrás de «;»", "write comments after ';'"),
+                ));
+            }
+            (b'(', _) => {
+                let Some(length) = memchr::memchr2(b'(', b')', &line[start + 1..]) else {
+                    return Err(Fault::at(
+                        &[start],
+                        Text::fixed("comentario sin cerrar", "unclosed comment"),
+                        Text::fixed("ciérrelo con «)»", "close it with ')'"),
+                    ));
+                };
+                let end = start + 1 + length;
+                if line[end] == b'(' {
+                    return Err(Fault::at(
+                        &[start, end],
+                        Text::fixed("comentario dentro de un comentario", "nested comment"),
+                        Text::fixed("quite el paréntesis interior", "take out the inner parenthesis"),
+                    ));
+                }
+                found.push((start, &line[start + 1..end]));
+                at = end + 1;
+                continue;
+            }
+            _ => {
+                return Err(Fault::at(
+                    &[start],
+                    Text::fixed("«)» sin comentario abierto", "')' without an open comment"),
+                    Text::fixed("quítelo o abra el comentario con «(»", "take it out or open the comment with '('"),
+                ));
+            }
+        }
+    }
+    match found.iter().find_map(|(start, text)| memchr::memchr(0, text).map(|nul| start + 1 + nul)) {
+        Some(nul) => Err(strange(line, nul, 0)),
+        None => Ok(found),
+    }
+}
+
+/// A character that no block may hold, by its name.
+fn strange(line: &[u8], column: usize, character: u8) -> Box<Fault> {
+    if character == b',' {
+        return Fault::at(
+            &[column],
+            Text::fixed("carácter «,»", "character ','"),
+            Text::fixed("escriba el decimal con punto: 1.5", "write the decimal with a point: 1.5"),
+        );
+    }
+    let rest = line.get(column..).unwrap_or_default();
+    let text = rest.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+    let name = match text.chars().next() {
+        Some('\u{2212}') => "U+2212 (minus sign)".to_owned(),
+        Some('\u{00a0}') => "U+00A0 (no-break space)".to_owned(),
+        Some('\u{feff}') => "U+FEFF (byte order mark)".to_owned(),
+        Some('\0') => "NUL".to_owned(),
+        Some(letter) if letter.is_ascii_graphic() => format!("'{letter}'"),
+        Some(letter) => format!("U+{:04X}", u32::from(letter)),
+        None => format!("byte 0x{:02X}", rest.first().copied().unwrap_or(character)),
+    };
+    Fault::at(
+        &[column],
+        Text::new(format!("carácter {name} no admitido"), format!("character {name} is not allowed")),
+        Text::fixed("quítelo o escríbalo dentro de un comentario", "take it out, or write it inside a comment"),
+    )
+}
+
+/// Something stands where a number should.
+pub(super) fn no_number(column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::fixed("falta el número", "the number is missing"),
+        Text::fixed("escriba un número detrás de la letra", "write a number after the letter"),
+    )
+}
+
+fn two_points(column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::fixed("número con dos puntos decimales", "number with two decimal points"),
+        Text::fixed("deje un solo punto", "leave one point"),
+    )
+}
+
+fn exponent(column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::fixed("exponente no admitido", "exponent not allowed"),
+        Text::fixed("escriba el número entero: 1000 en vez de 1e3", "write the number out: 1000 for 1e3"),
+    )
+}

@@ -1,0 +1,532 @@
+//! Executing a block: the order of LinuxCNC's reference, and straight motions.
+//!
+//! # References
+//! LinuxCNC, G-code overview, "G-code order of execution".
+
+use crate::finding::Grade;
+use crate::gcode::code::{Cycle, G, Group, M};
+use crate::gcode::dialect::FeedLaw;
+use crate::gcode::dialect::reading::Letters;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::modal::Spindle;
+use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::length_unit::LengthUnit;
+use crate::text::Text;
+
+/// The axis words.
+const AXIS_WORDS: u32 = Letters::of("ABCUVWXYZ").mask();
+const CENTRE_WORDS: u32 = Letters::of("IJK").mask();
+
+/// What the motion word of a block comes to.
+struct Plan {
+    /// The motion to make, if any.
+    motion: Option<G>,
+    /// Letters that some code of the block uses.
+    used: u32,
+}
+
+impl Interpreter<'_> {
+    /// Executes the block in hand.
+    pub(super) fn execute(&mut self) -> Outcome<()> {
+        if let Some((M::Call | M::Return, _)) = self.block.m(4) {
+            self.calls_alone()?;
+        }
+        let plan = self.plan()?;
+        let idle = self.block.present & !plan.used & !self.reading.free.mask();
+        if idle != 0 {
+            return Err(self.unused(idle));
+        }
+        if self.block.groups & !(1 << Group::Motion as u16) != 0 || self.block.has_machine_codes() {
+            self.execute_codes(plan.motion)
+        } else {
+            self.take_feed_and_speed()?;
+            self.take_tool()?;
+            plan.motion.map_or(Ok(()), |motion| self.make_motion(motion))
+        }
+    }
+
+    fn execute_codes(&mut self, motion: Option<G>) -> Outcome<()> {
+        self.set_speed_mode()?;
+        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
+            self.modal.feed_mode = mode;
+            if mode != FeedMode::InverseTime && self.reading.feed_required {
+                self.modal.feed = 0.0;
+            }
+        }
+        self.take_feed_and_speed()?;
+        self.take_tool()?;
+        self.machine_codes()?;
+        let at_once = self.block.g(Group::NonModal);
+        if at_once == Some(G::Dwell) {
+            self.dwell()?;
+        }
+        if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
+            self.modal.plane = plane;
+        }
+        match self.block.g(Group::Units) {
+            Some(G::Inch) => self.set_unit(LengthUnit::Inch),
+            Some(G::Millimetre) => self.set_unit(LengthUnit::Millimetre),
+            _ => {}
+        }
+        if let Some(code) = self.block.g(Group::ToolLength) {
+            self.tool_length(code)?;
+        }
+        if let Some(G::WorkOffset(system)) = self.block.g(Group::WorkOffset) {
+            self.select_system(system);
+        }
+        match self.block.g(Group::Distance) {
+            Some(G::Absolute) => self.modal.incremental = false,
+            Some(G::Incremental) => self.modal.incremental = true,
+            _ => {}
+        }
+        match self.block.g(Group::Centre) {
+            Some(G::CentreAbsolute) => self.modal.centre_absolute = true,
+            Some(G::CentreIncremental) => self.modal.centre_absolute = false,
+            _ => {}
+        }
+        match self.block.g(Group::Retract) {
+            Some(G::ReturnInitial) => self.modal.return_initial = true,
+            Some(G::ReturnR) => self.modal.return_initial = false,
+            _ => {}
+        }
+        match at_once {
+            Some(G::SetOffsets) => self.set_offsets()?,
+            Some(G::Reference(second)) => self.go_to_reference(second)?,
+            Some(G::SetReference(second)) => self.keep_reference(second),
+            Some(G::LocalOffset) => self.local_offset(),
+            Some(G::SetPosition) => self.set_position(),
+            Some(G::SetPositionOrSpeed) => self.set_position_or_speed()?,
+            Some(G::MachineCoordinates) if self.modal.incremental => {
+                return Err(Fault::at(
+                    &[self.block.g_column(Group::NonModal)],
+                    Text::fixed("G53 con cotas incrementales", "G53 with incremental coordinates"),
+                    Text::fixed("programe G90 en el bloque", "program G90 in the block"),
+                ));
+            }
+            _ => {}
+        }
+        if let Some(code) = self.block.g(Group::SetPosition) {
+            self.change_position(code);
+        }
+        if let Some(motion) = motion {
+            self.make_motion(motion)?;
+        }
+        match self.block.m(4) {
+            Some((M::End, _)) => {
+                while self.run.is_some() {
+                    self.run_cycle()?;
+                }
+                self.end()
+            }
+            Some((M::Call | M::Return, _)) => self.call_or_return(),
+            _ => Ok(()),
+        }
+    }
+
+    /// Which motion the block makes, and which letters its codes use.
+    fn plan(&self) -> Outcome<Plan> {
+        let block = &self.block;
+        let axes = block.present & AXIS_WORDS;
+        let explicit = block.g(Group::Motion);
+        let other = block.groups & !(1 << Group::Motion as u16) != 0 || block.has_machine_codes();
+        let at_once = if other { block.g(Group::NonModal) } else { None };
+        let takes_axes = at_once.is_some_and(G::takes_axes);
+        let length = if other { block.g(Group::ToolLength) } else { None };
+        let given = matches!(length, Some(G::ToolLengthGiven | G::ToolLengthAdded));
+        // A dwell may carry its time on an axis letter.
+        let dwell: u32 = if at_once == Some(G::Dwell) {
+            self.reading.dwell.iter().map(|(letter, _)| 1 << letter).sum::<u32>() & block.present
+        } else {
+            0
+        };
+        let axes = axes & !dwell;
+        let motion = match explicit {
+            Some(G::Cancel) if axes != 0 && !takes_axes => {
+                return Err(self.axes_without_use(Text::fixed("palabras de eje con G80", "axis words with G80")));
+            }
+            Some(G::Cancel) => Some(G::Cancel),
+            Some(_) if takes_axes => {
+                return Err(Fault::at(
+                    &[block.g_column(Group::NonModal), block.g_column(Group::Motion)],
+                    Text::fixed(
+                        "dos códigos G que usan las palabras de eje",
+                        "two G codes that both use the axis words",
+                    ),
+                    Text::fixed("escriba dos bloques", "write two blocks"),
+                ));
+            }
+            Some(G::Cycle(cycle)) if axes == 0 => {
+                return Err(Fault::at(
+                    &[block.g_column(Group::Motion)],
+                    Text::new(
+                        format!("G{} sin palabras de eje", cycle.number()),
+                        format!("G{} without axis words", cycle.number()),
+                    ),
+                    Text::fixed("indique dónde", "say where"),
+                ));
+            }
+            Some(motion) => Some(motion),
+            None if takes_axes || (given && axes != 0) => None,
+            None if axes != 0 && self.modal.motion == G::Cancel => {
+                return Err(self.axes_without_use(Text::fixed(
+                    "palabras de eje sin un movimiento en vigor",
+                    "axis words without a motion in force",
+                )));
+            }
+            None if axes != 0 => Some(self.modal.motion),
+            None if block.present & CENTRE_WORDS != 0 && matches!(self.modal.motion, G::Arc(_)) => {
+                Some(self.modal.motion)
+            }
+            None => None,
+        };
+        if axes == 0 && matches!(at_once, Some(G::LocalOffset | G::SetPosition)) {
+            return Err(Fault::at(
+                &[block.g_column(Group::NonModal)],
+                Text::fixed("G52 o G92 sin palabras de eje", "G52 or G92 without axis words"),
+                Text::fixed("indique los ejes, o G92.1 para anularlo", "name the axes, or G92.1 to cancel it"),
+            ));
+        }
+        if at_once == Some(G::MachineCoordinates) && !matches!(motion, Some(G::Rapid | G::Linear)) {
+            return Err(Fault::at(
+                &[block.g_column(Group::NonModal)],
+                Text::fixed("G53 sin G0 ni G1 en vigor", "G53 without G0 or G1 in force"),
+                Text::fixed("programe G53 G0 y los ejes", "program G53 G0 and the axes"),
+            ));
+        }
+        let mut used = dwell;
+        if motion.is_some_and(|motion| motion != G::Cancel) || takes_axes || given {
+            used |= AXIS_WORDS;
+        }
+        used |= match motion {
+            Some(G::Arc(_)) => Letters::of("IJKRP").mask(),
+            Some(G::Cycle(cycle)) => Letters::of("RL").mask() | cycle_words(cycle),
+            _ => 0,
+        };
+        if other {
+            used |= self.words_of_codes(at_once, length);
+        }
+        Ok(Plan { motion, used })
+    }
+
+    /// Letters that codes beside the motion use.
+    fn words_of_codes(&self, at_once: Option<G>, length: Option<G>) -> u32 {
+        let mut used = match at_once {
+            Some(G::SetOffsets) => Letters::of("LPRQIJ").mask(),
+            _ => 0,
+        };
+        if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
+            used |= Letters::of("H").mask();
+        }
+        if self.block.g(Group::Path).is_some() {
+            used |= Letters::of("PQ").mask();
+        }
+        if self.block.g(Group::Speed) == Some(G::ConstantSurfaceSpeed) {
+            used |= Letters::of("D").mask();
+        }
+        if let Some((M::User, _)) = self.block.m(10) {
+            used |= Letters::of("PQ").mask();
+        }
+        if let Some((M::Override, _)) = self.block.m(9) {
+            used |= Letters::of("P").mask();
+        }
+        if let Some((M::SetTool, _)) = self.block.m(6) {
+            used |= Letters::of("Q").mask();
+        }
+        if let Some((M::SpindleOrient, _)) = self.block.m(7) {
+            used |= Letters::of("RPQ").mask();
+        }
+        if let Some((M::Call, _)) = self.block.m(4) {
+            used |= Letters::of("PL").mask();
+        }
+        used
+    }
+
+    fn axes_without_use(&self, what: Text) -> Box<Fault> {
+        let column = AXES.into_iter().find(|&axis| self.block.has(axis)).map_or(0, |axis| self.block.column(axis));
+        Fault::at(
+            &[column],
+            what,
+            Text::fixed("programe G0, G1, G2 o G3 antes de los ejes", "program G0, G1, G2 or G3 before the axes"),
+        )
+    }
+
+    fn unused(&self, idle: u32) -> Box<Fault> {
+        let index = idle.trailing_zeros() as usize;
+        let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
+        Fault::at(
+            &[self.block.column(index)],
+            Text::new(
+                format!("palabra {name} sin un código que la use"),
+                format!("{name} word with no code that uses it"),
+            ),
+            Text::fixed("quítela, o añada el código", "take it out, or add the code"),
+        )
+    }
+
+    fn set_speed_mode(&mut self) -> Outcome<()> {
+        match self.block.g(Group::Speed) {
+            Some(G::ConstantSurfaceSpeed) => {
+                if !self.block.has(letter::S) {
+                    return Err(Fault::at(
+                        &[self.block.g_column(Group::Speed)],
+                        Text::fixed("G96 sin S", "G96 without S"),
+                        Text::fixed("dé la velocidad de corte con S", "give the surface speed with S"),
+                    ));
+                }
+                self.modal.constant_surface_speed = true;
+                if self.reading.expressions {
+                    self.modal.greatest_speed = self.block.get(letter::D);
+                }
+                if self.modal.greatest_speed.is_none() {
+                    let line = self.line;
+                    self.remarks.add(
+                        Grade::Caution,
+                        line,
+                        Some(self.block.g_column(Group::Speed)),
+                        Text::fixed(
+                            "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
+                            "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
+                        ),
+                        Text::fixed("programe el límite antes de G96", "program the limit before G96"),
+                    );
+                }
+            }
+            Some(G::Rpm) => self.modal.constant_surface_speed = false,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn take_feed_and_speed(&mut self) -> Outcome<()> {
+        if let Some(F) = self.block.get(letter::F) {
+            self.modal.feed = match self.modal.feed_mode {
+                FeedMode::PerMinute | FeedMode::PerRevolution => self.modal.unit.to_mm(F),
+                FeedMode::InverseTime | FeedMode::Seconds => F,
+            };
+        }
+        if let Some(S) = self.block.get(letter::S) {
+            let limit = matches!(self.block.g(Group::NonModal), Some(G::SetPositionOrSpeed));
+            if !limit {
+                self.modal.speed = S;
+            }
+        }
+        Ok(())
+    }
+
+    fn machine_codes(&mut self) -> Outcome<()> {
+        if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
+            self.change_tool(code)?;
+        }
+        match self.block.m(7) {
+            Some((M::Spindle(true), _)) => self.modal.spindle = Spindle::Clockwise,
+            Some((M::Spindle(false), _)) => self.modal.spindle = Spindle::CounterClockwise,
+            Some((M::SpindleOff, _)) => self.modal.spindle = Spindle::Stopped,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn dwell(&mut self) -> Outcome<()> {
+        let found =
+            self.reading.dwell.iter().find_map(|&(letter, factor)| {
+                Some((usize::from(letter), self.block.get(usize::from(letter))? * factor))
+            });
+        let column = self.block.g_column(Group::NonModal);
+        match found {
+            None => Err(Fault::at(
+                &[column],
+                Text::fixed("G4 sin tiempo", "G4 without a time"),
+                Text::fixed("dé el tiempo de espera", "give the time to wait"),
+            )),
+            Some((letter, seconds)) if seconds < 0.0 => Err(Fault::at(
+                &[self.block.column(letter)],
+                Text::fixed("tiempo de espera negativo", "negative dwell time"),
+                Text::fixed("dé un tiempo positivo", "give a positive time"),
+            )),
+            Some((letter, seconds)) => {
+                if letter != super::block::letter::P || self.reading.dwell.len() > 1 {
+                    self.block.take(letter);
+                }
+                self.emit(Kind::Dwell(seconds), self.current, Some(seconds));
+                Ok(())
+            }
+        }
+    }
+
+    fn set_unit(&mut self, unit: LengthUnit) {
+        if unit != self.modal.unit && self.unit_said {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Note,
+                line,
+                Some(self.block.g_column(Group::Units)),
+                Text::fixed("las unidades cambian en medio del programa", "the units change in mid-program"),
+                Text::fixed("", ""),
+            );
+        }
+        self.unit_said = true;
+        self.modal.unit = unit;
+    }
+
+    fn make_motion(&mut self, motion: G) -> Outcome<()> {
+        if !matches!(motion, G::Cycle(_)) {
+            self.modal.sticky.initial = None;
+        }
+        match motion {
+            G::Rapid | G::Linear => {
+                let feed = if motion == G::Linear { Some(self.feed()?) } else { None };
+                self.modal.motion = motion;
+                if self.block.present & AXIS_WORDS == 0 {
+                    return Ok(());
+                }
+                let to = self.end_point();
+                match feed {
+                    None => self.emit(Kind::Rapid, to, None),
+                    Some(feed) => {
+                        let seconds = self.straight_seconds(&to, feed);
+                        self.emit(Kind::Feed(feed), to, seconds);
+                    }
+                }
+                Ok(())
+            }
+            G::Arc(clockwise) => self.arc(clockwise),
+            G::Cycle(cycle) => self.cycle(cycle),
+            _ => {
+                self.modal.motion = G::Cancel;
+                Ok(())
+            }
+        }
+    }
+
+    /// The feed in force, for a motion at feed.
+    pub(super) fn feed(&mut self) -> Outcome<Feed> {
+        let mode = self.modal.feed_mode;
+        match mode {
+            FeedMode::InverseTime | FeedMode::Seconds if self.block.get(letter::F).is_none_or(|F| F <= 0.0) => {
+                return Err(Fault::block(
+                    Text::fixed("movimiento con G93 sin F", "motion under G93 without F"),
+                    Text::fixed("dé F en cada bloque de movimiento", "give F in every motion block"),
+                ));
+            }
+            FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
+                if self.reading.feed_required || self.block.has(letter::F) {
+                    return Err(Fault::block(
+                        Text::fixed("movimiento de avance sin F", "feed move without F"),
+                        Text::fixed("dé el avance con F", "give the feed with F"),
+                    ));
+                }
+                let line = self.line;
+                self.remarks.add(
+                    Grade::Caution,
+                    line,
+                    None,
+                    Text::fixed(
+                        "movimiento de avance sin F: el control usa el avance que tenga",
+                        "feed move without F: the control takes the feed it has",
+                    ),
+                    Text::fixed("dé el avance con F", "give the feed with F"),
+                );
+            }
+            FeedMode::PerRevolution if self.modal.speed <= 0.0 && self.reading.feed_required => {
+                return Err(Fault::block(
+                    Text::fixed("avance por vuelta con el husillo a 0", "feed per revolution with spindle speed 0"),
+                    Text::fixed("dé la velocidad del husillo con S", "give the spindle speed with S"),
+                ));
+            }
+            _ => {}
+        }
+        Ok(Feed { mode, value: self.modal.feed })
+    }
+
+    /// Where the axis words of the block lead, in program coordinates.
+    pub(super) fn end_point(&mut self) -> Pose {
+        let unit = self.modal.unit;
+        let machine = self.block.groups & (1 << Group::NonModal as u16) != 0
+            && self.block.g(Group::NonModal) == Some(G::MachineCoordinates);
+        let mut to = if machine { self.frame.to_machine(&self.current) } else { self.current };
+        for (letter, axis) in AXES.into_iter().zip(Axis::ALL) {
+            if let Some(word) = self.block.get(letter) {
+                let mut value = if axis.rotary() { word } else { unit.to_mm(word) };
+                if self.reading.diameter && axis == Axis::X {
+                    value /= 2.0;
+                }
+                if self.reading.incremental_letters && matches!(axis, Axis::U | Axis::W) {
+                    let (onto, factor) = if axis == Axis::U { (Axis::X, 0.5) } else { (Axis::Z, 1.0) };
+                    to.set(onto, self.current.get(onto) + value * factor);
+                } else if self.modal.incremental && !machine {
+                    to.set(axis, self.current.get(axis) + value);
+                } else {
+                    to.set(axis, value);
+                }
+            }
+        }
+        if machine { self.frame.to_program(&to) } else { to }
+    }
+
+    /// The time of a straight motion at feed.
+    pub(super) fn straight_seconds(&self, to: &Pose, feed: Feed) -> Option<f64> {
+        let by = to.differences(&self.current);
+        let norm = |axes: &[usize]| axes.iter().map(|&axis| by[axis] * by[axis]).sum::<f64>().sqrt();
+        let length = if self.setting.dialect.feed == FeedLaw::InverseTime {
+            // LinuxCNC: F belongs to X, Y, Z; where they stand still to U, V, W; else it is degrees.
+            let (first, second) = (norm(&[0, 1, 2]), norm(&[6, 7, 8]));
+            if first > 0.0 {
+                first
+            } else if second > 0.0 {
+                second
+            } else {
+                // Degrees per minute, which no unit of length scales.
+                norm(&[3, 4, 5]) * self.modal.unit.millimetres()
+            }
+        } else {
+            norm(&[0, 1, 2, 3, 4, 5, 6, 7, 8])
+        };
+        self.seconds(length, feed)
+    }
+
+    /// The time of a path of a length.
+    pub(super) fn seconds(&self, length: f64, feed: Feed) -> Option<f64> {
+        let value = feed.value;
+        let seconds = match feed.mode {
+            FeedMode::PerMinute => length * 60.0 / value,
+            FeedMode::InverseTime => 60.0 / value,
+            FeedMode::Seconds => value,
+            FeedMode::PerRevolution if self.modal.constant_surface_speed => return None,
+            FeedMode::PerRevolution => length * 60.0 / (value * self.modal.speed),
+        };
+        seconds.is_finite().then_some(seconds)
+    }
+
+    /// Hands a motion out and stands at its end.
+    pub(super) fn emit(&mut self, kind: Kind, to: Pose, seconds: Option<f64>) {
+        let motion = Motion {
+            line: self.line,
+            n: self.block.n,
+            kind,
+            from: self.current,
+            to,
+            machine: self.frame.to_machine(&to),
+            seconds,
+        };
+        self.current = to;
+        self.queue.push_back(motion);
+    }
+}
+
+/// Letters that a canned cycle uses beside the axes, R and L.
+const fn cycle_words(cycle: Cycle) -> u32 {
+    match cycle {
+        Cycle::ChipBreak | Cycle::Peck => Letters::of("Q").mask(),
+        Cycle::TapLeft
+        | Cycle::TapRight
+        | Cycle::DrillDwell
+        | Cycle::BoreStop
+        | Cycle::BoreManual
+        | Cycle::BoreDwell => Letters::of("P").mask(),
+        Cycle::BackBore => Letters::of("IJK").mask(),
+        Cycle::Drill | Cycle::Bore => 0,
+    }
+}

@@ -1,0 +1,394 @@
+//! Numbers, parameters, expressions and functions.
+//!
+//! # References
+//! LinuxCNC, G-code overview: expressions, binary operators with their precedence, functions; angles in degrees.
+
+use crate::finding::Grade;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::Parameter;
+use crate::gcode::interpreter::cursor::{Cursor, Decimal, no_number};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::parameters::COUNT;
+use crate::number::trig;
+use crate::text::Text;
+
+/// How deep brackets may be nested.
+pub const DEEPEST: usize = 64;
+/// Numbers that differ by less compare equal.
+const EQUAL: f64 = 1e-6;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Operator {
+    Power,
+    Times,
+    Divide,
+    Modulo,
+    Plus,
+    Minus,
+    Equal,
+    NotEqual,
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+    And,
+    Or,
+    ExclusiveOr,
+}
+
+/// The operators as they are written, longer ones before those they begin with, with their binding: the greater the tighter.
+const OPERATORS: [(&str, Operator, u8); 15] = [
+    ("**", Operator::Power, 5),
+    ("*", Operator::Times, 4),
+    ("/", Operator::Divide, 4),
+    ("mod", Operator::Modulo, 4),
+    ("+", Operator::Plus, 3),
+    ("-", Operator::Minus, 3),
+    ("eq", Operator::Equal, 2),
+    ("ne", Operator::NotEqual, 2),
+    ("le", Operator::LessOrEqual, 2),
+    ("lt", Operator::Less, 2),
+    ("ge", Operator::GreaterOrEqual, 2),
+    ("gt", Operator::Greater, 2),
+    ("and", Operator::And, 1),
+    ("or", Operator::Or, 1),
+    ("xor", Operator::ExclusiveOr, 1),
+];
+
+fn truth(value: bool) -> f64 {
+    if value { 1.0 } else { 0.0 }
+}
+
+fn undefined(column: usize, what: Text) -> Box<Fault> {
+    Fault::at(&[column], what, Text::fixed("corrija la expresión", "correct the expression"))
+}
+
+/// A result that is a number; overflow and what has no value is refused.
+fn finite(value: f64, column: usize) -> Outcome<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(undefined(column, Text::fixed("el resultado no es un número finito", "the result is not a finite number")))
+    }
+}
+
+impl Operator {
+    fn apply(self, left: f64, right: f64, column: usize) -> Outcome<f64> {
+        let close = (left - right).abs() < EQUAL;
+        let value = match self {
+            Self::Power if left < 0.0 && right.fract() != 0.0 => {
+                return Err(undefined(
+                    column,
+                    Text::fixed(
+                        "potencia no entera de un número negativo",
+                        "negative number to a power that is not whole",
+                    ),
+                ));
+            }
+            Self::Divide | Self::Modulo if right == 0.0 => {
+                return Err(undefined(column, Text::fixed("división por cero", "division by zero")));
+            }
+            Self::Power => trig::pow(left, right),
+            Self::Times => left * right,
+            Self::Divide => left / right,
+            Self::Modulo => {
+                let rest = left % right;
+                if rest < 0.0 { rest + right.abs() } else { rest }
+            }
+            Self::Plus => left + right,
+            Self::Minus => left - right,
+            Self::Equal => truth(close),
+            Self::NotEqual => truth(!close),
+            Self::Less => truth(left < right),
+            Self::LessOrEqual => truth(close || left <= right),
+            Self::Greater => truth(left > right),
+            Self::GreaterOrEqual => truth(close || left >= right),
+            Self::And => truth(left != 0.0 && right != 0.0),
+            Self::Or => truth(left != 0.0 || right != 0.0),
+            Self::ExclusiveOr => truth((left != 0.0) != (right != 0.0)),
+        };
+        finite(value, column)
+    }
+}
+
+impl Interpreter<'_> {
+    /// The number after a letter: decimal, expression, parameter or function, with its sign.
+    pub(super) fn value(&mut self, cursor: &mut Cursor<'_>) -> Outcome<Decimal> {
+        match cursor.peek() {
+            b'0'..=b'9' | b'.' => cursor.number(),
+            sign @ (b'-' | b'+') => {
+                let column = cursor.column();
+                cursor.pass();
+                let number = match cursor.peek() {
+                    b'0'..=b'9' | b'.' => cursor.number()?,
+                    b'-' | b'+' => {
+                        return Err(Fault::at(
+                            &[column, cursor.column()],
+                            Text::fixed("número con dos signos", "number with two signs"),
+                            Text::fixed("deje un solo signo", "leave one sign"),
+                        ));
+                    }
+                    _ if self.reading.expressions => self.computed(cursor)?,
+                    _ => return Err(no_number(cursor.column())),
+                };
+                Ok(if sign == b'-' { Decimal { value: -number.value, ..number } } else { number })
+            }
+            _ if self.reading.expressions => self.computed(cursor),
+            _ => Err(no_number(cursor.column())),
+        }
+    }
+
+    /// A value that is computed: expression, parameter, function.
+    fn computed(&mut self, cursor: &mut Cursor<'_>) -> Outcome<Decimal> {
+        let column = cursor.column();
+        cursor.depth += 1;
+        if cursor.depth > DEEPEST {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("expresión con más de {DEEPEST} niveles"),
+                    format!("expression nested more than {DEEPEST} deep"),
+                ),
+                Text::fixed("divídala con parámetros", "split it with parameters"),
+            ));
+        }
+        let value = match cursor.peek() {
+            b'[' => self.expression(cursor)?,
+            b'#' => self.parameter(cursor)?,
+            b'a'..=b'z' => self.function(cursor)?,
+            _ => return Err(no_number(cursor.column())),
+        };
+        cursor.depth -= 1;
+        Ok(Decimal { value: finite(value, column)?, point: true })
+    }
+
+    /// An expression in brackets; operators of one binding are applied from left to right.
+    pub(super) fn expression(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+        let open = cursor.column();
+        if !cursor.accept(b'[') {
+            return Err(Fault::at(
+                &[open],
+                Text::fixed("falta «[»", "'[' is missing"),
+                Text::fixed("ponga la expresión entre corchetes", "put the expression in brackets"),
+            ));
+        }
+        // At most one operator waits for each binding.
+        let mut waiting: Vec<(f64, Operator, u8, usize)> = Vec::new();
+        loop {
+            let mut value = self.value(cursor)?.value;
+            let column = cursor.column();
+            let next = if cursor.accept(b']') {
+                None
+            } else if cursor.peek() == 0 {
+                return Err(Fault::at(
+                    &[open],
+                    Text::fixed("expresión sin cerrar", "unclosed expression"),
+                    Text::fixed("ciérrela con «]»", "close it with ']'"),
+                ));
+            } else {
+                let found = OPERATORS.iter().find(|(text, ..)| cursor.accept_word(text));
+                let Some(&(_, operator, binding)) = found else {
+                    return Err(undefined(column, Text::fixed("operador desconocido", "unknown operator")));
+                };
+                Some((operator, binding))
+            };
+            let binding = next.map_or(0, |(_, binding)| binding);
+            while let Some(&(left, operator, tight, place)) = waiting.last() {
+                if tight < binding {
+                    break;
+                }
+                waiting.pop();
+                value = operator.apply(left, value, place)?;
+            }
+            match next {
+                None => return Ok(value),
+                Some((operator, binding)) => waiting.push((value, operator, binding, column)),
+            }
+        }
+    }
+
+    /// A function of the expression in brackets behind its name. Angles in degrees.
+    fn function(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+        const FUNCTIONS: [&str; 14] =
+            ["abs", "acos", "asin", "atan", "cos", "exists", "exp", "fix", "fup", "ln", "round", "sin", "sqrt", "tan"];
+        let column = cursor.column();
+        let Some(name) = FUNCTIONS.into_iter().find(|name| cursor.accept_word(name)) else {
+            return Err(no_number(column));
+        };
+        if name == "exists" {
+            return self.exists(cursor);
+        }
+        let x = self.expression(cursor)?;
+        let outside = || {
+            undefined(
+                column,
+                Text::new(
+                    format!("{} no está definida para {x}", name.to_uppercase()),
+                    format!("{} is not defined for {x}", name.to_uppercase()),
+                ),
+            )
+        };
+        let value = match name {
+            "abs" => x.abs(),
+            "acos" | "asin" if !(-1.0..=1.0).contains(&x) => return Err(outside()),
+            "acos" => trig::acos(x).to_degrees(),
+            "asin" => trig::asin(x).to_degrees(),
+            "atan" => {
+                if !cursor.accept(b'/') {
+                    return Err(Fault::at(
+                        &[cursor.column()],
+                        Text::fixed("falta «/» en ATAN[y]/[x]", "'/' is missing in ATAN[y]/[x]"),
+                        Text::fixed("escriba ATAN[y]/[x]", "write ATAN[y]/[x]"),
+                    ));
+                }
+                trig::atan2(x, self.expression(cursor)?).to_degrees()
+            }
+            "cos" => trig::cos(x.to_radians()),
+            "exp" => trig::exp(x),
+            "fix" => x.floor(),
+            "fup" => x.ceil(),
+            "ln" if x <= 0.0 => return Err(outside()),
+            "ln" => trig::log(x),
+            "round" => x.round(),
+            "sin" => trig::sin(x.to_radians()),
+            "sqrt" if x < 0.0 => return Err(outside()),
+            "sqrt" => x.sqrt(),
+            _ => trig::tan(x.to_radians()),
+        };
+        finite(value, column)
+    }
+
+    /// 1 where the parameter in brackets exists, else 0.
+    fn exists(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+        let column = cursor.column();
+        let wanted = || {
+            Fault::at(
+                &[column],
+                Text::fixed(
+                    "EXISTS espera un parámetro: EXISTS[#<nombre>]",
+                    "EXISTS wants a parameter: EXISTS[#<name>]",
+                ),
+                Text::fixed("escriba EXISTS[#<nombre>]", "write EXISTS[#<name>]"),
+            )
+        };
+        if !cursor.accept(b'[') || !cursor.accept(b'#') {
+            return Err(wanted());
+        }
+        let found = if cursor.peek() == b'<' {
+            let name = cursor.name()?;
+            self.parameters.named(&name).is_some() || self.system_name(&name).is_some()
+        } else {
+            (1..COUNT).contains(&self.parameter_number(cursor)?)
+        };
+        if cursor.accept(b']') { Ok(truth(found)) } else { Err(wanted()) }
+    }
+
+    /// A whole number of at least 0 behind a letter or `#`.
+    fn parameter_number(&mut self, cursor: &mut Cursor<'_>) -> Outcome<usize> {
+        cursor.peek();
+        let column = cursor.column();
+        let value = self.value(cursor)?.value;
+        whole(value).and_then(|number| usize::try_from(number).ok()).ok_or_else(|| out_of_range(column, value))
+    }
+
+    /// The value of a parameter; the cursor stands on `#`.
+    fn parameter(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+        let column = cursor.column();
+        cursor.pass();
+        if cursor.peek() == b'<' {
+            let name = cursor.name()?;
+            return self.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
+                Fault::at(
+                    &[column],
+                    Text::new(
+                        format!("el parámetro #<{name}> no está definido"),
+                        format!("parameter #<{name}> is not defined"),
+                    ),
+                    Text::fixed("dele un valor antes de usarlo", "give it a value before it is used"),
+                )
+            });
+        }
+        let number = self.parameter_number(cursor)?;
+        if !(1..COUNT).contains(&number) {
+            #[expect(clippy::cast_precision_loss, reason = "for the message")]
+            return Err(out_of_range(column, number as f64));
+        }
+        if let Some(value) = self.system_number(number) {
+            return Ok(value);
+        }
+        if !self.parameters.known(number) {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                Some(column),
+                Text::new(
+                    format!("el parámetro #{number} no tiene valor: vale 0"),
+                    format!("parameter #{number} was never set: it counts as 0"),
+                ),
+                Text::fixed("dele un valor antes de usarlo", "give it a value before it is used"),
+            );
+        }
+        Ok(self.parameters.get(number))
+    }
+
+    /// A parameter that is set: the cursor stands on `#`. The value takes effect after the block is read.
+    pub(super) fn setting(&mut self, cursor: &mut Cursor<'_>) -> Outcome<(Parameter, f64)> {
+        let column = cursor.column();
+        cursor.pass();
+        let parameter = if cursor.peek() == b'<' {
+            let name = cursor.name()?;
+            if self.system_name(&name).is_some() {
+                return Err(read_only(column, &format!("#<{name}>")));
+            }
+            Parameter::Name(name)
+        } else {
+            let number = self.parameter_number(cursor)?;
+            if !(1..COUNT).contains(&number) {
+                #[expect(clippy::cast_precision_loss, reason = "for the message")]
+                return Err(out_of_range(column, number as f64));
+            }
+            if super::parameters::read_only(number) {
+                return Err(read_only(column, &format!("#{number}")));
+            }
+            Parameter::Number(number)
+        };
+        if !cursor.accept(b'=') {
+            return Err(Fault::at(
+                &[cursor.column()],
+                Text::fixed("falta «=» detrás del parámetro", "'=' is missing after the parameter"),
+                Text::fixed("escriba #1=2", "write #1=2"),
+            ));
+        }
+        let value = self.value(cursor)?.value;
+        Ok((parameter, value))
+    }
+}
+
+fn out_of_range(column: usize, number: f64) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::new(format!("no hay parámetro #{number}"), format!("there is no parameter #{number}")),
+        Text::new(format!("use #1 a #{}", COUNT - 1), format!("use #1 to #{}", COUNT - 1)),
+    )
+}
+
+fn read_only(column: usize, name: &str) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::new(format!("el parámetro {name} es de solo lectura"), format!("parameter {name} is read-only")),
+        Text::fixed("use otro parámetro", "use another parameter"),
+    )
+}
+
+/// The whole number that a value is meant to be; `None` where it is none.
+#[must_use]
+pub(super) fn whole(value: f64) -> Option<i64> {
+    let rounded = value.round();
+    if (value - rounded).abs() <= 1e-4 && rounded.abs() < 1e9 {
+        #[expect(clippy::cast_possible_truncation, reason = "a whole number below 10^9")]
+        Some(rounded as i64)
+    } else {
+        None
+    }
+}

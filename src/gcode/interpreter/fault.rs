@@ -1,0 +1,109 @@
+//! What the interpreter refuses, and what it remarks.
+
+use crate::finding::{Exit, Finding, Grade, Place};
+use crate::text::Text;
+
+/// A refusal with its place. The block is not executed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// [`Exit::Refused`], or [`Exit::Limit`] where a budget ended.
+    pub exit: Exit,
+    /// The file of a subprogram that stands in a file of its own.
+    pub file: Option<String>,
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The columns, counted from 1.
+    pub columns: Vec<usize>,
+    /// What is wrong.
+    pub what: Text,
+    /// What to do about it.
+    pub remedy: Text,
+    /// True where nothing can be read after it.
+    pub fatal: bool,
+}
+
+impl Fault {
+    /// A refusal at columns of the line in hand (counted from 0).
+    pub(super) fn at(columns: &[usize], what: Text, remedy: Text) -> Box<Self> {
+        Box::new(Self {
+            exit: Exit::Refused,
+            file: None,
+            line: 0,
+            columns: columns.iter().map(|column| column + 1).collect(),
+            what,
+            remedy,
+            fatal: false,
+        })
+    }
+
+    /// A refusal of the block as a whole.
+    pub(super) fn block(what: Text, remedy: Text) -> Box<Self> {
+        Self::at(&[], what, remedy)
+    }
+
+    /// The end of a budget.
+    pub(super) fn limit(what: Text, remedy: Text) -> Box<Self> {
+        let mut fault = Self::at(&[], what, remedy);
+        fault.exit = Exit::Limit;
+        fault.fatal = true;
+        fault
+    }
+
+    /// The refusal, after which nothing can be read.
+    pub(super) fn fatal(mut self: Box<Self>) -> Box<Self> {
+        self.fatal = true;
+        self
+    }
+}
+
+impl From<Fault> for Finding {
+    fn from(fault: Fault) -> Self {
+        let what = match &fault.file {
+            None => fault.what,
+            Some(file) => Text::new(format!("{file}: {}", fault.what.es), format!("{file}: {}", fault.what.en)),
+        };
+        Self::stop(Place::Line { line: fault.line, columns: fault.columns }, what, fault.remedy)
+    }
+}
+
+/// The result of reading or executing a block.
+pub(super) type Outcome<T> = Result<T, Box<Fault>>;
+
+/// Most remarks that are kept.
+const MOST: usize = 100;
+
+/// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
+/// often it was seen.
+#[derive(Debug, Default)]
+pub(super) struct Remarks {
+    list: Vec<(u64, Finding)>,
+}
+
+impl Remarks {
+    /// Remarks something at a line and column (counted from 0). `what` tells one thing from another.
+    pub(super) fn add(&mut self, grade: Grade, line: usize, column: Option<usize>, what: Text, remedy: Text) {
+        if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| finding.what == what) {
+            *count += 1;
+        } else if self.list.len() < MOST {
+            let columns = column.map(|column| column + 1).into_iter().collect();
+            self.list.push((1, Finding::new(grade, Place::Line { line, columns }, what, remedy)));
+        }
+    }
+
+    /// The remarks as findings, gravest first, with how often each was seen.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        let mut findings: Vec<Finding> = self
+            .list
+            .iter()
+            .map(|(count, finding)| {
+                let mut finding = finding.clone();
+                if *count > 1 {
+                    finding.value = format!("{count} ×");
+                }
+                finding
+            })
+            .collect();
+        findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+        findings
+    }
+}

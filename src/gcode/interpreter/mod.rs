@@ -1,0 +1,507 @@
+//! The interpreter: reads a program as the control would and says what the machine does.
+//!
+//! Text → words → blocks → modal state → canonical motions, one after another with flat memory: only the block in hand, the
+//! motions it makes and, where a program loops or calls, the places of its O-words are kept.
+//!
+//! # Units
+//! Motions are in millimetres, degrees and seconds, whatever the program's unit.
+//!
+//! # Refusals
+//! A block that the dialect does not know, or that says two things at once, is a [`Fault`] with its line and columns; the
+//! iterator goes on with the next block unless nothing can be read after it. A word is never passed over in silence.
+//!
+//! # References
+//! LinuxCNC: G-code overview, G-code and M-code reference, O-codes, coordinate systems. Where rodete is stricter it says so in
+//! the test corpus, file by file.
+//!
+//! ```
+//! use rodete::gcode::dialect::LINUXCNC;
+//! use rodete::gcode::interpreter::{Interpreter, Setting};
+//! use rodete::machine::axis::Axis;
+//!
+//! let program = b"G21 G90 G54\nG10 L2 P1 X10\nG0 X5\nM2\n";
+//! let motions: Vec<_> = Interpreter::over(program, Setting::new(&LINUXCNC)).collect::<Result<_, _>>().unwrap();
+//! assert_eq!(motions.len(), 1);
+//! assert_eq!((motions[0].to.get(Axis::X), motions[0].machine.get(Axis::X)), (5.0, 15.0));
+//! ```
+
+mod arc;
+mod block;
+mod cursor;
+mod cycle;
+mod execute;
+mod expression;
+mod fault;
+mod flow;
+mod modal;
+mod offsets;
+mod parameters;
+mod read;
+mod setting;
+mod source;
+mod structure;
+mod system;
+mod tool;
+
+use std::collections::VecDeque;
+use std::io::Cursor as Memory;
+
+use self::block::{Block, Parameter};
+use self::cursor::{Cursor, comments};
+pub use self::expression::DEEPEST;
+pub use self::fault::Fault;
+use self::fault::Outcome;
+use self::fault::Remarks;
+use self::flow::Flow;
+use self::modal::Modal;
+use self::parameters::Parameters;
+pub use self::setting::{Budget, Files, NoFiles, Setting, Tool, Tools};
+use self::source::Source;
+pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
+use self::structure::Structure;
+use crate::finding::{Exit, Finding, Grade, Place};
+use crate::gcode::dialect::reading::{Comments, Reading};
+use crate::gcode::motion::Motion;
+use crate::machine::axis::Pose;
+use crate::machine::var_file::{VarFile, required};
+use crate::machine::work_offset::{ACTIVE, Frame, G92_FIRST, G92_SWITCH, Offsets};
+use crate::text::Text;
+
+/// How far the reading has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// No block has been read.
+    Opening,
+    /// Blocks are being read.
+    Running,
+    /// The program has ended.
+    Ended,
+}
+
+/// A program being read; an iterator over its canonical motions.
+pub struct Interpreter<'a> {
+    reading: &'static Reading,
+    setting: Setting,
+    sources: Vec<Source<'a>>,
+    structures: Vec<Option<Structure>>,
+    /// The source in hand.
+    at: usize,
+    buffer: Vec<u8>,
+    line: usize,
+    block: Block,
+    modal: Modal,
+    frame: Frame,
+    current: Pose,
+    parameters: Parameters,
+    tools: Tools,
+    queue: VecDeque<Motion>,
+    run: Option<cycle::Run>,
+    remarks: Remarks,
+    flow: Flow,
+    stage: Stage,
+    percent: bool,
+    unit_said: bool,
+    repeated: u64,
+    lines: usize,
+}
+
+impl<'a> Interpreter<'a> {
+    /// Reads a program in memory.
+    #[must_use]
+    pub fn over(program: &'a [u8], setting: Setting) -> Self {
+        Self::new(Box::new(Memory::new(program)), setting)
+    }
+
+    /// Reads a program from bytes that can be read again, as loops and subprograms want.
+    #[must_use]
+    pub fn new(bytes: Box<dyn Bytes + 'a>, setting: Setting) -> Self {
+        let reading = setting.dialect.reading;
+        let (offsets, found) = Offsets::read(&setting.var_file, setting.unit);
+        let mut remarks = Remarks::default();
+        // A control without var file starts in its first system.
+        for finding in found.into_iter().filter(|_| !setting.var_file.is_empty()) {
+            remarks.add(finding.grade, 1, None, finding.what, finding.remedy);
+        }
+        let mut parameters = Parameters::new();
+        for number in required() {
+            parameters.set(number as usize, 0.0);
+        }
+        for (number, value) in setting.var_file.iter() {
+            parameters.set(number as usize, value);
+        }
+        parameters.set(ACTIVE as usize, f64::from(offsets.active.number()));
+        let frame = offsets.frame(Pose::default());
+        #[expect(clippy::cast_possible_truncation, reason = "1 to 9")]
+        let system = offsets.active.number() as u8;
+        Self {
+            reading,
+            sources: vec![Source::new(bytes, None)],
+            structures: vec![None],
+            at: 0,
+            buffer: Vec::new(),
+            line: 0,
+            block: Block::new(),
+            modal: Modal::new(reading.plane, setting.unit, system),
+            current: frame.to_program(&Pose::default()),
+            frame,
+            parameters,
+            tools: setting.tools.clone().unwrap_or_default(),
+            queue: VecDeque::new(),
+            run: None,
+            remarks,
+            flow: Flow::default(),
+            stage: Stage::Opening,
+            percent: false,
+            unit_said: false,
+            repeated: 0,
+            lines: 0,
+            setting,
+        }
+    }
+
+    /// What is worth saying about the program as far as it has been read.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<Finding> {
+        self.remarks.findings()
+    }
+
+    /// The position reached, in program and machine coordinates.
+    #[must_use]
+    pub fn position(&self) -> (Pose, Pose) {
+        (self.current, self.frame.to_machine(&self.current))
+    }
+
+    /// How many lines have been read, each counted once.
+    #[must_use]
+    pub const fn lines(&self) -> usize {
+        self.lines
+    }
+
+    /// The var file as the control would leave it: the parameters that were in it, and those that LinuxCNC keeps.
+    #[must_use]
+    pub fn var_file(&self) -> VarFile {
+        let mut file = self.setting.var_file.clone();
+        file.complete();
+        let numbers: Vec<u32> = file.iter().map(|(number, _)| number).collect();
+        for number in numbers {
+            // A value that no var file carries stays as it was.
+            let _ = file.set(number, self.parameters.get(number as usize));
+        }
+        file
+    }
+
+    /// Reads and executes one line.
+    fn step(&mut self) -> Outcome<()> {
+        let mut line = std::mem::take(&mut self.buffer);
+        let result = self.next_line(&mut line);
+        self.buffer = line;
+        result.map_err(|mut fault| {
+            if fault.line == 0 {
+                fault.line = self.line.max(1);
+            }
+            fault.file = fault.file.or_else(|| self.source().file.clone());
+            if fault.fatal {
+                self.stage = Stage::Ended;
+            }
+            fault
+        })
+    }
+
+    fn source(&mut self) -> &mut Source<'a> {
+        // There is always the program itself, and `at` is only set to a source that was pushed.
+        let last = self.sources.len() - 1;
+        &mut self.sources[self.at.min(last)]
+    }
+
+    fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
+        let source = self.source();
+        if !source.next_line(line)? {
+            return self.end_of_file();
+        }
+        let number = source.position().lines;
+        let again = !source.first_time(number);
+        self.line = number;
+        if again {
+            self.repeated += 1;
+            if self.repeated > self.setting.budget.repeated_blocks {
+                return Err(self.endless());
+            }
+        } else {
+            self.lines += 1;
+        }
+        if number == 1 && line.starts_with(b"\xEF\xBB\xBF") {
+            line.drain(..3);
+            self.remarks.add(
+                Grade::Note,
+                1,
+                None,
+                Text::fixed("marca de orden de bytes (BOM) pasada por alto", "byte order mark (BOM) passed over"),
+                Text::fixed("", ""),
+            );
+        }
+        self.execute_line(line)
+    }
+
+    fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
+        if line.len() > self.reading.longest_line {
+            let most = self.reading.longest_line;
+            return Err(Fault::at(
+                &[most],
+                Text::new(
+                    format!("la línea tiene más de {most} caracteres"),
+                    format!("the line has more than {most} characters"),
+                ),
+                Text::fixed("divida el bloque", "split the block"),
+            ));
+        }
+        if memchr::memchr3(b'(', b')', b';', line).is_some() {
+            self.see_comments(line)?;
+        }
+        let mut cursor = Cursor::new(line, self.reading.comments);
+        let first = cursor.peek();
+        if first == 0 {
+            return Ok(());
+        }
+        if first == b'%' {
+            return self.percent_line(&mut cursor);
+        }
+        self.block.clear();
+        if first == b'/' {
+            if self.setting.block_delete {
+                return Ok(());
+            }
+            cursor.pass();
+        }
+        if cursor.accept(b'n') {
+            self.block.n = Some(block_number(&mut cursor)?);
+        }
+        let opening = self.stage == Stage::Opening;
+        self.stage = Stage::Running;
+        if cursor.peek() == b'o' {
+            return if self.reading.expressions {
+                self.o_word(&mut cursor)
+            } else {
+                self.program_number(&mut cursor, opening)
+            };
+        }
+        self.read_words(&mut cursor)?;
+        if let Some(column) = cursor.parted {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Note,
+                line,
+                Some(column),
+                Text::fixed("número con blancos en medio", "number with blanks inside"),
+                Text::fixed("escríbalo sin blancos", "write it without blanks"),
+            );
+        }
+        for (parameter, value) in std::mem::take(&mut self.block.settings) {
+            match parameter {
+                Parameter::Number(number) => self.parameters.set(number, value),
+                Parameter::Name(name) => self.parameters.set_named(name, value),
+            }
+        }
+        self.execute()
+    }
+
+    /// `%` begins and ends a program; a Fagor program begins with `%` and its name.
+    fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+        let opening = self.stage == Stage::Opening && !self.percent;
+        cursor.pass();
+        if self.reading.comments == Comments::Semicolon {
+            if opening {
+                self.percent = true;
+                return Ok(());
+            }
+        } else if cursor.peek() == 0 {
+            if opening {
+                self.percent = true;
+                return Ok(());
+            }
+            if self.percent {
+                return self.end();
+            }
+        }
+        Err(Fault::at(
+            &[cursor.column().saturating_sub(1)],
+            Text::fixed("«%» no puede estar aquí", "'%' cannot stand here"),
+            Text::fixed(
+                "«%» va solo, en la primera y la última línea",
+                "'%' stands alone, in the first and the last line",
+            ),
+        ))
+    }
+
+    /// The number and name of a program without O-words.
+    fn program_number(&mut self, cursor: &mut Cursor<'_>, opening: bool) -> Outcome<()> {
+        let column = cursor.column();
+        cursor.pass();
+        block_number(cursor)?;
+        if opening && cursor.peek() == 0 {
+            return Ok(());
+        }
+        Err(Fault::at(
+            &[column],
+            Text::fixed(
+                "un número de programa solo puede estar al principio",
+                "a program number can only stand at the beginning",
+            ),
+            Text::fixed("guarde cada programa en su archivo", "keep each program in its own file"),
+        ))
+    }
+
+    /// Shows the comments that a control would obey; none is executed.
+    fn see_comments(&mut self, line: &[u8]) -> Outcome<()> {
+        const ACTIVE: [&str; 11] = [
+            "MSG,",
+            "DEBUG,",
+            "PRINT,",
+            "LOG,",
+            "LOGOPEN,",
+            "LOGAPPEND,",
+            "LOGCLOSE",
+            "PROBEOPEN",
+            "PROBECLOSE",
+            "PY,",
+            "PYRUN,",
+        ];
+        for (column, text) in comments(line, self.reading.comments)? {
+            let text = String::from_utf8_lossy(text);
+            let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
+            if self.reading.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
+                let at = self.line;
+                let shown = text.trim();
+                self.remarks.add(
+                    Grade::Note,
+                    at,
+                    Some(column),
+                    Text::new(
+                        format!("comentario activo, no ejecutado: {shown}"),
+                        format!("active comment, not executed: {shown}"),
+                    ),
+                    Text::fixed("", ""),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    fn end_of_file(&mut self) -> Outcome<()> {
+        let (stage, percent) = (self.stage, self.percent);
+        self.stage = Stage::Ended;
+        if self.at != 0 || !self.flow.frames.is_empty() {
+            return Err(Fault::block(
+                Text::fixed("el archivo termina dentro de un subprograma", "the file ends inside a subprogram"),
+                Text::fixed("termine el subprograma con ENDSUB o M99", "end the subprogram with ENDSUB or M99"),
+            ));
+        }
+        if stage == Stage::Opening {
+            return Err(Fault::block(
+                Text::fixed(
+                    "no hay programa: el archivo no tiene bloques, 0 movimientos",
+                    "no program: the file has no block, 0 moves",
+                ),
+                Text::fixed("compruebe que es el archivo correcto", "check that it is the right file"),
+            ));
+        }
+        Err(Fault::block(
+            Text::fixed("el programa termina sin M2 ni M30", "the program ends without M2 or M30"),
+            if percent {
+                Text::fixed("añada M30 o «%» al final", "add M30 or '%' at the end")
+            } else {
+                Text::fixed("añada M30 al final", "add M30 at the end")
+            },
+        ))
+    }
+
+    /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
+    fn end(&mut self) -> Outcome<()> {
+        self.stage = Stage::Ended;
+        self.end_of_program();
+        Ok(())
+    }
+
+    fn endless(&self) -> Box<Fault> {
+        let most = self.setting.budget.repeated_blocks;
+        Fault::limit(
+            Text::new(
+                format!("el programa ha repetido más de {most} bloques"),
+                format!("the program has repeated more than {most} blocks"),
+            ),
+            Text::fixed(
+                "compruebe las condiciones de sus bucles: puede que no terminen nunca",
+                "check the conditions of its loops: they may never end",
+            ),
+        )
+    }
+
+    /// The switch and the registers of G92.
+    fn g92_registers(&self) -> (bool, Pose) {
+        let on = self.parameters.get(G92_SWITCH as usize) != 0.0;
+        (on, self.pose_of(G92_FIRST))
+    }
+}
+
+/// A block number behind its N.
+fn block_number(cursor: &mut Cursor<'_>) -> Outcome<u32> {
+    let (mut number, mut digits) = (0_u32, 0);
+    let column = cursor.column();
+    while let digit @ b'0'..=b'9' = cursor.peek() {
+        cursor.pass();
+        digits += 1;
+        number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+    }
+    if digits == 0 || digits > 9 {
+        return Err(Fault::at(
+            &[column],
+            Text::fixed("número de bloque no válido", "block number is not valid"),
+            Text::fixed("escriba N y de una a nueve cifras", "write N and one to nine digits"),
+        ));
+    }
+    Ok(number)
+}
+
+impl Iterator for Interpreter<'_> {
+    type Item = Result<Motion, Box<Fault>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            if let Some(motion) = self.queue.pop_front() {
+                return Some(Ok(motion));
+            }
+            let result = if self.run.is_some() {
+                self.run_cycle()
+            } else if self.stage == Stage::Ended {
+                return None;
+            } else {
+                self.step()
+            };
+            if let Err(fault) = result {
+                return Some(Err(fault));
+            }
+        }
+    }
+}
+
+/// The findings of a program that is read to its end: refusals first (at most `most`, then a count), then remarks.
+#[must_use]
+pub fn findings(faults: Vec<Fault>, total: usize, remarks: Vec<Finding>) -> Vec<Finding> {
+    let shown = faults.len();
+    let mut findings: Vec<Finding> = faults.into_iter().map(Finding::from).collect();
+    if total > shown {
+        findings.push(Finding::new(
+            Grade::Note,
+            Place::File,
+            Text::new(format!("y {} errores más", total - shown), format!("and {} more errors", total - shown)),
+            Text::fixed("", ""),
+        ));
+    }
+    findings.extend(remarks);
+    findings
+}
+
+/// True where a fault ended a budget.
+#[must_use]
+pub fn is_limit(fault: &Fault) -> bool {
+    fault.exit == Exit::Limit
+}

@@ -1,0 +1,81 @@
+//! The modal state: what codes of earlier blocks leave in force.
+
+use crate::gcode::code::{Cycle, G};
+use crate::gcode::motion::{FeedMode, Plane};
+use crate::machine::length_unit::LengthUnit;
+
+/// The words of a canned cycle that stay in force while its code does.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sticky {
+    /// R as it was programmed.
+    pub(super) r: f64,
+    /// The bottom word as it was programmed.
+    pub(super) bottom: f64,
+    pub(super) p: f64,
+    pub(super) q: f64,
+    pub(super) ijk: [f64; 3],
+    /// The height that the first cycle of a series started from.
+    pub(super) initial: Option<f64>,
+}
+
+/// Which way the spindle turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Spindle {
+    Stopped,
+    Clockwise,
+    CounterClockwise,
+}
+
+/// The modal state.
+#[derive(Clone, Debug)]
+pub(super) struct Modal {
+    /// The motion or cycle in force; [`G::Cancel`] where there is none.
+    pub(super) motion: G,
+    pub(super) plane: Plane,
+    pub(super) unit: LengthUnit,
+    pub(super) incremental: bool,
+    pub(super) centre_absolute: bool,
+    pub(super) feed_mode: FeedMode,
+    /// F in mm or degrees, 0 where none is in force.
+    pub(super) feed: f64,
+    pub(super) return_initial: bool,
+    pub(super) speed: f64,
+    pub(super) constant_surface_speed: bool,
+    pub(super) greatest_speed: Option<f64>,
+    pub(super) spindle: Spindle,
+    /// The tool that T has selected.
+    pub(super) selected: Option<u32>,
+    /// The tool in the spindle.
+    pub(super) tool: u32,
+    pub(super) sticky: Sticky,
+    /// The work offset in force, 1 to 9.
+    pub(super) system: u8,
+}
+
+impl Modal {
+    pub(super) fn new(plane: Plane, unit: LengthUnit, system: u8) -> Self {
+        Self {
+            motion: G::Cancel,
+            plane,
+            unit,
+            incremental: false,
+            centre_absolute: false,
+            feed_mode: FeedMode::PerMinute,
+            feed: 0.0,
+            return_initial: true,
+            speed: 0.0,
+            constant_surface_speed: false,
+            greatest_speed: None,
+            spindle: Spindle::Stopped,
+            selected: None,
+            tool: 0,
+            sticky: Sticky::default(),
+            system,
+        }
+    }
+
+    /// True where a cycle is in force.
+    pub(super) fn is_cycle(&self, cycle: Cycle) -> bool {
+        self.motion == G::Cycle(cycle)
+    }
+}

@@ -1,0 +1,270 @@
+//! Coordinate systems: work offsets, G10, G52, G92, reference points.
+//!
+//! # References
+//! LinuxCNC, "Coordinate systems" and G10, G28, G30, G52, G53, G92. Parameters: 5161 G28, 5181 G30, 5210 the switch of G92
+//! and G52, 5211 their registers, 5220 the active system, 5221 + 20·(n − 1) system n with its rotation at + 9.
+
+use crate::finding::Grade;
+use crate::gcode::code::G;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::modal::Spindle;
+use crate::gcode::motion::{FeedMode, Kind};
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::work_offset::{ACTIVE, Frame, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset};
+use crate::text::Text;
+
+impl Interpreter<'_> {
+    /// A coordinate system as the parameters hold it.
+    fn system(&self, system: u8) -> WorkOffset {
+        let system = System::from_number(system.into()).unwrap_or_default();
+        WorkOffset {
+            origin: self.pose_of(system.first_parameter()),
+            rotation: self.parameters.get(system.rotation_parameter() as usize),
+        }
+    }
+
+    /// Puts another frame into force; the machine does not move.
+    fn reframe(&mut self, frame: Frame) {
+        let machine = self.frame.to_machine(&self.current);
+        self.frame = frame;
+        self.current = frame.to_program(&machine);
+    }
+
+    /// G54 to G59.3. A system that is in force already stays as it is.
+    pub(super) fn select_system(&mut self, system: u8) {
+        if system != self.modal.system {
+            self.modal.system = system;
+            self.parameters.set(ACTIVE as usize, f64::from(system));
+            self.reframe(Frame { work: self.system(system), ..self.frame });
+        }
+    }
+
+    /// The value of an axis word in mm or degrees.
+    fn axis_word(&self, axis: Axis) -> Option<f64> {
+        let word = self.block.get(AXES[axis as usize])?;
+        let diameter = self.reading.diameter && axis == Axis::X;
+        let value = if axis.rotary() { word } else { self.modal.unit.to_mm(word) };
+        Some(if diameter { value / 2.0 } else { value })
+    }
+
+    /// G10: work offsets and tool table.
+    pub(super) fn set_offsets(&mut self) -> Outcome<()> {
+        let column = self.block.g_column(crate::gcode::code::Group::NonModal);
+        let refuse = |what: Text, remedy: Text| Fault::at(&[column], what, remedy);
+        let L = self.block.get(letter::L).and_then(whole);
+        let P = self.block.get(letter::P);
+        let Some(P) = P else {
+            return Err(refuse(Text::fixed("G10 sin P", "G10 without P"), Text::fixed("dé P", "give P")));
+        };
+        let Some(number) = whole(P).and_then(|number| u32::try_from(number).ok()) else {
+            return Err(refuse(
+                Text::new(format!("P{P} de G10 no es un número entero"), format!("P{P} of G10 is not a whole number")),
+                Text::fixed("dé un número entero", "give a whole number"),
+            ));
+        };
+        match L {
+            Some(2 | 20) => {
+                let system = match number {
+                    0 => self.modal.system,
+                    1..=9 => u8::try_from(number).unwrap_or(1),
+                    _ => {
+                        return Err(refuse(
+                            Text::new(format!("P{number} en G10 L2 o L20"), format!("P{number} in G10 L2 or L20")),
+                            Text::fixed(
+                                "P va de 1 a 9, o 0 para el activo",
+                                "P goes from 1 to 9, or 0 for the active one",
+                            ),
+                        ));
+                    }
+                };
+                if self.block.has(letter::I) || self.block.has(letter::J) || self.block.has(letter::Q) {
+                    return Err(refuse(
+                        Text::fixed("I, J o Q en G10 L2 o L20", "I, J or Q in G10 L2 or L20"),
+                        Text::fixed("quítelas", "take them out"),
+                    ));
+                }
+                if L == Some(20) && self.block.has(letter::R) {
+                    return Err(refuse(
+                        Text::fixed("R en G10 L20", "R in G10 L20"),
+                        Text::fixed("gire el sistema con G10 L2 R", "rotate the system with G10 L2 R"),
+                    ));
+                }
+                self.set_system(system, L == Some(20));
+                Ok(())
+            }
+            Some(1) => self.set_tool_offset(number, None),
+            Some(10) => self.set_tool_offset(number, Some(self.modal.system)),
+            Some(11) => self.set_tool_offset(number, Some(9)),
+            _ => Err(refuse(
+                Text::fixed("G10 sin L1, L2, L10, L11 o L20", "G10 without L1, L2, L10, L11 or L20"),
+                Text::fixed("dé L", "give L"),
+            )),
+        }
+    }
+
+    /// G10 L2 (the origin gets the axis words) and L20 (this position gets the axis words).
+    fn set_system(&mut self, number: u8, from_here: bool) {
+        let mut work = self.system(number);
+        if let Some(R) = self.block.get(letter::R) {
+            work.rotation = R;
+        }
+        if from_here {
+            // machine = Rz(p + g92) + origin + tool: the origin goes where p reads what is wanted.
+            let machine = self.frame.to_machine(&self.current);
+            let frame = Frame { work, ..self.frame };
+            let mut wanted = frame.to_program(&machine);
+            for axis in Axis::ALL {
+                if let Some(value) = self.axis_word(axis) {
+                    wanted.set(axis, value);
+                }
+            }
+            let there = frame.to_machine(&wanted);
+            for axis in Axis::ALL {
+                work.origin.set(axis, work.origin.get(axis) + machine.get(axis) - there.get(axis));
+            }
+        } else {
+            for axis in Axis::ALL {
+                if let Some(value) = self.axis_word(axis) {
+                    work.origin.set(axis, value);
+                }
+            }
+        }
+        let system = System::from_number(number.into()).unwrap_or_default();
+        self.keep_pose(system.first_parameter(), &work.origin);
+        self.parameters.set(system.rotation_parameter() as usize, work.rotation);
+        if number == self.modal.system {
+            self.reframe(Frame { work, ..self.frame });
+        }
+    }
+
+    /// The position in a coordinate system as it would read without tool offset.
+    pub(super) fn without_tool(&self, system: u8) -> (Pose, f64) {
+        let work = self.system(system);
+        let machine = self.frame.to_machine(&self.current);
+        let frame = Frame { work, tool: Pose::default(), ..self.frame };
+        (frame.to_program(&machine), work.rotation)
+    }
+
+    /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all.
+    pub(super) fn go_to_reference(&mut self, second: bool) -> Outcome<()> {
+        let named: Vec<Axis> = Axis::ALL.into_iter().filter(|&axis| self.block.has(AXES[axis as usize])).collect();
+        if !named.is_empty() {
+            let over = self.end_point();
+            self.emit(Kind::Rapid, over, None);
+        }
+        let reference = self.frame.to_program(&self.pose_of(if second { G30_FIRST } else { G28_FIRST }));
+        let mut to = self.current;
+        for axis in Axis::ALL {
+            if named.is_empty() || named.contains(&axis) {
+                to.set(axis, reference.get(axis));
+            }
+        }
+        self.emit(Kind::Rapid, to, None);
+        Ok(())
+    }
+
+    /// G28.1 and G30.1: this is the reference point.
+    pub(super) fn keep_reference(&mut self, second: bool) {
+        let machine = self.frame.to_machine(&self.current);
+        self.keep_pose(if second { G30_FIRST } else { G28_FIRST }, &machine);
+    }
+
+    fn keep_g92(&mut self, on: bool, registers: Option<Pose>) {
+        self.parameters.set(G92_SWITCH as usize, f64::from(u8::from(on)));
+        if let Some(registers) = registers {
+            self.keep_pose(G92_FIRST, &registers);
+        }
+    }
+
+    /// G52: the local offset, in the registers of G92.
+    pub(super) fn local_offset(&mut self) {
+        let mut g92 = self.frame.g92;
+        for axis in Axis::ALL {
+            if let Some(value) = self.axis_word(axis) {
+                self.current.set(axis, self.current.get(axis) + g92.get(axis) - value);
+                g92.set(axis, value);
+            }
+        }
+        self.frame.g92 = g92;
+        self.keep_g92(true, Some(g92));
+    }
+
+    /// G92: this position gets the axis words as its coordinates.
+    pub(super) fn set_position(&mut self) {
+        let mut g92 = self.frame.g92;
+        for axis in Axis::ALL {
+            if let Some(value) = self.axis_word(axis) {
+                g92.set(axis, self.current.get(axis) + g92.get(axis) - value);
+                self.current.set(axis, value);
+            }
+        }
+        self.frame.g92 = g92;
+        self.keep_g92(true, Some(g92));
+    }
+
+    /// G92 or G50 of a lathe: with S alone the greatest spindle speed.
+    pub(super) fn set_position_or_speed(&mut self) -> Outcome<()> {
+        let axes = AXES.into_iter().any(|axis| self.block.has(axis));
+        match (axes, self.block.get(letter::S)) {
+            (false, Some(S)) => {
+                self.modal.greatest_speed = Some(S);
+                Ok(())
+            }
+            (true, None) => {
+                self.set_position();
+                Ok(())
+            }
+            _ => Err(Fault::at(
+                &[self.block.g_column(crate::gcode::code::Group::NonModal)],
+                Text::fixed(
+                    "se esperan o palabras de eje o S, no ambas",
+                    "either axis words or S are wanted, not both and not none",
+                ),
+                Text::fixed("escriba dos bloques", "write two blocks"),
+            )),
+        }
+    }
+
+    /// G92.1, G92.2, G92.3.
+    pub(super) fn change_position(&mut self, code: G) {
+        let registers = self.g92_registers().1;
+        let (on, in_force, kept) = match code {
+            G::ClearPosition => (false, Pose::default(), Some(Pose::default())),
+            G::SuspendPosition => (false, Pose::default(), None),
+            _ => (true, registers, None),
+        };
+        self.keep_g92(on, kept);
+        self.reframe(Frame { g92: in_force, ..self.frame });
+    }
+
+    /// The end of a program: G54, G17, G90, G94, spindle off; G92 stays unless the control does not keep it.
+    pub(super) fn end_of_program(&mut self) {
+        let (on, registers) = self.g92_registers();
+        let left = on && registers != Pose::default();
+        if !self.setting.keep_g92 {
+            self.keep_g92(false, Some(Pose::default()));
+            self.reframe(Frame { g92: Pose::default(), ..self.frame });
+        } else if left {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                None,
+                Text::fixed(
+                    "G92 o G52 sigue activo al final: vale también para el programa siguiente",
+                    "G92 or G52 is left active at the end: it holds for the next program too",
+                ),
+                Text::fixed("programe G92.1 antes del final", "program G92.1 before the end"),
+            );
+        }
+        self.select_system(1);
+        self.modal.plane = self.reading.plane;
+        self.modal.incremental = false;
+        self.modal.feed_mode = FeedMode::PerMinute;
+        self.modal.feed = 0.0;
+        self.modal.spindle = Spindle::Stopped;
+    }
+}

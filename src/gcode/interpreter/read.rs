@@ -1,0 +1,229 @@
+//! From a line to a block.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, M};
+use crate::gcode::dialect::reading::Letters;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::cursor::Cursor;
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::number::grid::LIMIT;
+use crate::text::Text;
+
+/// Addresses whose numbers are lengths or angles on the part.
+const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
+/// Of these, lengths.
+const LENGTHS: Letters = Letters::of("IJKRUWXZ");
+
+fn name(letter: u8) -> char {
+    char::from(letter.to_ascii_uppercase())
+}
+
+fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
+    Fault::at(
+        &[first, second],
+        Text::new(format!("dos palabras {letter} en un bloque"), format!("two {letter} words in one block")),
+        Text::fixed("deje una, o escriba dos bloques", "leave one, or write two blocks"),
+    )
+}
+
+impl Interpreter<'_> {
+    /// Reads the words of a line behind its block number into the block in hand.
+    pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+        loop {
+            match cursor.peek() {
+                0 => return Ok(()),
+                b'g' => self.read_g(cursor)?,
+                b'm' => self.read_m(cursor)?,
+                letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
+                b'#' if self.reading.expressions => {
+                    let setting = self.setting(cursor)?;
+                    self.block.settings.push(setting);
+                }
+                _ => return Err(cursor.refuse_character()),
+            }
+        }
+    }
+
+    fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+        let column = cursor.column();
+        cursor.pass();
+        cursor.peek();
+        let value = self.value(cursor)?.value;
+        let tenths = whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok());
+        let found = tenths.and_then(|tenths| self.reading.codes.get(tenths));
+        match found {
+            Some(G::Refused(_, name)) => Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("G{value} no está implementado: {}", name.0),
+                    format!("G{value} is not supported: {}", name.1),
+                ),
+                Text::fixed("este programa no se puede comprobar", "this program cannot be verified"),
+            )),
+            Some(g) => self.block.put_g(g, column).map_err(|first| {
+                let group = g.group().name();
+                Fault::at(
+                    &[first, column],
+                    Text::new(
+                        format!("dos códigos G del mismo grupo ({})", group.es),
+                        format!("two G codes of one modal group ({})", group.en),
+                    ),
+                    Text::fixed("deje uno, o escriba dos bloques", "leave one, or write two blocks"),
+                )
+            }),
+            None => Err(self.unknown('G', value, column)),
+        }
+    }
+
+    fn read_m(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+        let column = cursor.column();
+        cursor.pass();
+        cursor.peek();
+        let value = self.value(cursor)?.value;
+        let number = whole(value).and_then(|number| u32::try_from(number).ok());
+        let found = number.and_then(|number| Some((number, (self.reading.machine_code)(number)?)));
+        match found {
+            Some((number, M::Refused(name))) => Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("M{number} no está implementado: {}", name.0),
+                    format!("M{number} is not supported: {}", name.1),
+                ),
+                Text::fixed("este programa no se puede comprobar", "this program cannot be verified"),
+            )),
+            Some((number, m)) => {
+                if m == M::User {
+                    let line = self.line;
+                    self.remarks.add(
+                        Grade::Note,
+                        line,
+                        Some(column),
+                        Text::new(
+                            format!("M{number} es un código de la máquina: no se ejecuta"),
+                            format!("M{number} is a code of the machine's own: it is not run"),
+                        ),
+                        Text::fixed("", ""),
+                    );
+                    // Codes of the builder do not exclude each other everywhere: clamps M11 and M13 stand in one block.
+                    if !self.reading.expressions {
+                        self.block.machine_codes += 1;
+                        return self.machine_code_count(column);
+                    }
+                }
+                self.block.put_m(m, number, column).map_err(|first| {
+                    Fault::at(
+                        &[first, column],
+                        Text::fixed("dos códigos M del mismo grupo", "two M codes of one modal group"),
+                        Text::fixed("deje uno, o escriba dos bloques", "leave one, or write two blocks"),
+                    )
+                })?;
+                self.machine_code_count(column)
+            }
+            None => Err(self.unknown('M', value, column)),
+        }
+    }
+
+    fn machine_code_count(&self, column: usize) -> Outcome<()> {
+        let most = self.reading.most_machine_codes;
+        if self.block.machine_codes <= most {
+            return Ok(());
+        }
+        Err(Fault::at(
+            &[column],
+            Text::new(
+                format!("más de {most} códigos M en un bloque"),
+                format!("more than {most} M codes in one block"),
+            ),
+            Text::fixed("repártalos en varios bloques", "spread them over several blocks"),
+        ))
+    }
+
+    fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
+        let dialect = self.setting.dialect.name;
+        Fault::at(
+            &[column],
+            Text::new(
+                format!("{letter}{value} no existe en el dialecto {dialect}"),
+                format!("{letter}{value} does not exist in the dialect {dialect}"),
+            ),
+            Text::fixed(
+                "corríjalo, o indique el dialecto del programa con --dialect",
+                "correct it, or name the program's dialect with --dialect",
+            ),
+        )
+    }
+
+    fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {
+        let column = cursor.column();
+        let index = letter - b'a';
+        if !self.reading.letters.has(index) {
+            return Err(self.unknown_letter(letter, column));
+        }
+        cursor.pass();
+        let number_column = {
+            cursor.peek();
+            cursor.column()
+        };
+        let number = self.value(cursor)?;
+        let value = number.value;
+        if DIMENSIONS.has(index) {
+            if value.abs() > f64::from(LIMIT) / 1000.0 {
+                return Err(Fault::at(
+                    &[number_column],
+                    Text::new(
+                        format!("{}{value} supera ±99 999.999", name(letter)),
+                        format!("{}{value} is over ±99,999.999", name(letter)),
+                    ),
+                    Text::fixed("compruebe el número", "check the number"),
+                ));
+            }
+            if self.reading.point_required && !number.point && value != 0.0 && LENGTHS.has(index) {
+                return Err(Fault::at(
+                    &[column],
+                    Text::new(
+                        format!("{}{value} sin punto decimal: según el control son mm o µm", name(letter)),
+                        format!("{}{value} has no decimal point: mm or µm, depending on the control", name(letter)),
+                    ),
+                    Text::new(format!("escriba {}{value}.", name(letter)), format!("write {}{value}.", name(letter))),
+                ));
+            }
+        } else if value < 0.0
+            && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
+            && !(letter == b'q' && self.reading.point_required)
+        {
+            return Err(Fault::at(
+                &[number_column],
+                Text::new(format!("{} negativo: {value}", name(letter)), format!("negative {}: {value}", name(letter))),
+                Text::fixed("escriba un número positivo", "write a positive number"),
+            ));
+        }
+        self.block.put(index.into(), value, column).map_err(|first| twice(name(letter), first, column))
+    }
+
+    fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
+        let (name, dialect) = (name(letter), self.setting.dialect.name);
+        if self.reading.refused_letters.has(letter - b'a') {
+            Fault::at(
+                &[column],
+                Text::new(
+                    format!("la letra {name} no está implementada en el dialecto {dialect}"),
+                    format!("letter {name} is not supported in the dialect {dialect}"),
+                ),
+                Text::fixed("este programa no se puede comprobar", "this program cannot be verified"),
+            )
+        } else {
+            Fault::at(
+                &[column],
+                Text::new(
+                    format!("la letra {name} no puede estar aquí en el dialecto {dialect}"),
+                    format!("letter {name} cannot stand here in the dialect {dialect}"),
+                ),
+                Text::fixed(
+                    "quítela, o indique el dialecto con --dialect",
+                    "take it out, or name the dialect with --dialect",
+                ),
+            )
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! What a program is read with: dialect, machine unit, var file, tools, switches, budgets.
+
+use std::collections::BTreeMap;
+
+use crate::gcode::dialect::Dialect;
+use crate::machine::axis::Pose;
+use crate::machine::length_unit::LengthUnit;
+use crate::machine::var_file::VarFile;
+
+/// A tool of the tool table; lengths in mm, angles in degrees.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Tool {
+    /// The offset that G43 puts into force.
+    pub offset: Pose,
+    /// The diameter.
+    pub diameter: f64,
+}
+
+/// The tools by their number.
+pub type Tools = BTreeMap<u32, Tool>;
+
+/// Finds the files of subprograms that stand in files of their own.
+pub trait Files {
+    /// The text of the subprogram file with a name (without folder and ending); `None` where there is none.
+    ///
+    /// # Errors
+    /// Where the file is there and cannot be read: the reason.
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String>;
+}
+
+/// No subprogram has a file of its own.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoFiles;
+
+impl Files for NoFiles {
+    fn find(&mut self, _name: &str) -> Result<Option<Vec<u8>>, String> {
+        Ok(None)
+    }
+}
+
+/// How much a program may ask of the interpreter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// Blocks executed more than once: loops and subprograms. Each block of the file may be executed once besides.
+    pub repeated_blocks: u64,
+    /// Calls of subprograms inside one another.
+    pub call_depth: usize,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { repeated_blocks: 10_000_000, call_depth: 10 }
+    }
+}
+
+/// What a program is read with.
+pub struct Setting {
+    /// The dialect.
+    pub dialect: &'static Dialect,
+    /// The machine's unit: of the var file, of parameters that hold lengths, and of a program that does not say its own.
+    pub unit: LengthUnit,
+    /// The control's parameters at the start.
+    pub var_file: VarFile,
+    /// The tool table; `None` where it is not known: every tool is then taken as one of length 0, and said so.
+    pub tools: Option<Tools>,
+    /// Blocks that begin with `/` are skipped.
+    pub block_delete: bool,
+    /// G92 and G52 outlive the program.
+    pub keep_g92: bool,
+    /// Subprograms in files of their own.
+    pub files: Box<dyn Files>,
+    /// The budget.
+    pub budget: Budget,
+}
+
+impl Setting {
+    /// A dialect with nothing else known: millimetres, all offsets 0, no tool table.
+    #[must_use]
+    pub fn new(dialect: &'static Dialect) -> Self {
+        Self {
+            dialect,
+            unit: LengthUnit::Millimetre,
+            var_file: VarFile::default(),
+            tools: None,
+            block_delete: false,
+            keep_g92: true,
+            files: Box::new(NoFiles),
+            budget: Budget::default(),
+        }
+    }
+}

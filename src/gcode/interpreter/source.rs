@@ -1,0 +1,136 @@
+//! The lines of a program, one at a time, with the way back that loops and subprograms need.
+
+use std::io::{self, BufRead, Seek, SeekFrom};
+
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::text::Text;
+
+/// Most bytes of a line.
+pub const LONGEST_LINE: usize = 4096;
+/// Most bytes of a program.
+pub const LARGEST_PROGRAM: u64 = 900_000_000;
+
+/// Bytes that can be read again from an earlier place.
+pub trait Bytes: BufRead + Seek {}
+
+impl<T: BufRead + Seek> Bytes for T {}
+
+/// Where a line begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Position {
+    /// Bytes before it.
+    pub(super) offset: u64,
+    /// Lines before it.
+    pub(super) lines: usize,
+}
+
+/// A program's text.
+pub(super) struct Source<'a> {
+    bytes: Box<dyn Bytes + 'a>,
+    at: Position,
+    /// The last line ended with a carriage return: a line feed right after it belongs to it.
+    after_return: bool,
+    /// Lines read so far, counted once.
+    furthest: usize,
+    /// The name of a subprogram's own file.
+    pub(super) file: Option<String>,
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn new(bytes: Box<dyn Bytes + 'a>, file: Option<String>) -> Self {
+        Self { bytes, at: Position { offset: 0, lines: 0 }, after_return: false, furthest: 0, file }
+    }
+
+    /// Where the next line begins.
+    pub(super) const fn position(&self) -> Position {
+        self.at
+    }
+
+    /// True where a line is read for the first time.
+    pub(super) const fn first_time(&mut self, line: usize) -> bool {
+        let first = line > self.furthest;
+        if first {
+            self.furthest = line;
+        }
+        first
+    }
+
+    /// Reads the next line into `line`, without its end; false where there is none. Lines end with a line feed, a carriage
+    /// return, or both.
+    pub(super) fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<bool> {
+        line.clear();
+        loop {
+            let buffer = self.bytes.fill_buf().map_err(|error| unreadable(&error))?;
+            if self.after_return && buffer.first() == Some(&b'\n') {
+                self.after_return = false;
+                self.bytes.consume(1);
+                self.at.offset += 1;
+                continue;
+            }
+            if buffer.is_empty() {
+                if line.is_empty() {
+                    return Ok(false);
+                }
+                self.at.lines += 1;
+                return Ok(true);
+            }
+            self.after_return = false;
+            let end = memchr::memchr2(b'\n', b'\r', buffer);
+            let taken = end.unwrap_or(buffer.len());
+            if line.len() + taken > LONGEST_LINE {
+                return Err(too_long_a_line());
+            }
+            line.extend_from_slice(&buffer[..taken]);
+            let used = taken + usize::from(end.is_some());
+            self.after_return = end.is_some_and(|end| buffer[end] == b'\r');
+            self.bytes.consume(used);
+            self.at.offset += used as u64;
+            if self.at.offset > LARGEST_PROGRAM {
+                return Err(too_large());
+            }
+            if end.is_some() {
+                self.at.lines += 1;
+                return Ok(true);
+            }
+        }
+    }
+
+    /// Goes to a line that was read before or found by an index.
+    pub(super) fn go_to(&mut self, position: Position) -> Outcome<()> {
+        self.bytes.seek(SeekFrom::Start(position.offset)).map_err(|error| unreadable(&error))?;
+        self.at = position;
+        // A position lies behind the whole end of a line or in front of the line feed that belongs to a return.
+        self.after_return = true;
+        Ok(())
+    }
+}
+
+fn unreadable(error: &io::Error) -> Box<Fault> {
+    let mut fault = Fault::block(
+        Text::new(format!("no se puede leer el programa: {error}"), format!("cannot read the program: {error}")),
+        Text::fixed("compruebe el archivo y el disco", "check the file and the disk"),
+    )
+    .fatal();
+    fault.exit = crate::finding::Exit::Unreadable;
+    fault
+}
+
+fn too_long_a_line() -> Box<Fault> {
+    Fault::limit(
+        Text::new(
+            format!("la línea tiene más de {LONGEST_LINE} caracteres"),
+            format!("the line has more than {LONGEST_LINE} characters"),
+        ),
+        Text::fixed("compruebe que el archivo es un programa ISO", "check that the file is an ISO program"),
+    )
+}
+
+fn too_large() -> Box<Fault> {
+    Fault::limit(
+        Text::new(
+            format!("el programa tiene más de {} MB", LARGEST_PROGRAM / 1_000_000),
+            format!("the program has more than {} MB", LARGEST_PROGRAM / 1_000_000),
+        ),
+        Text::fixed("divida el programa", "split the program"),
+    )
+}

@@ -1,0 +1,231 @@
+//! Tools: selection, change, length offsets.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, Group, M};
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::modal::Spindle;
+use crate::gcode::interpreter::setting::Tool;
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::work_offset::{Frame, G92_FIRST, G92_SWITCH};
+use crate::number::trig::sin_cos;
+use crate::text::Text;
+
+impl Interpreter<'_> {
+    /// T: the tool that the next change brings.
+    pub(super) fn take_tool(&mut self) -> Outcome<()> {
+        let Some(T) = self.block.get(letter::T) else { return Ok(()) };
+        let number = self.tool_number(letter::T, T)?;
+        self.modal.selected = Some(number);
+        Ok(())
+    }
+
+    /// The number of a tool that the table holds, if it is known; 0 is none.
+    fn tool_number(&mut self, letter: usize, value: f64) -> Outcome<u32> {
+        let column = self.block.column(letter);
+        let Some(number) = whole(value).and_then(|number| u32::try_from(number).ok()) else {
+            return Err(Fault::at(
+                &[column],
+                Text::new(format!("{value} no es un número de herramienta"), format!("{value} is no tool number")),
+                Text::fixed("dé un número entero", "give a whole number"),
+            ));
+        };
+        if self.setting.tools.is_some() && number != 0 && !self.tools.contains_key(&number) {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("la herramienta {number} no está en la tabla"),
+                    format!("tool {number} is not in the tool table"),
+                ),
+                Text::fixed("añádala a la tabla de herramientas", "add it to the tool table"),
+            ));
+        }
+        Ok(number)
+    }
+
+    /// M6 and M61.
+    pub(super) fn change_tool(&mut self, code: M) -> Outcome<()> {
+        let column = self.block.m_column(6);
+        if code == M::SetTool {
+            let Some(Q) = self.block.get(letter::Q) else {
+                return Err(Fault::at(
+                    &[column],
+                    Text::fixed("M61 sin Q", "M61 without Q"),
+                    Text::fixed("dé Q", "give Q"),
+                ));
+            };
+            self.modal.tool = self.tool_number(letter::Q, Q)?;
+            return Ok(());
+        }
+        match self.modal.selected {
+            Some(tool) => self.modal.tool = tool,
+            None if self.reading.expressions => {
+                return Err(Fault::at(
+                    &[column],
+                    Text::fixed("M6 sin herramienta elegida con T", "M6 without a tool selected by T"),
+                    Text::fixed("programe T antes de M6", "program T before M6"),
+                ));
+            }
+            None => {}
+        }
+        if self.reading.expressions {
+            self.modal.spindle = Spindle::Stopped;
+        }
+        Ok(())
+    }
+
+    /// A tool's offset; 0 and a Caution where there is no table.
+    fn offset_of(&mut self, number: u32) -> Pose {
+        if self.setting.tools.is_none() && number != 0 {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                None,
+                Text::fixed(
+                    "sin tabla de herramientas: las longitudes valen 0",
+                    "no tool table: tool lengths are taken as 0",
+                ),
+                Text::fixed("indique la tabla con --tools", "name the table with --tools"),
+            );
+        }
+        self.tools.get(&number).map_or_else(Pose::default, |tool| tool.offset)
+    }
+
+    /// G43, G43.1, G43.2 and G49.
+    pub(super) fn tool_length(&mut self, code: G) -> Outcome<()> {
+        let column = self.block.g_column(Group::ToolLength);
+        let H = self.block.get(letter::H);
+        let axes = AXES.into_iter().any(|axis| self.block.has(axis));
+        let tool = match (code, H) {
+            (G::ToolLengthOff, _) => Pose::default(),
+            (G::ToolLength, H) => {
+                let number = match H {
+                    Some(H) => self.tool_number(letter::H, H)?,
+                    None => 0,
+                };
+                // H0 and no H both mean the tool in the spindle.
+                let number = if number == 0 { self.modal.tool } else { number };
+                self.offset_of(number)
+            }
+            (G::ToolLengthGiven, _) => {
+                let mut tool = self.frame.tool;
+                self.each_axis_word(|axis, value| tool.set(axis, value));
+                tool
+            }
+            (_, Some(H)) if !axes => {
+                let number = self.tool_number(letter::H, H)?;
+                let number = if number == 0 { self.modal.tool } else { number };
+                let added = self.offset_of(number);
+                Pose(std::array::from_fn(|axis| self.frame.tool.0[axis] + added.0[axis]))
+            }
+            (_, None) if axes => {
+                let mut tool = self.frame.tool;
+                self.each_axis_word(|axis, value| tool.set(axis, tool.get(axis) + value));
+                tool
+            }
+            _ => {
+                return Err(Fault::at(
+                    &[column],
+                    Text::fixed("G43.2 espera o H o palabras de eje", "G43.2 wants either H or axis words"),
+                    Text::fixed("deje uno de los dos", "leave one of the two"),
+                ));
+            }
+        };
+        let machine = self.frame.to_machine(&self.current);
+        self.frame = Frame { tool, ..self.frame };
+        self.current = self.frame.to_program(&machine);
+        Ok(())
+    }
+
+    fn each_axis_word(&self, mut visit: impl FnMut(Axis, f64)) {
+        let unit = self.modal.unit;
+        for axis in Axis::ALL {
+            if let Some(word) = self.block.get(AXES[axis as usize]) {
+                visit(axis, if axis.rotary() { word } else { unit.to_mm(word) });
+            }
+        }
+    }
+
+    /// G10 L1 (the tool gets these offsets), L10 and L11 (so that this position reads the axis words in the system in force,
+    /// or in G59.3 without G92).
+    pub(super) fn set_tool_offset(&mut self, number: u32, system: Option<u8>) -> Outcome<()> {
+        let column = self.block.g_column(Group::NonModal);
+        if self.setting.tools.is_none() {
+            return Err(Fault::at(
+                &[column],
+                Text::fixed(
+                    "G10 cambia una tabla de herramientas desconocida",
+                    "G10 changes a tool table that is not known",
+                ),
+                Text::fixed("indique la tabla con --tools", "name the table with --tools"),
+            ));
+        }
+        let Some(&old) = self.tools.get(&number) else {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("la herramienta {number} no está en la tabla"),
+                    format!("tool {number} is not in the tool table"),
+                ),
+                Text::fixed("añádala a la tabla de herramientas", "add it to the tool table"),
+            ));
+        };
+        let words = [letter::R, letter::Q, letter::I, letter::J];
+        if !AXES.into_iter().chain(words).any(|letter| self.block.has(letter)) {
+            return Err(Fault::at(
+                &[column],
+                Text::fixed("G10 L1, L10 o L11 sin valores", "G10 L1, L10 or L11 without values"),
+                Text::fixed("dé los valores que cambian", "give the values that change"),
+            ));
+        }
+        if let Some(Q) = self.block.get(letter::Q)
+            && whole(Q).is_none_or(|orientation| !(0..=9).contains(&orientation))
+        {
+            return Err(Fault::at(
+                &[self.block.column(letter::Q)],
+                Text::new(format!("Q{Q} no es una orientación"), format!("Q{Q} is no orientation")),
+                Text::fixed("Q va de 0 a 9", "Q goes from 0 to 9"),
+            ));
+        }
+        let mut tool: Tool = old;
+        match system {
+            None => self.each_axis_word(|axis, value| tool.offset.set(axis, value)),
+            Some(system) => self.offsets_from_here(&mut tool, system),
+        }
+        if let Some(R) = self.block.get(letter::R) {
+            tool.diameter = 2.0 * self.modal.unit.to_mm(R);
+        }
+        self.tools.insert(number, tool);
+        Ok(())
+    }
+
+    fn offsets_from_here(&self, tool: &mut Tool, system: u8) {
+        let (mut here, rotation) = self.without_tool(system);
+        if system == 9 && self.parameters.get(G92_SWITCH as usize) != 0.0 {
+            let g92 = self.pose_of(G92_FIRST);
+            for axis in Axis::ALL {
+                here.set(axis, here.get(axis) + g92.get(axis));
+            }
+        }
+        let (sin, cos) = sin_cos(rotation.to_radians());
+        // The offset in the axes of the system: the words replace their part of it.
+        let (x, y) = (tool.offset.get(Axis::X), tool.offset.get(Axis::Y));
+        let mut across = [x * cos + y * sin, y * cos - x * sin];
+        let mut turned = false;
+        self.each_axis_word(|axis, value| {
+            let offset = here.get(axis) - value;
+            match axis {
+                Axis::X => (across[0], turned) = (offset, true),
+                Axis::Y => (across[1], turned) = (offset, true),
+                axis => tool.offset.set(axis, offset),
+            }
+        });
+        if turned {
+            tool.offset.set(Axis::X, across[0] * cos - across[1] * sin);
+            tool.offset.set(Axis::Y, across[0] * sin + across[1] * cos);
+        }
+    }
+}
