@@ -11,8 +11,8 @@ use crate::common::rs274::{self, HALF, Kind, Six};
 /// Less than this is rounding of doubles: mm or degrees.
 const NOTHING: f64 = 1e-6;
 
-/// Whether the motions are the same to the last decimal that rs274 prints. Either may leave out a straight move that
-/// goes nowhere: the other then need not have it.
+/// Whether the motions are the same to the last decimal that rs274 prints. Either may have a straight move to where
+/// the tool is, or a dwell of 0 s, that the other leaves out.
 ///
 /// # Errors
 /// Says which motions differ, and in what.
@@ -52,13 +52,19 @@ pub fn begins<'a>(ours: &[Motion], theirs: &'a [rs274::Motion]) -> Result<&'a [r
 }
 
 fn goes_nowhere(motion: &Motion) -> bool {
-    matches!(motion.kind, motion::Kind::Rapid | motion::Kind::Feed(_)) && close(&motion.from, &six(&motion.to), NOTHING)
+    motion.kind == motion::Kind::Dwell(0.0)
+        || matches!(motion.kind, motion::Kind::Rapid | motion::Kind::Feed(_))
+            && close(&motion.from, &six(&motion.to), NOTHING)
 }
 
 impl rs274::Motion {
     fn goes_nowhere(&self) -> bool {
         let apart = self.from.iter().zip(self.program).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        matches!(self.kind, Kind::Rapid | Kind::Feed(_)) && apart < 2.0 * self.doubt
+        match self.kind {
+            Kind::Rapid | Kind::Feed(_) => apart < 2.0 * self.doubt,
+            Kind::Dwell(seconds) => seconds == 0.0,
+            Kind::Arc { .. } => false,
+        }
     }
 
     /// The length that LinuxCNC feeds along, in the active unit: X Y Z, or A B C where these stand still.

@@ -230,6 +230,14 @@ impl Writer {
         String::new()
     }
 
+    /// LinuxCNC forgets G92 where it turns the system in force, until all axes have been named in a move.
+    fn settle(&mut self, turned: bool) {
+        if turned {
+            let back = if self.absolute { "" } else { "\nG91" };
+            self.motion_ends_cycle(format!("G90 G0 X1 Y2{back}"));
+        }
+    }
+
     fn motion_ends_cycle(&mut self, line: String) {
         self.cycle = false;
         self.line(&line);
@@ -314,6 +322,7 @@ impl Writer {
                     String::new()
                 };
                 self.line(&format!("G10 L2 P{system}{axes}{rotation}"));
+                self.settle(!rotation.is_empty());
             }
             What::SetWorkOffsetHere => {
                 let (system, axes) = (self.dice.below(10), self.axes("XYZABC", -50, 50));
@@ -416,6 +425,10 @@ impl Writer {
         let across = self.plane.axes()[2].letter();
         let code = self.dice.of(&[81, 82, 83, 73, 85, 89, 86, 84]);
         if matches!(code, 84 | 86) && !self.spindle {
+            return;
+        }
+        // LinuxCNC mixes up the axes of tapping in G18 and G19.
+        if code == 84 && self.plane != Plane::XY {
             return;
         }
         let code = if code == 84 {

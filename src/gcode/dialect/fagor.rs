@@ -19,6 +19,7 @@ pub static MILLING_8055: Reading = Reading {
     longest_line: 4096,
     feed_required: false,
     plane: Plane::XY,
+    return_initial: true,
     diameter: false,
     incremental_letters: false,
     point_required: false,

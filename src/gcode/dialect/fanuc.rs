@@ -20,6 +20,7 @@ pub static LATHE_A: Reading = Reading {
     longest_line: 4096,
     feed_required: false,
     plane: Plane::ZX,
+    return_initial: true,
     diameter: true,
     incremental_letters: true,
     point_required: true,

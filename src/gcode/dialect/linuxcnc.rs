@@ -16,6 +16,7 @@ pub static READING: Reading = Reading {
     longest_line: 255,
     feed_required: true,
     plane: Plane::XY,
+    return_initial: false,
     diameter: false,
     incremental_letters: false,
     point_required: false,

@@ -93,6 +93,8 @@ pub struct Reading {
     pub feed_required: bool,
     /// The plane in force at the start.
     pub plane: Plane,
+    /// Where canned cycles return to before any code has said so: true for the height that they started from, false for R.
+    pub return_initial: bool,
     /// X is a diameter.
     pub diameter: bool,
     /// U and W are increments of X and Z.

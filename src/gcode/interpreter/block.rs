@@ -147,11 +147,17 @@ impl Block {
         self.g_columns.get(group as usize).copied().unwrap_or(0).into()
     }
 
-    /// Puts a G code in; the column of the first one if its group has one already.
+    /// Puts a G code in; the column of the first one if its group has one already. G80 gives way to the motion that
+    /// stands beside it.
     pub(super) fn put_g(&mut self, g: G, column: usize) -> Result<(), usize> {
         let at = g.group() as usize;
         if self.groups & (1 << at) != 0 {
-            return Err(self.g_columns[at].into());
+            if g == G::Cancel {
+                return Ok(());
+            }
+            if self.g[at] != G::Cancel {
+                return Err(self.g_columns[at].into());
+            }
         }
         self.groups |= 1 << at;
         self.g[at] = g;

@@ -137,14 +137,32 @@ impl Interpreter<'_> {
         } else {
             initial
         };
-        if self.modal.return_initial {
+        if self.returns_initial() {
             run.clear = old;
+        }
+        if self.modal.return_initial.is_none() && !self.reading.return_initial && old > r {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                None,
+                Text::fixed(
+                    "ciclo fijo sin G98 ni G99 antes: la herramienta vuelve a R, o como lo dejó el programa anterior",
+                    "canned cycle with neither G98 nor G99 before it: the tool returns to R, or as the last program left it",
+                ),
+                Text::fixed("programe G98 o G99", "program G98 or G99"),
+            );
         }
         let sticky = &mut self.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
         self.modal.motion = G::Cycle(cycle);
         self.run = Some(run);
         Ok(())
+    }
+
+    /// Whether cycles return to the height that they started from.
+    pub(super) fn returns_initial(&self) -> bool {
+        self.modal.return_initial.unwrap_or(self.reading.return_initial)
     }
 
     /// P, Q, I, J and K of the cycle.
@@ -329,8 +347,8 @@ impl Interpreter<'_> {
             Cycle::BoreDwell => {
                 self.cut(at(run.bottom), run.feed);
                 self.wait(run.p);
-                self.cut(at(run.r), run.feed);
-                self.emit(Kind::Rapid, at(run.clear), None);
+                // At feed all the way, unlike G85.
+                self.cut(at(run.clear), run.feed);
             }
         }
         run.left -= 1;

@@ -88,8 +88,8 @@ impl Interpreter<'_> {
             _ => {}
         }
         match self.block.g(Group::Retract) {
-            Some(G::ReturnInitial) => self.modal.return_initial = true,
-            Some(G::ReturnR) => self.modal.return_initial = false,
+            Some(G::ReturnInitial) => self.modal.return_initial = Some(true),
+            Some(G::ReturnR) => self.modal.return_initial = Some(false),
             _ => {}
         }
         match at_once {

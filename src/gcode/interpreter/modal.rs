@@ -38,7 +38,8 @@ pub(super) struct Modal {
     pub(super) feed_mode: FeedMode,
     /// F in mm or degrees, 0 where none is in force.
     pub(super) feed: f64,
-    pub(super) return_initial: bool,
+    /// Whether canned cycles return to the height they started from, else to R; `None` before the program has said so.
+    pub(super) return_initial: Option<bool>,
     pub(super) speed: f64,
     pub(super) constant_surface_speed: bool,
     pub(super) greatest_speed: Option<f64>,
@@ -62,7 +63,7 @@ impl Modal {
             centre_absolute: false,
             feed_mode: FeedMode::PerMinute,
             feed: 0.0,
-            return_initial: true,
+            return_initial: None,
             speed: 0.0,
             constant_surface_speed: false,
             greatest_speed: None,
