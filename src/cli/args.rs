@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use super::kinds;
+use crate::gcode::dialect::ALL;
 use crate::machine::work_offset::System;
 use crate::text::Language;
 
@@ -18,6 +19,7 @@ How to work with it:
   rodete new impeller           writes impeller.xlsx, ready to edit in Excel
   rodete check impeller.xlsx    says what would stop a build, and the limits
   rodete build impeller.xlsx    writes tables, programs and report into impeller-out
+  rodete verify program.nc      reads a program as the control would and says what it comes to
   rodete offsets linuxcnc.var   shows the work offsets of a LinuxCNC machine
 
 Exit codes:
@@ -50,6 +52,12 @@ pub(super) enum Command {
     /// nothing: a file appears under its name only when the whole set is complete. Several workbooks are built side
     /// by side, and one that is refused does not stop the others.
     Build(Build),
+    /// Read ISO programs as the control would and say what they come to
+    ///
+    /// Extents, end position, path length, time, and everything that is wrong, each with line and column. Exit 3 where a
+    /// program is refused, 7 where a loop does not end. Lengths in millimetres, angles in degrees, whatever the program's
+    /// unit.
+    Verify(Verify),
     /// Show and edit the work offsets in LinuxCNC's parameter file
     ///
     /// Without options: G54 to G59.3, G92, G28 and G30 as the file holds them, and the blocks that give a control the
@@ -110,6 +118,41 @@ pub(super) struct Build {
     #[arg(long, value_name = "PATH")]
     pub(super) typst: Option<PathBuf>,
     /// Print one JSON document instead of text: findings, derived values, written files with their SHA-256
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+/// Arguments of `verify`.
+#[derive(Debug, Args)]
+pub(super) struct Verify {
+    /// Programs to read
+    #[arg(required = true, value_name = "PROGRAM")]
+    pub(super) programs: Vec<PathBuf>,
+    /// Dialect of the programs [default: told from the program]
+    #[arg(long, value_parser = PossibleValuesParser::new(ALL.map(|dialect| dialect.name)))]
+    pub(super) dialect: Option<String>,
+    /// LinuxCNC's parameter file: work offsets and parameters at the start
+    #[arg(long, value_name = "FILE")]
+    pub(super) var: Option<PathBuf>,
+    /// LinuxCNC's tool table: tool lengths
+    #[arg(long, value_name = "FILE")]
+    pub(super) tools: Option<PathBuf>,
+    /// Print one JSON object for each canonical motion
+    #[arg(long, conflicts_with = "json")]
+    pub(super) canon: bool,
+    /// Skip blocks that begin with /
+    #[arg(long)]
+    pub(super) block_delete: bool,
+    /// The control forgets G92 and G52 at the end of a program (DISABLE_G92_PERSISTENCE)
+    #[arg(long)]
+    pub(super) no_g92_persistence: bool,
+    /// The machine counts in inches: var file, tool table, and programs that do not say their unit
+    #[arg(long)]
+    pub(super) inch: bool,
+    /// Language of the messages [default: en]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
+    /// Print one JSON document instead of text
     #[arg(long)]
     pub(super) json: bool,
 }

@@ -20,6 +20,7 @@ mod show;
 mod side_by_side;
 mod terminal;
 mod verdict;
+mod verify;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -69,6 +70,7 @@ fn command(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termina
         Command::New(new) => new::run(&new, terminal),
         Command::Check(arguments) => check(&arguments, terminal),
         Command::Build(arguments) => build::run(&arguments, terminal),
+        Command::Verify(arguments) => verify::run(&arguments, terminal),
         Command::Offsets(arguments) => offsets::run(&arguments, terminal),
     }
 }

@@ -69,6 +69,12 @@ pub struct Arc {
     /// Whole and begun turns, positive counter-clockwise seen against the axis across the plane: 1 for an arc up to a
     /// full circle, 2 for one that passes its start once, and so on. Never 0.
     pub turns: i32,
+    /// The radius at the start, mm.
+    pub radius: f64,
+    /// The direction of the start seen from the centre, radians from the first axis towards the second.
+    pub start: f64,
+    /// The angle swept, positive counter-clockwise, radians.
+    pub sweep: f64,
 }
 
 /// What is moved how.

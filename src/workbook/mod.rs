@@ -53,5 +53,5 @@ mod words;
 mod xml;
 
 pub use gate::gate;
-pub use open::{Input, open, open_as};
+pub use open::{Input, open, open_as, open_program};
 pub use schema::{Filled, read};

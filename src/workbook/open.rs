@@ -1,7 +1,7 @@
 //! The one place that opens a path for reading.
 
 use std::fs::{self, File};
-use std::io::{self, ErrorKind, Read};
+use std::io::{self, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use crate::escape::{printable, printable_path};
@@ -22,6 +22,10 @@ pub enum Input {
     Workbook,
     /// LinuxCNC's parameter file.
     VarFile,
+    /// LinuxCNC's tool table.
+    ToolTable,
+    /// An ISO program.
+    Program,
 }
 
 impl Input {
@@ -30,6 +34,8 @@ impl Input {
         match self {
             Self::Workbook => Text::fixed("el libro .xlsx", "the .xlsx workbook"),
             Self::VarFile => Text::fixed("el archivo .var", "the .var file"),
+            Self::ToolTable => Text::fixed("la tabla de herramientas", "the tool table"),
+            Self::Program => Text::fixed("el programa ISO", "the ISO program"),
         }
     }
 
@@ -38,6 +44,8 @@ impl Input {
         match self {
             Self::Workbook => &[".xlsx", ".xlsm"],
             Self::VarFile => &[".var"],
+            Self::ToolTable => &[".tbl"],
+            Self::Program => &[".nc", ".ngc"],
         }
     }
 }
@@ -56,6 +64,23 @@ pub fn open(path: &Path) -> Result<Vec<u8>, Refusal> {
 /// Refuses with [`Exit::Unreadable`] a path that is missing, no regular file or may not be read, and with
 /// [`Exit::Limit`] a file of more than [`limits::FILE`] bytes.
 pub fn open_as(input: Input, path: &Path) -> Result<Vec<u8>, Refusal> {
+    let metadata = regular(input, path)?;
+    if metadata.len() > limits::FILE {
+        return Err(too_large(input, path));
+    }
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(limits::FILE + 1).read_to_end(&mut bytes))
+        .map_err(|error| refuse(input, path, &error))?;
+    if u64::try_from(bytes.len()).is_ok_and(|length| length <= limits::FILE) {
+        Ok(bytes)
+    } else {
+        Err(too_large(input, path))
+    }
+}
+
+/// What is known of a regular file.
+fn regular(input: Input, path: &Path) -> Result<fs::Metadata, Refusal> {
     // Asked before opening: opening a pipe would wait for a writer.
     let metadata = fs::metadata(path).map_err(|error| refuse(input, path, &error))?;
     let named = input.named();
@@ -73,18 +98,17 @@ pub fn open_as(input: Input, path: &Path) -> Result<Vec<u8>, Refusal> {
             say!("indique {named}, guardado en disco", "name {named}, stored on disk", named = named),
         ));
     }
-    if metadata.len() > limits::FILE {
-        return Err(too_large(input, path));
-    }
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(limits::FILE + 1).read_to_end(&mut bytes))
-        .map_err(|error| refuse(input, path, &error))?;
-    if u64::try_from(bytes.len()).is_ok_and(|length| length <= limits::FILE) {
-        Ok(bytes)
-    } else {
-        Err(too_large(input, path))
-    }
+    Ok(metadata)
+}
+
+/// A program's file, to be read piece by piece: the interpreter has caps of its own.
+///
+/// # Errors
+/// Refuses with [`Exit::Unreadable`] a path that is missing, no regular file or may not be read.
+pub fn open_program(path: &Path) -> Result<BufReader<File>, Refusal> {
+    regular(Input::Program, path)?;
+    let file = File::open(path).map_err(|error| refuse(Input::Program, path, &error))?;
+    Ok(BufReader::with_capacity(1 << 16, file))
 }
 
 fn too_large(input: Input, path: &Path) -> Refusal {
@@ -92,7 +116,9 @@ fn too_large(input: Input, path: &Path) -> Refusal {
         Input::Workbook => {
             Text::fixed("deje en el libro sólo las hojas de entrada", "leave only the input sheets in the workbook")
         }
-        Input::VarFile => say!("indique {named}", "name {named}", named = input.named()),
+        Input::VarFile | Input::ToolTable | Input::Program => {
+            say!("indique {named}", "name {named}", named = input.named())
+        }
     };
     let (name, most) = (printable_path(path), limits::mebibytes(limits::FILE));
     Refusal::new(

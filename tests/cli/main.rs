@@ -7,4 +7,5 @@ mod environment;
 mod faults;
 mod offsets;
 mod usage;
+mod verify;
 mod work;

@@ -11,6 +11,7 @@ mod fagor;
 mod fanuc;
 mod linuxcnc;
 pub mod reading;
+pub mod told;
 
 use crate::gcode::code::M;
 use crate::gcode::dialect::reading::Reading;

@@ -5,7 +5,7 @@
 //! inch, in centre form the radii at start and end may differ by 0.0283 mm or 0.1 % (the greater), and never by more than
 //! 2.83 mm.
 
-use std::f64::consts::SQRT_2;
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 
 use crate::gcode::code::G;
 use crate::gcode::interpreter::Interpreter;
@@ -15,7 +15,7 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Kind, Plane};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
-use crate::number::shown;
+use crate::number::{shown, trig};
 use crate::text::Text;
 
 /// Least radius, and what half the chord may exceed R by; mm.
@@ -103,9 +103,13 @@ impl Interpreter<'_> {
             }
             None => self.centre_by_offsets(start, end, [first, second])?,
         };
-        let arc = Arc { plane, centre, turns: if clockwise { -turns } else { turns } };
-        let length = length(&arc, start, end, to.get(c) - self.current.get(c));
-        let seconds = self.seconds(length, feed);
+        let turns = if clockwise { -turns } else { turns };
+        let angle = |point: [f64; 2]| trig::atan2(point[1] - centre[1], point[0] - centre[0]);
+        let direction = angle(start);
+        let (x, y) = (start[0] - centre[0], start[1] - centre[1]);
+        let radius = (x * x + y * y).sqrt();
+        let arc = Arc { plane, centre, turns, radius, start: direction, sweep: sweep(turns, angle(end) - direction) };
+        let seconds = self.seconds(arc.length(to.get(c) - self.current.get(c)), feed);
         self.emit(Kind::Arc(arc, feed), to, seconds);
         Ok(())
     }
@@ -141,7 +145,7 @@ impl Interpreter<'_> {
                 }
             };
         }
-        let distance = |point: [f64; 2]| crate::number::trig::hypot(point[0] - centre[0], point[1] - centre[1]);
+        let distance = |point: [f64; 2]| trig::hypot(point[0] - centre[0], point[1] - centre[1]);
         check_radii(distance(start), distance(end), unit).map(|()| centre)
     }
 
@@ -219,60 +223,49 @@ pub(super) fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()>
     Ok(())
 }
 
-/// The angle that an arc sweeps, positive counter-clockwise, from the start and the end in its plane; radians.
-#[must_use]
-fn sweep(arc: &Arc, start: [f64; 2], end: [f64; 2]) -> f64 {
-    use std::f64::consts::TAU;
-    let angle = |point: [f64; 2]| crate::number::trig::atan2(point[1] - arc.centre[1], point[0] - arc.centre[0]);
-    let between = angle(end) - angle(start);
-    let whole = f64::from(arc.turns.abs() - 1) * TAU;
+/// The angle that an arc of some turns sweeps, positive counter-clockwise, from the difference of the directions of its end and
+/// its start; radians.
+fn sweep(turns: i32, between: f64) -> f64 {
+    let whole = f64::from(turns.abs() - 1) * TAU;
     // An arc whose end is its start is a full circle. A hair of rounding must not make it none.
-    if arc.turns > 0 {
+    let between = if between > PI {
+        between - TAU
+    } else if between < -PI {
+        between + TAU
+    } else {
+        between
+    };
+    if turns > 0 {
         (if between <= 1e-12 { between + TAU } else { between }) + whole
     } else {
         (if between >= -1e-12 { between - TAU } else { between }) - whole
     }
 }
 
-/// The length of an arc or helix; mm.
-fn length(arc: &Arc, start: [f64; 2], end: [f64; 2], rise: f64) -> f64 {
-    let radius = crate::number::trig::hypot(start[0] - arc.centre[0], start[1] - arc.centre[1]);
-    let around = sweep(arc, start, end) * radius;
-    (around * around + rise * rise).sqrt()
-}
-
 impl Arc {
-    /// The length of the arc between two poses; mm.
+    /// The length of the arc, a helix if it rises across its plane; mm.
     #[must_use]
-    pub fn length(&self, from: &Pose, to: &Pose) -> f64 {
-        let [a, b, c] = self.plane.axes();
-        length(self, [from.get(a), from.get(b)], [to.get(a), to.get(b)], to.get(c) - from.get(c))
-    }
-
-    /// The angle swept between two poses, positive counter-clockwise; radians.
-    #[must_use]
-    pub fn sweep(&self, from: &Pose, to: &Pose) -> f64 {
-        let [a, b, _] = self.plane.axes();
-        sweep(self, [from.get(a), from.get(b)], [to.get(a), to.get(b)])
+    pub fn length(&self, rise: f64) -> f64 {
+        let around = self.sweep * self.radius;
+        (around * around + rise * rise).sqrt()
     }
 
     /// The points of the arc between two poses where it reaches farthest along its plane's axes, start and end left out:
     /// at every quarter turn about its centre that it passes. Program coordinates; the other axes at their share of the way.
     pub fn quarters(&self, from: &Pose, to: &Pose, visit: &mut dyn FnMut(&Pose)) {
-        use std::f64::consts::FRAC_PI_2;
-        let [a, b, c] = self.plane.axes();
-        let (x, y) = (from.get(a) - self.centre[0], from.get(b) - self.centre[1]);
-        let radius = crate::number::trig::hypot(x, y);
-        let (start, sweep) = (crate::number::trig::atan2(y, x), self.sweep(from, to));
-        if sweep == 0.0 {
+        let [a, b, _] = self.plane.axes();
+        if self.sweep == 0.0 {
             return;
         }
         // At most the four quarters of one turn are farthest; a helix adds nothing to them.
-        let step = FRAC_PI_2.copysign(sweep);
-        let begin = if sweep > 0.0 { (start / FRAC_PI_2).floor() + 1.0 } else { (start / FRAC_PI_2).ceil() - 1.0 };
-        for quarter in 0..4_u8 {
-            let angle = begin * FRAC_PI_2 + f64::from(quarter) * step;
-            let part = (angle - start) / sweep;
+        let (begin, step) = if self.sweep > 0.0 {
+            ((self.start / FRAC_PI_2).floor() + 1.0, 1.0)
+        } else {
+            ((self.start / FRAC_PI_2).ceil() - 1.0, -1.0)
+        };
+        for passed in 0..4_u8 {
+            let quarter = begin + step * f64::from(passed);
+            let part = (quarter * FRAC_PI_2 - self.start) / self.sweep;
             if part >= 1.0 {
                 break;
             }
@@ -280,10 +273,11 @@ impl Arc {
             for axis in Axis::ALL {
                 at.set(axis, from.get(axis) + (to.get(axis) - from.get(axis)) * part);
             }
-            let (sin, cos) = crate::number::trig::sin_cos(angle);
-            at.set(a, self.centre[0] + radius * cos);
-            at.set(b, self.centre[1] + radius * sin);
-            at.set(c, from.get(c) + (to.get(c) - from.get(c)) * part);
+            let ways = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 3")]
+            let way = ways[quarter.rem_euclid(4.0) as usize % 4];
+            at.set(a, self.centre[0] + self.radius * way[0]);
+            at.set(b, self.centre[1] + self.radius * way[1]);
             visit(&at);
         }
     }

@@ -372,6 +372,8 @@ impl Interpreter<'_> {
     }
 
     fn make_motion(&mut self, motion: G) -> Outcome<()> {
+        let moves = motion != G::Cancel && self.block.present & AXIS_WORDS != 0;
+        self.distances[usize::from(self.modal.incremental)] |= moves;
         if !matches!(motion, G::Cycle(_)) {
             self.modal.sticky.initial = None;
         }

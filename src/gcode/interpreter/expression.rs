@@ -129,12 +129,12 @@ impl Interpreter<'_> {
                         ));
                     }
                     _ if self.reading.expressions => self.computed(cursor)?,
-                    _ => return Err(no_number(cursor.column())),
+                    _ => return Err(no_value(cursor)),
                 };
                 Ok(if sign == b'-' { Decimal { value: -number.value, ..number } } else { number })
             }
             _ if self.reading.expressions => self.computed(cursor),
-            _ => Err(no_number(cursor.column())),
+            _ => Err(no_value(cursor)),
         }
     }
 
@@ -156,7 +156,7 @@ impl Interpreter<'_> {
             b'[' => self.expression(cursor)?,
             b'#' => self.parameter(cursor)?,
             b'a'..=b'z' => self.function(cursor)?,
-            _ => return Err(no_number(cursor.column())),
+            _ => return Err(no_value(cursor)),
         };
         cursor.depth -= 1;
         Ok(Decimal { value: finite(value, column)?, point: true })
@@ -362,6 +362,14 @@ impl Interpreter<'_> {
         }
         let value = self.value(cursor)?.value;
         Ok((parameter, value))
+    }
+}
+
+/// What stands where a number should: nothing, another word, or a character that no block may hold.
+fn no_value(cursor: &mut Cursor<'_>) -> Box<Fault> {
+    match cursor.peek() {
+        0 | b'a'..=b'z' => no_number(cursor.column()),
+        _ => cursor.refuse_character(),
     }
 }
 

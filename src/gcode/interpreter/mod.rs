@@ -42,6 +42,7 @@ mod source;
 mod structure;
 mod system;
 mod tool;
+pub mod tool_table;
 
 use std::collections::VecDeque;
 use std::io::Cursor as Memory;
@@ -103,6 +104,8 @@ pub struct Interpreter<'a> {
     unit_said: bool,
     repeated: u64,
     lines: usize,
+    /// An absolute motion has been made, and an incremental one.
+    distances: [bool; 2],
 }
 
 impl<'a> Interpreter<'a> {
@@ -155,6 +158,7 @@ impl<'a> Interpreter<'a> {
             unit_said: false,
             repeated: 0,
             lines: 0,
+            distances: [false; 2],
             setting,
         }
     }
@@ -169,6 +173,12 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
         (self.current, self.frame.to_machine(&self.current))
+    }
+
+    /// True where every motion so far was programmed by increments.
+    #[must_use]
+    pub const fn all_incremental(&self) -> bool {
+        matches!(self.distances, [false, true])
     }
 
     /// How many lines have been read, each counted once.
@@ -319,7 +329,7 @@ impl<'a> Interpreter<'a> {
                 return Ok(());
             }
             if self.percent {
-                return self.end();
+                return if self.stage == Stage::Opening { self.end_of_file() } else { self.end() };
             }
         }
         Err(Fault::at(

@@ -1,0 +1,327 @@
+//! The command `verify`: reads programs as the control would and says what they come to.
+
+use std::io::BufRead;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Map, Value, json};
+
+use super::args::Verify;
+use super::terminal::Terminal;
+use super::verdict::{Verdict, code, gravest, status};
+use super::{finding, interrupt, json, plan, refused};
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::dialect::Dialect;
+use crate::gcode::dialect::told::told;
+use crate::gcode::interpreter::tool_table;
+use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting, Tools, findings};
+use crate::gcode::motion::{FeedMode, Kind, Motion};
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::length_unit::LengthUnit;
+use crate::machine::var_file::VarFile;
+use crate::number::shown;
+use crate::text::{Language, Text};
+use crate::verify::account::{Account, Extents, drift};
+use crate::workbook::{self, Input};
+
+/// Most refusals of a program that are listed.
+const MOST: usize = 50;
+/// Bytes of output that are gathered before they are printed.
+const CHUNK: usize = 1 << 16;
+
+/// Subprograms that stand beside the program.
+struct Beside(PathBuf);
+
+impl Files for Beside {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+        for ending in ["ngc", "nc"] {
+            let path = self.0.join(format!("{name}.{ending}"));
+            if path.is_file() {
+                return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
+                    refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
+                });
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// What all programs of one command share.
+struct Shared {
+    var_file: VarFile,
+    tools: Option<Tools>,
+    unit: LengthUnit,
+}
+
+/// What came of one program.
+struct Read {
+    verdict: Verdict,
+    dialect: Option<&'static Dialect>,
+    account: Account,
+    net: [f64; 9],
+    lines: usize,
+}
+
+/// Reads every program and prints what it comes to.
+pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
+    let language = arguments.lang.unwrap_or_default();
+    let shared = plan::twice(&arguments.programs).and_then(|()| shared(arguments));
+    let shared = match shared {
+        Ok(shared) => shared,
+        Err(refusal) => return refused(&refusal, language, terminal),
+    };
+    interrupt::listen();
+    let mut exit = Exit::Done;
+    let mut documents = Vec::new();
+    for path in &arguments.programs {
+        let read = read(path, arguments, &shared, terminal);
+        exit = gravest(exit, read.verdict.exit);
+        if arguments.json {
+            documents.push(document(&read));
+        } else {
+            show(&read, arguments.canon, language, terminal);
+        }
+    }
+    if arguments.json {
+        let whole = json!({
+            "rodete": env!("CARGO_PKG_VERSION"),
+            "command": "verify",
+            "exit": code(exit),
+            "status": status(exit),
+            "programs": documents,
+        });
+        terminal.out(&json::laid_out(&whole));
+    }
+    exit
+}
+
+fn shared(arguments: &Verify) -> Result<Shared, Refusal> {
+    let unit = if arguments.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
+    let bytes = |input, path: &Option<PathBuf>| path.as_deref().map(|path| workbook::open_as(input, path)).transpose();
+    let var_file = bytes(Input::VarFile, &arguments.var)?.map(|bytes| VarFile::parse(&bytes)).transpose()?;
+    let tools = bytes(Input::ToolTable, &arguments.tools)?.map(|bytes| tool_table::parse(&bytes, unit)).transpose()?;
+    Ok(Shared { var_file: var_file.unwrap_or_default(), tools, unit })
+}
+
+fn read(path: &Path, arguments: &Verify, shared: &Shared, terminal: &mut Terminal) -> Read {
+    let mut read = Read {
+        verdict: Verdict::new(path.to_owned()),
+        dialect: None,
+        account: Account::default(),
+        net: [0.0; 9],
+        lines: 0,
+    };
+    if let Err(refusal) = follow(path, arguments, shared, &mut read, terminal) {
+        read.verdict.refuse(refusal);
+    }
+    read
+}
+
+fn follow(
+    path: &Path,
+    arguments: &Verify,
+    shared: &Shared,
+    read: &mut Read,
+    terminal: &mut Terminal,
+) -> Result<(), Refusal> {
+    let mut file = workbook::open_program(path)?;
+    let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+    let named = arguments.dialect.as_deref().and_then(Dialect::named);
+    // What cannot be read is refused in its turn.
+    let dialect = named.unwrap_or_else(|| told(file.fill_buf().unwrap_or_default(), &ending));
+    read.dialect = Some(dialect);
+    let mut setting = Setting::new(dialect);
+    setting.unit = shared.unit;
+    setting.var_file = shared.var_file.clone();
+    setting.tools = shared.tools.clone();
+    setting.block_delete = arguments.block_delete;
+    setting.keep_g92 = !arguments.no_g92_persistence;
+    setting.files = Box::new(Beside(path.parent().unwrap_or(Path::new("")).to_owned()));
+    let mut interpreter = Interpreter::new(Box::new(file), setting);
+    let start = interpreter.position().1;
+    let mut before = start;
+    let (mut faults, mut total): (Vec<Fault>, usize) = (Vec::new(), 0);
+    let mut canon = String::new();
+    for item in interpreter.by_ref() {
+        match item {
+            Ok(motion) => {
+                read.account.take(&motion, &before);
+                before = motion.machine;
+                if arguments.canon {
+                    canon.push_str(&line(&motion).to_string());
+                    canon.push('\n');
+                    if canon.len() > CHUNK {
+                        terminal.out(&canon);
+                        canon.clear();
+                    }
+                }
+            }
+            Err(fault) => {
+                total += 1;
+                read.verdict.exit = gravest(read.verdict.exit, fault.exit);
+                if faults.len() < MOST {
+                    faults.push(*fault);
+                }
+            }
+        }
+    }
+    terminal.out(&canon);
+    read.net = interpreter.position().1.differences(&start);
+    read.lines = interpreter.lines();
+    let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();
+    remarks.extend(interpreter.remarks());
+    if named.is_none() {
+        remarks.push(Finding::note(
+            Place::File,
+            Text::new(
+                format!("dialecto no indicado: leído como {}", dialect.name),
+                format!("dialect not named: read as {}", dialect.name),
+            ),
+        ));
+    }
+    read.verdict.findings = findings(faults, total, remarks);
+    Ok(())
+}
+
+/// The axes of a pose by name: X, Y and Z, and what is not 0.
+fn pose(pose: &Pose) -> Value {
+    let named = Axis::ALL.into_iter().filter(|axis| !axis.rotary() && (*axis as usize) < 3 || pose.get(*axis) != 0.0);
+    // Adding 0 takes the sign of a negative zero away.
+    Value::Object(named.map(|axis| (axis.letter().to_string(), json!(pose.get(axis) + 0.0))).collect())
+}
+
+/// A canonical motion as JSON: mm, degrees, seconds.
+fn line(motion: &Motion) -> Value {
+    let mut object = Map::new();
+    object.insert("line".into(), json!(motion.line));
+    object.insert("n".into(), json!(motion.n));
+    let name = match motion.kind {
+        Kind::Rapid => "rapid",
+        Kind::Feed(_) => "feed",
+        Kind::Arc(..) => "arc",
+        Kind::Dwell(_) => "dwell",
+    };
+    object.insert("motion".into(), json!(name));
+    object.insert("to".into(), pose(&motion.to));
+    object.insert("machine".into(), pose(&motion.machine));
+    if let Kind::Arc(arc, _) = motion.kind {
+        let [first, second, _] = arc.plane.axes();
+        let centre: Map<String, Value> = [first, second]
+            .into_iter()
+            .zip(arc.centre)
+            .map(|(axis, at)| (axis.letter().to_string(), json!(at + 0.0)))
+            .collect();
+        object.insert("centre".into(), Value::Object(centre));
+        object.insert("plane".into(), json!(arc.plane.name()));
+        object.insert("turns".into(), json!(arc.turns));
+    }
+    if let Kind::Feed(feed) | Kind::Arc(_, feed) = motion.kind {
+        object.insert("feed".into(), json!(feed.value));
+        let mode = match feed.mode {
+            FeedMode::PerMinute => "mm/min",
+            FeedMode::PerRevolution => "mm/rev",
+            FeedMode::InverseTime => "1/min",
+            FeedMode::Seconds => "s",
+        };
+        object.insert("feed_unit".into(), json!(mode));
+    }
+    if let Some(seconds) = motion.seconds {
+        object.insert("seconds".into(), json!(seconds));
+    }
+    Value::Object(object)
+}
+
+fn extents(extents: &Option<Extents>) -> Value {
+    let Some(extents) = extents else { return json!({}) };
+    let moved = |axis: &Axis| (*axis as usize) < 3 || extents[*axis as usize] != [0.0, 0.0];
+    Value::Object(
+        Axis::ALL
+            .into_iter()
+            .filter(moved)
+            .map(|axis| (axis.letter().to_string(), json!(extents[axis as usize].map(|at| at + 0.0))))
+            .collect(),
+    )
+}
+
+fn document(read: &Read) -> Value {
+    let account = &read.account;
+    json!({
+        "program": read.verdict.workbook.to_string_lossy(),
+        "dialect": read.dialect.map(|dialect| dialect.name),
+        "exit": code(read.verdict.exit),
+        "status": status(read.verdict.exit),
+        "lines": read.lines,
+        "motions": account.motions,
+        "extents": { "program": extents(&account.program), "machine": extents(&account.machine) },
+        "end": { "program": pose(&account.end[0]), "machine": pose(&account.end[1]) },
+        "net_travel": pose(&Pose(read.net)),
+        "path_mm": { "feed": account.feed_path, "rapid": account.rapid_path },
+        "feed_time_s": (!account.untimed).then_some(account.seconds),
+        "findings": read.verdict.findings,
+    })
+}
+
+fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
+    let width = terminal.width;
+    let name = crate::escape::printable_path(&read.verdict.workbook);
+    let list = finding::list(&read.verdict.findings, |grade| grade > Grade::Note, &name, language, width);
+    terminal.err(&list);
+    if canon {
+        return;
+    }
+    let account = &read.account;
+    let es = language == Language::Es;
+    let word = |spanish: &'static str, english: &'static str| if es { spanish } else { english };
+    let number = |value: f64| shown(value, 3);
+    let mut text = format!(
+        "{name}: {}, {} {}, {} {}\n",
+        read.dialect.map_or("", |dialect| dialect.name),
+        read.lines,
+        word("líneas", "lines"),
+        account.motions,
+        word("movimientos", "motions")
+    );
+    if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
+        for axis in Axis::ALL {
+            let at = axis as usize;
+            if at < 3 || machine[at] != [0.0, 0.0] || program[at] != [0.0, 0.0] {
+                text.push_str(&format!(
+                    "  {}  {} … {}  {}, {} … {}  {}\n",
+                    axis.letter(),
+                    number(program[at][0]),
+                    number(program[at][1]),
+                    word("programa", "program"),
+                    number(machine[at][0]),
+                    number(machine[at][1]),
+                    word("máquina", "machine"),
+                ));
+            }
+        }
+        let list = |pose: &Pose| {
+            Axis::ALL
+                .into_iter()
+                .filter(|axis| (*axis as usize) < 3 || pose.get(*axis) != 0.0)
+                .map(|axis| format!("{} {}", axis.letter(), number(pose.get(axis))))
+                .collect::<Vec<_>>()
+                .join("  ")
+        };
+        text.push_str(&format!("  {}: {}\n", word("final (programa)", "end (program)"), list(&account.end[0])));
+        text.push_str(&format!("  {}: {}\n", word("final (máquina)", "end (machine)"), list(&account.end[1])));
+        text.push_str(&format!("  {}: {}\n", word("recorrido neto", "net travel"), list(&Pose(read.net))));
+        text.push_str(&format!(
+            "  {}: {} mm {}, {} mm {}\n",
+            word("recorrido", "path"),
+            number(account.feed_path),
+            word("en avance", "at feed"),
+            number(account.rapid_path),
+            word("en rápido", "at rapid")
+        ));
+        let time = if account.untimed {
+            word("desconocido", "not known").to_owned()
+        } else {
+            format!("{} s", number(account.seconds))
+        };
+        text.push_str(&format!("  {}: {time}\n", word("tiempo en avance y esperas", "time at feed and dwells")));
+    }
+    text.push_str(&finding::list(&read.verdict.findings, |grade| grade == Grade::Note, &name, language, width));
+    terminal.out(&text);
+}

@@ -1,0 +1,106 @@
+//! LinuxCNC's tool table.
+//!
+//! # References
+//! LinuxCNC, "Tool table format": a line for each tool, T its number, P its pocket, X to W its offsets, D its diameter, I J
+//! its angles, Q its orientation, a comment after `;`. Lengths in the machine's unit.
+
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::gcode::interpreter::setting::{Tool, Tools};
+use crate::machine::axis::Axis;
+use crate::machine::length_unit::LengthUnit;
+use crate::text::Text;
+
+/// Reads a tool table whose lengths are in a unit.
+///
+/// # Errors
+/// For a line that is no tool, each with its line and column.
+pub fn parse(bytes: &[u8], unit: LengthUnit) -> Result<Tools, Refusal> {
+    let mut tools = Tools::new();
+    let mut findings = Vec::new();
+    let text = String::from_utf8_lossy(bytes);
+    for (line, content) in (1..).zip(text.lines()) {
+        let words = content.split(';').next().unwrap_or_default();
+        if words.trim().is_empty() {
+            continue;
+        }
+        match tool(words, unit) {
+            Ok((number, tool)) => {
+                if tools.insert(number, tool).is_some() {
+                    findings.push(refused(line, 1, &format!("T{number}"), true));
+                }
+            }
+            Err((column, word)) => findings.push(refused(line, column, &word, false)),
+        }
+    }
+    if findings.is_empty() { Ok(tools) } else { Err(Refusal { exit: Exit::Refused, findings }) }
+}
+
+fn refused(line: usize, column: usize, word: &str, twice: bool) -> Finding {
+    let what = if twice {
+        Text::new(format!("{word} está dos veces en la tabla"), format!("{word} stands twice in the tool table"))
+    } else {
+        Text::new(
+            format!("«{word}» no es una palabra de la tabla de herramientas"),
+            format!("'{word}' is no word of a tool table"),
+        )
+    };
+    Finding::stop(
+        Place::Line { line, columns: vec![column] },
+        what,
+        Text::fixed("escriba una herramienta por línea: T1 P1 Z10.5 D6", "write one tool a line: T1 P1 Z10.5 D6"),
+    )
+}
+
+/// One tool, or the column and the word that is wrong.
+fn tool(words: &str, unit: LengthUnit) -> Result<(u32, Tool), (usize, String)> {
+    let mut number = None;
+    let mut tool = Tool::default();
+    for word in words.split_whitespace() {
+        let column = word.as_ptr() as usize - words.as_ptr() as usize + 1;
+        let wrong = || (column, word.to_owned());
+        let mut letters = word.chars();
+        let letter = letters.next().ok_or_else(wrong)?.to_ascii_uppercase();
+        let digits = letters.as_str();
+        let plain = digits.bytes().all(|byte| byte.is_ascii_digit() || b"+-.".contains(&byte));
+        let value: f64 = digits.parse().ok().filter(|value: &f64| plain && value.is_finite()).ok_or_else(wrong)?;
+        match letter {
+            'T' => number = Some(digits.parse().map_err(|_| wrong())?),
+            'D' => tool.diameter = unit.to_mm(value),
+            'P' | 'I' | 'J' | 'Q' => {}
+            _ => {
+                let axis = Axis::ALL.into_iter().find(|axis| axis.letter() == letter).ok_or_else(wrong)?;
+                tool.offset.set(axis, if axis.rotary() { value } else { unit.to_mm(value) });
+            }
+        }
+    }
+    number.map(|number| (number, tool)).ok_or_else(|| (1, words.trim().to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tools_are_read_with_their_lengths_in_millimetres() {
+        let tools = parse(b"T1 P1 Z+1.5 D0.25 ; drill\n\n;none\nT12 P3 X-1 Z2\n", LengthUnit::Inch).unwrap();
+        let near = |one: f64, other: f64| (one - other).abs() < 1e-12;
+        assert!(near(tools[&1].offset.get(Axis::Z), 38.1));
+        assert!(near(tools[&1].diameter, 6.35));
+        assert!(near(tools[&12].offset.get(Axis::X), -25.4));
+    }
+
+    #[test]
+    fn what_is_no_tool_is_refused_with_its_place() {
+        for (text, place) in [
+            ("T1 Z1,5", (1, 4)),
+            ("T1 Z1\nT1 Z2", (2, 1)),
+            ("Z5", (1, 1)),
+            ("T1 Znan", (1, 4)),
+            ("T1.5", (1, 1)),
+            ("T1 E5", (1, 4)),
+        ] {
+            let refusal = parse(text.as_bytes(), LengthUnit::Millimetre).unwrap_err();
+            assert_eq!(refusal.findings[0].place, Place::Line { line: place.0, columns: vec![place.1] }, "{text}");
+        }
+    }
+}
