@@ -152,7 +152,9 @@ fn feed_difference(our: &Motion, our_feed: motion::Feed, their: &rs274::Motion, 
     let length = their.length();
     // Relative: the rate has four decimals, the length is one of rounded ends.
     let alike = |a: f64, b: f64, rounding: f64| (a - b).abs() <= rounding + 1e-9 * b.abs();
-    let doubt = 4.0 * their.doubt / their.unit;
+    // What rounding has done to the ends, as often as an arc goes round its centre.
+    let rounds = if let Kind::Arc { turns, .. } = their.kind { TAU * f64::from(turns.abs()) } else { 1.0 };
+    let doubt = 4.0 * rounds * their.doubt / their.unit;
     // Degrees per minute where only the rotary axes turn, else lengths.
     let linear = !matches!(their.kind, Kind::Feed(_)) || (0..3).any(|axis| our.from.0[axis] != our.to.0[axis]);
     let unit = if linear { their.unit } else { 1.0 };

@@ -12,11 +12,12 @@ use crate::common::rs274::{self, Judge, Refused};
 use crate::{corpus, expressions, generator, ours, soup};
 
 /// Where rodete refuses on purpose what rs274 takes: a part of the message, and why.
-const STRICTER: [(&str, &str); 6] = [
+const STRICTER: [(&str, &str); 7] = [
     ("over ±99,999.999", "numbers beyond what any machine reaches are slips"),
     ("not a finite number", "infinity is no number, whatever is made of it afterwards"),
     ("negative D", "a negative speed limit means nothing"),
     ("negative Q", "a negative tolerance means nothing"),
+    ("of G10 is not a whole number", "half a tool means nothing"),
     ("G10 without L1", "L0 has a tool table read again that rodete reads once"),
     ("division by zero", "what is no number stays none, whatever is made of it afterwards"),
 ];

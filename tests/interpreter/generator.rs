@@ -166,6 +166,8 @@ struct Writer {
     /// A feed that counts in the present unit and mode is in force.
     feed: bool,
     spindle: bool,
+    /// The tool offset turns rotary axes too.
+    turning_offset: bool,
     /// A cycle that goes on with the next axis words.
     cycle: bool,
     labels: u32,
@@ -187,6 +189,7 @@ impl Writer {
             inverse_time: false,
             feed: false,
             spindle: false,
+            turning_offset: false,
             cycle: false,
             labels: 0,
         }
@@ -279,6 +282,7 @@ impl Writer {
                 self.inch = !self.inch;
                 self.feed = false;
                 self.cycle = false;
+                self.turning_offset = false;
                 self.line(&format!("G80 G49\nG{}", if self.inch { 20 } else { 21 }));
             }
             What::FeedMode => {
@@ -339,6 +343,8 @@ impl Writer {
                     2 => format!("G43.2 H{}", self.dice.of(&[1, 2, 3])),
                     _ => "G49".to_owned(),
                 };
+                self.turning_offset = line.contains("H3")
+                    || (line.contains('A') || self.turning_offset) && (line.contains("43.1") || line.contains("43.2"));
                 self.line(&line);
             }
             What::ToolTable => {
@@ -366,7 +372,8 @@ impl Writer {
                 self.line(code);
             }
             What::MachineCoordinates => {
-                let axes = self.axes("XYZABC", -100, 100);
+                // LinuxCNC leaves the tool offset of rotary axes in with G53.
+                let axes = self.axes(if self.turning_offset { "XYZ" } else { "XYZABC" }, -100, 100);
                 if self.absolute {
                     self.motion_ends_cycle(format!("G53 G0{axes}"));
                 }

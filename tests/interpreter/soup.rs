@@ -51,6 +51,10 @@ fn block(mut roll: Roll) -> String {
             roll.of(&['X', 'Y', 'Z', 'A', 'I', 'J', 'K', 'R', 'P', 'Q', 'L', 'F', 'S', 'H', 'D', 'T', 'E', 'N']);
         word(&mut line, letter, &mut roll);
     }
+    // rs274 2.9.0~pre1 looks for a tool even where G43.2 has axis words.
+    if line.contains("G43.2") && !line.contains('H') {
+        line.push_str(" H1");
+    }
     if matches!(code, "1" | "93" | "95") && !line.contains('F') && roll.one_in(2) {
         word(&mut line, 'F', &mut roll);
     }

@@ -220,7 +220,7 @@ impl Interpreter<'_> {
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
             used |= Letters::of("H").mask();
         }
-        if self.block.g(Group::Path).is_some() {
+        if self.block.g(Group::Path) == Some(G::PathTolerance) {
             used |= Letters::of("PQ").mask();
         }
         if self.block.g(Group::Speed) == Some(G::ConstantSurfaceSpeed) {
