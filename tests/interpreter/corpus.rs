@@ -1,6 +1,7 @@
-//! The programs of `tests/gcode`. `good/NAME.ngc` runs with `NAME.var` where there is one; `bad/NAME.ngc` says on its
-//! first lines what rodete says of it, `; expected: LINE:COLUMN PART OF THE MESSAGE` (column, or both, may be missing), and
-//! what rs274 does, `; rs274: refuses`, `accepts` or `hangs`. All have the tool table `tools.tbl`.
+//! The programs of `tests/gcode`. `good/NAME.ngc` runs with `NAME.var` where there is one. `bad/NAME.ngc` says on its
+//! first lines what rodete says of it, `; expected: LINE:COLUMN PART OF THE MESSAGE` (without a column where the block as a
+//! whole is refused), and what rs274 does: `; rs274: refuses`, or `accepts: ` or `hangs: ` and why rodete is stricter.
+//! `wider/NAME.ngc` says on its first line why rodete takes what rs274 refuses. All have the tool table `tools.tbl`.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -22,8 +23,8 @@ pub fn tools() -> String {
 
 /// A program by its name in `good`, with its variable file.
 pub fn good(name: &str) -> (Vec<u8>, Option<String>) {
-    let path = folder().join("good").join(name);
-    (std::fs::read(path.with_extension("ngc")).unwrap(), std::fs::read_to_string(path.with_extension("var")).ok())
+    let file = |extension: &str| folder().join("good").join(format!("{name}.{extension}"));
+    (std::fs::read(file("ngc")).unwrap(), std::fs::read_to_string(file("var")).ok())
 }
 
 /// The names of the programs in a folder.
@@ -76,27 +77,34 @@ fn good_programs_move_as_in_linuxcnc() {
 
 /// What the first lines of a bad program say.
 struct Expected {
-    line: Option<usize>,
+    line: usize,
     column: Option<usize>,
     message: String,
     rs274: String,
 }
 
 impl Expected {
-    fn of(program: &[u8]) -> Self {
+    fn of(name: &str, program: &[u8]) -> Self {
         let text = String::from_utf8_lossy(program);
         let mut lines = text.lines();
-        let expected = lines.next().and_then(|line| line.strip_prefix("; expected: ")).expect("; expected: …");
-        let rs274 = lines.next().and_then(|line| line.strip_prefix("; rs274: ")).expect("; rs274: …");
-        let (place, message) = expected.split_once(' ').unwrap_or((expected, ""));
-        let mut numbers = place.split(':').map(str::parse);
-        let (line, message) = match numbers.next() {
-            Some(Ok(line)) => (Some(line), message),
-            _ => (None, expected),
+        let mut said = |prefix: &str| {
+            let said = lines.next().and_then(|line| line.strip_prefix(prefix));
+            said.unwrap_or_else(|| panic!("{name}: {prefix}…")).trim().to_owned()
         };
-        let column = line.and_then(|_| numbers.next()).map(|column| column.expect("a column"));
-        assert!(!message.is_empty(), "a part of the message");
-        Self { line, column, message: message.to_owned(), rs274: rs274.to_owned() }
+        let (expected, rs274) = (said("; expected: "), said("; rs274: "));
+        let (place, message) = expected.split_once(' ').unwrap_or_else(|| panic!("{name}: a part of the message"));
+        assert!(message.trim().len() > 3, "{name}: a part of the message");
+        let (line, column) = match place.split_once(':') {
+            Some((line, column)) => (line, Some(column.parse().unwrap_or_else(|_| panic!("{name}: a column")))),
+            None => (place, None),
+        };
+        let line = line.parse().unwrap_or_else(|_| panic!("{name}: a line"));
+        let (rs274, reason) = match rs274.split_once(": ") {
+            Some((rs274, reason)) => (rs274.to_owned(), Some(reason.to_owned())),
+            None => (rs274, None),
+        };
+        assert_eq!(reason.is_some_and(|reason| reason.len() > 10), rs274 != "refuses", "{name}: why rodete is stricter");
+        Self { line, column, message: message.to_owned(), rs274 }
     }
 }
 
@@ -107,13 +115,12 @@ fn bad_programs_are_refused_at_their_place() {
     assert!(names.len() > 150, "{} programs", names.len());
     let mut faults = Vec::new();
     for name in names {
-        let program = std::fs::read(folder().join("bad").join(&name).with_extension("ngc")).unwrap();
-        let expected = Expected::of(&program);
+        let program = std::fs::read(folder().join("bad").join(format!("{name}.ngc"))).unwrap();
+        let expected = Expected::of(&name, &program);
         match ours::run(&program, &Judge { tools: Some(&tools), ..Judge::default() }) {
             Ok((motions, _)) => faults.push(format!("{name}: taken, with {} motions", motions.len())),
             Err(fault) => {
-                let elsewhere = expected.line.is_some_and(|line| line != fault.line)
-                    || expected.column.is_some_and(|column| fault.columns.first() != Some(&column));
+                let elsewhere = expected.line != fault.line || expected.column != fault.columns.first().copied();
                 if elsewhere || !fault.message.contains(&expected.message) {
                     faults.push(format!("{name}: {fault}"));
                 }
@@ -131,8 +138,8 @@ fn what_is_said_of_rs274_and_bad_programs_is_true() {
     let tools = tools();
     let mut faults = Vec::new();
     for name in names("bad") {
-        let program = std::fs::read(folder().join("bad").join(&name).with_extension("ngc")).unwrap();
-        let expected = Expected::of(&program).rs274;
+        let program = std::fs::read(folder().join("bad").join(format!("{name}.ngc"))).unwrap();
+        let expected = Expected::of(&name, &program).rs274;
         // Long enough for what ends at all, short for what writes without end.
         let deadline = Duration::from_millis(if expected == "hangs" { 500 } else { 10_000 });
         let said = match (Judge { tools: Some(&tools), deadline, ..Judge::default() }).run(&program) {
@@ -145,4 +152,20 @@ fn what_is_said_of_rs274_and_bad_programs_is_true() {
         }
     }
     assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn what_rodete_takes_and_rs274_refuses_is_named() {
+    let tools = tools();
+    let judge = Judge { tools: Some(&tools), ..Judge::default() };
+    let names = names("wider");
+    assert!(!names.is_empty());
+    for name in names {
+        let program = std::fs::read(folder().join("wider").join(format!("{name}.ngc"))).unwrap();
+        assert!(program.starts_with(b"; "), "{name}: why");
+        ours::run(&program, &judge).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        if rs274::is_here() {
+            assert!(matches!(judge.run(&program), Err(Refused::Error(..))), "{name}: rs274 takes it");
+        }
+    }
 }

@@ -170,7 +170,7 @@ impl Interpreter<'_> {
             }
             Some(motion) => Some(motion),
             None if takes_axes || (given && axes != 0) => None,
-            None if axes != 0 && self.modal.motion == G::Cancel => {
+            None if axes != 0 && self.modal.motion == G::Cancel && at_once != Some(G::MachineCoordinates) => {
                 return Err(self.axes_without_use(Text::fixed(
                     "palabras de eje sin un movimiento en vigor",
                     "axis words without a motion in force",
@@ -416,7 +416,7 @@ impl Interpreter<'_> {
             FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
                 if self.reading.feed_required || self.block.has(letter::F) {
                     return Err(Fault::block(
-                        Text::fixed("movimiento de avance sin F", "feed move without F"),
+                        Text::fixed("movimiento de avance sin F, o con F0", "feed move without F, or with F0"),
                         Text::fixed("dé el avance con F", "give the feed with F"),
                     ));
                 }

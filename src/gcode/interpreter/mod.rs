@@ -456,7 +456,10 @@ impl<'a> Interpreter<'a> {
 fn block_number(cursor: &mut Cursor<'_>) -> Outcome<u32> {
     let (mut number, mut digits) = (0_u32, 0);
     let column = cursor.column();
-    while let digit @ b'0'..=b'9' = cursor.peek() {
+    loop {
+        let commented = cursor.no_comment();
+        let digit @ b'0'..=b'9' = cursor.peek() else { break };
+        commented?;
         cursor.pass();
         digits += 1;
         number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
