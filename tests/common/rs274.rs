@@ -67,6 +67,9 @@ pub struct Motion {
     pub unit: f64,
     /// By how much rounding can have moved the machine coordinates, and `from`.
     pub doubt: f64,
+    /// The program has stopped since the last motion, and the operator may have moved the axes (G88): `from` is where they
+    /// were before.
+    pub by_hand: bool,
 }
 
 /// What rs274 made of a program.
@@ -207,6 +210,7 @@ struct Reading {
     machine: Six,
     /// The doubt of `machine`.
     doubt: f64,
+    stopped: bool,
     motions: Vec<Motion>,
     calls: Vec<(String, String)>,
 }
@@ -224,6 +228,7 @@ impl Default for Reading {
             rate: 0.0,
             machine: [0.0; 6],
             doubt: 0.0,
+            stopped: false,
             motions: Vec::new(),
             calls: Vec::new(),
         }
@@ -235,9 +240,10 @@ impl Reading {
     fn line(&mut self, line: &str) {
         let Some((head, arguments)) = line.split_once('(') else { return };
         let arguments = arguments.trim_end().trim_end_matches(')');
-        let mut head = head.split_whitespace();
-        let n = head.nth(1).and_then(|n| n.strip_prefix('N')?.parse().ok());
-        let Some(name) = head.next() else { return };
+        // The name follows an N word of more than five digits without a blank.
+        let Some((_, head)) = head.split_once(" N") else { return };
+        let end = head.find(|digit: char| !digit.is_ascii_digit() && digit != '.').unwrap_or(head.len());
+        let (n, name) = (head[..end].parse().ok(), head[end..].trim());
         let numbers: Vec<f64> =
             arguments.split([',', ' ']).filter(|number| !number.is_empty()).filter_map(|n| n.parse().ok()).collect();
         match (name, numbers.as_slice()) {
@@ -277,6 +283,7 @@ impl Reading {
                 let centre = [c1 * self.unit, c2 * self.unit];
                 self.motion(n, Kind::Arc { plane: self.plane, centre, turns, feed: self.feed() }, Some(to));
             }
+            ("PROGRAM_STOP", _) => self.stopped = true,
             _ => self.calls.push((name.to_owned(), arguments.to_owned())),
         }
     }
@@ -304,7 +311,8 @@ impl Reading {
             self.doubt = offsets + HALF * 1.5 * self.unit.max(1.0) + turned;
         }
         let doubt = doubt.max(self.doubt);
-        self.motions.push(Motion { n, kind, from, program, machine: self.machine, unit: self.unit, doubt });
+        let by_hand = std::mem::take(&mut self.stopped);
+        self.motions.push(Motion { n, kind, from, program, machine: self.machine, unit: self.unit, doubt, by_hand });
     }
 
     fn machine(&self, program: Six) -> Six {

@@ -119,7 +119,7 @@ fn difference(our: &Motion, their: &rs274::Motion) -> Option<String> {
     if !close(&our.machine, &their.machine, their.doubt) {
         return wrong("end in machine coordinates");
     }
-    if !close(&our.from, &their.from, their.doubt) {
+    if !their.by_hand && !close(&our.from, &their.from, their.doubt) {
         return wrong("start");
     }
     let (our_feed, feed) = match (our.kind, their.kind) {
