@@ -6,8 +6,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use rodete::gcode::motion::Motion;
+
 use crate::agreement::agree;
-use crate::common::rs274::{self, Judge, Refused};
+use crate::common::rs274::{self, Canon, Judge, Refused};
 use crate::ours;
 
 /// The offsets that outlive a program: G28 and G30, G92, the work offsets.
@@ -43,7 +45,12 @@ pub fn names(of: &str) -> Vec<String> {
 pub fn judge(program: &[u8], judge: Judge) -> Result<(), String> {
     let theirs = judge.run(program).map_err(|refused| format!("rs274: {refused:?}"))?;
     let (motions, var) = ours::run(program, &judge).map_err(|fault| format!("ours: {fault}"))?;
-    agree(&motions, &theirs.motions)?;
+    same(&motions, &var, &theirs)
+}
+
+/// Whether the motions and the offsets left behind are the same.
+pub fn same(motions: &[Motion], var: &ours::Var, theirs: &Canon) -> Result<(), String> {
+    agree(motions, &theirs.motions)?;
     for (number, theirs) in theirs.var.range(KEPT) {
         let ours = var.get(number).copied().unwrap_or_default();
         // rs274 writes six decimals.
@@ -103,7 +110,11 @@ impl Expected {
             Some((rs274, reason)) => (rs274.to_owned(), Some(reason.to_owned())),
             None => (rs274, None),
         };
-        assert_eq!(reason.is_some_and(|reason| reason.len() > 10), rs274 != "refuses", "{name}: why rodete is stricter");
+        assert_eq!(
+            reason.is_some_and(|reason| reason.len() > 10),
+            rs274 != "refuses",
+            "{name}: why rodete is stricter"
+        );
         Self { line, column, message: message.to_owned(), rs274 }
     }
 }

@@ -38,10 +38,10 @@ fn stricter(fault: &ours::Fault) -> bool {
 
 /// Both take it with the same motions and offsets, or both refuse the same block after the same motions.
 fn compare(program: &str, judge: &Judge) -> Result<(), TestCaseError> {
-    let (ours, _, fault) = ours::until_fault(program.as_bytes(), judge);
+    let (ours, var, fault) = ours::until_fault(program.as_bytes(), judge);
     let outcome = match (judge.run(program.as_bytes()), fault) {
         (Err(Refused::Deadline), _) => Err("rs274 does not end".to_owned()),
-        (Ok(_), None) => corpus::judge(program.as_bytes(), *judge),
+        (Ok(theirs), None) => corpus::same(&ours, &var, &theirs),
         (Err(Refused::Error(message, done)), Some(fault)) => {
             let block = program.lines().nth(fault.line - 1).unwrap_or_default();
             if message.lines().any(|line| line == block) || stricter(&fault) {

@@ -241,6 +241,12 @@ impl Writer {
         }
     }
 
+    /// The axes that can go to a machine position: with G28, G30 and G53 LinuxCNC leaves the tool's offset in A, B and C in,
+    /// where rodete goes to the position that its reference promises.
+    const fn machine_axes(&self) -> &'static str {
+        if self.turning_offset { "XYZ" } else { "XYZABC" }
+    }
+
     fn motion_ends_cycle(&mut self, line: String) {
         self.cycle = false;
         self.line(&line);
@@ -363,8 +369,9 @@ impl Writer {
                 }
             }
             What::Reference => {
-                let (code, axes) = (self.dice.of(&[28, 30]), self.axes("XYZABC", -50, 50));
-                let axes = if self.dice.one_in(3) { String::new() } else { axes };
+                let code = self.dice.of(&[28, 30]);
+                let axes = self.axes(self.machine_axes(), -50, 50);
+                let axes = if self.dice.one_in(3) && !self.turning_offset { String::new() } else { axes };
                 self.line(&format!("G{code}{axes}"));
             }
             What::KeepReference => {
@@ -372,8 +379,7 @@ impl Writer {
                 self.line(code);
             }
             What::MachineCoordinates => {
-                // LinuxCNC leaves the tool offset of rotary axes in with G53.
-                let axes = self.axes(if self.turning_offset { "XYZ" } else { "XYZABC" }, -100, 100);
+                let axes = self.axes(self.machine_axes(), -100, 100);
                 if self.absolute {
                     self.motion_ends_cycle(format!("G53 G0{axes}"));
                 }

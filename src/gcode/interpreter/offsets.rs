@@ -148,7 +148,8 @@ impl Interpreter<'_> {
         (frame.to_program(&machine), work.rotation)
     }
 
-    /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all.
+    /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all. LinuxCNC 2.9 ends
+    /// off it, by the tool's offset, in A, B and C; its reference promises the point itself.
     pub(super) fn go_to_reference(&mut self, second: bool) -> Outcome<()> {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|&axis| self.block.has(AXES[axis as usize])).collect();
         if !named.is_empty() {
