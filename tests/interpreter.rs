@@ -12,6 +12,8 @@ mod expressions;
 mod generated;
 #[path = "interpreter/generator.rs"]
 mod generator;
+#[path = "interpreter/kept.rs"]
+mod kept;
 #[path = "interpreter/limits.rs"]
 mod limits;
 #[path = "interpreter/ours.rs"]

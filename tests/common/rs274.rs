@@ -5,7 +5,6 @@
 //! program coordinates with four decimals in the active unit; [`Canon`] has them in mm, and in machine coordinates:
 //! machine = Rz(rotation)·(program + G92) + work offset + tool offset.
 
-use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -78,8 +77,8 @@ pub struct Canon {
     pub motions: Vec<Motion>,
     /// The calls that are no motions and change no coordinates: name and arguments.
     pub calls: Vec<(String, String)>,
-    /// The variable file as it was left.
-    pub var: BTreeMap<u16, f64>,
+    /// The variable file as it was left, in inches.
+    pub var: String,
 }
 
 /// Why there is no [`Canon`].
@@ -100,12 +99,14 @@ pub struct Judge<'a> {
     pub tools: Option<&'a str>,
     /// Whether blocks that begin with `/` are skipped.
     pub block_delete: bool,
+    /// Whether G92 outlives a program: not where the INI file has DISABLE_G92_PERSISTENCE = 1.
+    pub keep_g92: bool,
     pub deadline: Duration,
 }
 
 impl Default for Judge<'_> {
     fn default() -> Self {
-        Self { var: None, tools: None, block_delete: false, deadline: Duration::from_secs(30) }
+        Self { var: None, tools: None, block_delete: false, keep_g92: true, deadline: Duration::from_secs(30) }
     }
 }
 
@@ -142,6 +143,10 @@ impl Judge<'_> {
         if self.block_delete {
             command.arg("-b");
         }
+        if !self.keep_g92 {
+            std::fs::write(path("g92.ini"), "[RS274NGC]\nDISABLE_G92_PERSISTENCE = 1\n").unwrap();
+            command.arg("-i").arg(path("g92.ini"));
+        }
         let child = command
             .arg(path("p.ngc"))
             .arg(path("out"))
@@ -157,14 +162,7 @@ impl Judge<'_> {
         for line in lossy(&path("out")).lines() {
             reading.line(line);
         }
-        let var = lossy(&path("v.var"))
-            .lines()
-            .filter_map(|line| {
-                let (number, value) = line.split_once('\t')?;
-                Some((number.parse().ok()?, value.trim().parse().ok()?))
-            })
-            .collect();
-        let canon = Canon { motions: reading.motions, calls: reading.calls, var };
+        let canon = Canon { motions: reading.motions, calls: reading.calls, var: lossy(&path("v.var")) };
         if well { Ok(canon) } else { Err(Refused::Error(lossy(&path("err")), Box::new(canon))) }
     }
 

@@ -7,13 +7,11 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use rodete::gcode::motion::Motion;
+use rodete::machine::var_file::VarFile;
 
 use crate::agreement::agree;
 use crate::common::rs274::{self, Canon, Judge, Refused};
-use crate::ours;
-
-/// The offsets that outlive a program: G28 and G30, G92, the work offsets.
-const KEPT: std::ops::RangeInclusive<u16> = 5161..=5390;
+use crate::{kept, ours};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/gcode")
@@ -49,16 +47,9 @@ pub fn judge(program: &[u8], judge: Judge) -> Result<(), String> {
 }
 
 /// Whether the motions and the offsets left behind are the same.
-pub fn same(motions: &[Motion], var: &ours::Var, theirs: &Canon) -> Result<(), String> {
+pub fn same(motions: &[Motion], var: &VarFile, theirs: &Canon) -> Result<(), String> {
     agree(motions, &theirs.motions)?;
-    for (number, theirs) in theirs.var.range(KEPT) {
-        let ours = var.get(number).copied().unwrap_or_default();
-        // rs274 writes six decimals.
-        if (ours - theirs).abs() > 0.000_001 {
-            return Err(format!("#{number} is left at {ours}, by rs274 at {theirs}"));
-        }
-    }
-    Ok(())
+    kept::same(&kept::offsets(var), &kept::offsets(&kept::parsed(&theirs.var)))
 }
 
 #[test]

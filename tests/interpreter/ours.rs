@@ -1,6 +1,5 @@
 //! rodete's interpreter as the tests call it: LinuxCNC's dialect, the inch as the machine's unit.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use rodete::gcode::dialect::LINUXCNC;
@@ -11,9 +10,6 @@ use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 
 use crate::common::rs274::Judge;
-
-/// The parameters left at the end, in inches: what a variable file keeps.
-pub type Var = BTreeMap<u16, f64>;
 
 /// Where and why a program is refused.
 #[derive(Clone, Debug)]
@@ -33,6 +29,7 @@ pub fn setting(judge: &Judge) -> Setting {
     let mut setting = Setting::new(&LINUXCNC);
     setting.unit = LengthUnit::Inch;
     setting.block_delete = judge.block_delete;
+    setting.keep_g92 = judge.keep_g92;
     setting.tools = Some(tools(judge.tools.unwrap_or_default()));
     if let Some(var) = judge.var {
         setting.var_file = VarFile::parse(var.as_bytes()).expect("a variable file");
@@ -64,8 +61,8 @@ fn tools(table: &str) -> Tools {
     tools
 }
 
-/// The motions and the parameters up to the end or to the first fault.
-pub fn until_fault(program: &[u8], judge: &Judge) -> (Vec<Motion>, Var, Option<Fault>) {
+/// The motions and the variable file up to the end or to the first fault.
+pub fn until_fault(program: &[u8], judge: &Judge) -> (Vec<Motion>, VarFile, Option<Fault>) {
     let mut interpreter = Interpreter::over(program, setting(judge));
     let mut motions = Vec::new();
     let mut fault = None;
@@ -79,13 +76,11 @@ pub fn until_fault(program: &[u8], judge: &Judge) -> (Vec<Motion>, Var, Option<F
             }
         }
     }
-    let var = interpreter.var_file();
-    let var = var.iter().filter_map(|(number, value)| Some((u16::try_from(number).ok()?, value))).collect();
-    (motions, var, fault)
+    (motions, interpreter.var_file(), fault)
 }
 
-/// The motions and the parameters left behind.
-pub fn run(program: &[u8], judge: &Judge) -> Result<(Vec<Motion>, Var), Fault> {
+/// The motions and the variable file left behind.
+pub fn run(program: &[u8], judge: &Judge) -> Result<(Vec<Motion>, VarFile), Fault> {
     match until_fault(program, judge) {
         (motions, var, None) => Ok((motions, var)),
         (_, _, Some(fault)) => Err(fault),

@@ -2,6 +2,7 @@
 
 use rodete::gcode::motion::{Kind, Motion, Plane};
 use rodete::machine::axis::Axis;
+use rodete::machine::var_file::VarFile;
 
 use crate::common::rs274::{Judge, Six};
 use crate::corpus::{good, tools};
@@ -22,7 +23,7 @@ use By::{G0, G1, G3};
 /// How each motion goes and where it ends in machine coordinates, in inches; feeds in inches per minute.
 type Table = Vec<(By, [f64; 3])>;
 
-fn run(name: &str) -> (Vec<Motion>, ours::Var) {
+fn run(name: &str) -> (Vec<Motion>, VarFile) {
     let (program, var) = good(name);
     let tools = tools();
     ours::run(&program, &Judge { var: var.as_deref(), tools: Some(&tools), ..Judge::default() }).unwrap()
@@ -91,7 +92,7 @@ fn the_five_circles_lie_about_the_offsets_that_g10_sets() {
     let (motions, var) = run("source-five-circles");
     assert_follows(&motions, &five_circles(0.0));
     for (number, offset) in [(5221, 0.0), (5241, 0.5), (5261, -0.5), (5282, 0.5), (5302, -0.5)] {
-        let left = var.get(&number).copied().unwrap_or_default();
+        let left = var.get(number).unwrap();
         assert!((left - offset).abs() < 1e-12, "#{number} is {left}");
     }
 }
@@ -102,6 +103,6 @@ fn g92_z1_at_the_start_puts_the_five_circles_an_inch_deeper() {
     assert_follows(&motions, &five_circles(-1.0));
     // G92.1 at the end leaves nothing behind.
     for number in 5210..=5219 {
-        assert!(var.get(&number).copied().unwrap_or_default().abs() < 1e-12, "#{number}");
+        assert!(var.get(number).unwrap().abs() < 1e-12, "#{number}");
     }
 }

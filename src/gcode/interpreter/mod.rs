@@ -119,7 +119,7 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn new(bytes: Box<dyn Bytes + 'a>, setting: Setting) -> Self {
         let reading = setting.dialect.reading;
-        let (offsets, found) = Offsets::read(&setting.var_file, setting.unit);
+        let (mut offsets, found) = Offsets::read(&setting.var_file, setting.unit);
         let mut remarks = Remarks::default();
         // A control without var file starts in its first system.
         for finding in found.into_iter().filter(|_| !setting.var_file.is_empty()) {
@@ -133,6 +133,12 @@ impl<'a> Interpreter<'a> {
             parameters.set(number as usize, value);
         }
         parameters.set(ACTIVE as usize, f64::from(offsets.active.number()));
+        if !setting.keep_g92 {
+            (offsets.g92, offsets.g92_on) = (Pose::default(), false);
+            for number in G92_SWITCH..G92_FIRST + 9 {
+                parameters.set(number as usize, 0.0);
+            }
+        }
         let frame = offsets.frame(Pose::default());
         #[expect(clippy::cast_possible_truncation, reason = "1 to 9")]
         let system = offsets.active.number() as u8;
