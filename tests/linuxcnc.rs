@@ -4,10 +4,10 @@
 #[path = "interpreter/agreement.rs"]
 mod agreement;
 mod common;
-#[path = "interpreter/ours.rs"]
-mod ours;
 
 use common::rs274::{self, Canon, Judge, Kind, Six};
+use rodete::gcode::motion::{self, Motion};
+use rodete::gcode::program::Program;
 use rodete::machine::axis::Position;
 use rodete::parameter::Value;
 
@@ -28,92 +28,81 @@ fn moves(canon: &Canon) -> Vec<(bool, Six)> {
     moves.collect()
 }
 
-#[test]
-fn linuxcnc_moves_as_planned() {
-    if !rs274::is_here() {
-        return;
-    }
-    for distance in ["G90", "G91"] {
-        for (n, N, splitters) in [(40, 4, "yes"), (17, 3, "yes"), (80, 5, "no")] {
-            let outcome = common::outcome(
-                "full",
-                &[
-                    ("dialect", Value::Choice("linuxcnc")),
-                    ("distance", Value::Choice(distance)),
-                    ("n", Value::Whole(n)),
-                    ("N", Value::Whole(N)),
-                    ("splitters", Value::Choice(splitters)),
-                ],
-            );
-            for program in outcome.programs.iter().filter(|program| program.key != "blank") {
-                let motions = moves(&judge(&program.text()).unwrap());
-                let mut planned = Vec::new();
-                program.for_each_move(&mut |each| {
-                    planned.push((each.path.rapid, each.to.differences(&Position::default())));
-                });
-                // Before the plan: two positioning blocks. G93 makes no motion, but a null move may be listed.
-                let motions: Vec<_> = motions
-                    .iter()
-                    .enumerate()
-                    .filter(|&(at, motion)| at == 0 || motions[at - 1].1 != motion.1)
-                    .map(|(_, motion)| *motion)
-                    .collect();
-                let motions = &motions[motions.len() - planned.len()..];
-                for (judged, planned) in motions.iter().zip(&planned) {
-                    assert_eq!(judged.0, planned.0, "{}", program.key);
-                    let miss = judged.1.iter().zip(planned.1).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                    assert!(miss < 0.000_051, "{}: {judged:?} against {planned:?}", program.key);
-                }
-            }
-        }
-    }
-}
+/// The designs, as changes to the published one: distance, n, N, splitters.
+const DESIGNS: [(&str, u32, u32, &str); 5] =
+    [("G90", 40, 4, "yes"), ("G91", 40, 4, "yes"), ("G90", 17, 3, "yes"), ("G91", 23, 3, "no"), ("G90", 80, 5, "no")];
 
 /// Three that know nothing of one another: the plan that the text was written from, rodete's interpreter of the text, and
-/// LinuxCNC's.
+/// LinuxCNC's. The turning program of the blank is for a lathe, and in no dialect of a mill.
 #[test]
 fn plan_interpreter_and_linuxcnc_agree_on_our_programs() {
-    for (distance, n, splitters) in [("G90", 40, "yes"), ("G91", 40, "yes"), ("G90", 23, "no")] {
+    let judge = Judge { tools: Some(TOOLS), ..Judge::default() };
+    for (distance, n, N, splitters) in DESIGNS {
         let outcome = common::outcome(
             "full",
             &[
                 ("dialect", Value::Choice("linuxcnc")),
                 ("distance", Value::Choice(distance)),
                 ("n", Value::Whole(n)),
+                ("N", Value::Whole(N)),
                 ("splitters", Value::Choice(splitters)),
             ],
         );
-        for program in outcome.programs.iter().filter(|program| program.key != "blank") {
-            let text = program.text();
-            let judge = Judge { tools: Some(TOOLS), ..Judge::default() };
-            let (motions, _) =
-                ours::run(text.as_bytes(), &judge).unwrap_or_else(|fault| panic!("{}: {fault}", program.key));
+        let programs: Vec<_> = outcome.programs.iter().filter(|program| program.key != "blank").collect();
+        assert!(!programs.is_empty());
+        for program in programs {
+            let design = format!("{} {distance} n {n} N {N} splitters {splitters}", program.key);
+            assert_eq!(program.dialect.name, "linuxcnc", "{design}");
+            let motions: Vec<Motion> = program
+                .read_back()
+                .collect::<Result<_, _>>()
+                .unwrap_or_else(|fault| panic!("{design}: {}: {}", fault.line, fault.what.en));
             if rs274::is_here() {
-                agreement::agree(&motions, &judge.run(text.as_bytes()).unwrap().motions).unwrap();
+                let theirs =
+                    judge.run(program.text().as_bytes()).unwrap_or_else(|refused| panic!("{design}: {refused:?}"));
+                agreement::agree(&motions, &theirs.motions).unwrap_or_else(|fault| panic!("{design}: {fault}"));
             }
-            let read = motions.iter().filter(|motion| motion.from != motion.to);
-            // Positioning blocks come before the plan.
-            let mut planned = 0;
-            program.for_each_move(&mut |_| planned += 1);
-            let before = read.clone().count().checked_sub(planned).expect("every planned move is in the text");
-            let mut read = read.skip(before);
-            program.for_each_move(&mut |each| {
-                let motion = read.next().expect("a motion");
-                assert_eq!(motion.line, each.line, "{}", program.key);
-                assert_eq!(matches!(motion.kind, rodete::gcode::motion::Kind::Rapid), each.path.rapid);
-                let planned = each.to.differences(&Position::default());
-                let miss = motion.machine.0.iter().zip(planned).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                assert!(miss < 1e-9, "{} line {}: {motion:?} against {planned:?}", program.key, each.line);
-                // F is the inverse of the time, with three decimals.
-                if let (Some(seconds), false) = (each.path.seconds(each.step), each.path.rapid) {
-                    let read = motion.seconds.expect("a time");
-                    assert!(
-                        (60.0 / read - 60.0 / seconds).abs() < 0.000_501,
-                        "line {}: {read} s, {seconds} s planned",
-                        each.line
-                    );
-                }
-            });
+            assert_as_planned(program, &motions, &design);
+        }
+    }
+}
+
+fn assert_as_planned(program: &Program, motions: &[Motion], design: &str) {
+    let read = motions.iter().filter(|motion| motion.from != motion.to);
+    // Positioning blocks come before the plan.
+    let mut planned = 0;
+    program.for_each_move(&mut |_| planned += 1);
+    assert!(planned > 0, "{design}");
+    let before = read.clone().count().checked_sub(planned).expect("every planned move is in the text");
+    let mut read = read.skip(before);
+    program.for_each_move(&mut |each| {
+        let motion = read.next().expect("a motion");
+        assert_eq!(motion.line, each.line, "{design}");
+        assert_eq!(matches!(motion.kind, motion::Kind::Rapid), each.path.rapid, "{design}");
+        let planned = each.to.differences(&Position::default());
+        let miss = motion.machine.0.iter().zip(planned).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(miss < 1e-9, "{design} line {}: {motion:?} against {planned:?}", each.line);
+        // F is the inverse of the time, with three decimals.
+        if let (Some(seconds), false) = (each.path.seconds(each.step), each.path.rapid) {
+            let read = motion.seconds.expect("a time");
+            assert!(
+                (60.0 / read - 60.0 / seconds).abs() < 0.000_501,
+                "{design} line {}: {read} s, {seconds} s planned",
+                each.line
+            );
+        }
+    });
+}
+
+/// The printed annex has no F: LinuxCNC does not feed without one.
+#[test]
+fn programs_in_the_style_of_the_annex_are_refused_by_both() {
+    let outcome = common::outcome("full", &[("dialect", Value::Choice("linuxcnc")), ("style", Value::Choice("annex"))]);
+    for program in outcome.programs.iter().filter(|program| program.key != "blank") {
+        let fault = program.read_back().find_map(Result::err).expect("refused");
+        assert!(fault.what.en.contains("without F"), "{}: {}", program.key, fault.what.en);
+        if rs274::is_here() {
+            assert!(matches!(judge(&program.text()), Err(rs274::Refused::Error(..))), "{}", program.key);
         }
     }
 }
