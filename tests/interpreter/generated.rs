@@ -12,9 +12,11 @@ use crate::common::rs274::{self, Judge, Refused};
 use crate::{corpus, expressions, generator, ours, soup};
 
 /// Where rodete refuses on purpose what rs274 takes: a part of the message, and why.
-const STRICTER: [(&str, &str); 7] = [
+const STRICTER: [(&str, &str); 9] = [
     ("over ±99,999.999", "numbers beyond what any machine reaches are slips"),
     ("not a finite number", "infinity is no number, whatever is made of it afterwards"),
+    ("G43.1 without axis words", "it changes nothing, so that the axis word has been forgotten"),
+    ("motion under G93 with F0", "a move that takes for ever means nothing"),
     ("negative D", "a negative speed limit means nothing"),
     ("negative Q", "a negative tolerance means nothing"),
     ("of G10 is not a whole number", "half a tool means nothing"),

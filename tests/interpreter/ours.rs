@@ -30,6 +30,8 @@ pub fn setting(judge: &Judge) -> Setting {
     setting.unit = LengthUnit::Inch;
     setting.block_delete = judge.block_delete;
     setting.keep_g92 = judge.keep_g92;
+    // A debug build takes its time.
+    setting.budget.repeated_blocks = 20_000;
     setting.tools = Some(tools(judge.tools.unwrap_or_default()));
     if let Some(var) = judge.var {
         setting.var_file = VarFile::parse(var.as_bytes()).expect("a variable file");

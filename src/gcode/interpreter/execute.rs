@@ -409,8 +409,15 @@ impl Interpreter<'_> {
         match mode {
             FeedMode::InverseTime | FeedMode::Seconds if self.block.get(letter::F).is_none_or(|F| F <= 0.0) => {
                 return Err(Fault::block(
-                    Text::fixed("movimiento con G93 sin F", "motion under G93 without F"),
-                    Text::fixed("dé F en cada bloque de movimiento", "give F in every motion block"),
+                    if self.block.has(letter::F) {
+                        Text::fixed("movimiento con G93 y F0", "motion under G93 with F0")
+                    } else {
+                        Text::fixed("movimiento con G93 sin F", "motion under G93 without F")
+                    },
+                    Text::fixed(
+                        "dé un F mayor que 0 en cada bloque de movimiento",
+                        "give an F greater than 0 in every motion block",
+                    ),
                 ));
             }
             FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {

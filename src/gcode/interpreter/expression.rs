@@ -14,8 +14,8 @@ use crate::text::Text;
 
 /// How deep brackets may be nested.
 pub const DEEPEST: usize = 64;
-/// Numbers that differ by less compare equal.
-const EQUAL: f64 = 1e-6;
+/// Numbers that differ by less are equal for EQ and NE; the other comparisons are exact.
+const EQUAL: f64 = 1e-4;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Operator {
@@ -100,9 +100,9 @@ impl Operator {
             Self::Equal => truth(close),
             Self::NotEqual => truth(!close),
             Self::Less => truth(left < right),
-            Self::LessOrEqual => truth(close || left <= right),
+            Self::LessOrEqual => truth(left <= right),
             Self::Greater => truth(left > right),
-            Self::GreaterOrEqual => truth(close || left >= right),
+            Self::GreaterOrEqual => truth(left >= right),
             Self::And => truth(left != 0.0 && right != 0.0),
             Self::Or => truth(left != 0.0 || right != 0.0),
             Self::ExclusiveOr => truth((left != 0.0) != (right != 0.0)),
