@@ -436,8 +436,8 @@ impl Writer {
             return;
         }
         let across = self.plane.axes()[2].letter();
-        let code = self.dice.of(&[81, 82, 83, 73, 85, 89, 86, 84]);
-        if matches!(code, 84 | 86) && !self.spindle {
+        let code = self.dice.of(&[81, 82, 83, 73, 85, 89, 86, 84, 87, 88]);
+        if matches!(code, 84 | 86..=88) && !self.spindle {
             return;
         }
         // LinuxCNC mixes up the axes of tapping in G18 and G19.
@@ -458,8 +458,12 @@ impl Writer {
         // With G91 the depth counts from R.
         let z = if self.absolute { r - deep } else { -deep };
         let own = match code {
-            82 | 86 | 89 => format!(" P{}", plain(self.dice.number(0, 3).abs())),
+            82 | 86 | 88 | 89 => format!(" P{}", plain(self.dice.number(0, 3).abs())),
             83 | 73 => format!(" Q{}", plain((deep / f64::from(1 + self.dice.below(5)) * 0.93).max(0.02))),
+            87 => {
+                let [i, j, k] = [(-4, 4), (-4, 4), (-10, 10)].map(|(low, high)| self.length(low, high));
+                format!(" I{i} J{j} K{k}")
+            }
             _ => String::new(),
         };
         self.cycle = true;
