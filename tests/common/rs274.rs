@@ -77,6 +77,8 @@ pub struct Canon {
     pub motions: Vec<Motion>,
     /// The calls that are no motions and change no coordinates: name and arguments.
     pub calls: Vec<(String, String)>,
+    /// All of them, line by line as rs274 prints them.
+    pub text: String,
     /// The variable file as it was left, in inches.
     pub var: String,
 }
@@ -159,10 +161,11 @@ impl Judge<'_> {
             .unwrap();
         let well = self.ends_well(child)?;
         let mut reading = Reading::default();
-        for line in lossy(&path("out")).lines() {
+        let text = lossy(&path("out"));
+        for line in text.lines() {
             reading.line(line);
         }
-        let canon = Canon { motions: reading.motions, calls: reading.calls, var: lossy(&path("v.var")) };
+        let canon = Canon { motions: reading.motions, calls: reading.calls, text, var: lossy(&path("v.var")) };
         if well { Ok(canon) } else { Err(Refused::Error(lossy(&path("err")), Box::new(canon))) }
     }
 

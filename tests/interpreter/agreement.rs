@@ -110,6 +110,8 @@ fn printed_alike(ours: &Pose, their: &rs274::Motion) -> bool {
 /// In what two motions differ.
 fn difference(our: &Motion, their: &rs274::Motion) -> Option<String> {
     let wrong = |what: &str| Some(what.to_owned());
+    // Where the operator leaves the axes only the interpreter knows.
+    let their = &rs274::Motion { from: if their.by_hand { six(&our.from) } else { their.from }, ..*their };
     if their.n.is_some() && their.n != our.n {
         return wrong("block number");
     }
@@ -121,7 +123,7 @@ fn difference(our: &Motion, their: &rs274::Motion) -> Option<String> {
     if !close(&our.machine, &their.machine, their.doubt) {
         return wrong("end in machine coordinates");
     }
-    if !their.by_hand && !close(&our.from, &their.from, their.doubt) {
+    if !close(&our.from, &their.from, their.doubt) {
         return wrong("start");
     }
     let (our_feed, feed) = match (our.kind, their.kind) {
