@@ -312,7 +312,8 @@ impl Reading {
             self.doubt = offsets + HALF * 1.5 * self.unit.max(1.0) + turned;
         }
         let doubt = doubt.max(self.doubt);
-        let by_hand = std::mem::take(&mut self.stopped);
+        let by_hand = self.stopped;
+        self.stopped &= to.is_none();
         self.motions.push(Motion { n, kind, from, program, machine: self.machine, unit: self.unit, doubt, by_hand });
     }
 

@@ -87,7 +87,8 @@ fn arc_length(motion: &rs274::Motion, plane: Plane, centre: [f64; 2], turns: i32
     let radius = hypot(motion.from[first] - centre[0], motion.from[second] - centre[1]);
     let swept = (angle(&motion.program) - angle(&motion.from)) * f64::from(turns.signum());
     // An end within rounding of the start is a full circle.
-    let swept = if swept <= 1e-4 / radius.max(1e-3) { swept + TAU } else { swept };
+    let nothing = (1e-4 + 2.0 * motion.doubt) / radius.max(1e-3);
+    let swept = if swept <= nothing { swept + TAU } else { swept };
     hypot(radius * (swept + TAU * f64::from(turns.abs() - 1)), motion.program[across] - motion.from[across])
 }
 
@@ -111,13 +112,23 @@ fn printed_alike(ours: &Pose, their: &rs274::Motion) -> bool {
 fn difference(our: &Motion, their: &rs274::Motion) -> Option<String> {
     let wrong = |what: &str| Some(what.to_owned());
     // Where the operator leaves the axes only the interpreter knows.
-    let their = &rs274::Motion { from: if their.by_hand { six(&our.from) } else { their.from }, ..*their };
+    let mut their = *their;
+    if their.by_hand {
+        their.from = six(&our.from);
+        if matches!(their.kind, Kind::Dwell(_)) {
+            (their.program, their.machine) = (six(&our.to), six(&our.machine));
+        }
+    }
+    let their = &their;
     if their.n.is_some() && their.n != our.n {
         return wrong("block number");
     }
     // Of a dwell the place is not printed.
-    let dwells = matches!(their.kind, Kind::Dwell(_));
-    if !printed_alike(&our.to, their) && !(dwells && close(&our.to, &their.program, their.doubt)) {
+    let same_end = match their.kind {
+        Kind::Dwell(_) => close(&our.to, &their.program, their.doubt),
+        _ => printed_alike(&our.to, their),
+    };
+    if !same_end {
         return wrong("end in program coordinates");
     }
     if !close(&our.machine, &their.machine, their.doubt) {

@@ -457,9 +457,10 @@ impl Writer {
         let (r, deep) = if self.inch { (r / 10.0, deep / 10.0) } else { (r, deep) };
         // With G91 the depth counts from R.
         let z = if self.absolute { r - deep } else { -deep };
+        // No whole number of pecks: whether the last one is still made would be up to the last digit.
         let own = match code {
             82 | 86 | 88 | 89 => format!(" P{}", plain(self.dice.number(0, 3).abs())),
-            83 | 73 => format!(" Q{}", plain((deep / f64::from(1 + self.dice.below(5)) * 0.93).max(0.02))),
+            83 | 73 => format!(" Q{}", plain((deep / f64::from(1 + self.dice.below(5)) * 0.93).max(0.0213))),
             87 => {
                 let [i, j, k] = [(-4, 4), (-4, 4), (-10, 10)].map(|(low, high)| self.length(low, high));
                 format!(" I{i} J{j} K{k}")
