@@ -33,16 +33,19 @@ pub fn begins<'a>(ours: &[Motion], theirs: &'a [rs274::Motion]) -> Result<&'a [r
     loop {
         match (ours.get(at), theirs.get(to)) {
             (None, None) => return Ok(&[]),
-            (Some(our), Some(their)) => match difference(our, their) {
-                None => (at, to) = (at + 1, to + 1),
-                Some(_) if goes_nowhere(our) => at += 1,
-                Some(_) if their.goes_nowhere() => to += 1,
-                Some(why) => {
-                    return Err(format!(
-                        "motion {at} of ours, {to} of rs274: {why}\n  ours  {our:?}\n  rs274 {their:?}"
-                    ));
+            (Some(our), Some(their)) => {
+                let their = &after_the_operator(their, our);
+                match difference(our, their) {
+                    None => (at, to) = (at + 1, to + 1),
+                    Some(_) if goes_nowhere(our) => at += 1,
+                    Some(_) if their.goes_nowhere() => to += 1,
+                    Some(why) => {
+                        return Err(format!(
+                            "motion {at} of ours, {to} of rs274: {why}\n  ours  {our:?}\n  rs274 {their:?}"
+                        ));
+                    }
                 }
-            },
+            }
             (Some(our), None) if goes_nowhere(our) => at += 1,
             (None, Some(their)) if their.goes_nowhere() => to += 1,
             (Some(our), None) => return Err(format!("rs274 has no motion like {our:?}")),
@@ -92,6 +95,18 @@ fn arc_length(motion: &rs274::Motion, plane: Plane, centre: [f64; 2], turns: i32
     hypot(radius * (swept + TAU * f64::from(turns.abs() - 1)), motion.program[across] - motion.from[across])
 }
 
+/// A motion of rs274 from where rodete takes the operator to have left the axes: the canon does not say.
+fn after_the_operator(their: &rs274::Motion, our: &Motion) -> rs274::Motion {
+    let mut their = *their;
+    if their.by_hand {
+        their.from = six(&our.from);
+        if matches!(their.kind, Kind::Dwell(_)) {
+            (their.program, their.machine) = (six(&our.to), six(&our.machine));
+        }
+    }
+    their
+}
+
 fn six(pose: &Pose) -> Six {
     std::array::from_fn(|axis| pose.0[axis])
 }
@@ -111,15 +126,6 @@ fn printed_alike(ours: &Pose, their: &rs274::Motion) -> bool {
 /// In what two motions differ.
 fn difference(our: &Motion, their: &rs274::Motion) -> Option<String> {
     let wrong = |what: &str| Some(what.to_owned());
-    // Where the operator leaves the axes only the interpreter knows.
-    let mut their = *their;
-    if their.by_hand {
-        their.from = six(&our.from);
-        if matches!(their.kind, Kind::Dwell(_)) {
-            (their.program, their.machine) = (six(&our.to), six(&our.machine));
-        }
-    }
-    let their = &their;
     if their.n.is_some() && their.n != our.n {
         return wrong("block number");
     }

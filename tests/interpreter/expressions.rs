@@ -40,7 +40,9 @@ fn exact() -> impl Strategy<Value = String> {
 fn expression() -> impl Strategy<Value = String> {
     prop_oneof![
         3 => exact(),
-        1 => (prop::sample::select(TRANSCENDENTAL.to_vec()), exact()).prop_map(|(f, inner)| format!("{f}[{inner}]")),
+        // No powers: of a great angle the last digit decides the sine.
+        1 => (prop::sample::select(TRANSCENDENTAL.to_vec()), exact().prop_filter("no powers", |inner| !inner.contains("**")))
+            .prop_map(|(f, inner)| format!("{f}[{inner}]")),
     ]
 }
 
