@@ -146,7 +146,8 @@ fn refused(line: usize, what: Text, remedy: Text) -> Box<Fault> {
 /// A word that stands in nothing it belongs to, with what is open around it.
 fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
     let (label, word, home) = (shown(&mark.label), mark.word.name(), mark.word.belongs_to());
-    if let Some(open) = open.filter(|open| open.word == Word::Else && open.label == mark.label) {
+    let clause = matches!(mark.word, Word::Else | Word::ElseIf);
+    if let Some(open) = open.filter(|open| clause && open.word == Word::Else && open.label == mark.label) {
         let (first, line) = (open.word.name(), open.at.lines + 1);
         return refused(
             mark.at.lines + 1,
@@ -155,7 +156,7 @@ fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
                 format!("{label} {word} behind the {first} of line {line}"),
             ),
             Text::new(
-                format!("ELSE va una vez y el último; cierre con {label} ENDIF"),
+                format!("ELSE va una sola vez y en último lugar; cierre con {label} ENDIF"),
                 format!("ELSE stands once and last; close with {label} ENDIF"),
             ),
         );
@@ -163,8 +164,8 @@ fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
     let (es, en) = open.map_or_else(Default::default, |open| {
         let (label, word, line) = (shown(&open.label), open.word.name(), open.at.lines + 1);
         (
-            format!("; está abierto {label} {word} de la línea {line}"),
-            format!("; open is {label} {word} of line {line}"),
+            format!("; sigue abierto {label} {word} de la línea {line}"),
+            format!("; {label} {word} of line {line} is still open"),
         )
     });
     refused(
