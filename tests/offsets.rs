@@ -1,10 +1,8 @@
 //! Work offsets and LinuxCNC's parameter file, held against LinuxCNC's own interpreter where it is installed.
 
-use std::io::Write;
-use std::path::Path;
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+mod common;
 
+use common::rs274::{self, Refused};
 use proptest::prelude::*;
 use rodete::finding::{Exit, Grade, Place, Refusal};
 use rodete::gcode::offset_preamble::preamble;
@@ -15,57 +13,13 @@ use rodete::machine::var_file::{FILE, LAST, VarFile, required};
 use rodete::machine::work_offset::{Frame, Offsets, System, WorkOffset};
 use rodete::text::Language;
 
-/// True where rs274 is installed. Where it is not, says so loudly; in CI that is a failure.
-fn rs274_is_here() -> bool {
-    let here = Command::new("rs274").arg("-h").stdin(Stdio::null()).output().is_ok();
-    if !here {
-        let _ = writeln!(
-            std::io::stderr(),
-            "\n*** rs274 is not installed: offsets are NOT JUDGED by LinuxCNC. Install linuxcnc-uspace. ***\n"
-        );
-        assert!(std::env::var_os("CI").is_none(), "rs274 is missing in CI");
-    }
-    here
-}
-
 /// Runs a program with a var file: the canonical calls, and the var file that is left behind.
 fn rs274(program: &str, var: Option<&str>) -> Result<(String, String), String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = |name: &str| folder.path().join(name);
-    std::fs::write(path("p.ngc"), program).unwrap();
-    std::fs::write(path("t.tbl"), "").unwrap();
-    if let Some(text) = var {
-        std::fs::write(path("v.var"), text).unwrap();
+    match rs274::run(program.as_bytes(), var, None) {
+        Ok(canon) => Ok((canon.text, canon.var)),
+        Err(Refused::Error(message, _)) => Err(message),
+        Err(Refused::Deadline) => Err("deadline".to_owned()),
     }
-    let option = |name: &str, file: &str| [name.into(), path(file).into_os_string()];
-    let mut child = Command::new("rs274")
-        .arg("-g")
-        .args(option("-t", "t.tbl"))
-        .args(option("-v", "v.var"))
-        .arg(path("p.ngc"))
-        .arg(path("out"))
-        .env("HOME", folder.path())
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let start = Instant::now();
-    let status = loop {
-        if let Some(status) = child.try_wait().unwrap() {
-            break status;
-        }
-        if start.elapsed() > Duration::from_secs(30) {
-            child.kill().unwrap();
-            return Err("deadline".to_owned());
-        }
-        std::thread::sleep(Duration::from_millis(5));
-    };
-    if !status.success() {
-        return Err(String::from_utf8_lossy(&child.wait_with_output().unwrap().stderr).into_owned());
-    }
-    let text = |name: &str| std::fs::read_to_string(Path::new(&path(name))).unwrap();
-    Ok((text("out"), text("v.var")))
 }
 
 /// The numbers of every call of a name in a list of canonical calls.
@@ -307,7 +261,7 @@ proptest! {
 
 #[test]
 fn linuxcnc_writes_the_same_file() {
-    if !rs274_is_here() {
+    if !rs274::is_here() {
         return;
     }
     let (_, fresh) = rs274("M2\n", None).unwrap();
@@ -323,7 +277,7 @@ fn linuxcnc_writes_the_same_file() {
 
 #[test]
 fn linuxcnc_refuses_the_files_that_are_refused_for_its_sake() {
-    if !rs274_is_here() {
+    if !rs274::is_here() {
         return;
     }
     for (text, message) in [
@@ -339,7 +293,7 @@ fn linuxcnc_refuses_the_files_that_are_refused_for_its_sake() {
 
 #[test]
 fn linuxcnc_reads_our_offsets_as_they_were_meant() {
-    if !rs274_is_here() {
+    if !rs274::is_here() {
         return;
     }
     let mut offsets = Offsets { active: System::G55, g92_on: true, ..Offsets::default() };
@@ -374,7 +328,7 @@ fn linuxcnc_reads_our_offsets_as_they_were_meant() {
 /// The machine position is not in the canonical calls; G28.1 stores it in the var file.
 #[test]
 fn linuxcnc_agrees_on_the_machine_position() {
-    if !rs274_is_here() {
+    if !rs274::is_here() {
         return;
     }
     let mut offsets = Offsets { active: System::G56, g92_on: true, ..Offsets::default() };
@@ -455,7 +409,7 @@ fn every_bad_edit_is_refused_with_its_reason_and_a_hint() {
 
 #[test]
 fn edits_of_g92_do_what_linuxcnc_does() {
-    if !rs274_is_here() {
+    if !rs274::is_here() {
         return;
     }
     let registers = |file: &VarFile| -> Vec<f64> { (5210..5220).map(|number| file.get(number).unwrap()).collect() };
@@ -473,7 +427,7 @@ fn edits_of_g92_do_what_linuxcnc_does() {
 
 #[test]
 fn the_blocks_give_linuxcnc_the_offsets_of_the_file() {
-    if !rs274_is_here() {
+    if !rs274::is_here() {
         return;
     }
     let mut offsets = Offsets { active: System::G58, ..Offsets::default() };

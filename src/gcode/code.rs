@@ -154,6 +154,8 @@ pub enum G {
     WorkOffset(u8),
     /// Path control without effect on the programmed path.
     PathControl,
+    /// The same, with tolerances P and Q (G64).
+    PathTolerance,
     /// Canned cycle.
     Cycle(Cycle),
     /// No canned cycle, no motion.
@@ -212,7 +214,7 @@ impl G {
             Self::CutterCompensationOff => Group::CutterCompensation,
             Self::ToolLength | Self::ToolLengthGiven | Self::ToolLengthAdded | Self::ToolLengthOff => Group::ToolLength,
             Self::WorkOffset(_) => Group::WorkOffset,
-            Self::PathControl => Group::Path,
+            Self::PathControl | Self::PathTolerance => Group::Path,
             Self::Absolute | Self::Incremental => Group::Distance,
             Self::CentreAbsolute | Self::CentreIncremental => Group::Centre,
             Self::ClearPosition | Self::SuspendPosition | Self::RestorePosition => Group::SetPosition,

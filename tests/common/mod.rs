@@ -1,6 +1,8 @@
 //! What the tests share: the published design and designs like it.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
+pub mod rs274;
+
 use rodete::impeller::blade::Blade;
 use rodete::impeller::cases::CASES;
 use rodete::impeller::design::Design;

@@ -85,7 +85,7 @@ static CODES: Codes = Codes::new(&[
     (593, G::WorkOffset(9)),
     (610, G::PathControl),
     (611, G::PathControl),
-    (640, G::PathControl),
+    (640, G::PathTolerance),
     (700, G::Refused(Group::Motion, &TURNING)),
     (710, G::Refused(Group::Motion, &TURNING)),
     (711, G::Refused(Group::Motion, &TURNING)),

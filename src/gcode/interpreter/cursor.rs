@@ -35,7 +35,8 @@ impl<'l> Cursor<'l> {
         self.at
     }
 
-    /// The next character that counts, in lower case, without passing it; 0 at the end of the block.
+    /// The next character that counts, in lower case, without passing it; 0 at the end of the block, and of a NUL 1, which
+    /// no block may hold either.
     pub(super) fn peek(&mut self) -> u8 {
         loop {
             match self.line.get(self.at) {
@@ -49,9 +50,19 @@ impl<'l> Cursor<'l> {
                     self.at = self.line.len();
                     return 0;
                 }
+                Some(0) => return 1,
                 Some(character) => return character.to_ascii_lowercase(),
             }
         }
+    }
+
+    /// Refuses a comment here: it would part a word from its number, which controls read in more than one way.
+    pub(super) fn no_comment(&self) -> Outcome<()> {
+        let mut column = self.at;
+        while let Some(b' ' | b'\t') = self.line.get(column) {
+            column += 1;
+        }
+        if self.parentheses && self.line.get(column) == Some(&b'(') { Err(comment_inside(column)) } else { Ok(()) }
     }
 
     /// Passes the character that [`Cursor::peek`] has shown.
@@ -131,10 +142,15 @@ impl<'l> Cursor<'l> {
                 }
                 Some(b'.') if point => return Err(two_points(self.at)),
                 Some(b'.') => point = true,
-                // Blanks and comments do not part a number; whether one goes on is rarely asked.
+                // Blanks do not part a number; whether one goes on is rarely asked.
                 Some(b' ' | b'\t' | b'(') => {
                     let behind = self.at;
-                    if !matches!(self.peek(), b'0'..=b'9' | b'.') {
+                    let goes_on = matches!(self.peek(), b'0'..=b'9' | b'.');
+                    let commented = self.line[behind..self.at].iter().position(|&byte| byte == b'(');
+                    if let (true, Some(comment)) = (goes_on, commented) {
+                        return Err(comment_inside(behind + comment));
+                    }
+                    if !goes_on {
                         self.at = behind;
                         break;
                     }
@@ -305,7 +321,7 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Fault> {
     if character == b',' {
         return Fault::at(
             &[column],
-            Text::fixed("carácter «,»", "character ','"),
+            Text::fixed("carácter «,» no admitido", "character ',' is not allowed"),
             Text::fixed("escriba el decimal con punto: 1.5", "write the decimal with a point: 1.5"),
         );
     }
@@ -333,6 +349,14 @@ pub(super) fn no_number(column: usize) -> Box<Fault> {
         &[column],
         Text::fixed("falta el número", "the number is missing"),
         Text::fixed("escriba un número detrás de la letra", "write a number after the letter"),
+    )
+}
+
+fn comment_inside(column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::fixed("comentario dentro de una palabra", "comment inside a word"),
+        Text::fixed("escríbalo delante o detrás de la palabra", "write it before or behind the word"),
     )
 }
 

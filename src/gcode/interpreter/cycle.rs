@@ -306,7 +306,8 @@ impl Interpreter<'_> {
             }
             Cycle::Peck | Cycle::ChipBreak => {
                 let mut depth = run.r - run.q;
-                while depth > run.bottom {
+                // What rounding alone has left is no peck.
+                while depth > run.bottom + 1e-9 {
                     self.cut(at(depth), run.feed);
                     if run.cycle == Cycle::Peck {
                         self.emit(Kind::Rapid, at(run.r), None);

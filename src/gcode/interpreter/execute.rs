@@ -170,7 +170,7 @@ impl Interpreter<'_> {
             }
             Some(motion) => Some(motion),
             None if takes_axes || (given && axes != 0) => None,
-            None if axes != 0 && self.modal.motion == G::Cancel => {
+            None if axes != 0 && self.modal.motion == G::Cancel && at_once != Some(G::MachineCoordinates) => {
                 return Err(self.axes_without_use(Text::fixed(
                     "palabras de eje sin un movimiento en vigor",
                     "axis words without a motion in force",
@@ -220,7 +220,7 @@ impl Interpreter<'_> {
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
             used |= Letters::of("H").mask();
         }
-        if self.block.g(Group::Path).is_some() {
+        if self.block.g(Group::Path) == Some(G::PathTolerance) {
             used |= Letters::of("PQ").mask();
         }
         if self.block.g(Group::Speed) == Some(G::ConstantSurfaceSpeed) {
@@ -409,14 +409,21 @@ impl Interpreter<'_> {
         match mode {
             FeedMode::InverseTime | FeedMode::Seconds if self.block.get(letter::F).is_none_or(|F| F <= 0.0) => {
                 return Err(Fault::block(
-                    Text::fixed("movimiento con G93 sin F", "motion under G93 without F"),
-                    Text::fixed("dé F en cada bloque de movimiento", "give F in every motion block"),
+                    if self.block.has(letter::F) {
+                        Text::fixed("movimiento con G93 y F0", "motion under G93 with F0")
+                    } else {
+                        Text::fixed("movimiento con G93 sin F", "motion under G93 without F")
+                    },
+                    Text::fixed(
+                        "dé un F mayor que 0 en cada bloque de movimiento",
+                        "give an F greater than 0 in every motion block",
+                    ),
                 ));
             }
             FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
                 if self.reading.feed_required || self.block.has(letter::F) {
                     return Err(Fault::block(
-                        Text::fixed("movimiento de avance sin F", "feed move without F"),
+                        Text::fixed("movimiento de avance sin F, o con F0", "feed move without F, or with F0"),
                         Text::fixed("dé el avance con F", "give the feed with F"),
                     ));
                 }

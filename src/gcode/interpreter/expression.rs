@@ -3,7 +3,7 @@
 //! # References
 //! LinuxCNC, G-code overview: expressions, binary operators with their precedence, functions; angles in degrees.
 
-use crate::finding::Grade;
+use crate::finding::{Exit, Grade};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, no_number};
@@ -14,8 +14,8 @@ use crate::text::Text;
 
 /// How deep brackets may be nested.
 pub const DEEPEST: usize = 64;
-/// Numbers that differ by less compare equal.
-const EQUAL: f64 = 1e-6;
+/// Numbers that differ by less are equal for EQ and NE; the other comparisons are exact.
+const EQUAL: f64 = 1e-4;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Operator {
@@ -100,9 +100,9 @@ impl Operator {
             Self::Equal => truth(close),
             Self::NotEqual => truth(!close),
             Self::Less => truth(left < right),
-            Self::LessOrEqual => truth(close || left <= right),
+            Self::LessOrEqual => truth(left <= right),
             Self::Greater => truth(left > right),
-            Self::GreaterOrEqual => truth(close || left >= right),
+            Self::GreaterOrEqual => truth(left >= right),
             Self::And => truth(left != 0.0 && right != 0.0),
             Self::Or => truth(left != 0.0 || right != 0.0),
             Self::ExclusiveOr => truth((left != 0.0) != (right != 0.0)),
@@ -114,11 +114,13 @@ impl Operator {
 impl Interpreter<'_> {
     /// The number after a letter: decimal, expression, parameter or function, with its sign.
     pub(super) fn value(&mut self, cursor: &mut Cursor<'_>) -> Outcome<Decimal> {
+        cursor.no_comment()?;
         match cursor.peek() {
             b'0'..=b'9' | b'.' => cursor.number(),
             sign @ (b'-' | b'+') => {
                 let column = cursor.column();
                 cursor.pass();
+                cursor.no_comment()?;
                 let number = match cursor.peek() {
                     b'0'..=b'9' | b'.' => cursor.number()?,
                     b'-' | b'+' => {
@@ -143,14 +145,16 @@ impl Interpreter<'_> {
         let column = cursor.column();
         cursor.depth += 1;
         if cursor.depth > DEEPEST {
-            return Err(Fault::at(
+            let mut fault = Fault::at(
                 &[column],
                 Text::new(
                     format!("expresión con más de {DEEPEST} niveles"),
                     format!("expression nested more than {DEEPEST} deep"),
                 ),
                 Text::fixed("divídala con parámetros", "split it with parameters"),
-            ));
+            );
+            fault.exit = Exit::Limit;
+            return Err(fault);
         }
         let value = match cursor.peek() {
             b'[' => self.expression(cursor)?,
@@ -176,6 +180,7 @@ impl Interpreter<'_> {
         let mut waiting: Vec<(f64, Operator, u8, usize)> = Vec::new();
         loop {
             let mut value = self.value(cursor)?.value;
+            cursor.no_comment()?;
             let column = cursor.column();
             let next = if cursor.accept(b']') {
                 None
@@ -212,8 +217,12 @@ impl Interpreter<'_> {
         const FUNCTIONS: [&str; 14] =
             ["abs", "acos", "asin", "atan", "cos", "exists", "exp", "fix", "fup", "ln", "round", "sin", "sqrt", "tan"];
         let column = cursor.column();
-        let Some(name) = FUNCTIONS.into_iter().find(|name| cursor.accept_word(name)) else {
-            return Err(no_number(column));
+        let name = FUNCTIONS.into_iter().find(|name| cursor.accept_word(name));
+        let name = match name {
+            Some(name) if !cursor.peek().is_ascii_lowercase() => name,
+            // Behind a letter stands rather no number at all; inside an expression only a function has a letter.
+            None if cursor.depth == 1 => return Err(no_number(column)),
+            _ => return Err(unknown_function(column)),
         };
         if name == "exists" {
             return self.exists(cursor);
@@ -369,8 +378,24 @@ impl Interpreter<'_> {
 fn no_value(cursor: &mut Cursor<'_>) -> Box<Fault> {
     match cursor.peek() {
         0 | b'a'..=b'z' => no_number(cursor.column()),
+        b']' => Fault::at(
+            &[cursor.column()],
+            Text::fixed("falta un valor delante de «]»", "a value is missing before ']'"),
+            Text::fixed("complete la expresión", "complete the expression"),
+        ),
         _ => cursor.refuse_character(),
     }
+}
+
+fn unknown_function(column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::fixed("función desconocida", "unknown function"),
+        Text::fixed(
+            "use ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT o TAN",
+            "use ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT or TAN",
+        ),
+    )
 }
 
 fn out_of_range(column: usize, number: f64) -> Box<Fault> {

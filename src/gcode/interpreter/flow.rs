@@ -8,7 +8,7 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::parameters::LOCAL;
 use crate::gcode::interpreter::source::{Position, Source};
-use crate::gcode::interpreter::structure::{Mark, Structure, Word, label, word};
+use crate::gcode::interpreter::structure::{Mark, Structure, Word, label, shown, word};
 use crate::text::Text;
 
 /// Most bytes of a subprogram's own file.
@@ -287,14 +287,18 @@ impl Interpreter<'_> {
     fn enter(&mut self, mut call: Call) -> Outcome<()> {
         let most = self.setting.budget.call_depth;
         if self.flow.frames.len() >= most {
-            let stack: Vec<&str> = self.flow.frames.iter().map(|call| call.label.as_str()).collect();
-            let stack = format!("O{} → O{}", stack.join(" → O"), call.label);
-            return Err(Fault::block(
+            let mut stack: Vec<String> = self.flow.frames.iter().map(|call| shown(&call.label)).collect();
+            stack.push(shown(&call.label));
+            let stack = stack.join(" → ");
+            return Err(Fault::limit(
                 Text::new(
                     format!("más de {most} llamadas una dentro de otra: {stack}"),
                     format!("more than {most} calls inside one another: {stack}"),
                 ),
-                Text::fixed("un subprograma se llama a sí mismo sin fin", "a subprogram calls itself without end"),
+                Text::fixed(
+                    "llame a menos subprogramas uno dentro de otro, o ponga fin a la recursión con IF",
+                    "call fewer subprograms inside one another, or end the recursion with IF",
+                ),
             ));
         }
         call.loops = std::mem::take(&mut self.flow.loops);
@@ -306,7 +310,10 @@ impl Interpreter<'_> {
     fn file_of(&mut self, name: &str) -> Outcome<(usize, Position)> {
         let unknown = || {
             Fault::block(
-                Text::new(format!("no hay subprograma O<{name}>"), format!("there is no subprogram O<{name}>")),
+                Text::new(
+                    format!("no hay subprograma {}", shown(name)),
+                    format!("there is no subprogram {}", shown(name)),
+                ),
                 Text::fixed(
                     "defínalo en el programa, o en un archivo con su nombre en la misma carpeta",
                     "define it in the program, or in a file of its name in the same folder",
@@ -368,7 +375,10 @@ impl Interpreter<'_> {
         let fits = self.flow.frames.last().is_some_and(|call| call.saved.is_some() && call.label == name);
         if !fits {
             return Err(Fault::block(
-                Text::new(format!("O{name} no ha sido llamado con CALL"), format!("O{name} was not called by CALL")),
+                Text::new(
+                    format!("{} no ha sido llamado con CALL", shown(name)),
+                    format!("{} was not called by CALL", shown(name)),
+                ),
                 Text::fixed(
                     "un SUB se llama con CALL, un O a secas con M98",
                     "a SUB is called by CALL, a bare O by M98",

@@ -120,7 +120,7 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn new(bytes: Box<dyn Bytes + 'a>, setting: Setting) -> Self {
         let reading = setting.dialect.reading;
-        let (offsets, found) = Offsets::read(&setting.var_file, setting.unit);
+        let (mut offsets, found) = Offsets::read(&setting.var_file, setting.unit);
         let mut remarks = Remarks::default();
         // A control without var file starts in its first system.
         for finding in found.into_iter().filter(|_| !setting.var_file.is_empty()) {
@@ -134,6 +134,12 @@ impl<'a> Interpreter<'a> {
             parameters.set(number as usize, value);
         }
         parameters.set(ACTIVE as usize, f64::from(offsets.active.number()));
+        if !setting.keep_g92 {
+            (offsets.g92, offsets.g92_on) = (Pose::default(), false);
+            for number in G92_SWITCH..G92_FIRST + 9 {
+                parameters.set(number as usize, 0.0);
+            }
+        }
         let frame = offsets.frame(Pose::default());
         #[expect(clippy::cast_possible_truncation, reason = "1 to 9")]
         let system = offsets.active.number() as u8;
@@ -460,7 +466,10 @@ impl<'a> Interpreter<'a> {
 fn block_number(cursor: &mut Cursor<'_>) -> Outcome<u32> {
     let (mut number, mut digits) = (0_u32, 0);
     let column = cursor.column();
-    while let digit @ b'0'..=b'9' = cursor.peek() {
+    loop {
+        let commented = cursor.no_comment();
+        let digit @ b'0'..=b'9' = cursor.peek() else { break };
+        commented?;
         cursor.pass();
         digits += 1;
         number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));

@@ -55,13 +55,21 @@ impl Interpreter<'_> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
         let refuse = |what: Text, remedy: Text| Fault::at(&[column], what, remedy);
         let L = self.block.get(letter::L).and_then(whole);
-        let P = self.block.get(letter::P);
-        let Some(P) = P else {
+        if !matches!(L, Some(1 | 2 | 10 | 11 | 20)) {
+            return Err(refuse(
+                Text::fixed("G10 sin L1, L2, L10, L11 o L20", "G10 without L1, L2, L10, L11 or L20"),
+                Text::fixed("dé L", "give L"),
+            ));
+        }
+        let Some(P) = self.block.get(letter::P) else {
             return Err(refuse(Text::fixed("G10 sin P", "G10 without P"), Text::fixed("dé P", "give P")));
         };
         let Some(number) = whole(P).and_then(|number| u32::try_from(number).ok()) else {
             return Err(refuse(
-                Text::new(format!("P{P} de G10 no es un número entero"), format!("P{P} of G10 is not a whole number")),
+                Text::new(
+                    format!("P{P} de G10 no es un número entero desde 0"),
+                    format!("P{P} of G10 is not a whole number from 0 on"),
+                ),
                 Text::fixed("dé un número entero", "give a whole number"),
             ));
         };
@@ -95,13 +103,9 @@ impl Interpreter<'_> {
                 self.set_system(system, L == Some(20));
                 Ok(())
             }
-            Some(1) => self.set_tool_offset(number, None),
             Some(10) => self.set_tool_offset(number, Some(self.modal.system)),
             Some(11) => self.set_tool_offset(number, Some(9)),
-            _ => Err(refuse(
-                Text::fixed("G10 sin L1, L2, L10, L11 o L20", "G10 without L1, L2, L10, L11 or L20"),
-                Text::fixed("dé L", "give L"),
-            )),
+            _ => self.set_tool_offset(number, None),
         }
     }
 
@@ -148,7 +152,8 @@ impl Interpreter<'_> {
         (frame.to_program(&machine), work.rotation)
     }
 
-    /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all.
+    /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all. LinuxCNC 2.9 ends
+    /// off it, by the tool's offset, in A, B and C; its reference promises the point itself.
     pub(super) fn go_to_reference(&mut self, second: bool) -> Outcome<()> {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|&axis| self.block.has(AXES[axis as usize])).collect();
         if !named.is_empty() {

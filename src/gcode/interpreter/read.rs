@@ -15,6 +15,13 @@ const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
 /// Of these, lengths.
 const LENGTHS: Letters = Letters::of("IJKRUWXZ");
 
+fn unverifiable() -> Text {
+    Text::fixed(
+        "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar",
+        "take it out or replace it: a program with it cannot be verified",
+    )
+}
+
 fn name(letter: u8) -> char {
     char::from(letter.to_ascii_uppercase())
 }
@@ -48,7 +55,6 @@ impl Interpreter<'_> {
     fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let column = cursor.column();
         cursor.pass();
-        cursor.peek();
         let value = self.value(cursor)?.value;
         let tenths = whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok());
         let found = tenths.and_then(|tenths| self.reading.codes.get(tenths));
@@ -59,7 +65,7 @@ impl Interpreter<'_> {
                     format!("G{value} no está implementado: {}", name.0),
                     format!("G{value} is not supported: {}", name.1),
                 ),
-                Text::fixed("este programa no se puede comprobar", "this program cannot be verified"),
+                unverifiable(),
             )),
             Some(g) => self.block.put_g(g, column).map_err(|first| {
                 let group = g.group().name();
@@ -79,7 +85,6 @@ impl Interpreter<'_> {
     fn read_m(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let column = cursor.column();
         cursor.pass();
-        cursor.peek();
         let value = self.value(cursor)?.value;
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
         let found = number.and_then(|number| Some((number, (self.reading.machine_code)(number)?)));
@@ -90,7 +95,7 @@ impl Interpreter<'_> {
                     format!("M{number} no está implementado: {}", name.0),
                     format!("M{number} is not supported: {}", name.1),
                 ),
-                Text::fixed("este programa no se puede comprobar", "this program cannot be verified"),
+                unverifiable(),
             )),
             Some((number, m)) => {
                 if m == M::User {
@@ -161,10 +166,9 @@ impl Interpreter<'_> {
             return Err(self.unknown_letter(letter, column));
         }
         cursor.pass();
-        let number_column = {
-            cursor.peek();
-            cursor.column()
-        };
+        cursor.no_comment()?;
+        cursor.peek();
+        let number_column = cursor.column();
         let number = self.value(cursor)?;
         let value = number.value;
         if DIMENSIONS.has(index) {
@@ -210,7 +214,7 @@ impl Interpreter<'_> {
                     format!("la letra {name} no está implementada en el dialecto {dialect}"),
                     format!("letter {name} is not supported in the dialect {dialect}"),
                 ),
-                Text::fixed("este programa no se puede comprobar", "this program cannot be verified"),
+                unverifiable(),
             )
         } else {
             Fault::at(

@@ -65,7 +65,7 @@ pub struct Setting {
     pub tools: Option<Tools>,
     /// Blocks that begin with `/` are skipped.
     pub block_delete: bool,
-    /// G92 and G52 outlive the program.
+    /// G92 and G52 outlive the program; else they are cleared at its start and its end.
     pub keep_g92: bool,
     /// The text is a part of a program: it needs no end.
     pub part: bool,

@@ -38,6 +38,11 @@ pub(super) enum Word {
     Program,
 }
 
+/// A label as a program has it: `O7`, `O<name>`.
+pub(super) fn shown(label: &str) -> String {
+    if label.bytes().all(|byte| byte.is_ascii_digit()) { format!("O{label}") } else { format!("O<{label}>") }
+}
+
 impl Word {
     /// The words as they are written, longer ones before those they begin with.
     pub(super) const ALL: [(&'static str, Self); 15] = [
@@ -57,6 +62,33 @@ impl Word {
         ("break", Self::Break),
         ("continue", Self::Continue),
     ];
+
+    /// The word in capitals.
+    fn name(self) -> String {
+        Self::ALL.into_iter().find(|&(_, word)| word == self).map(|(text, _)| text.to_uppercase()).unwrap_or_default()
+    }
+
+    /// What it stands in.
+    const fn belongs_to(self) -> &'static str {
+        match self {
+            Self::EndSub | Self::Return => "SUB",
+            Self::EndWhile => "WHILE",
+            Self::EndRepeat => "REPEAT",
+            Self::ElseIf | Self::Else | Self::EndIf => "IF",
+            _ => "WHILE/DO",
+        }
+    }
+
+    /// What closes it.
+    const fn closed_by(self) -> &'static str {
+        match self {
+            Self::Sub => "ENDSUB",
+            Self::Do => "WHILE",
+            Self::While => "ENDWHILE",
+            Self::Repeat => "ENDREPEAT",
+            _ => "ENDIF",
+        }
+    }
 }
 
 /// An O-word in its file.
@@ -105,11 +137,61 @@ pub(super) fn word(cursor: &mut Cursor<'_>) -> Option<Word> {
     Word::ALL.into_iter().find(|(text, _)| cursor.accept_word(text)).map(|(_, word)| word)
 }
 
-fn refused(line: usize, what: Text) -> Box<Fault> {
-    let mut fault =
-        Fault::block(what, Text::fixed("compruebe los pares de palabras O", "check that the O-words pair up")).fatal();
+fn refused(line: usize, what: Text, remedy: Text) -> Box<Fault> {
+    let mut fault = Fault::block(what, remedy).fatal();
     fault.line = line;
     fault
+}
+
+/// A word that stands in nothing it belongs to, with what is open around it.
+fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
+    let (label, word, home) = (shown(&mark.label), mark.word.name(), mark.word.belongs_to());
+    let clause = matches!(mark.word, Word::Else | Word::ElseIf);
+    if let Some(open) = open.filter(|open| clause && open.word == Word::Else && open.label == mark.label) {
+        let (first, line) = (open.word.name(), open.at.lines + 1);
+        return refused(
+            mark.at.lines + 1,
+            Text::new(
+                format!("{label} {word} detrás del {first} de la línea {line}"),
+                format!("{label} {word} behind the {first} of line {line}"),
+            ),
+            Text::new(
+                format!("ELSE va una sola vez y en último lugar; cierre con {label} ENDIF"),
+                format!("ELSE stands once and last; close with {label} ENDIF"),
+            ),
+        );
+    }
+    let (es, en) = open.map_or_else(Default::default, |open| {
+        let (label, word, line) = (shown(&open.label), open.word.name(), open.at.lines + 1);
+        (
+            format!("; sigue abierto {label} {word} de la línea {line}"),
+            format!("; {label} {word} of line {line} is still open"),
+        )
+    });
+    refused(
+        mark.at.lines + 1,
+        Text::new(format!("{label} {word} fuera de {home}{es}"), format!("{label} {word} outside of {home}{en}")),
+        Text::new(
+            format!("abra antes {label} {home}, o quítelo; lo que se abre dentro se cierra dentro"),
+            format!("open {label} {home} before it, or take it out; what opens inside closes inside"),
+        ),
+    )
+}
+
+/// A subprogram or program that begins inside something else.
+fn inside(mark: &Mark, outer: &Mark) -> Box<Fault> {
+    let (label, around, line) = (shown(&mark.label), shown(&outer.label), outer.at.lines + 1);
+    refused(
+        mark.at.lines + 1,
+        Text::new(
+            format!("subprograma {label} dentro de {around} {} de la línea {line}", outer.word.name()),
+            format!("subprogram {label} inside {around} {} of line {line}", outer.word.name()),
+        ),
+        Text::new(
+            format!("cierre antes {around} con {}", outer.word.closed_by()),
+            format!("close {around} before it with {}", outer.word.closed_by()),
+        ),
+    )
 }
 
 impl Structure {
@@ -151,9 +233,11 @@ impl Structure {
             }
         }
         if let Some(mark) = open.last().and_then(|&index| structure.marks.get(index)) {
+            let (label, word, close) = (shown(&mark.label), mark.word.name(), mark.word.closed_by());
             return Err(refused(
                 mark.at.lines + 1,
-                Text::new(format!("O{} sin cerrar", mark.label), format!("O{} is not closed", mark.label)),
+                Text::new(format!("{label} {word} sin cerrar"), format!("{label} {word} is not closed")),
+                Text::new(format!("ciérrelo con {label} {close}"), format!("close it with {label} {close}")),
             ));
         }
         source.go_to(back)?;
@@ -165,32 +249,18 @@ impl Structure {
         let line = mark.at.lines + 1;
         let top = open.last().copied().filter(|&top| self.marks.get(top).is_some_and(|one| one.label == mark.label));
         let opener = top.and_then(|top| Some((top, self.marks.get(top)?.word)));
-        let stray = |label: &str| {
-            refused(
-                line,
-                Text::new(
-                    format!("O{label}: la palabra no corresponde con lo que está abierto"),
-                    format!("O{label}: the word does not match what is open"),
-                ),
-            )
-        };
+        let around = open.last().and_then(|&top| self.marks.get(top));
         match (mark.word, opener) {
             (Word::Sub, _) => {
                 if let Some(outer) = open.first().and_then(|&outer| self.marks.get(outer)) {
-                    return Err(refused(
-                        line,
-                        Text::new(
-                            format!("subprograma O{} dentro de O{}", mark.label, outer.label),
-                            format!("subprogram O{} inside O{}", mark.label, outer.label),
-                        ),
-                    ));
+                    return Err(inside(&mark, outer));
                 }
                 self.define(&mark, index)?;
                 open.push(index);
             }
             (Word::Program, _) => {
-                if !open.is_empty() {
-                    return Err(stray(&mark.label));
+                if let Some(outer) = around {
+                    return Err(inside(&mark, outer));
                 }
                 self.define(&mark, index)?;
             }
@@ -222,17 +292,17 @@ impl Structure {
                         .get(at)
                         .is_some_and(|one| one.label == mark.label && matches!(one.word, Word::While | Word::Do))
                 });
-                let Some(enclosing) = enclosing else { return Err(stray(&mark.label)) };
+                let Some(enclosing) = enclosing else { return Err(stray(&mark, around)) };
                 mark.opens = Some(enclosing);
             }
             (Word::Return, _) => {
                 let inside = open.first().and_then(|&outer| self.marks.get(outer));
                 if inside.is_none_or(|outer| outer.word != Word::Sub || outer.label != mark.label) {
-                    return Err(stray(&mark.label));
+                    return Err(stray(&mark, around));
                 }
             }
             (Word::Call, _) => {}
-            _ => return Err(stray(&mark.label)),
+            _ => return Err(stray(&mark, around)),
         }
         self.lines.insert(line, index);
         self.marks.push(mark);
@@ -246,9 +316,10 @@ impl Structure {
         Err(refused(
             mark.at.lines + 1,
             Text::new(
-                format!("O{} está definido dos veces: también en la línea {line}", mark.label),
-                format!("O{} is defined twice: in line {line} too", mark.label),
+                format!("{} está definido dos veces: también en la línea {line}", shown(&mark.label)),
+                format!("{} is defined twice: in line {line} too", shown(&mark.label)),
             ),
+            Text::fixed("dé a uno de los dos otra etiqueta", "give one of the two another label"),
         ))
     }
 

@@ -110,6 +110,13 @@ impl Interpreter<'_> {
                 let number = if number == 0 { self.modal.tool } else { number };
                 self.offset_of(number)
             }
+            (G::ToolLengthGiven, _) if !axes => {
+                return Err(Fault::at(
+                    &[column],
+                    Text::fixed("G43.1 sin palabras de eje", "G43.1 without axis words"),
+                    Text::fixed("dé la longitud en su eje", "give the length on its axis"),
+                ));
+            }
             (G::ToolLengthGiven, _) => {
                 let mut tool = self.frame.tool;
                 self.each_axis_word(|axis, value| tool.set(axis, value));

@@ -1,0 +1,24 @@
+//! rodete's interpreter of G-code against LinuxCNC's, `rs274`: programs by hand, programs by chance, and programs that
+//! must be refused.
+
+#[path = "interpreter/agreement.rs"]
+mod agreement;
+mod common;
+#[path = "interpreter/corpus.rs"]
+mod corpus;
+#[path = "interpreter/expressions.rs"]
+mod expressions;
+#[path = "interpreter/generated.rs"]
+mod generated;
+#[path = "interpreter/generator.rs"]
+mod generator;
+#[path = "interpreter/kept.rs"]
+mod kept;
+#[path = "interpreter/limits.rs"]
+mod limits;
+#[path = "interpreter/ours.rs"]
+mod ours;
+#[path = "interpreter/soup.rs"]
+mod soup;
+#[path = "interpreter/source.rs"]
+mod source;
