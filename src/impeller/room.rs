@@ -40,7 +40,7 @@ use crate::impeller::track::Track;
 use crate::machine::rotary::Rotary;
 
 /// Least number of poses along a path that are looked at; with fewer blocks, several within each.
-const POSES: usize = 192;
+const POSES: usize = 96;
 
 /// The channel that a splitter stands in, with its walls.
 #[derive(Debug)]
@@ -68,43 +68,30 @@ impl<'a> Room<'a> {
     /// The least m from `from` on with which the tool of a splitter's track has room; `None` where there is none.
     #[must_use]
     pub fn least(&self, track: Track, from: usize) -> Option<usize> {
-        if self.clear(track, from) {
-            return Some(from);
-        }
-        let (mut narrow, mut clear) = (from, self.design.n);
-        if !self.clear(track, clear) {
-            return None;
-        }
-        while clear - narrow > 1 {
-            let middle = narrow + (clear - narrow) / 2;
-            if self.clear(track, middle) {
-                clear = middle;
-            } else {
-                narrow = middle;
-            }
-        }
-        Some(clear)
+        // Nearly always it is the first full offset that has no room, which one block tells.
+        let beginning = least(from, self.design.n, |m| self.clear(track, m, [m.saturating_sub(1)]))?;
+        least(beginning, self.design.n, |m| {
+            let stride = self.design.n.div_ceil(POSES).max(1);
+            self.clear(track, m, [m.saturating_sub(1), m].into_iter().chain((0..self.design.n).step_by(stride)))
+        })
     }
 
-    /// True where the tool keeps clear of both blades along the whole path.
-    fn clear(&self, track: Track, m: usize) -> bool {
-        let n = self.design.n;
-        let stride = n.div_ceil(POSES).max(1);
-        let parts = u16::try_from(POSES.div_ceil(n.max(1))).unwrap_or(1);
-        let sampled = (0..n).step_by(stride).chain([m.saturating_sub(1), m.min(n.saturating_sub(1))]);
-        sampled.flat_map(|j| (0..parts).map(move |part| (j, f64::from(part) / f64::from(parts)))).chain([(n, 0.0)]).all(
-            |(j, part)| {
-                let tool = self.tool(track, m, j, part);
-                let half = PI / f64::from(self.design.N);
+    /// True where the tool keeps clear of both blades in the blocks that begin at some points of a path.
+    fn clear(&self, track: Track, m: usize, blocks: impl IntoIterator<Item = usize>) -> bool {
+        let half = PI / f64::from(self.design.N);
+        let parts = u16::try_from(POSES.div_ceil(self.design.n.max(1))).unwrap_or(1);
+        blocks.into_iter().filter(|&j| j < self.design.n).all(|j| {
+            (0..=parts).all(|part| {
+                let tool = self.tool(track, m, j, f64::from(part) / f64::from(parts));
                 [half, -half].iter().all(|&angle| self.flanks.nearest(&tool.turned(angle), 0.0, self.least).is_none())
-            },
-        )
+            })
+        })
     }
 
     /// The tool at a part of the way from the point j to the next.
     fn tool(&self, track: Track, m: usize, j: usize, part: f64) -> Tool {
         let (design, blade) = (self.design, self.blade);
-        let next = (j + 1).min(design.n);
+        let next = j + 1;
         let linear = |from: f64, to: f64| from + (to - from) * part;
         let offset = track.side() * design.w() * linear(fraction(j, m), fraction(next, m));
         let machine = blade.machine[j] + (blade.machine[next] - blade.machine[j]) * part + blade.b_machine * offset
@@ -116,4 +103,27 @@ impl<'a> Room<'a> {
             radius: design.d_t / 2.0,
         }
     }
+}
+
+/// The least whole number from `from` to `to` for which something holds that holds for all greater ones.
+fn least(from: usize, to: usize, holds: impl Fn(usize) -> bool) -> Option<usize> {
+    if from > to {
+        return None;
+    }
+    if holds(from) {
+        return Some(from);
+    }
+    if !holds(to) {
+        return None;
+    }
+    let (mut low, mut high) = (from + 1, to);
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if holds(middle) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    Some(high)
 }
