@@ -52,19 +52,18 @@ impl Design {
                     format!("an eccentricity of {} at most", mm(self.R - self.r)),
                 ),
             );
-        } else if self.style == Style::Full && self.kerf > 0.0 {
-            if let Some((least, phi)) = self.outline().tightest()
-                && least < self.kerf / 2.0
-            {
-                let (degrees, gap) = (shown(phi.to_degrees(), 1), mm(2.0 * least));
-                let kerf = mm(self.kerf);
-                stop(
-                    &["kerf"],
-                    format!("el corte de {kerf} es más ancho que el hueco de la curva en φ = {degrees}°: {gap}"),
-                    format!("the kerf of {kerf} is wider than the gap of the curve at φ = {degrees}°: {gap}"),
-                    Text::fixed("un corte más fino, o más excentricidad", "a finer kerf, or other pipes"),
-                );
-            }
+        } else if self.style == Style::Full
+            && let Some((least, phi)) = self.outline().tightest()
+            && least < self.kerf / 2.0
+        {
+            let (degrees, gap) = (shown(phi.to_degrees(), 1), mm(2.0 * least));
+            let kerf = mm(self.kerf);
+            stop(
+                &["kerf"],
+                format!("el corte de {kerf} es más ancho que el hueco de la curva en φ = {degrees}°: {gap}"),
+                format!("the kerf of {kerf} is wider than the gap of the curve at φ = {degrees}°: {gap}"),
+                Text::fixed("un corte más fino, u otros tubos", "a finer kerf, or other pipes"),
+            );
         }
         match self.style {
             Style::Full if self.F.is_none() => stop(

@@ -50,10 +50,10 @@ impl Pipe {
     ///
     /// # Errors
     /// Where both are given and differ, neither is given whole, or the schedule does not exist in that size.
-    pub fn from_values(values: &Values, keys: SizeKeys) -> Result<Self, Finding> {
+    pub fn from_values(values: &Values, keys: SizeKeys) -> Result<Self, Box<Finding>> {
         let [size, schedule, D, t] = keys;
         let stop = |keys: &[&'static str], es: String, en: String, remedy: Text| {
-            Err(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy))
+            Err(Box::new(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy)))
         };
         let typed = (values.real(D), values.real(t));
         let named = (values.choice(size), values.choice(schedule));
@@ -165,7 +165,9 @@ impl Design {
         let pipes = [Pipe::from_values(values, BRANCH), Pipe::from_values(values, HEADER)];
         let (branch, header) = match pipes {
             [Ok(branch), Ok(header)] => (branch, header),
-            [one, other] => return Err([one.err(), other.err()].into_iter().flatten().collect()),
+            [one, other] => {
+                return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect());
+            }
         };
         let Some(design) = Self::from_values(values, branch, header) else {
             return Err(vec![Finding::stop(

@@ -12,6 +12,7 @@ use std::f64::consts::TAU;
 use nalgebra::Vector2;
 
 use crate::geometry::pipe_pair::{PipePair, Side};
+use crate::number::trig::hypot;
 
 /// The curve on a development, and the torch's path at a distance from it on the side of the waste.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +46,8 @@ impl Outline {
     /// The direction of the curve at φ, of length 1.
     #[must_use]
     pub fn along(&self, phi: f64, side: Side) -> Vector2<f64> {
-        Vector2::new(self.radius, self.pair.slope(phi, side)).normalize()
+        let (round, down) = (self.radius, self.pair.slope(phi, side));
+        Vector2::new(round, down) / hypot(round, down)
     }
 
     /// The direction across the curve into the waste, of length 1.
