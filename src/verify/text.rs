@@ -16,7 +16,9 @@ use crate::verify::check::{At, Check, FAULT, Verdict};
 pub const LONGEST: usize = 255;
 
 /// Addresses whose number is a size on the output grid.
-const SIZES: &str = "XYZABCIJKQRF";
+const SIZES: &str = "XYZABCIJKPQRF";
+/// Of these, addresses of dwells, which some controls count in whole hundredths.
+const DWELLS: &str = "KP";
 /// Addresses whose number is a whole one.
 const WHOLES: &str = "NGMSTD";
 
@@ -95,7 +97,7 @@ impl<'a> Characters<'a> {
         let letter = word.chars().next().ok_or_else(wrong)?;
         let number = word.get(1..).ok_or_else(wrong)?;
         let good = if SIZES.contains(letter) {
-            size(number, self.program.format)
+            size(number, self.program.format) || (DWELLS.contains(letter) && digits(number, 8))
         } else {
             // A block number inside the block would be a second one.
             letter != 'N' && WHOLES.contains(letter) && digits(number, 8)

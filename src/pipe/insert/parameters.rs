@@ -148,7 +148,7 @@ const JOINT: &[Parameter] = &[
     ),
     real(
         "r",
-        "expert_r",
+        "expert_branch_r",
         MM,
         [1.0, 1500.0],
         false,
@@ -157,7 +157,7 @@ const JOINT: &[Parameter] = &[
     ),
     real(
         "R",
-        "expert_R",
+        "expert_header_R",
         MM,
         [1.0, 1500.0],
         false,
@@ -166,7 +166,7 @@ const JOINT: &[Parameter] = &[
     ),
     real(
         "r_dev",
-        "expert_r_dev",
+        "expert_sheet_r_dev",
         MM,
         [1.0, 1700.0],
         false,
