@@ -11,7 +11,7 @@ use rodete::gcode::program::Program;
 use rodete::impeller::blade::Blade;
 use rodete::impeller::blade_count::e_max;
 use rodete::impeller::design::Design;
-use rodete::impeller::header::Origin;
+use rodete::gcode::header::Origin;
 use rodete::impeller::ideal::Ideal;
 use rodete::impeller::programs::{Tracks, programs};
 use rodete::impeller::solids::Tool;
