@@ -7,6 +7,7 @@ use rodete::impeller::design::Design;
 use rodete::impeller::parameters::FORM;
 use rodete::job;
 use rodete::parameter::Value;
+use rodete::table::Entry;
 
 /// The findings of a refused design.
 fn refused(case: &str, changes: &[(&'static str, Value)]) -> Vec<Finding> {
@@ -258,10 +259,26 @@ fn annex_style_says_that_it_carries_no_feed() {
 }
 
 #[test]
+fn programs_without_feed_are_refused_where_the_control_needs_one() {
+    let found = refused("tfg-2021", &[("dialect", Value::Choice("linuxcnc"))]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(found[0].what.en, "style annex carries no feed F, and dialect linuxcnc does not move without it");
+    assert_eq!(found[0].remedy.en, "style = full");
+    assert_eq!(found[0].place, Place::Parameters(vec!["style", "dialect"]));
+}
+
+#[test]
 fn every_program_says_that_it_closes() {
     for case in ["tfg-2021", "full"] {
         let outcome = common::outcome(case, &[]);
-        let closed = outcome.findings.iter().filter(|finding| finding.what.en.contains("closes: the sum")).count();
+        let table = outcome.table("verification").unwrap();
+        let texts = |column: &str| table.column(column).unwrap();
+        let closed = (0..table.rows())
+            .filter(|&row| {
+                let is = |column: &str, text: &str| matches!(texts(column).values.get(row), Entry::Text(found) if found.en == text);
+                is("Check", "Closure: sum of the increments") && is("Verdict", "Passed")
+            })
+            .count();
         assert_eq!(closed, 3, "blade, splitter, impeller");
     }
 }

@@ -224,6 +224,14 @@ fn net(name: &str) -> [f64; 5] {
     net
 }
 
+/// What a program of ours leaves of X, Y, Z, B and C, summed over its text.
+fn left(program: &rodete::gcode::program::Program) -> [f64; 5] {
+    use rodete::machine::axis::Axis;
+    let motions: Vec<_> = program.read_back().map(Result::unwrap).collect();
+    let net = motions.last().unwrap().to.differences(&motions.first().unwrap().from);
+    [Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C].map(|axis| (net[axis as usize] * 1000.0).round() / 1000.0 + 0.0)
+}
+
 fn close(value: [f64; 5], expected: [f64; 5]) -> bool {
     value.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-9)
 }
@@ -235,9 +243,7 @@ fn annex_9_reverse_path_leaves() {
     // With the closing C90: 343.742°.
     let ours = common::outcome("tfg-2021", &[]);
     let blade = ours.programs.iter().find(|program| program.key == "blade").unwrap();
-    let left = rodete::verify::closure::net_travel(blade);
-    use rodete::machine::axis::Axis;
-    assert_eq!(Axis::ALL.map(|axis| left.get(axis).thousandths()), [0, 0, 0, 0, 0, 90_000, 0, 0, 0]);
+    assert_eq!(left(blade), [0.0, 0.0, 0.0, 0.0, 90.0]);
 }
 
 #[test]
@@ -264,6 +270,5 @@ fn annex_10_shifts_the_part() {
     assert!((printed[1] - 3.998).abs() < 1e-9, "{printed:?}");
     let ours = common::outcome("tfg-2021", &[]);
     let splitter = ours.programs.iter().find(|program| program.key == "splitter").unwrap();
-    let left = rodete::verify::closure::net_travel(splitter);
-    assert_eq!(left.get(rodete::machine::axis::Axis::Y).thousandths(), 0);
+    assert_eq!(left(splitter)[1], 0.0);
 }

@@ -41,6 +41,24 @@ impl Program {
         Ok(())
     }
 
+    /// Calls `line` for each line of the program in order, as the control reads it but without the end of line.
+    ///
+    /// # Errors
+    /// Passes on the error of `line`.
+    pub fn for_each_line(&self, line: &mut dyn FnMut(&str) -> io::Result<()>) -> io::Result<()> {
+        let mut whole = String::new();
+        self.for_each(&mut |number, text| {
+            whole.clear();
+            if let Some(number) = number {
+                whole.push('N');
+                push_whole(&mut whole, number);
+                whole.push(' ');
+            }
+            whole.push_str(text);
+            line(&whole)
+        })
+    }
+
     /// Writes the program's text as the control reads it.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::gcode::dialect::Dialect;
-use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
 use crate::text::Text;
@@ -22,9 +22,22 @@ pub enum Feed {
     },
 }
 
+/// What a path is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Clear of the part: nothing may be touched.
+    Clear,
+    /// Into the part and along the track of this name, point by point.
+    Cut(&'static str),
+    /// Out of the part, from the last point of the track of this name.
+    Leave(&'static str),
+}
+
 /// Moves through positions.
 #[derive(Clone, Debug)]
 pub struct Path {
+    /// What it is there for.
+    pub role: Role,
     /// The positions to go to, one block each. Shared: the same pass is cut many times.
     pub positions: Arc<[Position]>,
     /// Run from the last to the first.
@@ -106,25 +119,59 @@ pub struct Move<'a> {
     pub line: usize,
 }
 
-impl Program {
-    /// Calls `visit` for each move in order. Moves of no length are left out, as they are in the text.
-    pub fn for_each_move(&self, visit: &mut dyn FnMut(Move<'_>)) {
-        let mut at = self.start;
-        let mut line = 0;
-        for part in &self.parts {
-            let Part::Path(path) = part else {
-                line += 1;
-                continue;
-            };
-            for step in 0..path.positions.len() {
-                let Some(to) = path.position(step) else { continue };
-                if to != at {
-                    line += 1;
-                    visit(Move { path, step, from: at, to, line });
-                    at = to;
+/// The moves of a program, in order.
+#[derive(Clone, Debug)]
+pub struct Moves<'a> {
+    parts: &'a [Part],
+    step: usize,
+    at: Position,
+    line: usize,
+}
+
+impl<'a> Iterator for Moves<'a> {
+    type Item = Move<'a>;
+
+    fn next(&mut self) -> Option<Move<'a>> {
+        loop {
+            let (part, rest) = self.parts.split_first()?;
+            if let Part::Path(path) = part {
+                while let Some(to) = path.position(self.step) {
+                    let (step, from) = (self.step, self.at);
+                    self.step += 1;
+                    if to != from {
+                        self.line += 1;
+                        self.at = to;
+                        return Some(Move { path, step, from, to, line: self.line });
+                    }
                 }
+                self.step = 0;
+            } else {
+                self.line += 1;
             }
+            self.parts = rest;
         }
+    }
+}
+
+impl Program {
+    /// The moves in order. Moves of no length are left out, as they are in the text.
+    #[must_use]
+    pub fn moves(&self) -> Moves<'_> {
+        Moves { parts: &self.parts, step: 0, at: self.start, line: 0 }
+    }
+
+    /// Calls `visit` for each of the [`Self::moves`].
+    pub fn for_each_move(&self, visit: &mut dyn FnMut(Move<'_>)) {
+        self.moves().for_each(visit);
+    }
+
+    /// True where the text itself brings the machine to [`Self::start`]; false for a program that begins wherever the
+    /// machine stands.
+    #[must_use]
+    pub fn finds_its_start(&self) -> bool {
+        let size = |word: &Word| matches!(word.number, Number::Size(_));
+        let before = self.parts.iter().take_while(|part| !matches!(part, Part::Path(_)));
+        before.into_iter().any(|part| matches!(part, Part::Block(words) if words.iter().any(size)))
     }
 
     /// How many blocks there are: lines that may carry a number.

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::gcode::program::{Feed, Part, Path, Program};
+use crate::gcode::dialect::FeedLaw;
+use crate::gcode::program::{Feed, Part, Path, Program, Role};
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::impeller::design::{Design, Style};
+use crate::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{LIMIT, Milli, OutOfFormat};
 use crate::text::Text;
@@ -27,6 +29,7 @@ const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 /// One pass: from a safe point through the points of a path to the next safe point, with its F words.
 #[derive(Clone, Debug)]
 pub struct Pass {
+    track: Track,
     points: Arc<[Position]>,
     backwards: bool,
     through: Feed,
@@ -43,17 +46,18 @@ impl Pass {
     /// For a feed that no program may carry.
     pub fn new(
         design: &Design,
+        track: Track,
         from: Position,
         points: &Arc<[Position]>,
-        backwards: bool,
         to: Position,
     ) -> Result<Self, OutOfFormat> {
+        let backwards = track.backwards();
         let mut limited = Limited::default();
         let ordered: Vec<Position> = if backwards { points.iter().rev().copied().collect() } else { points.to_vec() };
         let last = ordered.last().copied().unwrap_or(from);
         let through = feeds(design, from, &ordered, &mut limited)?;
         let out = feeds(design, last, &[to], &mut limited)?;
-        Ok(Self { points: Arc::clone(points), backwards, through, end: Arc::new([to]), out, limited })
+        Ok(Self { track, points: Arc::clone(points), backwards, through, end: Arc::new([to]), out, limited })
     }
 }
 
@@ -84,12 +88,26 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
         let wanted = if resultant > 0.0 { law.word(seconds, resultant) } else { least };
         let word = if wanted.is_finite() { wanted.clamp(least, most) } else { most };
         limited.by_format += usize::from(resultant > 0.0 && (word - wanted).abs() > 0.0);
-        let word = Milli::round(word)?;
+        let word = slower(law, word)?;
         words.push(word);
         times.push(if resultant > 0.0 { law.seconds(word.value(), resultant) } else { 0.0 });
         (at, tip) = (*to, next);
     }
     Ok(Feed::Each { words: words.into(), seconds: times.into() })
+}
+
+/// An F word on the grid, rounded to the slower side, so that neither tip nor axes run faster than they may.
+fn slower(law: FeedLaw, word: f64) -> Result<Milli, OutOfFormat> {
+    let scaled = word * 1000.0;
+    // A word that is on the grid but for the arithmetic stays what it is.
+    let whole = if (scaled - scaled.round()).abs() < 1e-6 {
+        scaled
+    } else if law == FeedLaw::Seconds {
+        scaled.ceil()
+    } else {
+        scaled.floor().max(1.0)
+    };
+    Milli::round(whole / 1000.0)
 }
 
 /// The point of the part at which the tip stands, mm.
@@ -173,6 +191,7 @@ impl<'a> Assembly<'a> {
 
     fn path(&self, positions: Arc<[Position]>, axes: &'static [Axis], rapid: bool) -> Path {
         Path {
+            role: Role::Clear,
             positions,
             backwards: false,
             turn: Milli::ZERO,
@@ -195,12 +214,18 @@ impl<'a> Assembly<'a> {
     /// A pass, with C turned on.
     pub fn cut(&mut self, pass: &Pass, turn: Milli) {
         let through = Path {
+            role: Role::Cut(pass.track.key()),
             backwards: pass.backwards,
             turn,
             feed: pass.through.clone(),
             ..self.path(Arc::clone(&pass.points), ALL, false)
         };
-        let out = Path { turn, feed: pass.out.clone(), ..self.path(Arc::clone(&pass.end), ALL, false) };
+        let out = Path {
+            role: Role::Leave(pass.track.key()),
+            turn,
+            feed: pass.out.clone(),
+            ..self.path(Arc::clone(&pass.end), ALL, false)
+        };
         if let Some(end) = out.position(0) {
             self.at = end;
         }

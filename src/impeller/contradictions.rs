@@ -261,6 +261,14 @@ impl Design {
                     );
                 }
             }
+        } else if self.dialect.reading.feed_required {
+            let name = self.dialect.name;
+            stop(
+                &["style", "dialect"],
+                format!("el estilo annex no lleva avance F y el dialecto {name} no mueve sin él"),
+                format!("style annex carries no feed F, and dialect {name} does not move without it"),
+                Text::fixed("style = full", "style = full"),
+            );
         }
         for (key, list) in [("start_codes", &self.start_codes), ("end_codes", &self.end_codes)] {
             for word in list {

@@ -60,6 +60,8 @@ pub struct Design {
     pub F: Option<f64>,
     /// S, spindle speed, rpm.
     pub S: Option<u32>,
+    /// tol, tolerance of the tip path between blocks.
+    pub tol: Option<f64>,
     /// The part's name.
     pub part: String,
     /// The material.
@@ -136,6 +138,7 @@ impl Design {
             d_s: real("d_s")?,
             F: real("F"),
             S: values.whole("S"),
+            tol: real("tol"),
             part: values.line("part").to_owned(),
             material: values.line("material").to_owned(),
             program: values.whole("program")?,

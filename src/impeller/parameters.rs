@@ -245,6 +245,15 @@ const CUTTING: &[Parameter] = &[
         t("Velocidad del husillo", "Spindle speed"),
         t("Obligatorio con style = full", "Required with style = full"),
     ),
+    real(
+        "tol",
+        "tip_tolerance_tol",
+        MM,
+        [0.0005, 10.0],
+        false,
+        t("Tolerancia de la trayectoria de la punta entre bloques", "Tolerance of the tip path between blocks"),
+        t("Vacío: la desviación sólo se informa", "Empty: the deviation is reported only"),
+    ),
 ];
 
 const PROGRAM: &[Parameter] = &[

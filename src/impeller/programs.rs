@@ -12,6 +12,7 @@ use crate::impeller::design::{Design, Style};
 use crate::impeller::header::{Origin, blank_header, header};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::Passes;
+use crate::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::text::Text;
@@ -58,6 +59,19 @@ impl Tracks {
     }
 }
 
+impl Tracks {
+    /// The positions of a track; `None` for a splitter's where there is none.
+    #[must_use]
+    pub fn positions(&self, track: Track) -> Option<&[Position]> {
+        match track {
+            Track::Obverse => Some(&self.obverse),
+            Track::Reverse => Some(&self.reverse),
+            Track::Out => self.splitter.as_ref().map(|[out, _]| &**out),
+            Track::Back => self.splitter.as_ref().map(|[_, back]| &**back),
+        }
+    }
+}
+
 /// The passes of one blade and of one splitter, ready to be put anywhere about the axis.
 struct Cuts {
     obverse: Pass,
@@ -67,19 +81,19 @@ struct Cuts {
 
 impl Cuts {
     fn new(design: &Design, tracks: &Tracks) -> Result<Self, OutOfFormat> {
-        let pass = |from: Position, points: &Arc<[Position]>, backwards: bool, to: Position| {
-            Pass::new(design, from, points, backwards, to)
+        let pass = |track: Track, from: Position, points: &Arc<[Position]>, to: Position| {
+            Pass::new(design, track, from, points, to)
         };
         Ok(Self {
-            obverse: pass(tracks.entry_obverse, &tracks.obverse, false, tracks.exit_obverse)?,
-            reverse: pass(tracks.exit_reverse, &tracks.reverse, true, tracks.entry_reverse)?,
+            obverse: pass(Track::Obverse, tracks.entry_obverse, &tracks.obverse, tracks.exit_obverse)?,
+            reverse: pass(Track::Reverse, tracks.exit_reverse, &tracks.reverse, tracks.entry_reverse)?,
             splitter: tracks
                 .splitter
                 .as_ref()
                 .map(|[out, back]| {
                     Ok([
-                        pass(tracks.entry_reverse, out, false, tracks.exit_reverse)?,
-                        pass(tracks.exit_obverse, back, true, tracks.entry_reverse)?,
+                        pass(Track::Out, tracks.entry_reverse, out, tracks.exit_reverse)?,
+                        pass(Track::Back, tracks.exit_obverse, back, tracks.entry_reverse)?,
                     ])
                 })
                 .transpose()?,

@@ -6,8 +6,9 @@ use nalgebra::Vector3;
 
 use crate::impeller::blade::{Blade, Vectors};
 use crate::impeller::design::Design;
-use crate::impeller::safety::SafeEnd;
+use crate::impeller::safety::{End, SafeEnd, safe_end};
 use crate::impeller::splitter::Splitter;
+use crate::impeller::tool_path::tool_path;
 use crate::machine::calibration::{Axis, Slots, nearest};
 use crate::table::{Column, Index, Table, Unit};
 use crate::text::Text;
@@ -26,6 +27,19 @@ pub struct Passes {
     pub entry: SafeEnd,
     /// The safe points at B = 0°.
     pub exit: SafeEnd,
+}
+
+impl Passes {
+    /// The passes of one blade with their safe points.
+    #[must_use]
+    pub fn new(design: &Design, blade: &Blade) -> Self {
+        let (w, a_p) = (design.w(), design.a_p);
+        let (obverse, reverse) = (tool_path(blade, w, a_p), tool_path(blade, -w, a_p));
+        let last = blade.points() - 1;
+        let safe = |end, i: usize| safe_end(end, &obverse[i], &reverse[i], design.d_s, design.d_t, w);
+        let (entry, exit) = (safe(End::Entry, 0), safe(End::Exit, last));
+        Self { obverse, reverse, entry, exit }
+    }
 }
 
 fn annex(key: &'static str, name: Text, title: Text, source: Text, columns: Vec<Column>) -> Table {

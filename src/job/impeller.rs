@@ -11,16 +11,15 @@ use crate::impeller::design::Design;
 use crate::impeller::figures::figures;
 use crate::impeller::header::Origin;
 use crate::impeller::programs::{Tracks, programs};
-use crate::impeller::safety::{End, safe_end};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
-use crate::impeller::tool_path::tool_path;
-use crate::job::impeller_remarks::{judge, no_calibration, no_splitter, not_finite, out_of_format, remarks};
+use crate::job::impeller_remarks::{no_calibration, no_splitter, not_finite, out_of_format, remarks};
 use crate::job::{Outcome, Source, charts};
 use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
+use crate::verify::impeller::{Geometry, verify};
 
 /// Computes an impeller.
 ///
@@ -33,7 +32,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     };
     let design = Design::new(&values).map_err(refused)?;
     let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
-    let passes = passes(&design, &blade);
+    let passes = Passes::new(&design, &blade);
     let mut stops = Vec::new();
     let splitter = if design.splitters {
         Splitter::new(&blade, design.N, design.w(), design.a_p).map_err(|why| stops.push(no_splitter(why))).ok()
@@ -76,7 +75,10 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         .map_err(|error| refused(vec![out_of_format(error)]))?;
     let quantities = quantities(&design, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
-    findings.extend(judge(&design, &made.programs));
+    let verification = verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
+    tables.push(verification.table(&made.programs));
+    findings.extend(verification.findings);
+    let curves = verification.curves;
     let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
@@ -84,23 +86,13 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         form,
         quantities,
         charts: charts::impeller(splitter.is_some()),
-        figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref()))),
+        figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref(), &curves))),
         tables,
         programs: if stopped { Vec::new() } else { made.programs },
         findings,
         values,
         source,
     })
-}
-
-/// The passes of one blade with their safe points.
-fn passes(design: &Design, blade: &Blade) -> Passes {
-    let (w, a_p) = (design.w(), design.a_p);
-    let (obverse, reverse) = (tool_path(blade, w, a_p), tool_path(blade, -w, a_p));
-    let last = blade.points() - 1;
-    let safe = |end, i: usize| safe_end(end, &obverse[i], &reverse[i], design.d_s, design.d_t, w);
-    let (entry, exit) = (safe(End::Entry, 0), safe(End::Exit, last));
-    Passes { obverse, reverse, entry, exit }
 }
 
 /// Derived limits, angles and lengths.

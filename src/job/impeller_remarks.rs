@@ -1,17 +1,14 @@
-//! What the impeller's job has to say: refusals, remarks for a person, and the checks of the programs.
+//! What the impeller's job has to say: refusals and remarks for a person.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::program::Program;
 use crate::impeller::design::{Design, Style};
 use crate::impeller::programs::Programs;
 use crate::impeller::splitter::NoSplitter;
 use crate::machine::calibration::Axis as Calibrated;
-use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::grid::OutOfFormat;
 use crate::number::shown;
 use crate::table::Table;
 use crate::text::Text;
-use crate::verify::closure::{Turn, closure};
-use crate::verify::travel::{Beyond, travel};
 
 pub(super) fn no_splitter(why: NoSplitter) -> Finding {
     let what = match why {
@@ -214,114 +211,4 @@ fn calibration_remark(design: &Design, axis: Calibrated) -> Finding {
     } else {
         Finding::note(place, what).with(format!("{} mm", shown(difference, 4)), "0.01 mm")
     }
-}
-
-/// Judges the milling programs: closure, travel, memory.
-pub(super) fn judge(design: &Design, programs: &[Program]) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    for program in programs {
-        if program.key != "blank" {
-            let pitch = Milli::round(360.0 / f64::from(design.N)).unwrap_or(Milli::ZERO);
-            let turn = match (design.style, program.key) {
-                (Style::Annex, "blade" | "splitter") => Turn::Exactly(pitch),
-                _ => Turn::Whole,
-            };
-            findings.push(closure(program, turn));
-            let beyond = travel(program, &design.travel);
-            if beyond.is_empty() {
-                findings.push(travel_passed(design, program));
-            }
-            findings.extend(beyond.iter().map(|beyond| travel_left(program, beyond)));
-        }
-        let bytes = program.summary().bytes;
-        if bytes > program.dialect.memory {
-            findings.push(
-                Finding::caution(
-                    Place::Block { program: program.key, line: 1 },
-                    Text::new(
-                        format!(
-                            "el programa «{}» ocupa {bytes} bytes, más que la memoria habitual del control",
-                            program.title.es
-                        ),
-                        format!(
-                            "program \"{}\" takes {bytes} bytes, more than the control's usual memory",
-                            program.title.en
-                        ),
-                    ),
-                    Text::fixed(
-                        "ejecútelo desde disco o red, o un n menor",
-                        "run it from disk or network, or a smaller n",
-                    ),
-                )
-                .with(bytes.to_string(), program.dialect.memory.to_string()),
-            );
-        }
-    }
-    findings
-}
-
-/// The stop for an axis beyond its travel, at the cell of the limit.
-fn travel_left(program: &Program, beyond: &Beyond) -> Finding {
-    let below = beyond.worst.position < beyond.worst.limit;
-    let (letter, unit) = (beyond.axis.letter(), if beyond.axis.rotary() { "°" } else { " mm" });
-    let key = match (letter, below) {
-        ('X', true) => "X_min",
-        ('X', false) => "X_max",
-        ('Y', true) => "Y_min",
-        ('Y', false) => "Y_max",
-        ('Z', true) => "Z_min",
-        ('Z', false) => "Z_max",
-        (_, true) => "B_min",
-        (_, false) => "B_max",
-    };
-    let (value, limit, line) = (shown(beyond.worst.position, 3), shown(beyond.worst.limit, 3), beyond.line);
-    Finding::stop(
-        Place::Parameters(vec![key]),
-        Text::new(
-            format!(
-                "el eje {letter} llega a {value}{unit} en «{}», desde la línea {line}; su límite es {limit}{unit}",
-                program.title.es
-            ),
-            format!(
-                "axis {letter} goes to {value}{unit} in \"{}\", from line {line} on; its limit is {limit}{unit}",
-                program.title.en
-            ),
-        ),
-        Text::new(
-            format!("compruebe {key}, la longitud de pivote y el cero, o mecanice en otra máquina"),
-            format!("check {key}, the pivot length and the zero, or use another machine"),
-        ),
-    )
-    .with(format!("{value}{unit}"), format!("{limit}{unit}"))
-}
-
-fn travel_passed(design: &Design, program: &Program) -> Finding {
-    let checked: Vec<char> =
-        design.travel.iter().filter(|(_, ends)| ends.iter().any(Option::is_some)).map(|(letter, _)| *letter).collect();
-    let show = |letter: char, ends: [Option<f64>; 2]| {
-        let end = |end: Option<f64>| end.map_or_else(|| "–".to_owned(), |end| shown(end, 3));
-        format!("{letter} {} … {}", end(ends[0]), end(ends[1]))
-    };
-    let value = program
-        .extents()
-        .into_iter()
-        .filter(|(letter, ..)| checked.contains(letter))
-        .map(|(letter, low, high)| show(letter, [Some(low.value()), Some(high.value())]))
-        .collect::<Vec<_>>()
-        .join("  ");
-    let limit = design
-        .travel
-        .iter()
-        .filter(|(letter, _)| checked.contains(letter))
-        .map(|&(letter, ends)| show(letter, ends))
-        .collect::<Vec<_>>()
-        .join("  ");
-    Finding::note(
-        Place::Block { program: program.key, line: 1 },
-        Text::new(
-            format!("el programa «{}» queda dentro de los recorridos comprobados", program.title.es),
-            format!("program \"{}\" stays within the travel that is checked", program.title.en),
-        ),
-    )
-    .with(value, limit)
 }

@@ -83,6 +83,12 @@ impl Position {
     }
 }
 
+impl From<Position> for Pose {
+    fn from(position: Position) -> Self {
+        Self(position.0.map(Milli::value))
+    }
+}
+
 /// Where all axes stand: mm for the linear axes, degrees for the rotary ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose(pub [f64; 9]);

@@ -169,7 +169,10 @@ fn quantities(outcome: &Outcome, words: &mut Words) -> Vec<Row> {
 }
 
 fn sheet(table: &Table, words: &mut Words) -> Sheet {
-    let (head, omitted, tail) = shorten::rows(table.rows());
+    // The verification is read row by row and so printed whole.
+    let whole = table.key == "verification";
+    let count = table.rows();
+    let (head, omitted, tail) = if whole { (0..count, 0, count..count) } else { shorten::rows(count) };
     let counted = table.index == Index::Point;
     let mut line = |row: usize| -> Vec<String> {
         let index = counted.then(|| row.to_string());

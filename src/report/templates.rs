@@ -25,6 +25,7 @@ templates![
     "method-impeller-en.typ",
     "annexes.typ",
     "programs.typ",
+    "verification.typ",
     "checks.typ",
     "setup.typ",
     "setup-impeller.typ",

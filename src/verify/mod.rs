@@ -1,5 +1,38 @@
-//! Judging programs: closure, travel, size.
+//! Judging programs: what a control would do with their text, held against the design.
+//!
+//! [`impeller::verify`] is the whole: each program is read back from its text once, motion by motion, and every judge
+//! sees each motion in turn ([`step`]), so that a program of any length takes no memory. A judge answers with
+//! [`check::Check`]s: the rows of the table of the verification, and the findings of those that failed.
+//!
+//! | judge | question |
+//! |---|---|
+//! | [`agreement`] | does the text say what was planned, point by point |
+//! | [`closure`] | does the program end where it began |
+//! | [`travel`] | do the axes stay within their travel |
+//! | [`turning`] | does C run on without a jump |
+//! | [`feed`] | is no axis, and the tip, faster than it may be |
+//! | [`tip_path`] | how far does the tip leave its path between the blocks, and how fine must the steps be |
+//! | [`floor`] | how much deeper than the floor does the tool's rim cut |
+//! | [`flanks`] | does the tool keep clear of the other blades |
+//! | [`stock`] | does it keep clear of the stock where it does not cut |
+//! | [`text`] | are characters, numbers and lines such as the control takes them |
+//! | [`arcs`] | how well do the radii of an arc agree |
 
 pub mod account;
+pub mod agreement;
+pub mod arcs;
+pub mod check;
 pub mod closure;
+pub mod cutting;
+pub mod feed;
+pub mod flanks;
+pub mod floor;
+pub mod impeller;
+pub mod refinement;
+pub mod solids;
+pub mod step;
+pub mod stock;
+pub mod text;
+pub mod tip_path;
 pub mod travel;
+pub mod turning;

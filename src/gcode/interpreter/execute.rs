@@ -9,7 +9,7 @@ use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
 use crate::gcode::interpreter::modal::Spindle;
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
@@ -432,10 +432,7 @@ impl Interpreter<'_> {
                     Grade::Caution,
                     line,
                     None,
-                    Text::fixed(
-                        "movimiento de avance sin F: el control usa el avance que tenga",
-                        "feed move without F: the control takes the feed it has",
-                    ),
+                    NO_FEED,
                     Text::fixed("dé el avance con F", "give the feed with F"),
                 );
             }

@@ -69,6 +69,12 @@ impl From<Fault> for Finding {
 /// The result of reading or executing a block.
 pub(super) type Outcome<T> = Result<T, Box<Fault>>;
 
+/// The remark on a feed move where no feed has been given, in dialects that let it pass.
+pub const NO_FEED: Text = Text::fixed(
+    "movimiento de avance sin F: el control usa el avance que tenga",
+    "feed move without F: the control takes the feed it has",
+);
+
 /// Most remarks that are kept.
 const MOST: usize = 100;
 

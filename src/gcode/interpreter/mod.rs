@@ -47,12 +47,13 @@ pub mod tool_table;
 use std::collections::VecDeque;
 use std::io::Cursor as Memory;
 
+pub use self::arc::radii_tolerance;
 use self::block::{Block, Parameter};
 use self::cursor::{Cursor, comments};
 pub use self::expression::DEEPEST;
-pub use self::fault::Fault;
 use self::fault::Outcome;
 use self::fault::Remarks;
+pub use self::fault::{Fault, NO_FEED};
 use self::flow::Flow;
 use self::modal::Modal;
 use self::parameters::Parameters;

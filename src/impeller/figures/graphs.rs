@@ -1,9 +1,10 @@
 //! Graphs over the point index.
 
-use super::{FINE, line, sampled, t};
+use super::{Curve, FINE, line, sampled, t};
 use crate::figure::{Axes, Figure, Ink};
 use crate::impeller::blade::Blade;
 use crate::impeller::splitter::Splitter;
+use crate::impeller::track::Track;
 use crate::text::Text;
 
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
@@ -37,5 +38,29 @@ pub(super) fn fraction(splitter: &Splitter) -> Figure {
         strokes: vec![line(Ink::Splitter, over_index(values.len(), |at| values.get(at).copied()))],
         labels: Vec::new(),
         legend: Vec::new(),
+    }
+}
+
+/// How far the tip goes into the metal in the middle of each block, along each track.
+pub(super) fn deviation(curves: &[Curve]) -> Figure {
+    let ink = |track: Track| match track {
+        Track::Obverse => Ink::Obverse,
+        Track::Reverse => Ink::Reverse,
+        Track::Out => Ink::Splitter,
+        Track::Back => Ink::Blade,
+    };
+    Figure {
+        key: "deviation",
+        caption: t(
+            "Desviación de la punta en mitad de cada bloque, positiva hacia el metal",
+            "Deviation of the tip in the middle of each block, positive into the metal",
+        ),
+        axes: Some(Axes { x: Text::same("i"), y: t("hacia el metal (µm)", "into the metal (µm)") }),
+        strokes: curves
+            .iter()
+            .map(|curve| line(ink(curve.track), curve.points.iter().map(|&[x, y]| [x, y * 1000.0]).collect()))
+            .collect(),
+        labels: Vec::new(),
+        legend: curves.iter().map(|curve| (ink(curve.track), curve.track.name())).collect(),
     }
 }

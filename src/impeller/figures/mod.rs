@@ -13,14 +13,30 @@ use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::Passes;
+use crate::impeller::track::Track;
 use crate::text::Text;
 
 /// Points of a curve that a drawing needs at most: finer is not seen on paper.
 const FINE: usize = 240;
 
+/// How far the tip goes into the metal along a track, to be drawn.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// The track.
+    pub track: Track,
+    /// Point index and depth in mm, positive into the metal.
+    pub points: Vec<[f64; 2]>,
+}
+
 /// All figures, by the keys that the report's templates know.
 #[must_use]
-pub fn figures(design: &Design, blade: &Blade, passes: &Passes, splitter: Option<&Splitter>) -> Vec<Figure> {
+pub fn figures(
+    design: &Design,
+    blade: &Blade,
+    passes: &Passes,
+    splitter: Option<&Splitter>,
+    deviation: &[Curve],
+) -> Vec<Figure> {
     let mut figures = vec![
         solid::cover(design, blade, splitter),
         geometry::villarceau(blade),
@@ -32,6 +48,7 @@ pub fn figures(design: &Design, blade: &Blade, passes: &Passes, splitter: Option
         machine::safe_points(passes),
         machine::safe_ends(design, blade, passes),
         machine::blank(design),
+        graphs::deviation(deviation),
     ];
     if let Some(splitter) = splitter {
         figures.push(geometry::crossing(design, blade, splitter));

@@ -1,0 +1,70 @@
+//! The tracks that the tool cuts along: both sides of a blade, and the way out and back along a splitter.
+
+use crate::text::Text;
+
+/// A track.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Track {
+    /// The obverse of a blade, from the entry to the exit.
+    Obverse,
+    /// The reverse of a blade, run back from the exit.
+    Reverse,
+    /// Path 1 of a splitter, from the entry to the exit.
+    Out,
+    /// Path 2 of a splitter, run back from the exit.
+    Back,
+}
+
+impl Track {
+    /// All of them, in the order of the programs.
+    pub const ALL: [Self; 4] = [Self::Obverse, Self::Reverse, Self::Out, Self::Back];
+
+    /// The name in programs and findings.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Obverse => "obverse",
+            Self::Reverse => "reverse",
+            Self::Out => "splitter-out",
+            Self::Back => "splitter-back",
+        }
+    }
+
+    /// The track with a [`Self::key`].
+    #[must_use]
+    pub fn from_key(key: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|track| track.key() == key)
+    }
+
+    /// What it is called.
+    #[must_use]
+    pub const fn name(self) -> Text {
+        match self {
+            Self::Obverse => Text::fixed("anverso", "obverse"),
+            Self::Reverse => Text::fixed("reverso", "reverse"),
+            Self::Out => Text::fixed("intermedio, ida", "splitter, out"),
+            Self::Back => Text::fixed("intermedio, vuelta", "splitter, back"),
+        }
+    }
+
+    /// On which side of the mean line it lies: 1 towards +b, −1 towards −b. The blade lies on the other side.
+    #[must_use]
+    pub const fn side(self) -> f64 {
+        match self {
+            Self::Obverse | Self::Back => 1.0,
+            Self::Reverse | Self::Out => -1.0,
+        }
+    }
+
+    /// True for the tracks of a splitter.
+    #[must_use]
+    pub const fn of_splitter(self) -> bool {
+        matches!(self, Self::Out | Self::Back)
+    }
+
+    /// True where it is run from the last point to the first.
+    #[must_use]
+    pub const fn backwards(self) -> bool {
+        matches!(self, Self::Reverse | Self::Back)
+    }
+}

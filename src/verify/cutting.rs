@@ -1,0 +1,372 @@
+//! What the tool does along its tracks: tip path, floor, clearance to the other blades.
+//!
+//! A track is measured in the first program that cuts it. Other programs and other turns of C go through the same
+//! positions, which the agreement with the plan shows, and C turns tool and part as one.
+
+use crate::gcode::program::Program;
+use crate::impeller::figures::Curve;
+use crate::impeller::ideal::Ideal;
+use crate::impeller::track::Track;
+use crate::number::grid::Milli;
+use crate::number::shown;
+use crate::text::Text;
+use crate::verify::check::{At, Check, FAULT, Verdict, mm};
+use crate::verify::flanks::{Clearance, Clearances, Neighbours, POSES};
+use crate::verify::floor::{below_floor, rim};
+use crate::verify::impeller::Geometry;
+use crate::verify::refinement::needed;
+use crate::verify::step::{Cut, Judge, Step};
+use crate::verify::tip_path::{Along, Peak, between, grid_bound};
+
+/// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
+/// fine class of ISO 2768-1 for lengths up to 6 mm.
+pub const INTO_METAL: f64 = 0.05;
+/// The deviation for which the n is named where the workbook states no tolerance, mm.
+pub const NAMED: f64 = 0.01;
+
+/// What is known of one track.
+#[derive(Debug)]
+struct Measured {
+    along: Along,
+    /// The bound of what the grid may move the tip.
+    grid: f64,
+    floor: Option<(f64, At)>,
+    clearances: Clearances,
+    /// The first pass has ended.
+    done: bool,
+    turn: Option<Milli>,
+}
+
+/// What is known from the programs that were judged before.
+#[derive(Debug)]
+pub struct Known {
+    neighbours: Neighbours,
+    tracks: Vec<Measured>,
+    pub(super) clear_moves: Vec<([f64; 8], f64)>,
+}
+
+impl Known {
+    /// Nothing yet.
+    #[must_use]
+    pub fn new(geometry: Geometry<'_>) -> Self {
+        let Geometry { design, blade, splitter } = geometry;
+        let tracks = Track::ALL.into_iter().filter_map(|track| {
+            let along = Along::new(Ideal::new(design, splitter, track)?, design.n);
+            Some(Measured { along, grid: 0.0, floor: None, clearances: Clearances::default(), done: false, turn: None })
+        });
+        Self { neighbours: Neighbours::new(design, blade, splitter), tracks: tracks.collect(), clear_moves: Vec::new() }
+    }
+
+    /// How far the tip goes into the metal along each track.
+    #[must_use]
+    pub fn curves(self) -> Vec<Curve> {
+        let curve = |mut one: Measured| {
+            one.along.curve.sort_by(|one, other| one[0].total_cmp(&other[0]));
+            Curve { track: one.along.track(), points: one.along.curve }
+        };
+        self.tracks.into_iter().filter(|one| one.done).map(curve).collect()
+    }
+}
+
+/// Watches the cutting motions of one program.
+#[derive(Debug)]
+pub struct Cutting<'k, 'a> {
+    geometry: Geometry<'a>,
+    known: &'k mut Known,
+    /// Tracks measured in this program.
+    here: Vec<Track>,
+}
+
+impl<'k, 'a> Cutting<'k, 'a> {
+    /// The judge of one program, with what is known from others.
+    #[must_use]
+    pub const fn new(geometry: Geometry<'a>, known: &'k mut Known) -> Self {
+        Self { geometry, known, here: Vec::new() }
+    }
+}
+
+impl Judge for Cutting<'_, '_> {
+    fn see(&mut self, step: &Step<'_>) {
+        let Some(Cut { track, turn, points }) = step.cut() else { return };
+        let design = self.geometry.design;
+        let Some(measured) = self.known.tracks.iter_mut().find(|one| one.along.track() == track) else { return };
+        if measured.done {
+            return;
+        }
+        if measured.turn.is_none() {
+            self.here.push(track);
+        }
+        let turn = *measured.turn.get_or_insert(turn);
+        let motion = &step.motion;
+        let (at, block) = (At::motion(motion), (motion.line, motion.n));
+        let place = |x: f64| At { point: Some((track, x)), ..at };
+        match points {
+            [Some(from), Some(to)] => {
+                measured.along.block(design.machine, [&motion.from, &motion.to], [from, to], turn, block);
+                let stride = design.n.div_ceil(POSES).max(1);
+                let parts = u16::try_from(POSES.div_ceil(design.n)).unwrap_or(1);
+                if !to.is_multiple_of(stride) && to != design.n {
+                    return;
+                }
+                measured.grid = measured.grid.max(grid_bound(design.machine, &motion.to));
+                for part in 1..=parts {
+                    let fraction = f64::from(part) / f64::from(parts);
+                    let pose = between(&motion.from, &motion.to, fraction);
+                    #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+                    let x = from as f64 + (to as f64 - from as f64) * fraction;
+                    self.known.neighbours.look(&pose, turn, track, place(x), &mut measured.clearances);
+                    let depth = below_floor(design, &pose);
+                    if measured.floor.is_none_or(|(most, _)| depth > most) {
+                        measured.floor = Some((depth, place(x)));
+                    }
+                }
+            }
+            [None, Some(to)] => {
+                measured.along.end(design.machine, &motion.to, to, turn, block);
+                for fraction in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                    let pose = between(&motion.from, &motion.to, fraction);
+                    self.known.neighbours.look(&pose, turn, track, at, &mut measured.clearances);
+                }
+            }
+            _ => {
+                for fraction in [0.25, 0.5, 0.75, 1.0] {
+                    let pose = between(&motion.from, &motion.to, fraction);
+                    self.known.neighbours.look(&pose, turn, track, at, &mut measured.clearances);
+                }
+                measured.done = true;
+            }
+        }
+    }
+
+    fn checks(&mut self, program: &Program) -> Vec<Check> {
+        let measured: Vec<&Measured> =
+            self.known.tracks.iter().filter(|one| self.here.contains(&one.along.track())).collect();
+        if measured.is_empty() {
+            return Vec::new();
+        }
+        let mut checks = self.tip_path(program, &measured);
+        checks.push(self.grid(program, &measured));
+        checks.extend(self.floor(program, &measured));
+        checks.extend(self.clearances(program, &measured));
+        checks
+    }
+}
+
+fn peak_at(track: Track, peak: &Peak) -> At {
+    At { line: peak.line, n: peak.n, point: Some((track, peak.x)) }
+}
+
+/// The greatest of a value over tracks.
+fn greatest(measured: &[&Measured], value: fn(&Along) -> &Peak) -> (f64, Option<At>) {
+    measured.iter().fold((0.0, None), |most, one| {
+        let peak = value(&one.along);
+        if peak.value > most.0 { (peak.value, Some(peak_at(one.along.track(), peak))) } else { most }
+    })
+}
+
+impl Cutting<'_, '_> {
+    fn tip_path(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
+        let design = self.geometry.design;
+        let ((total, total_at), (metal, metal_at)) =
+            (greatest(measured, |along| &along.total), greatest(measured, |along| &along.metal));
+        let tolerance = design.tol.unwrap_or(NAMED);
+        let wanted = (total > tolerance).then(|| needed(design, total, tolerance));
+        let remedy = match wanted {
+            None => Text::fixed("", ""),
+            Some(Some(n)) => Text::new(
+                format!("n de {n} como mínimo: la desviación baja entonces a {}", mm(tolerance)),
+                format!("n of {n} at least: the deviation then falls to {}", mm(tolerance)),
+            ),
+            Some(None) => Text::new(
+                format!(
+                    "ningún n la baja a {}: es lo que deja la resolución de 0.001° con esta longitud de pivote",
+                    mm(tolerance)
+                ),
+                format!(
+                    "no n brings it to {}: it is what a resolution of 0.001° leaves at this pivot length",
+                    mm(tolerance)
+                ),
+            ),
+        };
+        let name = Text::fixed("Punta entre bloques: mayor desviación", "Tip between blocks: greatest deviation");
+        let limit = Text::same(design.tol.map(mm).unwrap_or_default());
+        let path = Check::passed("tip-path", name, program, Text::same(mm(total)), limit).at(total_at);
+        let path = match design.tol {
+            None => path.informing(),
+            Some(tol) if total <= tol => path,
+            Some(tol) => path.of_parameters(vec!["tol", "n"]).found(
+                Verdict::Stop,
+                Text::new(
+                    format!(
+                        "entre bloques la punta se aparta {} de su trayectoria en «{}»; la tolerancia es {}",
+                        mm(total),
+                        program.title.es,
+                        mm(tol)
+                    ),
+                    format!(
+                        "between blocks the tip leaves its path by {} in \"{}\"; the tolerance is {}",
+                        mm(total),
+                        program.title.en,
+                        mm(tol)
+                    ),
+                ),
+                remedy.clone(),
+            ),
+        };
+        let name = Text::fixed("Punta entre bloques: hacia el metal", "Tip between blocks: into the metal");
+        let limit = Text::same(if design.tol.is_none() { mm(INTO_METAL) } else { String::new() });
+        let into = Check::passed("into-metal", name, program, Text::same(mm(metal)), limit).at(metal_at);
+        let into = if design.tol.is_some() {
+            into.informing()
+        } else if metal <= INTO_METAL {
+            into
+        } else {
+            into.of_parameters(vec!["n"]).found(
+                Verdict::Caution,
+                Text::new(
+                    format!("entre bloques la punta entra {} en el metal", mm(metal)),
+                    format!("between blocks the tip goes {} into the metal", mm(metal)),
+                ),
+                remedy,
+            )
+        };
+        let mut checks = vec![path, into];
+        if let Some(n) = wanted {
+            let name = Text::new(
+                format!("n para una desviación de {}", mm(tolerance)),
+                format!("n for a deviation of {}", mm(tolerance)),
+            );
+            let value = n.map_or_else(|| Text::fixed("ninguno", "none"), |n| Text::same(n.to_string()));
+            checks.push(Check::passed("needed-n", name, program, value, Text::same("")).informing());
+        }
+        checks
+    }
+
+    /// What rounding to the grid does to the points.
+    fn grid(&self, program: &Program, measured: &[&Measured]) -> Check {
+        let (value, at) = greatest(measured, |along| &along.grid);
+        let bound = measured.iter().map(|one| one.grid).fold(0.0, f64::max);
+        let name = Text::fixed("Puntos: lo que los mueve el redondeo a 0.001", "Points: moved by rounding to 0.001");
+        let check = Check::passed("grid", name, program, Text::same(mm(value)), Text::same(mm(bound))).at(at);
+        // The bound is that of the poses looked at; between them the distances change by less than a hundredth.
+        if value <= bound * 1.01 {
+            check
+        } else {
+            check.found(
+                Verdict::Stop,
+                Text::new(
+                    format!(
+                        "un punto de «{}» está a {} de su lugar exacto, más de lo que mueve el redondeo",
+                        program.title.es,
+                        mm(value)
+                    ),
+                    format!(
+                        "a point of \"{}\" is {} from its exact place, more than rounding moves it",
+                        program.title.en,
+                        mm(value)
+                    ),
+                ),
+                FAULT,
+            )
+        }
+    }
+
+    fn floor(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
+        let design = self.geometry.design;
+        let (d_t, r) = (design.d_t, design.torus.r);
+        let name = Text::fixed(
+            "Fondo: el borde de la fresa bajo el meridiano r",
+            "Floor: the rim of the tool below the meridian r",
+        );
+        let value = Text::new(
+            format!("{}; con r + a_p, {}", mm(rim(r, d_t)), mm(rim(r + design.a_p, d_t))),
+            format!("{}; with r + a_p, {}", mm(rim(r, d_t)), mm(rim(r + design.a_p, d_t))),
+        );
+        let mut checks = vec![Check::passed("floor-rim", name, program, value, Text::same("")).informing()];
+        let deepest = measured.iter().filter_map(|one| one.floor).max_by(|one, other| one.0.total_cmp(&other.0));
+        if let Some((depth, at)) = deepest {
+            let name =
+                Text::fixed("Fondo: lo más hondo del borde, bajo a_p", "Floor: deepest point of the rim, below a_p");
+            let check = Check::passed("floor-depth", name, program, Text::same(mm(depth)), Text::same(""));
+            checks.push(check.at(Some(at)).of_parameters(vec!["d_t", "a_p"]).found(
+                Verdict::Note,
+                Text::new(
+                    format!("el borde de la fresa plana corta hasta {} más hondo que a_p: el fondo es cóncavo y la punta va a w de la fibra media", mm(depth)),
+                    format!("the rim of the flat end mill cuts up to {} deeper than a_p: the floor is hollow and the tip runs w beside the mean line", mm(depth)),
+                ),
+                Text::fixed("", ""),
+            ));
+        }
+        checks
+    }
+
+    fn clearances(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
+        let least = |pick: fn(&Clearances) -> Option<Clearance>| {
+            measured
+                .iter()
+                .filter_map(|one| pick(&one.clearances).map(|found| (one.along.track(), found)))
+                .min_by(|one, other| one.1.distance.total_cmp(&other.1.distance))
+        };
+        let blades = least(|clearances| clearances.blades).map(|(track, found)| {
+            let name = Text::fixed("Holgura a los álabes vecinos", "Clearance to the neighbouring blades");
+            let check = Check::passed("blades", name, program, Text::same(mm(found.distance)), Text::same(mm(0.0)));
+            let check = check.at(Some(found.at));
+            let (depth, line, other) = (mm(-found.distance), found.at.line, shown(found.other, 1));
+            if found.distance >= 0.0 {
+                check
+            } else if track.of_splitter() {
+                check.found(
+                    Verdict::Caution,
+                    Text::new(
+                        format!("el álabe intermedio corta {depth} dentro del álabe vecino (punto {other} de éste) en la línea {line} de «{}»", program.title.es),
+                        format!("the splitter's pass cuts {depth} into the neighbouring blade (its point {other}) at line {line} of \"{}\"", program.title.en),
+                    ),
+                    Text::fixed(
+                        "splitters = no; o menos álabes, álabes más delgados o una herramienta menor",
+                        "splitters = no; or fewer blades, thinner blades, or a smaller tool",
+                    ),
+                )
+            } else {
+                check.found(
+                    Verdict::Stop,
+                    Text::new(
+                        format!("la herramienta corta {depth} dentro del álabe vecino (punto {other} de éste) en la línea {line} de «{}»", program.title.es),
+                        format!("the tool cuts {depth} into the neighbouring blade (its point {other}) at line {line} of \"{}\"", program.title.en),
+                    ),
+                    Text::fixed("menos álabes, álabes más delgados o una herramienta menor", "fewer blades, thinner blades, or a smaller tool"),
+                )
+            }
+        });
+        let splitters = least(|clearances| clearances.splitters).map(|(track, found)| {
+            let name = Text::fixed(
+                "Holgura a los intermedios, pasado el cruce",
+                "Clearance to the splitters, past the crossing",
+            );
+            let check = Check::passed("splitters", name, program, Text::same(mm(found.distance)), Text::same(""));
+            let check = check.at(Some(found.at));
+            if found.distance >= 0.0 || !track.of_splitter() {
+                check.informing()
+            } else {
+                check.found(
+                    Verdict::Stop,
+                    Text::new(
+                        format!(
+                            "un álabe intermedio corta {} dentro de otro en la línea {} de «{}»",
+                            mm(-found.distance),
+                            found.at.line,
+                            program.title.es
+                        ),
+                        format!(
+                            "a splitter's pass cuts {} into another splitter at line {} of \"{}\"",
+                            mm(-found.distance),
+                            found.at.line,
+                            program.title.en
+                        ),
+                    ),
+                    Text::fixed("splitters = no, o menos álabes", "splitters = no, or fewer blades"),
+                )
+            }
+        });
+        blades.into_iter().chain(splitters).collect()
+    }
+}
