@@ -189,7 +189,7 @@ fn table_of_4_1_start_of_the_profile() {
 #[test]
 fn section_4_3_fifth_power() {
     let (design, blade) = published();
-    let splitter = Splitter::new(&blade, design.N, design.w(), design.a_p).unwrap();
+    let splitter = Splitter::new(&design, &blade).unwrap();
     // Increments of Y on path 1, from annex 10: N30 … N220.
     let printed: Vec<f64> = std::fs::read_to_string("tests/golden/annex-10-splitter-as-printed.nc")
         .unwrap()
@@ -198,7 +198,7 @@ fn section_4_3_fifth_power() {
         .take(20)
         .map(|line| line.split(" Y").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap())
         .collect();
-    let m = f64::from(u32::try_from(splitter.m).unwrap());
+    let m = f64::from(u32::try_from(splitter.out.m).unwrap());
     let across = design.w() * blade.b_machine.y.abs();
     let worst = |power: f64| {
         (0..20_u32)

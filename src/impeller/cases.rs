@@ -63,6 +63,7 @@ fn published(language: Language) -> Vec<(&'static str, Value)> {
         ("e", Value::Real(2.0)),
         ("a_p", Value::Real(2.0)),
         ("splitters", Value::Choice("yes")),
+        ("splitter_fade", Value::Choice("published")),
         ("d_t", Value::Real(6.0)),
         ("L_t", Value::Real(95.4)),
         ("T", Value::Whole(1)),
@@ -99,6 +100,7 @@ fn full(language: Language) -> Vec<(&'static str, Value)> {
     let mut values = published(language);
     for (key, value) in [
         ("eps_v", Value::Real(0.0)),
+        ("splitter_fade", Value::Choice("each-side")),
         ("style", Value::Choice("full")),
         ("distance", Value::Choice("G90")),
         ("start_codes", Value::Line("M3".to_owned())),

@@ -5,6 +5,7 @@ use crate::finding::{Finding, Place};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::word::{Distance, Word, codes};
 use crate::geometry::torus::Torus;
+use crate::impeller::fade::Fade;
 use crate::impeller::tool_path::half_width;
 use crate::machine::calibration::Slots;
 use crate::machine::rotary::Rotary;
@@ -38,6 +39,8 @@ pub struct Design {
     pub a_p: f64,
     /// Splitter blades are wanted.
     pub splitters: bool,
+    /// How splitters fade.
+    pub splitter_fade: Fade,
     /// d_t, tool diameter.
     pub d_t: f64,
     /// L_t, tool length.
@@ -122,6 +125,11 @@ impl Design {
             e: real("e")?,
             a_p: real("a_p")?,
             splitters: values.choice("splitters")? == "yes",
+            splitter_fade: if values.choice("splitter_fade") == Some("each-side") {
+                Fade::EachSide
+            } else {
+                Fade::Published
+            },
             d_t: real("d_t")?,
             L_t,
             T: values.whole("T")?,

@@ -78,9 +78,10 @@ fn extents(comments: &mut Comments, program: &Program) {
     }
 }
 
-/// The header of a milling program, its opening line included.
+/// The header of a milling program, its opening line included. `full_from` are the points from which the ways out and
+/// back along the splitters that it cuts have their full offset, where these differ.
 #[must_use]
-pub fn header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Part> {
+pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>, origin: &Origin<'_>) -> Vec<Part> {
     let mut comments = identity(design, program, origin);
     let (T, D) = (design.T, design.D);
     let (diameter, length) = (fixed(design.d_t), fixed(design.L_t));
@@ -88,6 +89,12 @@ pub fn header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Pa
         &format!("HERRAMIENTA T{T} D{D} FRESA FRONTAL DIAM. {diameter} LONG. {length}"),
         &format!("TOOL T{T} D{D} FLAT END MILL DIAM. {diameter} LENGTH {length}"),
     );
+    if let Some([out, back]) = full_from {
+        comments.line(
+            &format!("INTERMEDIO ENTERO DESDE PUNTO {out} IDA Y {back} VUELTA"),
+            &format!("SPLITTER IN FULL FROM POINT {out} OUT AND {back} BACK"),
+        );
+    }
     let (L, R_p) = (fixed(design.machine.L), fixed(design.R_p));
     comments.line(
         &format!("LONGITUD DE PIVOTE L {L} DEL EJE B AL CENTRO DEL TORO"),

@@ -1,7 +1,7 @@
 //! The ideal path of the tool tip along a track: the exact curve through the points that the programs visit.
 //!
 //! Between the points of the tables v runs on, and P, N and b with it: T(v) = P ± w·f·b − a_p·N in the part frame, with
-//! f = 1 along a blade and f = ((x+1)/(m+1))⁵ up to x = m along a splitter, x being the point index continued between
+//! f = 1 along a blade and f = ((x+1)/(m+1))⁵ up to the m of its side along a splitter, x being the point index continued between
 //! the points.
 //!
 //! # Units
@@ -27,7 +27,7 @@ pub struct Ideal {
     a_p: f64,
     /// ±w.
     w: f64,
-    /// m of a splitter.
+    /// m of a splitter's side.
     m: Option<f64>,
     /// Which track it is.
     pub track: Track,
@@ -51,7 +51,7 @@ impl Ideal {
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     pub fn new(design: &Design, splitter: Option<&Splitter>, track: Track) -> Option<Self> {
-        let m = if track.of_splitter() { Some(splitter?.m as f64) } else { None };
+        let m = if track.of_splitter() { Some(splitter?.side(track)?.m as f64) } else { None };
         Some(Self {
             circle: Villarceau::new(design.torus),
             n: design.n as f64,
@@ -140,7 +140,7 @@ mod tests {
         values.values.extend(CASES[1].values(Language::En));
         let design = Design::new(&values).unwrap();
         let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
-        let splitter = Splitter::new(&blade, design.N, design.w(), design.a_p).unwrap();
+        let splitter = Splitter::new(&design, &blade).unwrap();
         (design, blade, splitter)
     }
 
@@ -153,8 +153,8 @@ mod tests {
             let points = match track {
                 Track::Obverse => &passes.obverse,
                 Track::Reverse => &passes.reverse,
-                Track::Out => &splitter.out,
-                Track::Back => &splitter.back,
+                Track::Out => &splitter.out.path,
+                Track::Back => &splitter.back.path,
             };
             for (i, point) in points.iter().enumerate() {
                 let part = design.machine.to_part(point, blade.B[i], blade.C[i]);

@@ -61,6 +61,11 @@ const DIALECTS: &[Choice] = &[
 const STYLES: &[Choice] =
     &[Choice { key: "annex", label: t("annex", "annex") }, Choice { key: "full", label: t("full", "full") }];
 
+const FADES: &[Choice] = &[
+    Choice { key: "published", label: t("published", "published") },
+    Choice { key: "each-side", label: t("each-side", "each-side") },
+];
+
 const DISTANCES: &[Choice] =
     &[Choice { key: "G90", label: t("G90", "G90") }, Choice { key: "G91", label: t("G91", "G91") }];
 
@@ -143,6 +148,17 @@ const GEOMETRY: &[Parameter] = &[
         true,
         t("Álabes intermedios", "Splitter blades"),
         t("sí o no", "yes or no"),
+    ),
+    other(
+        "splitter_fade",
+        "splitter_fade",
+        Kind::Choice(FADES),
+        false,
+        t("Cómo nacen los álabes intermedios", "How splitter blades begin"),
+        t(
+            "each-side: cada lado donde la herramienta libra al álabe vecino; published, o vacío: ambos a la vez, como en el anexo publicado, cortando el álabe vecino",
+            "each-side: each side where the tool clears the neighbouring blade; published, or empty: both at once, as in the published annex, cutting into the neighbouring blade",
+        ),
     ),
 ];
 

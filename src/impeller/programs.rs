@@ -9,6 +9,7 @@ use crate::gcode::word::NumberFormat;
 use crate::impeller::assembly::{Assembly, Limited, Pass};
 use crate::impeller::blade::Blade;
 use crate::impeller::design::{Design, Style};
+use crate::impeller::fade::Fade;
 use crate::impeller::header::{Origin, blank_header, header};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::Passes;
@@ -23,6 +24,8 @@ pub struct Tracks {
     obverse: Arc<[Position]>,
     reverse: Arc<[Position]>,
     splitter: Option<[Arc<[Position]>; 2]>,
+    /// Where the ways out and back along a splitter have their full offset, if each has a point of its own.
+    full_from: Option<[usize; 2]>,
     entry_obverse: Position,
     entry_reverse: Position,
     exit_obverse: Position,
@@ -50,7 +53,12 @@ impl Tracks {
         Ok(Self {
             obverse: track(&passes.obverse)?,
             reverse: track(&passes.reverse)?,
-            splitter: splitter.map(|splitter| Ok([track(&splitter.out)?, track(&splitter.back)?])).transpose()?,
+            splitter: splitter
+                .map(|splitter| Ok([track(&splitter.out.path)?, track(&splitter.back.path)?]))
+                .transpose()?,
+            full_from: splitter
+                .filter(|splitter| splitter.fade == Fade::EachSide)
+                .map(|splitter| [splitter.out.m, splitter.back.m]),
             entry_obverse: position(0, &passes.entry.obverse)?,
             entry_reverse: position(0, &passes.entry.reverse)?,
             exit_obverse: position(last, &passes.exit.obverse)?,
@@ -165,7 +173,8 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
             unnumbered.push(program.key);
         }
         if design.style == Style::Full {
-            let mut parts = header(design, program, origin);
+            let full_from = tracks.full_from.filter(|_| program.key != "blade");
+            let mut parts = header(design, program, full_from, origin);
             parts.append(&mut program.parts);
             program.parts = parts;
         }

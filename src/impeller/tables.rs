@@ -6,8 +6,9 @@ use nalgebra::Vector3;
 
 use crate::impeller::blade::{Blade, Vectors};
 use crate::impeller::design::Design;
+use crate::impeller::fade::Fade;
 use crate::impeller::safety::{End, SafeEnd, safe_end};
-use crate::impeller::splitter::Splitter;
+use crate::impeller::splitter::{Side, Splitter};
 use crate::impeller::tool_path::tool_path;
 use crate::machine::calibration::{Axis, Slots, nearest};
 use crate::table::{Column, Index, Table, Unit};
@@ -193,23 +194,27 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
     let intersection = Table {
         key: "intersection",
         name: t("Intersección", "Intersection"),
-        title: Text::new(
-            format!(
-                "Intersección con el álabe vecino: índice {:.2}, en ({:.4}, {:.4}) mm; m = {}",
-                splitter.crossing.along_first, splitter.crossing.at.x, splitter.crossing.at.y, splitter.m
-            ),
-            format!(
-                "Crossing with the neighbouring blade: index {:.2}, at ({:.4}, {:.4}) mm; m = {}",
-                splitter.crossing.along_first, splitter.crossing.at.x, splitter.crossing.at.y, splitter.m
-            ),
-        ),
+        title: crossing_title(splitter),
         source: t("Sección 4.3 y ecuación (36); en planta", "Section 4.3 and equation (36); in plan"),
         index: Index::Point,
         columns,
     };
-    let mut columns = vec![Column::numbers("f", Unit::One, "f_j = ((j+1)/(m+1))⁵, j ≤ m", splitter.fraction.clone())];
-    columns.extend(Column::vectors(["x_1", "y_1", "z_1"], MM, "P″ − w·f·b″ − a_p·N″", &splitter.out));
-    columns.extend(Column::vectors(["x_2", "y_2", "z_2"], MM, "P″ + w·f·b″ − a_p·N″", &splitter.back));
+    let fraction = |symbol, formula, side: &Side| Column::numbers(symbol, Unit::One, formula, side.fraction.clone());
+    let Splitter { out, back, .. } = splitter;
+    let (mut columns, paths) = match splitter.fade {
+        Fade::Published => {
+            (vec![fraction("f", "f_j = ((j+1)/(m+1))⁵, j ≤ m", out)], ["P″ − w·f·b″ − a_p·N″", "P″ + w·f·b″ − a_p·N″"])
+        }
+        Fade::EachSide => (
+            vec![
+                fraction("f_1", "f_1 = ((j+1)/(m_1+1))⁵, j ≤ m_1", out),
+                fraction("f_2", "f_2 = ((j+1)/(m_2+1))⁵, j ≤ m_2", back),
+            ],
+            ["P″ − w·f_1·b″ − a_p·N″", "P″ + w·f_2·b″ − a_p·N″"],
+        ),
+    };
+    columns.extend(Column::vectors(["x_1", "y_1", "z_1"], MM, paths[0], &out.path));
+    columns.extend(Column::vectors(["x_2", "y_2", "z_2"], MM, paths[1], &back.path));
     columns.push(Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)));
     columns.push(Column::numbers("C", RAD, "C = u − 2π", Arc::clone(&blade.C)));
     let paths = Table {
@@ -224,6 +229,28 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         columns,
     };
     [intersection, paths]
+}
+
+/// Where the paths cross, and from which points on the offset is full.
+fn crossing_title(splitter: &Splitter) -> Text {
+    let Splitter { out, back, .. } = splitter;
+    let at = format!("({:.4}, {:.4}) mm", splitter.crossing.at.x, splitter.crossing.at.y);
+    match splitter.fade {
+        Fade::Published => Text::new(
+            format!("Intersección con el álabe vecino: índice {:.2}, en {at}; m = {}", back.crossing, back.m),
+            format!("Crossing with the neighbouring blade: index {:.2}, at {at}; m = {}", back.crossing, back.m),
+        ),
+        Fade::EachSide => Text::new(
+            format!(
+                "Intersección con los álabes vecinos: índices {:.2} (ida) y {:.2} (vuelta), en {at}; m_1 = {}, m_2 = {}",
+                out.crossing, back.crossing, out.m, back.m
+            ),
+            format!(
+                "Crossing with the neighbouring blades: indices {:.2} (out) and {:.2} (back), at {at}; m_1 = {}, m_2 = {}",
+                out.crossing, back.crossing, out.m, back.m
+            ),
+        ),
+    }
 }
 
 /// The turning of the blank: the cycle's parameters.

@@ -8,6 +8,7 @@ use crate::gcode::word::NumberFormat;
 use crate::impeller::blade::Blade;
 use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::impeller::design::Design;
+use crate::impeller::fade::Fade;
 use crate::impeller::figures::figures;
 use crate::impeller::header::Origin;
 use crate::impeller::programs::{Tracks, programs};
@@ -35,7 +36,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     let passes = Passes::new(&design, &blade);
     let mut stops = Vec::new();
     let splitter = if design.splitters {
-        Splitter::new(&blade, design.N, design.w(), design.a_p).map_err(|why| stops.push(no_splitter(why))).ok()
+        Splitter::new(&design, &blade).map_err(|why| stops.push(no_splitter(why))).ok()
     } else {
         None
     };
@@ -99,13 +100,6 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
 fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, programs: &[Program]) -> Vec<Quantity> {
     let (torus, a_p, e, d_t) = (design.torus, design.a_p, design.e, design.d_t);
     let mm = Unit::Millimetre;
-    let quantity = |symbol, es, en, value, unit, source: [&'static str; 2]| Quantity {
-        symbol,
-        meaning: Text::fixed(es, en),
-        value,
-        unit,
-        source: Text::fixed(source[0], source[1]),
-    };
     let circle = crate::geometry::villarceau::Villarceau::new(torus);
     let gap = hub_circumference(torus, a_p) / f64::from(design.N) - e;
     let mut list = vec![
@@ -191,26 +185,7 @@ fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, pro
             ["ec. (22)", "eq. (22)"],
         ),
     ];
-    if let Some(splitter) = splitter {
-        #[expect(clippy::cast_precision_loss, reason = "a count of points")]
-        let m = splitter.m as f64;
-        list.push(quantity(
-            "crossing",
-            "Índice del cruce con el álabe vecino",
-            "Index of the crossing with the neighbour",
-            splitter.crossing.along_first,
-            Unit::One,
-            ["sección 4.3", "section 4.3"],
-        ));
-        list.push(quantity(
-            "m",
-            "Punto desde el que el intermedio tiene todo su espesor",
-            "Point from which the splitter has its full thickness",
-            m,
-            Unit::Count,
-            ["sección 4.3", "section 4.3"],
-        ));
-    }
+    list.extend(splitter.map(crossings).into_iter().flatten());
     if let Some(program) =
         programs.iter().find(|program| program.format == NumberFormat::Fixed && program.key == "blade")
     {
@@ -224,4 +199,77 @@ fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, pro
         ));
     }
     list
+}
+
+fn quantity(
+    symbol: &'static str,
+    es: &'static str,
+    en: &'static str,
+    value: f64,
+    unit: Unit,
+    source: [&'static str; 2],
+) -> Quantity {
+    Quantity { symbol, meaning: Text::fixed(es, en), value, unit, source: Text::fixed(source[0], source[1]) }
+}
+
+/// Where a splitter's paths cross its neighbours', and from where on its offset is full.
+#[expect(clippy::cast_precision_loss, reason = "counts of points")]
+fn crossings(splitter: &Splitter) -> Vec<Quantity> {
+    let Splitter { out, back, .. } = splitter;
+    let section = ["sección 4.3", "section 4.3"];
+    let room = ["donde la herramienta libra al vecino", "where the tool clears the neighbour"];
+    match splitter.fade {
+        Fade::Published => vec![
+            quantity(
+                "crossing",
+                "Índice del cruce con el álabe vecino",
+                "Index of the crossing with the neighbour",
+                back.crossing,
+                Unit::One,
+                section,
+            ),
+            quantity(
+                "m",
+                "Punto desde el que el intermedio tiene todo su espesor",
+                "Point from which the splitter has its full thickness",
+                back.m as f64,
+                Unit::Count,
+                section,
+            ),
+        ],
+        Fade::EachSide => vec![
+            quantity(
+                "crossing_1",
+                "Índice del cruce con el álabe vecino, a la ida",
+                "Index of the crossing with the neighbour, out",
+                out.crossing,
+                Unit::One,
+                section,
+            ),
+            quantity(
+                "m_1",
+                "Punto desde el que la ida lleva toda su separación",
+                "Point from which the way out has its full offset",
+                out.m as f64,
+                Unit::Count,
+                room,
+            ),
+            quantity(
+                "crossing_2",
+                "Índice del cruce con el álabe vecino, a la vuelta",
+                "Index of the crossing with the neighbour, back",
+                back.crossing,
+                Unit::One,
+                section,
+            ),
+            quantity(
+                "m_2",
+                "Punto desde el que la vuelta lleva toda su separación",
+                "Point from which the way back has its full offset",
+                back.m as f64,
+                Unit::Count,
+                room,
+            ),
+        ],
+    }
 }

@@ -20,13 +20,17 @@ pub(super) fn no_splitter(why: NoSplitter) -> Finding {
             "no queda álabe intermedio: su trayectoria corta a la del álabe vecino en el primer punto",
             "no splitter blade is left: its path crosses that of the neighbouring blade at the first point",
         ),
+        NoSplitter::NoRoom => Text::fixed(
+            "no cabe un álabe intermedio: por mucho que se afine, la herramienta cortaría el álabe vecino",
+            "no splitter blade fits: however it fades out, the tool would cut into the neighbouring blade",
+        ),
     };
     let remedy = match why {
         NoSplitter::NoCrossing => Text::fixed(
             "splitters = no; o más álabes, álabes más gruesos o una herramienta mayor",
             "splitters = no; or more blades, thicker blades, or a larger tool",
         ),
-        NoSplitter::AtFirstPoint => Text::fixed(
+        NoSplitter::AtFirstPoint | NoSplitter::NoRoom => Text::fixed(
             "splitters = no; o menos álabes, álabes más delgados, una herramienta menor o un n mayor",
             "splitters = no; or fewer blades, thinner blades, a smaller tool, or a larger n",
         ),

@@ -4,6 +4,7 @@
 //! positions, which the agreement with the plan shows, and C turns tool and part as one.
 
 use crate::gcode::program::Program;
+use crate::impeller::fade::Fade;
 use crate::impeller::figures::Curve;
 use crate::impeller::ideal::Ideal;
 use crate::impeller::track::Track;
@@ -315,16 +316,29 @@ impl Cutting<'_, '_> {
             if found.distance >= 0.0 {
                 check
             } else if track.of_splitter() {
+                let (verdict, remedy) = match self.geometry.design.splitter_fade {
+                    Fade::Published => (
+                        Verdict::Caution,
+                        Text::fixed(
+                            "splitter_fade = each-side; o splitters = no, menos álabes, álabes más delgados o una herramienta menor",
+                            "splitter_fade = each-side; or splitters = no, fewer blades, thinner blades, or a smaller tool",
+                        ),
+                    ),
+                    Fade::EachSide => (
+                        Verdict::Stop,
+                        Text::fixed(
+                            "splitters = no; o menos álabes, álabes más delgados o una herramienta menor",
+                            "splitters = no; or fewer blades, thinner blades, or a smaller tool",
+                        ),
+                    ),
+                };
                 check.found(
-                    Verdict::Caution,
+                    verdict,
                     Text::new(
                         format!("el álabe intermedio corta {depth} dentro del álabe vecino (punto {other} de éste) en la línea {line} de «{}»", program.title.es),
                         format!("the splitter's pass cuts {depth} into the neighbouring blade (its point {other}) at line {line} of \"{}\"", program.title.en),
                     ),
-                    Text::fixed(
-                        "splitters = no; o menos álabes, álabes más delgados o una herramienta menor",
-                        "splitters = no; or fewer blades, thinner blades, or a smaller tool",
-                    ),
+                    remedy,
                 )
             } else {
                 check.found(

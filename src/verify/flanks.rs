@@ -5,12 +5,13 @@
 //! evenly along it; between two of them, and between the straight lines of a flank, the true distance is smaller by
 //! less than R/5000.
 //!
-//! A splitter's flanks count from the point at which the paths on both of its sides have crossed its neighbours': before
-//! it the splitter ends in its neighbours' channels, which were cut before it and are meant to cut it off. How far they
-//! still reach into it past the crossing, which is that of the tips in plan, is said and not held against them. Its own
-//! passes must leave the blades alone. One fraction of the offset serves both of its sides, though, as published: it is made for the side on which
-//! the paths cross first, and on the other side the tool may reach the neighbour. That is for a person to judge, since
-//! it belongs to the method; a blade that cuts into a blade, or a splitter into a splitter, stops the work.
+//! A splitter's flanks count from the point at which it stands in full: the paths on both of its sides have crossed its
+//! neighbours' and have their whole offset. Before it the splitter ends in its neighbours' channels, which were cut before
+//! it and are meant to cut it off. How far they still reach into it past the crossing, which is that of the tips in plan,
+//! is said and not held against them. Its own passes must leave the blades alone, and where each side fades by itself
+//! they do. One fraction for both sides, as published, is made for the side on which the paths cross first, and on the
+//! other side the tool reaches the neighbour. That is for a person to judge, since it belongs to the published method;
+//! anything else that cuts into a blade, or a splitter into a splitter, stops the work.
 
 use std::f64::consts::{PI, TAU};
 
@@ -18,6 +19,7 @@ use nalgebra::Vector3;
 
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;
+use crate::impeller::solids::{Flanks, Tool};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose};
@@ -25,7 +27,6 @@ use crate::machine::rotary::Rotary;
 use crate::number::grid::Milli;
 use crate::verify::agreement::tip;
 use crate::verify::check::At;
-use crate::verify::solids::{Flanks, Tool};
 
 /// Poses of a pass that are looked at.
 pub const POSES: usize = 96;
@@ -57,7 +58,7 @@ pub struct Neighbours {
     machine: Rotary,
     radius: f64,
     N: u32,
-    /// From which point index on a splitter is past the crossings on both sides.
+    /// From which point index on a splitter stands in full.
     full: Option<f64>,
 }
 
@@ -70,8 +71,7 @@ impl Neighbours {
             machine: design.machine,
             radius: design.d_t / 2.0,
             N: design.N,
-            // The path at −w crosses the other neighbour's where the neighbour's crosses the one at +w.
-            full: splitter.map(|splitter| splitter.crossing.along_first.max(splitter.crossing.along_second)),
+            full: splitter.map(Splitter::full_from),
         }
     }
 

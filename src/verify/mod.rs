@@ -29,7 +29,6 @@ pub mod flanks;
 pub mod floor;
 pub mod impeller;
 pub mod refinement;
-pub mod solids;
 pub mod step;
 pub mod stock;
 pub mod text;

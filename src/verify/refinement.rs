@@ -27,7 +27,7 @@ const BLOCKS: usize = 100_000;
 pub fn greatest(design: &Design, n: usize) -> Option<f64> {
     let design = Design { n, ..design.clone() };
     let blade = Blade::new(design.torus, n, design.eps_v, design.machine);
-    let splitter = if design.splitters { Splitter::new(&blade, design.N, design.w(), design.a_p).ok() } else { None };
+    let splitter = if design.splitters { Splitter::new(&design, &blade).ok() } else { None };
     let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), splitter.as_ref()).ok()?;
     let mut most = 0.0_f64;
     for track in Track::ALL {

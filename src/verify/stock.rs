@@ -15,12 +15,12 @@ use std::f64::consts::TAU;
 
 use crate::gcode::program::Program;
 use crate::impeller::design::Design;
+use crate::impeller::solids::Stock;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::number::trig::{hypot, sin_cos};
 use crate::text::Text;
 use crate::verify::check::{At, Check, Verdict, mm};
-use crate::verify::solids::Stock;
 use crate::verify::step::{Judge, Step};
 use crate::verify::tip_path::between;
 

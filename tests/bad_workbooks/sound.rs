@@ -2,6 +2,8 @@
 
 use rodete::finding::Grade;
 use rodete::impeller::cases::CASES;
+use rodete::impeller::design::Design;
+use rodete::impeller::fade::Fade;
 use rodete::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::Language;
@@ -90,6 +92,36 @@ fn a_choice_is_read_in_either_language_in_capitals_and_without_its_accent() {
         let filled = impeller(&Parts::sound().string("splitters", text).zip()).unwrap();
         assert_eq!(filled.values.choice("splitters"), Some(key), "{text}");
     }
+}
+
+/// A workbook of the time before a row was added to the form: an optional row that is not there is an empty one.
+#[test]
+fn a_workbook_without_the_rows_of_optional_parameters_opens_and_fades_as_published() {
+    let optional: Vec<_> = FORM.sheets[0]
+        .sections
+        .iter()
+        .flat_map(|section| section.parameters)
+        .filter(|parameter| !parameter.required)
+        .map(|parameter| parameter.key)
+        .collect();
+    assert!(optional.contains(&"splitter_fade") && optional.contains(&"tol"));
+    let without = optional.iter().fold(Parts::sound(), |parts, key| {
+        ["A", "B", "C", "D"].iter().fold(parts, |parts, column| parts.cell(DATA, &format!("{column}{}", row(key)), ""))
+    });
+    let filled = impeller(&without.zip()).unwrap();
+    assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+    for key in &optional {
+        assert!(!filled.values.values.contains_key(key) && !filled.values.cells.contains_key(key), "{key}");
+    }
+    assert_eq!(filled.values.whole("N"), Some(4));
+
+    let without = ["A", "B", "C", "D"]
+        .iter()
+        .fold(Parts::sound(), |parts, column| parts.cell(DATA, &format!("{column}{}", row("splitter_fade")), ""));
+    let values = impeller(&without.zip()).unwrap().values;
+    assert_eq!(Design::new(&values).unwrap().splitter_fade, Fade::Published);
+    let values = impeller(&Parts::sound().zip()).unwrap().values;
+    assert_eq!(Design::new(&values).unwrap().splitter_fade, Fade::EachSide);
 }
 
 #[test]

@@ -21,8 +21,8 @@ fn a_new_workbook_can_be_checked_and_built() {
         .args(["check", "impeller.xlsx"])
         .assert()
         .code(0)
-        .stdout(predicate::str::contains("\n  L        = 242.9 mm     Pivot length"))
-        .stdout(predicate::str::contains("\n  N_max    =   5 "))
+        .stdout(predicate::str::contains("\n  L          = 242.9 mm     Pivot length"))
+        .stdout(predicate::str::contains("\n  N_max      =   5 "))
         .stdout(predicate::str::contains("impeller.xlsx: can be built"))
         .stderr("");
     assert_eq!(names(&folder), ["impeller.xlsx"]);

@@ -10,6 +10,7 @@ use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::geometry::torus::Torus;
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;
+use crate::impeller::fade::Fade;
 use crate::impeller::splitter::{Splitter, plan_paths};
 use crate::impeller::tool_path::part_path;
 use crate::number::trig::sin_cos;
@@ -118,7 +119,8 @@ pub(super) fn plan(design: &Design, blade: &Blade, splitter: Option<&Splitter>) 
         let turn = TAU * f64::from(number) / f64::from(design.N);
         strokes.push(line(Ink::Blade, mean(turn, 0)));
         if let Some(splitter) = splitter {
-            strokes.push(line(Ink::Splitter, mean(turn - PI / f64::from(design.N), splitter.m)));
+            strokes
+                .push(line(Ink::Splitter, mean(turn - PI / f64::from(design.N), splitter.out.m.max(splitter.back.m))));
         }
     }
     if splitter.is_some() {
@@ -222,20 +224,27 @@ pub(super) fn crossing(design: &Design, blade: &Blade, splitter: &Splitter) -> F
         line(ink, sampled(points.len(), FINE).filter_map(|at| points.get(at)).map(|point| [point.x, point.y]).collect())
     };
     let at = [splitter.crossing.at.x, splitter.crossing.at.y];
+    let Splitter { out, back, .. } = splitter;
     let size = 0.035 * design.torus.R;
     let mark: Vec<[f64; 2]> = round(size).into_iter().map(|[x, y]| [x + at[0], y + at[1]]).collect();
     Figure {
         key: "crossing",
-        caption: Text::new(
-            format!(
-                "Cruce de las trayectorias en planta, en el índice {:.2}; m = {}",
-                splitter.crossing.along_first, splitter.m
+        caption: match splitter.fade {
+            Fade::Published => Text::new(
+                format!("Cruce de las trayectorias en planta, en el índice {:.2}; m = {}", back.crossing, back.m),
+                format!("Crossing of the paths in plan, at the index {:.2}; m = {}", back.crossing, back.m),
             ),
-            format!(
-                "Crossing of the paths in plan, at the index {:.2}; m = {}",
-                splitter.crossing.along_first, splitter.m
+            Fade::EachSide => Text::new(
+                format!(
+                    "Cruce de las trayectorias en planta: índice {:.2} de la vecina y {:.2} de la propia; m_1 = {}, m_2 = {}",
+                    out.crossing, back.crossing, out.m, back.m
+                ),
+                format!(
+                    "Crossing of the paths in plan: index {:.2} of the neighbour's and {:.2} of its own; m_1 = {}, m_2 = {}",
+                    out.crossing, back.crossing, out.m, back.m
+                ),
             ),
-        ),
+        },
         axes: None,
         strokes: vec![
             line(Ink::Thin, round(design.torus.R)),

@@ -3,6 +3,7 @@
 use super::{Curve, FINE, line, sampled, t};
 use crate::figure::{Axes, Figure, Ink};
 use crate::impeller::blade::Blade;
+use crate::impeller::fade::Fade;
 use crate::impeller::splitter::Splitter;
 use crate::impeller::track::Track;
 use crate::text::Text;
@@ -25,9 +26,16 @@ pub(super) fn angles(blade: &Blade) -> Figure {
     }
 }
 
-/// The fraction of the full offset along the splitter.
+/// The fraction of the full offset along the splitter: one for both sides as published, or one for each.
 pub(super) fn fraction(splitter: &Splitter) -> Figure {
-    let values = &splitter.fraction;
+    let curve = |track: Track| {
+        let values = splitter.side(track).map_or(&[][..], |side| &side.fraction);
+        line(ink(track), over_index(values.len(), |at| values.get(at).copied()))
+    };
+    let tracks: &[Track] = match splitter.fade {
+        Fade::Published => &[Track::Out],
+        Fade::EachSide => &[Track::Out, Track::Back],
+    };
     Figure {
         key: "fraction",
         caption: t(
@@ -35,20 +43,26 @@ pub(super) fn fraction(splitter: &Splitter) -> Figure {
             "Fraction of the full offset along the splitter",
         ),
         axes: Some(Axes { x: Text::same("j"), y: Text::same("f_j") }),
-        strokes: vec![line(Ink::Splitter, over_index(values.len(), |at| values.get(at).copied()))],
+        strokes: tracks.iter().map(|&track| curve(track)).collect(),
         labels: Vec::new(),
-        legend: Vec::new(),
+        legend: match splitter.fade {
+            Fade::Published => Vec::new(),
+            Fade::EachSide => tracks.iter().map(|&track| (ink(track), track.name())).collect(),
+        },
+    }
+}
+
+const fn ink(track: Track) -> Ink {
+    match track {
+        Track::Obverse => Ink::Obverse,
+        Track::Reverse => Ink::Reverse,
+        Track::Out => Ink::Splitter,
+        Track::Back => Ink::Blade,
     }
 }
 
 /// How far the tip goes into the metal in the middle of each block, along each track.
 pub(super) fn deviation(curves: &[Curve]) -> Figure {
-    let ink = |track: Track| match track {
-        Track::Obverse => Ink::Obverse,
-        Track::Reverse => Ink::Reverse,
-        Track::Out => Ink::Splitter,
-        Track::Back => Ink::Blade,
-    };
     Figure {
         key: "deviation",
         caption: t(

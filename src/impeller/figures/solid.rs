@@ -27,9 +27,9 @@ pub(super) fn cover(design: &Design, blade: &Blade, splitter: Option<&Splitter>)
     hub(&mut scene, design);
     for number in 0..design.N {
         let turn = TAU * f64::from(number) / f64::from(design.N);
-        wall(&mut scene, design, blade, turn, |_| design.e / 2.0);
+        wall(&mut scene, design, blade, turn, |_| [design.e / 2.0; 2]);
         if let Some(splitter) = splitter {
-            let half = |v: f64| splitter_half(design, blade, splitter, v);
+            let half = |v: f64| splitter_halves(design, blade, splitter, v);
             wall(&mut scene, design, blade, turn - PI / f64::from(design.N), half);
         }
     }
@@ -81,31 +81,35 @@ fn hub(scene: &mut Scene, design: &Design) {
     }
 }
 
-/// Half the thickness of a splitter at v: what the tool leaves between its two paths.
-fn splitter_half(design: &Design, blade: &Blade, splitter: &Splitter, v: f64) -> f64 {
+/// What the tool leaves of a splitter at v between its two paths: how far towards +b and towards −b.
+fn splitter_halves(design: &Design, blade: &Blade, splitter: &Splitter, v: f64) -> [f64; 2] {
     let last = blade.points().saturating_sub(1);
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     let position = (v - PI) / FRAC_PI_2 * last as f64;
     // Between the first point and m the fraction is a power of a straight line: the nearest point serves a drawing.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to the last index")]
-    let fraction = splitter.fraction.get(position.clamp(0.0, last as f64).round() as usize).copied().unwrap_or(1.0);
-    (design.w() * fraction - design.d_t / 2.0).max(0.0)
+    let nearest = position.clamp(0.0, last as f64).round() as usize;
+    [&splitter.back, &splitter.out].map(|side| {
+        let fraction = side.fraction.get(nearest).copied().unwrap_or(1.0);
+        design.w() * fraction - design.d_t / 2.0
+    })
 }
 
-/// A blade of a given half thickness, turned about the axis: both flanks, the top and the ends.
-fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, half: impl Fn(f64) -> f64) {
+/// A blade that reaches so far towards +b and −b, turned about the axis: both flanks, the top and the ends.
+fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, halves: impl Fn(f64) -> [f64; 2]) {
     let circle = blade.circle;
     let along = if design.N > MANY { ALONG_MANY } else { ALONG };
     let section = |v: f64| -> Option<[Vector3<f64>; 4]> {
-        let half = half(v);
-        if half <= 0.0 {
+        let [plus, minus] = halves(v);
+        if plus + minus <= 0.0 {
             return None;
         }
         let u = circle.u(v);
         let point = circle.torus.point(u, v);
         let frame = Darboux::of(circle, u, v);
-        let (side, depth) = (frame.b * half, frame.N * design.a_p);
-        Some([point + side, point - side, point - side - depth, point + side - depth].map(|at| about_axis(&at, turn)))
+        let (plus, minus) = (point + frame.b * plus, point - frame.b * minus);
+        let depth = frame.N * design.a_p;
+        Some([plus, minus, minus - depth, plus - depth].map(|at| about_axis(&at, turn)))
     };
     let sections: Vec<[Vector3<f64>; 4]> = steps(PI, PI + FRAC_PI_2, along).filter_map(section).collect();
     let nearer = 0.5 * design.a_p;

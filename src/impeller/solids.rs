@@ -13,7 +13,7 @@ use crate::number::trig::{hypot, sin_cos};
 const GOLDEN_STEPS: u32 = 14;
 
 /// The least value of a function with one minimum in an interval, and where.
-pub(super) fn golden(low: f64, high: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
+fn golden(low: f64, high: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
     let ratio = (5.0_f64.sqrt() - 1.0) / 2.0;
     let (mut low, mut high) = (low, high);
     let (mut left, mut right) = (high - ratio * (high - low), low + ratio * (high - low));
