@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 
 use proptest::prelude::*;
 use rodete::finding::Grade;
+use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::program::Program;
 use rodete::impeller::blade::Blade;
 use rodete::impeller::blade_count::e_max;
 use rodete::impeller::design::Design;
-use rodete::gcode::header::Origin;
 use rodete::impeller::ideal::Ideal;
 use rodete::impeller::programs::{Tracks, programs};
 use rodete::impeller::solids::Tool;

@@ -15,11 +15,13 @@ use super::{Attachment, ReportFailure, Role};
 use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::program::{Part, Program};
+use crate::gcode::summary::Summary;
 use crate::job::{Outcome, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::{Kind, Parameter, Value};
 use crate::table::{Entry, Index, Table};
 use crate::text::{Language, Text};
+use crate::verify::account::Account;
 
 /// The JSON and what was found while it was made.
 pub(super) struct Contents {
@@ -226,7 +228,7 @@ fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Resu
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);
     }
-    let summary = program.summary();
+    let summary = summary(program);
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),
@@ -250,6 +252,24 @@ fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Resu
             })
             .collect(),
     })
+}
+
+/// What a program amounts to; one that is written block by block is read back for it.
+fn summary(program: &Program) -> Summary {
+    let summary = program.summary();
+    let account = if summary.path > 0.0 { None } else { Account::of(program) };
+    let Some(account) = account else { return summary };
+    let extents = account.program.map(|extents| {
+        let named = |axis: &Axis| matches!(axis, Axis::X | Axis::Y) || extents.of(*axis) != [0.0, 0.0];
+        let reach = |axis: Axis| (axis.letter(), extents.of(axis)[0], extents.of(axis)[1]);
+        Axis::ALL.into_iter().filter(named).map(reach).collect()
+    });
+    Summary {
+        path: account.feed_path + account.rapid_path,
+        seconds: (!account.untimed && account.seconds > 0.0).then_some(account.seconds),
+        extents: extents.unwrap_or_default(),
+        ..summary
+    }
 }
 
 /// The position from which the program runs, as words.

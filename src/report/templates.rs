@@ -23,12 +23,17 @@ templates![
     "method-impeller.typ",
     "method-impeller-es.typ",
     "method-impeller-en.typ",
+    "method-pipe-insert.typ",
+    "method-pipe-insert-es.typ",
+    "method-pipe-insert-en.typ",
     "annexes.typ",
     "programs.typ",
     "verification.typ",
     "checks.typ",
     "setup.typ",
+    "setup-parts.typ",
     "setup-impeller.typ",
+    "setup-pipe-insert.typ",
 ];
 
 /// Writes the templates into a folder.

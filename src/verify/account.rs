@@ -1,8 +1,9 @@
 //! What a program comes to: how far it reaches, where it ends, how long its path is and how long it takes.
 
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::{shown, trig};
 use crate::text::Text;
@@ -64,6 +65,23 @@ pub struct Account {
 }
 
 impl Account {
+    /// What a program comes to whose text can be read on its own or as a part of another, from its first rapid move on;
+    /// `None` where it cannot.
+    #[must_use]
+    pub fn of(program: &Program) -> Option<Self> {
+        let setting = Setting { part: true, ..Setting::new(program.dialect) };
+        let (mut account, mut before) = (Self::default(), None);
+        for motion in program.read_back_with(setting) {
+            let motion = motion.ok()?;
+            // Where the machine comes from is not known.
+            if let Some(before) = before {
+                account.take(&motion, &before);
+            }
+            before = Some(motion.machine);
+        }
+        Some(account)
+    }
+
     /// Takes a motion into account. `before` is the machine position before it.
     pub fn take(&mut self, motion: &Motion, before: &Pose) {
         self.motions += 1;
@@ -160,7 +178,6 @@ mod tests {
 
     use super::*;
     use crate::gcode::dialect::LINUXCNC;
-    use crate::gcode::interpreter::Setting;
 
     /// The extents of an arc in machine coordinates, from many points along it.
     fn sampled(motion: &Motion) -> Extents {

@@ -167,7 +167,7 @@ fn development(design: &Design, cut: Option<&Cut>) -> Figure {
 
 fn deviation_figure(deviation: &[[f64; 2]]) -> Figure {
     Figure {
-        key: "arc-deviation",
+        key: "deviation",
         caption: t(
             "Desviación de la trayectoria leída respecto a la curva exacta, positiva hacia el sobrante",
             "Deviation of the path as read back from the exact curve, positive into the waste",
