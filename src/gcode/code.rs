@@ -256,6 +256,8 @@ pub enum M {
     Coolant,
     /// Override switches (M48 to M53).
     Override,
+    /// A digital output P, with the motion or at once (M62 to M65).
+    Output,
     /// Call of a subprogram (M98).
     Call,
     /// Return from a subprogram (M99).
@@ -277,7 +279,7 @@ impl M {
             Self::Coolant => 8,
             Self::Override => 9,
             Self::User => 10,
-            Self::Refused(_) => 5,
+            Self::Output | Self::Refused(_) => 5,
         }
     }
 }

@@ -6,6 +6,7 @@ pub mod calibration;
 pub mod length_unit;
 pub mod offset_edit;
 pub mod rotary;
+pub mod torch;
 pub mod travel;
 pub mod var_file;
 pub mod work_offset;

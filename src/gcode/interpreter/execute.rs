@@ -9,6 +9,7 @@ use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
 use crate::gcode::interpreter::modal::Spindle;
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
@@ -229,6 +230,9 @@ impl Interpreter<'_> {
         if let Some((M::User, _)) = self.block.m(10) {
             used |= Letters::of("PQ").mask();
         }
+        if let Some((M::Output, _)) = self.block.m(5) {
+            used |= Letters::of("P").mask();
+        }
         if let Some((M::Override, _)) = self.block.m(9) {
             used |= Letters::of("P").mask();
         }
@@ -317,6 +321,19 @@ impl Interpreter<'_> {
     }
 
     fn machine_codes(&mut self) -> Outcome<()> {
+        if let Some((M::Output, _)) = self.block.m(5) {
+            let P = self.block.get(letter::P);
+            if !P.is_some_and(|P| whole(P).is_some_and(|output| output >= 0)) {
+                return Err(Fault::at(
+                    &[self.block.m_column(5)],
+                    Text::fixed("salida digital sin su número P", "digital output without its number P"),
+                    Text::fixed(
+                        "P es el número de la salida, entero de 0 en adelante",
+                        "P is the output's number, whole, from 0 on",
+                    ),
+                ));
+            }
+        }
         if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
             self.change_tool(code)?;
         }
