@@ -20,7 +20,7 @@
 //! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines |
 //! | 2 | [`machine`] | axes, rotary axes with pivot length, travel, calibration, work offsets |
 //! | 3 | [`gcode`] | words, dialects, programs and their text, the interpreter |
-//! | 4 | [`impeller`], [`blank`] | the methods, one formula family a file |
+//! | 4 | [`impeller`], [`blank`], [`pipe`] | the methods, one formula family a file |
 //! | 5 | [`verify`] | judging programs, what they come to |
 //! | 6 | [`job`] | the pure whole of a workbook kind |
 //! | 7 | [`workbook`], [`report`], [`store`], [`cli`] | the outside world, one wall each |
@@ -60,6 +60,7 @@ pub mod job;
 pub mod machine;
 pub mod number;
 pub mod parameter;
+pub mod pipe;
 pub mod report;
 pub mod store;
 pub mod table;

@@ -1,0 +1,3 @@
+//! Pipes: their sizes as standards give them.
+
+pub mod size;
