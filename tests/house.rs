@@ -10,7 +10,7 @@ use std::str::FromStr;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// Every top-level module with its floor: a module uses its own floor and those below.
-const FLOORS: [(&str, u8); 18] = [
+const FLOORS: [(&str, u8); 19] = [
     ("text", 0),
     ("escape", 0),
     ("finding", 0),
@@ -28,6 +28,7 @@ const FLOORS: [(&str, u8); 18] = [
     ("job", 6),
     ("workbook", 7),
     ("report", 7),
+    ("drawing", 7),
     ("store", 7),
 ];
 /// Above all of them: the commands, and what is linked into the binary alone.
