@@ -1,14 +1,14 @@
 //! A figure as DXF for CAD and for cutting machines.
 //!
-//! Written is ASCII DXF of release 12 (`AC1009`), which every reader takes, the import filters of plasma and laser
+//! Written is the text form of release 12 (`AC1009`), which every reader takes, the import filters of plasma and laser
 //! machines among them: strokes as `POLYLINE` on a layer for each ink, labels as `TEXT`. Release 12 has no unit; the header
 //! variable `$INSUNITS` of release 2000 is given all the same (4, millimetres): readers that know it use it, others skip
-//! it. Sources: Autodesk, *AutoCAD R12 Customization Manual*, chapter 11, and *DXF Reference*, header section.
+//! it. Letters are in code page 1252, the one that `$DWGCODEPAGE` names. Sources: Autodesk, *AutoCAD R12 Customization Manual*, chapter 11, and *DXF Reference*, header section.
 //!
 //! The writer is our own: the `dxf` crate stamps the clock and random identifiers into what it writes and brings image and
 //! time-zone libraries with it, for the hundred lines that are needed here.
 
-use std::fmt::{Display, Write as _};
+use std::fmt::Display;
 
 use super::layer::{self, CENTRE, DASHED, FULL, Layer, layer};
 use super::{Drawing, LETTERS, NotDrawn, bounds};
@@ -32,7 +32,7 @@ const LINES: [(&str, &str, &[f64]); 3] = [
 /// Where there is nothing to draw, or a coordinate is not finite.
 pub fn dxf(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
     let [[left, right], [bottom, top]] = bounds(drawing.figure, drawing.language)?;
-    let mut file = Groups(String::new());
+    let mut file = Groups(Vec::new());
     let source = drawing.source;
     file.text(999, &format!("{} - {}", drawing.title.get(drawing.language), drawing.part));
     file.text(999, &format!("{} SHA-256 {}", source.workbook, source.sha256));
@@ -40,6 +40,8 @@ pub fn dxf(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
     file.section("HEADER");
     file.text(9, "$ACADVER");
     file.text(1, "AC1009");
+    file.text(9, "$DWGCODEPAGE");
+    file.text(3, "ANSI_1252");
     file.text(9, "$INSUNITS");
     file.put(70, 4);
     file.text(9, "$MEASUREMENT");
@@ -59,7 +61,7 @@ pub fn dxf(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
     }
     file.text(0, "ENDSEC");
     file.text(0, "EOF");
-    Ok(file.0.into_bytes())
+    Ok(file.0)
 }
 
 /// Line types, the layers in use, and the text style.
@@ -163,33 +165,33 @@ impl Display for Fixed {
 }
 
 /// Group codes with their values.
-struct Groups(String);
+struct Groups(Vec<u8>);
 
 impl Groups {
     fn put(&mut self, code: u16, value: impl Display) {
-        // Writing to a string does not fail.
-        let _ = write!(self.0, "{code:>3}\r\n{value}\r\n");
+        self.0.extend(format!("{code:>3}\r\n{value}\r\n").into_bytes());
     }
 
     fn length(&mut self, code: u16, value: f64) {
         self.put(code, Fixed(value));
     }
 
-    /// A text in ASCII: other characters as `\U+00F1`, and what AutoCAD would take for a sign of its own (`%%`, `^`)
-    /// as itself.
+    /// A text: characters beyond code page 1252 as `\U+2033`, and what AutoCAD would take for a sign of its own (`%%`,
+    /// `^`) parted, so that it is shown.
     fn text(&mut self, code: u16, value: &str) {
-        let mut text = String::with_capacity(value.len());
+        let mut text: Vec<u8> = Vec::with_capacity(value.len());
         for one in printable(value).chars() {
-            match one {
-                '^' => text.push_str("^ "),
-                '%' if text.ends_with('%') => text.push_str(" %"),
-                ' '..='~' => text.push(one),
-                _ => {
-                    let _ = write!(text, "\\U+{:04X}", u32::from(one));
-                }
+            match (one, u8::try_from(one)) {
+                ('^', _) => text.extend(b"^ "),
+                ('%', _) if text.ends_with(b"%") => text.extend(b" %"),
+                // Here the code page is Latin-1.
+                (' '..='~' | '\u{a0}'..='\u{ff}', Ok(byte)) => text.push(byte),
+                _ => text.extend(format!("\\U+{:04X}", u32::from(one)).into_bytes()),
             }
         }
-        self.put(code, text);
+        self.0.extend(format!("{code:>3}\r\n").into_bytes());
+        self.0.extend(text);
+        self.0.extend(b"\r\n");
     }
 
     fn point(&mut self, [x, y]: [f64; 2]) {
@@ -238,9 +240,9 @@ mod tests {
     use super::Groups;
 
     #[test]
-    fn texts_are_ascii_and_hold_no_code_of_autocad() {
-        let mut file = Groups(String::new());
+    fn texts_are_in_code_page_1252_and_hold_no_code_of_autocad() {
+        let mut file = Groups(Vec::new());
         file.text(1, "ñ ″ 90 % 100%%d ^J\u{1b}");
-        assert_eq!(file.0, "  1\r\n\\U+00F1 \\U+2033 90 % 100% %d ^ J\\u{1b}\r\n");
+        assert_eq!(file.0, b"  1\r\n\xF1 \\U+2033 90 % 100% %d ^ J\\u{1b}\r\n");
     }
 }

@@ -10,7 +10,7 @@ pub(super) const RULER: f64 = 100.0;
 /// Half the length of a registration mark's arms in mm.
 const ARM: f64 = 4.0;
 /// Greatest width and height of the map of the sheets in mm.
-pub(super) const MAP: [f64; 2] = [30.0, 20.0];
+pub(super) const MAP: [f64; 2] = [30.0, 17.0];
 /// From the window to what the foot holds, in mm.
 pub(super) const GAP: f64 = 2.5;
 
