@@ -45,7 +45,7 @@ fn development(length: f64, height: f64) -> Figure {
             stroke(Ink::Centre, vec![[length / 2.0, 0.0], [length / 2.0, height]]),
             stroke(Ink::Cut, curve(length, height)),
         ],
-        labels: vec![Label { at: [length / 4.0, 6.0], text: Text::fixed("90° año", "90° side") }],
+        labels: vec![Label { at: [length / 4.0, 6.0], text: Text::fixed("90° año 管", "90° side") }],
         legend: vec![
             (Ink::Cut, Text::fixed("línea de corte", "line to cut")),
             (Ink::Seam, Text::fixed("unión de los extremos", "seam of the wrap")),
@@ -117,7 +117,10 @@ fn a_dxf_gives_every_stroke_in_millimetres_on_the_layer_of_its_ink() {
     assert!(groups.iter().filter(|group| group.0 == 8).all(|group| table.contains(&group.1.as_str())));
     assert!(groups.iter().filter(|group| group.0 == 6).all(|group| table.contains(&group.1.as_str())));
     let text = groups.iter().position(|group| group.1 == "TEXT").unwrap();
-    assert!(groups[text..].contains(&(1, "90° año".to_owned())) && groups[text..].contains(&(10, "80.0".to_owned())));
+    assert!(
+        groups[text..].contains(&(1, "90° año \\U+7BA1".to_owned()))
+            && groups[text..].contains(&(10, "80.0".to_owned()))
+    );
     for (code, value) in groups.iter().filter(|group| (10..60).contains(&group.0)) {
         assert!(!value.contains(['e', 'E']) && value != "-0.0" && value.contains('.'), "{code} {value}");
     }
@@ -453,6 +456,8 @@ fn the_same_figure_gives_the_same_pdf_with_its_words_on_every_sheet() {
     let pdf = set();
     assert!(pdf == set());
     let Some(text) = poppler("pdftotext", &["-layout"], &pdf) else { return };
+    // A character without a glyph is shown by its code.
+    assert!(text.contains("90° año [U+7BA1]"), "{text}");
     for (number, page) in (1..).zip(text.split_terminator('\u{c}')) {
         for words in [
             "Plantilla del injerto",

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::tiles::{FOOT, Joint, MARGIN, Tiling};
 use super::{Drawing, number, svg};
+use crate::report::characters::Words;
 
 /// Length of the check ruler in mm.
 pub(super) const RULER: f64 = 100.0;
@@ -14,8 +15,8 @@ pub(super) const MAP: [f64; 2] = [30.0, 17.0];
 /// From the window to what the foot holds, in mm.
 pub(super) const GAP: f64 = 2.5;
 
-/// The page of a sheet.
-pub(super) fn page(drawing: &Drawing<'_>, tiling: &Tiling, place: [u32; 2]) -> String {
+/// The page of a sheet. Labels show the characters that typst's fonts have.
+pub(super) fn page(drawing: &Drawing<'_>, tiling: &Tiling, place: [u32; 2], words: &mut Words) -> String {
     let [width, height] = tiling.page;
     let (left, top) = (MARGIN, MARGIN);
     let corner = tiling.corner(place);
@@ -41,6 +42,7 @@ pub(super) fn page(drawing: &Drawing<'_>, tiling: &Tiling, place: [u32; 2]) -> S
     file.push_str("<g clip-path=\"url(#window)\">\n");
     let window = [[corner[0], corner[0] + across], [corner[1] - down, corner[1]]];
     svg::strokes(&mut file, drawing.figure, drawing.language, at, Some(window));
+    svg::labels(&mut file, drawing.figure, at, |text| words.text(text));
     file.push_str("</g>\n");
     ruler(&mut file, [left, top + down + GAP]);
     map(&mut file, tiling, place);

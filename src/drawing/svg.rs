@@ -8,7 +8,7 @@ use crate::escape::printable;
 use crate::figure::{Figure, Ink, Stroke};
 use crate::report::pen::{face, pen};
 use crate::report::svg::{arrow_head, escape, word};
-use crate::text::Language;
+use crate::text::{Language, Text};
 
 /// Room around the drawing in mm, for the width of its lines.
 const MARGIN: f64 = 2.0;
@@ -33,6 +33,7 @@ pub fn svg(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
         text(source.version)
     );
     strokes(&mut file, drawing.figure, drawing.language, at, None);
+    labels(&mut file, drawing.figure, at, |words| printable(words.get(drawing.language)));
     file.push_str("</svg>\n");
     Ok(file.into_bytes())
 }
@@ -40,7 +41,7 @@ pub fn svg(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
 /// Least and greatest x, then y, in mm of the figure.
 pub(super) type Window = [[f64; 2]; 2];
 
-/// Strokes and labels, each point put where `at` says; of long strokes only the parts that come near a window.
+/// Strokes, each point put where `at` says; of long strokes only the parts that come near a window.
 pub(super) fn strokes(
     file: &mut String,
     figure: &Figure,
@@ -66,8 +67,17 @@ pub(super) fn strokes(
             arrow_head(file, stroke.ink, &points);
         }
     }
+}
+
+/// Labels, each put where `at` says, in the words of `shown`.
+pub(super) fn labels(
+    file: &mut String,
+    figure: &Figure,
+    at: impl Fn([f64; 2]) -> [f64; 2],
+    mut shown: impl FnMut(&Text) -> String,
+) {
     for label in &figure.labels {
-        word(file, at(label.at), LETTERS, "middle", "#1d232b", &printable(label.text.get(language)));
+        word(file, at(label.at), LETTERS, "middle", "#1d232b", &shown(&label.text));
     }
 }
 

@@ -91,7 +91,7 @@ pub fn pdf(drawing: &Drawing<'_>, paper: Paper, typst: &Typst) -> Result<Vec<u8>
     let mut sheets = Vec::new();
     for place in tiling.places() {
         let file = format!("sheet-{}.svg", tiling.number(place));
-        files.push((file.clone(), sheet::page(drawing, &tiling, place).into_bytes()));
+        files.push((file.clone(), sheet::page(drawing, &tiling, place, &mut words).into_bytes()));
         sheets.push(Sheet { file, row: place[0] + 1, column: place[1] + 1 });
     }
     let contents = Contents {
