@@ -1,5 +1,6 @@
 //! A drawing: strokes and labels in millimetres of the thing drawn, to be scaled by whoever shows it.
 
+use crate::parameter::{Choice, t};
 use crate::text::Text;
 
 /// How a stroke looks.
@@ -7,6 +8,10 @@ use crate::text::Text;
 pub enum Ink {
     /// Outline of the part.
     Outline,
+    /// Line to cut along.
+    Cut,
+    /// Where the ends of a wrapped template meet: long dashes.
+    Seam,
     /// Hidden or constructional line: thin and grey.
     Thin,
     /// Centre line: dash-dotted.
@@ -82,3 +87,36 @@ pub struct Figure {
     /// Legend: ink and meaning.
     pub legend: Vec<(Ink, Text)>,
 }
+
+/// A sheet of paper to print on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Paper {
+    /// 210 mm × 297 mm.
+    A4,
+    /// 297 mm × 420 mm.
+    A3,
+}
+
+impl Paper {
+    /// The paper with the key of a choice in [`PAPERS`].
+    #[must_use]
+    pub fn of(key: &str) -> Option<Self> {
+        match key {
+            "a4" => Some(Self::A4),
+            "a3" => Some(Self::A3),
+            _ => None,
+        }
+    }
+
+    /// Short and long side in mm (ISO 216).
+    #[must_use]
+    pub const fn sides(self) -> [f64; 2] {
+        match self {
+            Self::A4 => [210.0, 297.0],
+            Self::A3 => [297.0, 420.0],
+        }
+    }
+}
+
+/// The papers for a form.
+pub const PAPERS: &[Choice] = &[Choice { key: "a4", label: t("A4", "A4") }, Choice { key: "a3", label: t("A3", "A3") }];

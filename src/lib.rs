@@ -20,10 +20,10 @@
 //! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines |
 //! | 2 | [`machine`] | axes, rotary axes with pivot length, travel, calibration, work offsets |
 //! | 3 | [`gcode`] | words, dialects, programs and their text, the interpreter |
-//! | 4 | [`impeller`], [`blank`] | the methods, one formula family a file |
+//! | 4 | [`impeller`], [`blank`], [`pipe`] | the methods, one formula family a file |
 //! | 5 | [`verify`] | judging programs, what they come to |
 //! | 6 | [`job`] | the pure whole of a workbook kind |
-//! | 7 | [`workbook`], [`report`], [`store`], [`cli`] | the outside world, one wall each |
+//! | 7 | [`workbook`], [`report`], [`drawing`], [`store`], [`cli`] | the outside world, one wall each |
 //!
 //! Nothing below floor 7 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
 //! machine.
@@ -50,6 +50,7 @@
 
 pub mod blank;
 pub mod cli;
+pub mod drawing;
 pub mod escape;
 pub mod figure;
 pub mod finding;

@@ -127,6 +127,8 @@ pub struct Form {
     pub cases: &'static [Case],
     /// The keys of the programs that its builds may write, in the order of their sheets.
     pub programs: &'static [&'static str],
+    /// The keys of the drawings at 1:1 that its builds may write; other than `report` and other than those of programs.
+    pub templates: &'static [&'static str],
     /// The sheets; the first is required and holds the schema cell.
     pub sheets: &'static [Sheet],
 }

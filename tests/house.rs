@@ -10,7 +10,7 @@ use std::str::FromStr;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// Every top-level module with its floor: a module uses its own floor and those below.
-const FLOORS: [(&str, u8); 17] = [
+const FLOORS: [(&str, u8); 19] = [
     ("text", 0),
     ("escape", 0),
     ("finding", 0),
@@ -23,10 +23,12 @@ const FLOORS: [(&str, u8); 17] = [
     ("gcode", 3),
     ("impeller", 4),
     ("blank", 4),
+    ("pipe", 4),
     ("verify", 5),
     ("job", 6),
     ("workbook", 7),
     ("report", 7),
+    ("drawing", 7),
     ("store", 7),
 ];
 /// Above all of them: the commands, and what is linked into the binary alone.

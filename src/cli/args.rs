@@ -48,9 +48,10 @@ pub(super) enum Command {
     Check(Check),
     /// Build tables, programs and a report from workbooks
     ///
-    /// Writes <stem>-results.xlsx, one <stem>-*.nc for each program and <stem>-report.pdf into one folder, all or
-    /// nothing: a file appears under its name only when the whole set is complete. Several workbooks are built side
-    /// by side, and one that is refused does not stop the others.
+    /// Writes <stem>-results.xlsx, one <stem>-*.nc for each program, drawings at 1:1 as <stem>-*.dxf, .svg and .pdf where
+    /// the workbook kind has them, and <stem>-report.pdf into one folder, all or nothing: a file appears under its name
+    /// only when the whole set is complete. Several workbooks are built side by side, and one that is refused does not
+    /// stop the others.
     Build(Build),
     /// Read ISO programs as the control would and say what they come to
     ///
@@ -110,7 +111,7 @@ pub(super) struct Build {
     /// Language of sheets, report and messages [default: the workbook's, messages in English]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
-    /// Write no report
+    /// Write no report and no templates to print
     #[arg(long)]
     pub(super) no_report: bool,
     /// Typst command line that sets the report [default: RODETE_TYPST, or the typst inside rodete]

@@ -1,5 +1,6 @@
-//! The command `build`: tables, programs and report of each workbook, all or nothing.
+//! The command `build`: tables, programs, drawings and report of each workbook, all or nothing.
 
+use std::collections::BTreeSet;
 use std::env;
 use std::ffi::OsString;
 use std::io::Write;
@@ -13,7 +14,7 @@ use super::kinds::FORMS;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Verdict;
-use super::{BUILD, Sink, reading, refused, show, side_by_side};
+use super::{BUILD, Sink, drawings, reading, refused, show, side_by_side};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
@@ -24,10 +25,13 @@ use crate::text::{Language, Text};
 use crate::workbook::results;
 
 /// Endings of every file that a build may write; one that is not of this build may be left from an earlier one.
-fn endings() -> impl Iterator<Item = String> {
+fn endings() -> BTreeSet<String> {
     let programs = FORMS.iter().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
-    ["-results.xlsx", "-report.pdf"].into_iter().map(str::to_owned).chain(programs)
+    ["-results.xlsx", REPORT].into_iter().map(str::to_owned).chain(programs).chain(drawings::endings()).collect()
 }
+
+/// The ending of the report.
+pub(super) const REPORT: &str = "-report.pdf";
 
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";
@@ -97,15 +101,19 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
     for program in &outcome.programs {
         set.write(&program_name(item, program), |out| program.write(out))?;
     }
-    let mut failed = None;
+    drawings::write(item, &outcome, language, &mut set)?;
+    let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
-        failed = typeset(item, &bytes, &outcome, language, typst, &mut set, verdict)?;
+        let at_work = AtWork::begin();
+        failed = drawings::print(item, &outcome, language, typst, &mut set)?;
+        drop(at_work);
+        failed.extend(typeset(item, &bytes, &outcome, language, typst, &mut set, verdict)?);
     }
     verdict.files = set.commit()?;
     verdict.folder = Some(item.folder.clone());
     verdict.findings.extend(leftovers(item, verdict));
-    if let Some(finding) = failed {
-        verdict.refuse(Refusal::new(Exit::ReportFailed, finding));
+    if !failed.is_empty() {
+        verdict.refuse(Refusal { exit: Exit::ReportFailed, findings: failed });
     }
     Ok(())
 }
@@ -144,14 +152,15 @@ fn typeset(
             name: printable(&name.to_string_lossy()),
         })
     });
-    let attachments: Vec<_> = std::iter::once(input).chain(programs).collect();
+    let attachments: Vec<_> =
+        std::iter::once(input).chain(programs).chain(drawings::attachments(item, outcome, set)).collect();
     let at_work = AtWork::begin();
     let report = report::typeset(outcome, &attachments, language, typst);
     drop(at_work);
     match report {
         Ok(report) => {
             verdict.findings.extend(report.findings);
-            let name = store::file_name(&item.stem, "-report.pdf");
+            let name = store::file_name(&item.stem, REPORT);
             set.write(&name, |out| out.write_all(&report.pdf))?;
             Ok(None)
         }
@@ -163,6 +172,7 @@ fn typeset(
 /// earlier one must not be taken for one of this.
 fn leftovers(item: &Item, verdict: &Verdict) -> Vec<Finding> {
     endings()
+        .into_iter()
         .map(|ending| store::file_name(&item.stem, &ending))
         .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
         .map(|name| item.folder.join(name))

@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod drawings;
 mod fault;
 mod finding;
 mod interrupt;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
 
+use super::build::REPORT;
 use super::terminal::Terminal;
 use super::verdict::Verdict;
 use super::{finding, quantity};
@@ -57,9 +58,14 @@ fn closing(verdict: &Verdict, writes: bool, workbook: &str, language: Language) 
     let style = Style::new().bold().fg_color(Some(colour.into()));
     let folder = verdict.folder.as_deref().map(path).unwrap_or_default();
     let count = verdict.files.len();
+    let report = verdict.files.iter().any(|file| file.name.to_string_lossy().ends_with(REPORT));
     let end = match (verdict.exit, count) {
         (Exit::Done, 0) if !writes => Text::fixed("se puede construir", "can be built"),
         (Exit::Done, _) => Text::new(format!("{count} ficheros en {folder}"), format!("{count} files in {folder}")),
+        (Exit::ReportFailed, _) if report => Text::new(
+            format!("{count} ficheros en {folder}, sin todas las plantillas en PDF"),
+            format!("{count} files in {folder}, without all templates in PDF"),
+        ),
         (Exit::ReportFailed, _) => Text::new(
             format!("{count} ficheros en {folder}, sin informe"),
             format!("{count} files in {folder}, without a report"),

@@ -478,6 +478,7 @@ pub static FORM: Form = Form {
     schema: SCHEMA,
     cases: &CASES,
     programs: &["blade", "splitter", "impeller", "blank"],
+    templates: &[],
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),

@@ -8,7 +8,7 @@ pub mod pipe_insert;
 
 use std::sync::LazyLock;
 
-use crate::figure::Figure;
+use crate::figure::{Figure, Paper};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
 use crate::parameter::{Form, Values};
@@ -56,6 +56,19 @@ pub struct Chart {
 /// Drawings made when they are first looked at: a build without a report needs none.
 pub type Figures = LazyLock<Vec<Figure>, Box<dyn FnOnce() -> Vec<Figure> + Send + Sync>>;
 
+/// A drawing at 1:1 that is delivered on its own, as DXF and SVG and, where it is to be printed, as PDF.
+#[derive(Clone, Debug)]
+pub struct Template {
+    /// One of [`Form::templates`]: what its files are called, as `<stem>-<key>.dxf`.
+    pub key: &'static str,
+    /// What it is.
+    pub title: Text,
+    /// The drawing, in millimetres.
+    pub figure: Figure,
+    /// The paper that it is printed on at 1:1, over as many sheets as it takes; `None`: it is not printed.
+    pub paper: Option<Paper>,
+}
+
 /// What came of a design.
 #[derive(Debug)]
 pub struct Outcome {
@@ -75,6 +88,8 @@ pub struct Outcome {
     pub charts: Vec<Chart>,
     /// Drawings for the report.
     pub figures: Figures,
+    /// Drawings at 1:1 with files of their own.
+    pub templates: Vec<Template>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
 }

@@ -1,4 +1,4 @@
-//! Pipes: what cuts a branch to fit a header, and the hole in the header.
+//! Pipes: their sizes as standards give them, what cuts a branch to fit a header, and the hole in the header.
 
 pub mod insert;
 pub mod size;

@@ -64,7 +64,7 @@ fn show(text: &str, missing: &mut Vec<char>) -> String {
 }
 
 /// Chooses the language and minds the characters.
-pub(super) struct Words {
+pub(crate) struct Words {
     /// The report's language.
     pub language: Language,
     /// Characters without a glyph, each once.

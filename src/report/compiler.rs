@@ -21,10 +21,6 @@ pub const DEADLINE: Duration = Duration::from_secs(60);
 /// bytes whenever it is built.
 const CREATED: &str = "946684800";
 
-/// The file that is compiled, in the private folder.
-pub(super) const MAIN: &str = "report.typ";
-const OUTPUT: &str = "report.pdf";
-
 /// Most bytes of diagnostics that are kept; the rest is read and dropped, so that the child never waits for a reader.
 const DIAGNOSTICS: u64 = 64 * 1024;
 
@@ -91,10 +87,12 @@ impl Typst {
         &self.program
     }
 
-    /// Compiles [`MAIN`] of a folder that it may read, and nothing else, into the bytes of a PDF.
-    pub(super) fn compile(&self, folder: &Path) -> Result<Vec<u8>, ReportFailure> {
-        let mut child =
-            self.start(folder).map_err(|error| ReportFailure::NotStarted { program: self.program.clone(), error })?;
+    /// Compiles a file of a folder that it may read, and nothing else, into the bytes of a PDF.
+    pub(super) fn compile(&self, folder: &Path, main: &str) -> Result<Vec<u8>, ReportFailure> {
+        let output = Path::new(main).with_extension("pdf");
+        let mut child = self
+            .start(folder, main, &output)
+            .map_err(|error| ReportFailure::NotStarted { program: self.program.clone(), error })?;
         let diagnostics = child.stderr.take().map(listen);
         let ended = self.wait(&mut child);
         let text = diagnostics
@@ -107,10 +105,10 @@ impl Typst {
         if !status.success() {
             return Err(failed(Ending::Status(status)));
         }
-        whole(&folder.join(OUTPUT)).map_err(failed)
+        whole(&folder.join(output)).map_err(failed)
     }
 
-    fn start(&self, folder: &Path) -> io::Result<Child> {
+    fn start(&self, folder: &Path, main: &str, output: &Path) -> io::Result<Child> {
         let mut command = Command::new(&self.program);
         command
             .args(&self.leading)
@@ -119,7 +117,8 @@ impl Typst {
             .arg(folder)
             .args(["--creation-timestamp", CREATED, "--pdf-standard", "a-3b"])
             .args(["--ignore-system-fonts", "--diagnostic-format", "short"])
-            .args([MAIN, OUTPUT])
+            .arg(main)
+            .arg(output)
             .current_dir(folder)
             .stdin(Stdio::null())
             .stdout(Stdio::null())

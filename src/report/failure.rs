@@ -77,16 +77,23 @@ impl ReportFailure {
     /// The failure as a finding: the path tried, how it ended, its first lines, and what to do.
     #[must_use]
     pub fn finding(&self) -> Finding {
+        self.finding_on(&Text::fixed("el informe", "the report"))
+    }
+
+    /// The failure of a document with a name, as `the report`, as a finding.
+    #[must_use]
+    pub fn finding_on(&self, document: &Text) -> Finding {
+        let Text { es: name_es, en: name_en } = document;
         let whole = Text::fixed(
-            "las hojas y los programas están completos; use --no-report para prescindir del informe",
-            "the sheets and programs are complete; --no-report leaves the report out",
+            "las hojas y los programas están completos; use --no-report para prescindir de los PDF",
+            "the sheets and programs are complete; --no-report leaves the PDFs out",
         );
         match self {
             Self::Folder(error) => Finding::caution(
                 Place::File,
                 Text::new(
-                    format!("el informe no se ha podido componer: la carpeta temporal no admite escritura ({error})"),
-                    format!("the report could not be typeset: the temporary folder cannot be written ({error})"),
+                    format!("{name_es} no se ha podido componer: la carpeta temporal no admite escritura ({error})"),
+                    format!("{name_en} could not be typeset: the temporary folder cannot be written ({error})"),
                 ),
                 Text::fixed(
                     "libere espacio o indique otra carpeta temporal con la variable TMPDIR",
@@ -96,8 +103,8 @@ impl ReportFailure {
             Self::Json(error) => Finding::caution(
                 Place::File,
                 Text::new(
-                    format!("el informe no se ha podido componer: {error}"),
-                    format!("the report could not be typeset: {error}"),
+                    format!("{name_es} no se ha podido componer: {error}"),
+                    format!("{name_en} could not be typeset: {error}"),
                 ),
                 whole,
             ),
@@ -106,8 +113,8 @@ impl ReportFailure {
                 Finding::caution(
                     Place::File,
                     Text::new(
-                        format!("el informe no se ha podido componer: no se puede ejecutar «{program}» ({error})"),
-                        format!("the report could not be typeset: cannot run '{program}' ({error})"),
+                        format!("{name_es} no se ha podido componer: no se puede ejecutar «{program}» ({error})"),
+                        format!("{name_en} could not be typeset: cannot run '{program}' ({error})"),
                     ),
                     Text::new(
                         format!(
@@ -126,8 +133,8 @@ impl ReportFailure {
                 Finding::caution(
                     Place::File,
                     Text::new(
-                        format!("el informe no se ha podido componer: «{program}» {es}{lines}"),
-                        format!("the report could not be typeset: '{program}' {en}{lines}"),
+                        format!("{name_es} no se ha podido componer: «{program}» {es}{lines}"),
+                        format!("{name_en} could not be typeset: '{program}' {en}{lines}"),
                     ),
                     Text::new(
                         format!(

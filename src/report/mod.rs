@@ -12,8 +12,9 @@ mod contents;
 mod document;
 mod failure;
 mod number;
+pub(crate) mod pen;
 mod shorten;
-mod svg;
+pub(crate) mod svg;
 mod templates;
 mod ticks;
 
@@ -73,6 +74,26 @@ pub struct Report {
     pub findings: Vec<Finding>,
 }
 
+/// The template that the report begins with.
+const MAIN: &str = "report.typ";
+
+/// Sets a document of its own from files by name, the first of them the one that typst reads first.
+///
+/// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline.
+///
+/// # Errors
+/// As [`typeset`].
+pub(crate) fn document(files: &[(String, Vec<u8>)], typst: &Typst) -> Result<Vec<u8>, ReportFailure> {
+    let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;
+    for (name, bytes) in files {
+        fs::write(folder.path().join(name), bytes)?;
+    }
+    let main = files.first().map_or(MAIN, |(name, _)| name);
+    let pdf = typst.compile(folder.path(), main)?;
+    close(folder)?;
+    Ok(pdf)
+}
+
 /// Sets the report of an outcome.
 ///
 /// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline.
@@ -89,7 +110,7 @@ pub fn typeset(
     let contents = contents::write(outcome, attachments, language, folder.path())?;
     templates::write(folder.path())?;
     fs::write(folder.path().join("contents.json"), &contents.json)?;
-    let pdf = typst.compile(folder.path())?;
+    let pdf = typst.compile(folder.path(), MAIN)?;
     close(folder)?;
     Ok(Report { pdf, findings: contents.findings })
 }

@@ -1,10 +1,11 @@
 //! A figure as SVG: scaled to the page, with ticks for graphs.
 //!
 //! The unit of the drawing is the millimetre of paper. Captions and legends are set by the templates, with the same
-//! inks: [`pen`].
+//! inks: [`pen`](super::pen::pen).
 
 use std::fmt::Write as _;
 
+use super::pen::{face, pen};
 use super::ticks::ticks;
 use crate::figure::{Axes, Figure, Ink};
 use crate::text::Language;
@@ -29,41 +30,6 @@ fn height(key: &str) -> f64 {
         "crossing" | "tool-path" => 92.0,
         "safe-ends" | "frame" => 82.0,
         _ => 62.0,
-    }
-}
-
-/// How an ink looks.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pen {
-    /// Colour as `#rrggbb`.
-    pub colour: &'static str,
-    /// Width in mm.
-    pub width: f64,
-    /// Dashes and gaps in mm; empty for a full line.
-    pub dash: &'static [f64],
-    /// Colour of a filled shape.
-    pub tint: &'static str,
-}
-
-/// The pen of an ink.
-pub(super) const fn pen(ink: Ink) -> Pen {
-    const FULL: &[f64] = &[];
-    const fn of(colour: &'static str, width: f64, dash: &'static [f64], tint: &'static str) -> Pen {
-        Pen { colour, width, dash, tint }
-    }
-    match ink {
-        Ink::Outline => of("#1d232b", 0.24, FULL, "#e9edf1"),
-        Ink::Thin => of("#8d97a3", 0.13, FULL, "#f4f6f8"),
-        Ink::Centre => of("#6b7682", 0.15, &[3.0, 0.8, 0.5, 0.8], "#f4f6f8"),
-        Ink::Blade => of("#163a63", 0.5, FULL, "#cfdceb"),
-        Ink::Obverse => of("#a8261c", 0.4, FULL, "#f3d6d2"),
-        Ink::Reverse => of("#1c6b43", 0.4, FULL, "#d2e9dc"),
-        Ink::Splitter => of("#b06a00", 0.45, FULL, "#f5e3c6"),
-        Ink::Safe => of("#555d66", 0.3, &[1.6, 1.0], "#eceef0"),
-        Ink::Axis(0) => of("#b3261e", 0.45, FULL, "#f3d6d2"),
-        Ink::Axis(1) => of("#1c6b43", 0.45, FULL, "#d2e9dc"),
-        Ink::Axis(_) => of("#1f4fa3", 0.45, FULL, "#d5dff2"),
-        Ink::Face(_) => of("#1d232b", 0.1, FULL, "#e9edf1"),
     }
 }
 
@@ -219,16 +185,8 @@ fn fill(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
     );
 }
 
-/// The colour of metal in some light, from a blue shadow to nearly white.
-fn face(light: u8) -> String {
-    const DARK: [u16; 3] = [116, 132, 150];
-    const BRIGHT: [u16; 3] = [250, 251, 252];
-    let light = u16::from(light);
-    let [red, green, blue] = [0, 1, 2].map(|at| (DARK[at] * (255 - light) + BRIGHT[at] * light) / 255);
-    format!("#{red:02x}{green:02x}{blue:02x}")
-}
-
-fn arrow_head(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
+/// A filled arrow head at the end of a polyline on paper.
+pub(crate) fn arrow_head(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
     let [.., from, to] = points else { return };
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = (dx * dx + dy * dy).sqrt();
@@ -252,7 +210,7 @@ fn arrow_head(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
 }
 
 /// A word; what follows an underscore up to a blank is a subscript.
-fn word(body: &mut String, at: [f64; 2], size: f64, anchor: &str, colour: &str, text: &str) {
+pub(crate) fn word(body: &mut String, at: [f64; 2], size: f64, anchor: &str, colour: &str, text: &str) {
     let _ = write!(
         body,
         "<text x=\"{:.3}\" y=\"{:.3}\" font-family=\"Libertinus Serif\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{colour}\">",
@@ -272,6 +230,7 @@ fn word(body: &mut String, at: [f64; 2], size: f64, anchor: &str, colour: &str, 
     body.push_str("</text>\n");
 }
 
-fn escape(text: &str) -> String {
+/// A text as XML.
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -317,6 +317,7 @@ pub static FORM: Form = Form {
     schema: SCHEMA,
     cases: &CASES,
     programs: &["insert"],
+    templates: &["template"],
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Injerto de tubo: parámetros", "Branch pipe: parameters"),

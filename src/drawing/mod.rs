@@ -1,0 +1,150 @@
+//! Drawings at 1:1: a figure in millimetres as DXF, as SVG, and as a PDF tiled over sheets of paper.
+//!
+//! What comes in is a [`Figure`] whose unit is the millimetre, x right and y up; what goes out is bytes. A millimetre of
+//! the figure is a millimetre of each file: nothing is scaled, moved points are moved together, and coordinates are given
+//! to 0.0001 mm. Titles of axes are not drawn, since a graph has no 1:1. The same figure gives the same bytes.
+
+pub mod dxf;
+mod layer;
+mod sheet;
+pub mod svg;
+pub mod template;
+pub mod tiles;
+
+use thiserror::Error;
+
+use crate::figure::Figure;
+use crate::finding::{Finding, Place};
+use crate::job::Source;
+use crate::text::{Language, Text};
+
+/// Height of a label's letters in mm.
+const LETTERS: f64 = 3.3;
+
+/// A figure to be drawn at 1:1, with what identifies it.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawing<'a> {
+    /// What is drawn.
+    pub figure: &'a Figure,
+    /// What it is.
+    pub title: &'a Text,
+    /// The part's name.
+    pub part: &'a str,
+    /// Where it comes from.
+    pub source: &'a Source,
+    /// The language of titles, labels and layers.
+    pub language: Language,
+}
+
+/// Why a figure cannot be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum NotDrawn {
+    /// It has no stroke of two points or more.
+    #[error("there is nothing to draw")]
+    Empty,
+    /// A coordinate is not finite.
+    #[error("a coordinate is not finite")]
+    NotFinite,
+    /// It takes more sheets of paper than [`tiles::MOST`].
+    #[error("it takes more than {most} sheets", most = tiles::MOST)]
+    TooManySheets,
+}
+
+impl NotDrawn {
+    /// The reason as a finding on the drawing with a title.
+    #[must_use]
+    pub fn finding(self, title: &Text) -> Finding {
+        let Text { es, en } = title;
+        match self {
+            Self::Empty | Self::NotFinite => Finding::stop(
+                Place::File,
+                Text::new(
+                    format!("«{es}» no se puede dibujar: no tiene trazos o una coordenada no es finita"),
+                    format!("'{en}' cannot be drawn: it has no strokes, or a coordinate is not finite"),
+                ),
+                Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it"),
+            ),
+            Self::TooManySheets => Finding::caution(
+                Place::File,
+                Text::new(
+                    format!("«{es}» ocuparía más de {} hojas y no se imprime", tiles::MOST),
+                    format!("'{en}' would take more than {} sheets and is not printed", tiles::MOST),
+                ),
+                Text::fixed(
+                    "elija el papel A3, o lleve el DXF o el SVG a un trazador",
+                    "choose paper A3, or take the DXF or SVG to a plotter",
+                ),
+            ),
+        }
+    }
+}
+
+/// Least and greatest x, then y, of the strokes and of the boxes that labels take up; in mm.
+///
+/// # Errors
+/// Where there is nothing to draw, or a coordinate is not finite.
+fn bounds(figure: &Figure, language: Language) -> Result<[[f64; 2]; 2], NotDrawn> {
+    if !figure.strokes.iter().any(|stroke| stroke.points.len() > 1) {
+        return Err(NotDrawn::Empty);
+    }
+    let labels = figure.labels.iter().flat_map(|label| {
+        let [x, y] = label.at;
+        // Half an em a letter is more than the fonts take.
+        let half = label.text.get(language).chars().fold(0.0, |width, _| width + LETTERS / 4.0);
+        [[x - half, y - LETTERS], [x + half, y + LETTERS]]
+    });
+    let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for point in figure.strokes.iter().flat_map(|stroke| &stroke.points).copied().chain(labels) {
+        for ([least, greatest], value) in found.iter_mut().zip(point) {
+            if !value.is_finite() {
+                return Err(NotDrawn::NotFinite);
+            }
+            (*least, *greatest) = (least.min(value), greatest.max(value));
+        }
+    }
+    Ok(found)
+}
+
+/// A length in mm to 0.0001 mm, never as −0.
+fn number(value: f64) -> String {
+    let text = format!("{value:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::{Ink, Label, Stroke};
+
+    fn figure(points: Vec<[f64; 2]>) -> Figure {
+        Figure {
+            key: "f",
+            caption: Text::same("f"),
+            axes: None,
+            strokes: vec![Stroke { ink: Ink::Cut, points, filled: false, arrow: false }],
+            labels: Vec::new(),
+            legend: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn lengths_are_plain_decimals_without_minus_zero() {
+        assert_eq!([-0.00001, 12.5, 100.0, -3.123_46].map(number), ["0", "12.5", "100", "-3.1235"]);
+    }
+
+    #[test]
+    fn bounds_hold_strokes_and_the_boxes_of_labels() {
+        let mut figure = figure(vec![[0.0, 0.0], [10.0, -5.0]]);
+        assert_eq!(bounds(&figure, Language::En), Ok([[0.0, 10.0], [-5.0, 0.0]]));
+        figure.labels.push(Label { at: [10.0, 0.0], text: Text::same("abcd") });
+        let [[_, right], [_, top]] = bounds(&figure, Language::En).unwrap();
+        assert!((right - 13.3).abs() < 1e-9 && (top - LETTERS).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_says_so() {
+        assert_eq!(bounds(&figure(vec![[0.0, 0.0]]), Language::En), Err(NotDrawn::Empty));
+        assert_eq!(bounds(&figure(vec![[0.0, 0.0], [f64::NAN, 0.0]]), Language::En), Err(NotDrawn::NotFinite));
+    }
+}

@@ -1,0 +1,129 @@
+//! One printed sheet of a tiled drawing, without its words, as an SVG of the whole page in mm.
+
+use std::fmt::Write as _;
+
+use super::tiles::{FOOT, Joint, MARGIN, Tiling};
+use super::{Drawing, number, svg};
+use crate::report::characters::Words;
+
+/// Length of the check ruler in mm.
+pub(super) const RULER: f64 = 100.0;
+/// Half the length of a registration mark's arms in mm.
+const ARM: f64 = 4.0;
+/// Greatest width and height of the map of the sheets in mm.
+pub(super) const MAP: [f64; 2] = [30.0, 17.0];
+/// From the window to what the foot holds, in mm.
+pub(super) const GAP: f64 = 2.5;
+
+/// The page of a sheet. Labels show the characters that typst's fonts have.
+pub(super) fn page(drawing: &Drawing<'_>, tiling: &Tiling, place: [u32; 2], words: &mut Words) -> String {
+    let [width, height] = tiling.page;
+    let (left, top) = (MARGIN, MARGIN);
+    let corner = tiling.corner(place);
+    let at = |[x, y]: [f64; 2]| [x - corner[0] + left, corner[1] - y + top];
+    let [across, down] = tiling.window;
+    let (width, height) = (number(width), number(height));
+    let mut file = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n"
+    );
+    let _ = writeln!(
+        file,
+        "<clipPath id=\"window\"><rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/></clipPath>\n\
+         <rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" fill=\"none\" stroke=\"#8d97a3\" stroke-width=\"0.13\"/>",
+        number(left),
+        number(top),
+        number(across),
+        number(down)
+    );
+    let middle = [left + across / 2.0, top + down / 2.0];
+    for joint in tiling.joints(place) {
+        cut(&mut file, &joint, middle, at);
+    }
+    file.push_str("<g clip-path=\"url(#window)\">\n");
+    let window = [[corner[0], corner[0] + across], [corner[1] - down, corner[1]]];
+    svg::strokes(&mut file, drawing.figure, drawing.language, at, Some(window));
+    svg::labels(&mut file, drawing.figure, at, |text| words.text(text));
+    file.push_str("</g>\n");
+    ruler(&mut file, [left, top + down + GAP]);
+    map(&mut file, tiling, place);
+    file.push_str("</svg>\n");
+    file
+}
+
+/// Lines of one look, each from a point to another.
+fn lines(file: &mut String, lines: &[[[f64; 2]; 2]], look: &str) {
+    let data: Vec<String> = lines.iter().map(|line| svg::path(line)).collect();
+    let _ = writeln!(file, "<path d=\"{}\" fill=\"none\" {look}/>", data.join(""));
+}
+
+/// The line to cut along with its registration marks; on its side away from the window's middle, the neighbour's number.
+fn cut(file: &mut String, joint: &Joint, middle: [f64; 2], at: impl Fn([f64; 2]) -> [f64; 2]) {
+    let ends = joint.line.map(&at);
+    lines(file, &[ends], "stroke=\"#6b7682\" stroke-width=\"0.13\" stroke-dasharray=\"3 2\"");
+    for cross in joint.crosses {
+        let [x, y] = at(cross);
+        let arms = [[[x - ARM, y], [x + ARM, y]], [[x, y - ARM], [x, y + ARM]]];
+        lines(file, &arms, "stroke=\"#000000\" stroke-width=\"0.18\"");
+        let _ = writeln!(
+            file,
+            "<circle cx=\"{}\" cy=\"{}\" r=\"2\" fill=\"none\" stroke=\"#000000\" stroke-width=\"0.18\"/>",
+            number(x),
+            number(y)
+        );
+    }
+    let [[ax, ay], [bx, by]] = ends;
+    let upright = (bx - ax).abs() < (by - ay).abs();
+    let [x, y] = [f64::midpoint(ax, bx), f64::midpoint(ay, by)];
+    let out = |value: f64, middle: f64| value + 2.6_f64.copysign(value - middle);
+    let [x, y] = if upright { [out(x, middle[0]), y] } else { [x, out(y, middle[1])] };
+    figures(file, [x, y + 1.0], 3.0, "#6b7682", joint.neighbour);
+}
+
+/// A number, centred.
+fn figures(file: &mut String, [x, y]: [f64; 2], size: f64, colour: &str, value: u32) {
+    let _ = writeln!(
+        file,
+        "<text x=\"{}\" y=\"{}\" font-family=\"Libertinus Serif\" font-size=\"{size}\" text-anchor=\"middle\" fill=\"{colour}\">{value}</text>",
+        number(x),
+        number(y)
+    );
+}
+
+/// The check ruler, from its left end.
+fn ruler(file: &mut String, [x, y]: [f64; 2]) {
+    let mut ticks = vec![[[x, y], [x + RULER, y]]];
+    for step in 0..=100_u32 {
+        let length = match step {
+            _ if step % 10 == 0 => 4.0,
+            _ if step % 5 == 0 => 2.8,
+            _ => 1.8,
+        };
+        let at = x + f64::from(step) / 100.0 * RULER;
+        ticks.push([[at, y], [at, y + length]]);
+        if step % 10 == 0 {
+            figures(file, [at, y + 6.4], 2.4, "#1d232b", step);
+        }
+    }
+    lines(file, &ticks, "stroke=\"#000000\" stroke-width=\"0.13\"");
+}
+
+/// A small map of the sheets in the lower right corner, this one filled.
+fn map(file: &mut String, tiling: &Tiling, place: [u32; 2]) {
+    let [across, down] = tiling.window;
+    let (columns, rows) = (f64::from(tiling.columns), f64::from(tiling.rows));
+    let scale = (MAP[0] / (columns * across)).min(MAP[1] / (rows * down)).min(0.05);
+    let (width, height) = (across * scale, down * scale);
+    let right = tiling.page[0] - MARGIN;
+    let top = tiling.page[1] - MARGIN - FOOT + GAP;
+    for [row, column] in tiling.places() {
+        let fill = if [row, column] == place { "#163a63" } else { "none" };
+        let _ = writeln!(
+            file,
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{fill}\" stroke=\"#1d232b\" stroke-width=\"0.13\"/>",
+            number(right - (columns - f64::from(column)) * width),
+            number(top + f64::from(row) * height),
+            number(width),
+            number(height)
+        );
+    }
+}
