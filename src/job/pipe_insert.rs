@@ -6,12 +6,12 @@ use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Style;
 use crate::job::impeller_remarks::{not_finite, out_of_format};
-use crate::job::{Chart, Outcome, Series, Source};
+use crate::job::{Chart, Outcome, Series, Source, Template};
 use crate::number::shown;
 use crate::parameter::{Form, Values};
 use crate::pipe::insert::cut::cut;
 use crate::pipe::insert::design::{Contact, Design, Mode};
-use crate::pipe::insert::figures::figures;
+use crate::pipe::insert::figures::{figures, template};
 use crate::pipe::insert::program::{full, published};
 use crate::pipe::insert::tables;
 use crate::table::{Quantity, Unit};
@@ -78,6 +78,12 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
             axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
             equal: false,
             series: vec![Series { name: t("curva", "curve"), x: ("template", "x"), y: ("template", "y") }],
+        }],
+        templates: vec![Template {
+            key: "template",
+            title: t("Plantilla del injerto", "Template of the branch"),
+            figure: template(&design),
+            paper: Some(design.paper),
         }],
         figures: LazyLock::new(Box::new(move || figures(&design, cut.as_ref(), &curve))),
         tables,

@@ -1,4 +1,5 @@
 //! Pipes: their sizes as standards give them, what cuts a branch to fit a header, and the hole in the header.
 
+pub mod hole;
 pub mod insert;
 pub mod size;

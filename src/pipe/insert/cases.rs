@@ -34,6 +34,7 @@ fn line(language: Language, es: &str, en: &str) -> Value {
 fn square(language: Language) -> Vec<(&'static str, Value)> {
     vec![
         ("schema", Value::Line(SCHEMA.to_owned())),
+        ("paper", Value::Choice("a4")),
         ("branch_size", Value::Choice("3")),
         ("branch_schedule", Value::Choice("40")),
         ("header_size", Value::Choice("4")),
@@ -66,6 +67,7 @@ fn square(language: Language) -> Vec<(&'static str, Value)> {
 fn published(language: Language) -> Vec<(&'static str, Value)> {
     vec![
         ("schema", Value::Line(SCHEMA.to_owned())),
+        ("paper", Value::Choice("a4")),
         ("D_branch", Value::Real(88.9)),
         ("t_branch", Value::Real(5.49)),
         ("D_header", Value::Real(114.3)),

@@ -1,5 +1,6 @@
 //! The design of a branch pipe: validated parameters with units settled.
 
+use crate::figure::Paper;
 use crate::finding::{Finding, Place};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::program::Style;
@@ -136,6 +137,8 @@ pub struct Design {
     pub overcut: f64,
     /// How far the path may leave the exact curve.
     pub arc_tolerance: f64,
+    /// The paper that the template is printed on.
+    pub paper: Paper,
     /// The part's name.
     pub part: String,
     /// The material.
@@ -209,6 +212,7 @@ impl Design {
             lead_in: real("lead_in")?,
             overcut: real("overcut")?,
             arc_tolerance: real("arc_tolerance")?,
+            paper: values.choice("paper").and_then(Paper::of).unwrap_or(Paper::A4),
             part: values.line("part").to_owned(),
             material: values.line("material").to_owned(),
             program: values.whole("program")?,

@@ -165,6 +165,39 @@ fn development(design: &Design, cut: Option<&Cut>) -> Figure {
     }
 }
 
+/// The template at 1:1: the curve to cut, the edge, the seam, and the lines of the four quarters.
+#[must_use]
+pub fn template(design: &Design) -> Figure {
+    let outline = design.template();
+    let round = outline.round();
+    let height = |phi: f64| outline.curve(phi).y;
+    let mut phis: Vec<f64> = turns(FINE).chain(outline.corners()).collect();
+    phis.sort_by(f64::total_cmp);
+    let quarter = |number: u16| {
+        let phi = TAU * f64::from(number) / 4.0;
+        Stroke::line(Ink::Thin, vec![[outline.radius * phi, 0.0], [outline.radius * phi, height(phi)]])
+    };
+    let mut strokes = vec![
+        Stroke::line(Ink::Outline, vec![[0.0, 0.0], [round, 0.0]]),
+        Stroke::line(Ink::Seam, vec![[0.0, 0.0], [0.0, height(0.0)]]),
+        Stroke::line(Ink::Seam, vec![[round, 0.0], [round, height(TAU)]]),
+    ];
+    strokes.extend((1..=3).map(quarter));
+    strokes.push(Stroke::line(Ink::Cut, phis.iter().map(|&phi| outline.curve(phi).into()).collect()));
+    let labels = (0..=3_u16).map(|number| Label {
+        at: [round * f64::from(number) / 4.0, -4.0],
+        text: Text::same(format!("φ {}°", 90 * number)),
+    });
+    Figure {
+        key: "template",
+        caption: t("Plantilla del injerto", "Template of the branch"),
+        axes: None,
+        strokes,
+        labels: labels.collect(),
+        legend: vec![(Ink::Cut, t("corte", "cut")), (Ink::Seam, t("costura", "seam"))],
+    }
+}
+
 fn deviation_figure(deviation: &[[f64; 2]]) -> Figure {
     Figure {
         key: "deviation",

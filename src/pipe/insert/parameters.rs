@@ -4,6 +4,7 @@
 //! machine needs beside them is added here. The published form asks for an inside and an outside radius; this one asks for
 //! what is stamped on a pipe, and keeps the radii as an override.
 
+use crate::figure::PAPERS;
 use crate::parameter::{Choice, DIALECTS, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
 use crate::pipe::insert::cases::CASES;
 use crate::pipe::size::{NPS, SCHEDULES};
@@ -248,7 +249,18 @@ const CUTTING: &[Parameter] = &[
     ),
 ];
 
+/// The paper that templates are printed on.
+pub(in crate::pipe) const PAPER: Parameter = other(
+    "paper",
+    "paper",
+    Kind::Choice(PAPERS),
+    false,
+    t("Papel de la plantilla a tamaño natural", "Paper of the template at full size"),
+    t("Vacío: A4", "Empty: A4"),
+);
+
 const PROGRAM: &[Parameter] = &[
+    PAPER,
     other("part", "part", Kind::Line { max: 200 }, true, t("Pieza", "Part"), t("", "")),
     other("material", "material", Kind::Line { max: 200 }, false, t("Material", "Material"), t("", "")),
     whole(

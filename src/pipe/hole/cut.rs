@@ -1,0 +1,223 @@
+//! The torch's way round the hole: poses on the output grid.
+//!
+//! The curve is parted until, halfway between two poses, the beam leaves the exact curve and the tip its exact place by no
+//! more than the tolerance: the control moves A, X, Z, B and C linearly.
+//!
+//! # Units
+//! Millimetres; angles in degrees on the grid, in radians elsewhere.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
+use crate::machine::torch::{TorchAxes, TorchPose};
+use crate::number::grid::{Milli, OutOfFormat};
+use crate::pipe::hole::design::Design;
+use crate::pipe::hole::height::Rule;
+use crate::pipe::hole::station::{Groove, Station};
+
+/// A, X, Z, B and C on the grid.
+pub type Place = [Milli; 5];
+
+/// What a leg follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Follows {
+    /// From the pierce to the curve.
+    WayIn,
+    /// The curve between two angles round the branch, radians.
+    Curve([f64; 2]),
+}
+
+/// One move of the torch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// Where it ends.
+    pub to: Place,
+    /// What it follows.
+    pub follows: Follows,
+    /// The height is not the wanted one: the height control must be held.
+    pub held: bool,
+    /// The way of the beam's root, mm.
+    pub way: f64,
+}
+
+/// The whole way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// Where the torch pierces.
+    pub pierce: Place,
+    /// The height control is held there.
+    pub pierce_held: bool,
+    /// The moves from there on.
+    pub legs: Vec<Leg>,
+}
+
+/// A place of the cut that the torch cannot take.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TooHigh {
+    /// The angle round the branch, radians.
+    pub alpha: f64,
+    /// The torch's angle to the pipe; `None` where its axis does not leave the header's outside.
+    pub sigma_o: Option<f64>,
+    /// The height that it would need.
+    pub D: f64,
+}
+
+/// Places looked at for the height.
+const LOOKS: u32 = 1440;
+
+/// The place where the torch would have to be highest, if that is beyond the greatest height.
+#[must_use]
+pub fn too_high(design: &Design) -> Option<TooHigh> {
+    let groove = design.groove();
+    let mut worst: Option<TooHigh> = None;
+    for at in 0..LOOKS {
+        let alpha = TAU * f64::from(at) / f64::from(LOOKS);
+        let found = match groove.at(alpha) {
+            None => TooHigh { alpha, sigma_o: None, D: f64::INFINITY },
+            Some(station) => TooHigh { alpha, sigma_o: Some(station.sigma_o), D: station.D },
+        };
+        if found.D > design.D_max && worst.is_none_or(|worst| found.D > worst.D) {
+            worst = Some(found);
+        }
+    }
+    worst
+}
+
+/// Turns brought near those before, so that no axis jumps.
+fn near(value: f64, before: f64) -> f64 {
+    value + ((before - value) / TAU).round() * TAU
+}
+
+struct Way<'d> {
+    design: &'d Design,
+    groove: Groove,
+    at: TorchAxes,
+    legs: Vec<Leg>,
+}
+
+fn on_grid(axes: &TorchAxes) -> Result<Place, OutOfFormat> {
+    Ok([
+        Milli::round(axes.A.to_degrees())?,
+        Milli::round(axes.X)?,
+        Milli::round(axes.Z)?,
+        Milli::round(axes.B.to_degrees())?,
+        Milli::round(axes.C.to_degrees())?,
+    ])
+}
+
+/// The axes of a place.
+#[must_use]
+pub fn axes(place: [f64; 5]) -> TorchAxes {
+    let [A, X, Z, B, C] = place;
+    TorchAxes { A: A.to_radians(), X, Z, B: B.to_radians(), C: C.to_radians() }
+}
+
+/// The axes a part of the way from one to another.
+#[must_use]
+pub fn between(from: &TorchAxes, to: &TorchAxes, part: f64) -> TorchAxes {
+    let mix = |one: f64, other: f64| one + (other - one) * part;
+    TorchAxes {
+        A: mix(from.A, to.A),
+        X: mix(from.X, to.X),
+        Z: mix(from.Z, to.Z),
+        B: mix(from.B, to.B),
+        C: mix(from.C, to.C),
+    }
+}
+
+/// The beam's root: the point of the curve, moved half a kerf into the waste.
+#[must_use]
+pub fn root(station: &Station, beside: f64) -> Vector3<f64> {
+    station.root + station.waste * beside
+}
+
+/// How far a pose is from a place of the cut: its beam from the root, and its tip from its own.
+#[must_use]
+pub fn off(pose: &TorchPose, station: &Station, beside: f64) -> [f64; 2] {
+    let to_root = root(station, beside) - pose.tip;
+    let across = to_root - pose.axis * to_root.dot(&pose.axis);
+    [across.norm(), (pose.tip - station.pose.tip).norm()]
+}
+
+/// How deep the halving may go.
+const DEEPEST: u32 = 20;
+
+impl Way<'_> {
+    /// The axes of a place of the cut, without a jump from `before`.
+    fn axes(&self, station: &Station, before: &TorchAxes) -> TorchAxes {
+        let axes = station.pose.axes();
+        // Upright the swing has no meaning and stays as it is.
+        let C = if axes.B < 1e-9 { before.C } else { near(axes.C, before.C) };
+        TorchAxes { A: near(axes.A, before.A), C, ..axes }
+    }
+
+    fn follow(&mut self, from: &Station, to: &Station, depth: u32) -> Result<(), OutOfFormat> {
+        let next = self.axes(to, &self.at);
+        let middle = self.groove.at(f64::midpoint(from.alpha, to.alpha));
+        let beside = self.groove.beside;
+        if depth < DEEPEST
+            && let Some(middle) = middle
+        {
+            let halfway = between(&self.at, &next, 0.5).pose();
+            let [beam, tip] = off(&halfway, &middle, beside);
+            // What lies along the path does no harm; across it the tip counts as the beam does.
+            let along = (root(to, beside) - root(from, beside)).try_normalize(1e-12).unwrap_or_else(Vector3::x);
+            let by = halfway.tip - middle.pose.tip;
+            let aside = (by - along * by.dot(&along)).norm().min(tip);
+            if beam.max(aside) > 0.7 * self.design.arc_tolerance || to.alpha - from.alpha > TAU / 32.0 {
+                self.follow(from, &middle, depth + 1)?;
+                return self.follow(&middle, to, depth + 1);
+            }
+        }
+        let way = (root(to, beside) - root(from, beside)).norm();
+        self.go(&next, to.rule != Rule::Wanted || from.rule != Rule::Wanted, way, Follows::Curve([from.alpha, to.alpha]))
+    }
+
+    fn go(&mut self, to: &TorchAxes, held: bool, way: f64, follows: Follows) -> Result<(), OutOfFormat> {
+        let place = on_grid(to)?;
+        self.at = *to;
+        self.legs.push(Leg { to: place, follows, held, way });
+        Ok(())
+    }
+}
+
+/// The way round the hole; `None` where the torch's axis does not leave the header's outside somewhere.
+///
+/// # Errors
+/// For a position that no program may carry.
+pub fn cut(design: &Design) -> Result<Option<Cut>, OutOfFormat> {
+    let groove = design.groove();
+    let Some(first) = groove.at(0.0) else { return Ok(None) };
+    let lead = TorchPose { tip: first.pose.tip - first.away * design.lead_in, axis: first.pose.axis };
+    let start = first.pose.axes();
+    let pierce = lead.axes();
+    let pierce = TorchAxes { A: near(pierce.A, start.A), C: near(pierce.C, start.C), ..pierce };
+    let held = first.rule != Rule::Wanted;
+    let mut way = Way { design, groove, at: pierce, legs: Vec::new() };
+    let onto = way.axes(&first, &pierce);
+    if design.lead_in > 0.0 {
+        way.go(&onto, held, design.lead_in, Follows::WayIn)?;
+    }
+    let N = design.N.max(8);
+    let mut before = first;
+    for j in 1..=N {
+        let Some(next) = groove.at(TAU * f64::from(j) / f64::from(N)) else { return Ok(None) };
+        way.follow(&before, &next, 0)?;
+        before = next;
+    }
+    // Over the beginning once more.
+    let (mut left, mut alpha) = (design.overcut, TAU);
+    while left > 1e-9 && alpha < 1.2 * TAU {
+        let step = TAU / 720.0;
+        let Some(next) = groove.at(alpha + step) else { return Ok(None) };
+        let length = (root(&next, groove.beside) - root(&before, groove.beside)).norm();
+        let part = (left / length).min(1.0);
+        alpha += step * part;
+        left -= length;
+        let Some(next) = groove.at(alpha) else { return Ok(None) };
+        way.follow(&before, &next, 0)?;
+        before = next;
+    }
+    Ok(Some(Cut { pierce: on_grid(&pierce)?, pierce_held: held, legs: way.legs }))
+}
