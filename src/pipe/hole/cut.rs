@@ -171,7 +171,12 @@ impl Way<'_> {
             }
         }
         let way = (root(to, beside) - root(from, beside)).norm();
-        self.go(&next, to.rule != Rule::Wanted || from.rule != Rule::Wanted, way, Follows::Curve([from.alpha, to.alpha]))
+        self.go(
+            &next,
+            to.rule != Rule::Wanted || from.rule != Rule::Wanted,
+            way,
+            Follows::Curve([from.alpha, to.alpha]),
+        )
     }
 
     fn go(&mut self, to: &TorchAxes, held: bool, way: f64, follows: Follows) -> Result<(), OutOfFormat> {

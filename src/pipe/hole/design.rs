@@ -90,7 +90,9 @@ impl Design {
         let pipes = [Pipe::from_values(values, BRANCH), Pipe::from_values(values, HEADER)];
         let (branch, header) = match pipes {
             [Ok(branch), Ok(header)] => (branch, header),
-            [one, other] => return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect()),
+            [one, other] => {
+                return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect());
+            }
         };
         let Some(design) = Self::from_values(values, branch, header) else {
             return Err(vec![Finding::stop(
@@ -212,8 +214,14 @@ impl Design {
         } else if pair.overhang() >= 0.0 {
             stop(
                 &["D_branch", "b", "e", "D_header"],
-                format!("el injerto con su holgura no cabe en el tubo base: le sobran {}: r + b = {r}, e = {e}, radio {R}", mm(pair.overhang())),
-                format!("the branch with its gap does not go into the header, by {}: r + b = {r}, e = {e}, radius {R}", mm(pair.overhang())),
+                format!(
+                    "el injerto con su holgura no cabe en el tubo base: le sobran {}: r + b = {r}, e = {e}, radio {R}",
+                    mm(pair.overhang())
+                ),
+                format!(
+                    "the branch with its gap does not go into the header, by {}: r + b = {r}, e = {e}, radius {R}",
+                    mm(pair.overhang())
+                ),
                 Text::fixed("un injerto menor o menos excentricidad", "a smaller branch or less eccentricity"),
             );
         }

@@ -83,7 +83,12 @@ mod tests {
     #[test]
     fn the_check_values_of_the_height_law_are_met() {
         assert_eq!(format!("{:.3}", TORCH.switch_angle().to_degrees()), "72.412");
-        for (sigma, D, rule) in [(90.0, "4.000", Rule::Wanted), (60.0, "5.774", Rule::Tip), (45.0, "8.828", Rule::Tip), (30.0, "14.392", Rule::Tip)] {
+        for (sigma, D, rule) in [
+            (90.0, "4.000", Rule::Wanted),
+            (60.0, "5.774", Rule::Tip),
+            (45.0, "8.828", Rule::Tip),
+            (30.0, "14.392", Rule::Tip),
+        ] {
             let (found, by) = TORCH.height(f64::to_radians(sigma));
             assert_eq!((format!("{found:.3}").as_str(), by), (D, rule), "{sigma}");
         }

@@ -72,7 +72,8 @@ impl Groove {
         let pair = &self.pair;
         let root = pair.point(alpha);
         let normal = Vector3::new(0.0, root.y, root.z).try_normalize(1e-12)?;
-        let out = (pair.on_branch(alpha, 0.0) - pair.on_branch(alpha + std::f64::consts::PI, 0.0)).try_normalize(1e-12)?;
+        let out =
+            (pair.on_branch(alpha, 0.0) - pair.on_branch(alpha + std::f64::consts::PI, 0.0)).try_normalize(1e-12)?;
         let along = self.along(alpha);
         let away = along.cross(&normal);
         let away = if away.dot(&out) < 0.0 { -away } else { away };

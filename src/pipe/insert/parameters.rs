@@ -31,7 +31,8 @@ const MODES: &[Choice] =
 const STYLES: &[Choice] =
     &[Choice { key: "annex", label: t("annex", "annex") }, Choice { key: "full", label: t("full", "full") }];
 
-const PIPES: &[Parameter] = &[
+/// The sizes of both pipes.
+pub(in crate::pipe) const PIPES: &[Parameter] = &[
     other(
         "branch_size",
         "branch_size",

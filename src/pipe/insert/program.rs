@@ -63,8 +63,11 @@ pub const fn letters(mode: Mode) -> [char; 2] {
     }
 }
 
-/// The word of a dwell.
-fn dwell(dialect: &Dialect, seconds: f64) -> Result<Option<Word>, OutOfFormat> {
+/// The word of a dwell in seconds; `None` where the dialect has none.
+///
+/// # Errors
+/// For a number that no program may carry.
+pub fn dwell(dialect: &Dialect, seconds: f64) -> Result<Option<Word>, OutOfFormat> {
     let Some(&(letter, unit)) = dialect.reading.dwell.first() else { return Ok(None) };
     let letter = char::from(b'A' + letter);
     let number = seconds / unit;

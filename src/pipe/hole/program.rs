@@ -1,0 +1,158 @@
+//! The program of the hole.
+
+use crate::gcode::dialect::FeedLaw;
+use crate::gcode::header::{Header, Origin, Work};
+use crate::gcode::program::{Part, Program};
+use crate::gcode::word::{NumberFormat, Word};
+use crate::machine::axis::{Axis, Position};
+use crate::number::grid::{LIMIT, Milli, OutOfFormat};
+use crate::number::shown;
+use crate::pipe::hole::cut::{Cut, Follows, Leg, Place};
+use crate::pipe::hole::design::Design;
+use crate::pipe::insert::program::dwell;
+use crate::text::Text;
+
+/// What the program is called.
+pub const TITLE: Text = Text::fixed("Agujero biselado", "Bevelled hole");
+
+/// The axes that the program moves, in the order of a [`Place`].
+pub const AXES: [Axis; 5] = [Axis::A, Axis::X, Axis::Z, Axis::B, Axis::C];
+
+/// Greatest height control input of a plasma table in LinuxCNC: its QtPlasmaC holds the height while output 2 is on.
+const HOLD_OUTPUT: u32 = 2;
+
+/// The block that holds the height control, or lets it go; `None` where neither workbook nor dialect has one.
+#[must_use]
+pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
+    let given = if on { &design.hold_on } else { &design.hold_off };
+    if !given.is_empty() {
+        return Some(given.clone());
+    }
+    let code = if on { 62 } else { 63 };
+    (design.dialect.name == "linuxcnc").then(|| vec![Word::whole('M', code), Word::whole('P', HOLD_OUTPUT)])
+}
+
+fn words(place: Place) -> impl Iterator<Item = Word> {
+    AXES.into_iter().zip(place).map(|(axis, size)| Word::size(axis.letter(), size))
+}
+
+/// The F word of a leg, so that the beam's root moves at F.
+fn feed(design: &Design, law: FeedLaw, from: Place, leg: &Leg) -> Result<Milli, OutOfFormat> {
+    let by = (0..5).map(|axis| (leg.to[axis] - from[axis]).value());
+    let resultant = by.map(|by| by * by).sum::<f64>().sqrt();
+    // A leg that only tilts the torch takes as long as the least way that an F word can tell.
+    let seconds = (leg.way.max(0.001) * 60.0 / design.F).max(1e-6);
+    Milli::round(law.word(seconds, resultant).clamp(0.001, f64::from(LIMIT) / 1000.0))
+}
+
+/// The complete program.
+///
+/// # Errors
+/// For a number that no program may carry.
+pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
+    let dialect = design.dialect;
+    let work = Work { part: &design.part, material: &design.material, number: design.program };
+    let mut header = Header::new(dialect, "hole", &TITLE, work, origin);
+    comments(design, &mut header);
+    let mut parts = header.parts;
+    let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
+    let law = dialect.feed;
+    let safe = Milli::round(design.R_o() + design.Z_s)?;
+    let rapid = |words: Vec<Word>| std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>();
+    block(dialect.safety_block());
+    block(rapid(vec![Word::size('Z', safe)]));
+    block(rapid(words(cut.pierce).filter(|word| word.letter != 'Z').collect()));
+    block(rapid(words(cut.pierce).filter(|word| word.letter == 'Z').collect()));
+    let mut held = false;
+    if cut.pierce_held
+        && let Some(words) = hold(design, true)
+    {
+        block(words);
+        held = true;
+    }
+    block(design.torch_on.clone());
+    if design.pierce_delay > 0.0 {
+        block(std::iter::once(Word::whole('G', 4)).chain(dwell(dialect, design.pierce_delay)?).collect());
+    }
+    if law.code() != 94 {
+        block(vec![Word::whole('G', law.code())]);
+    }
+    let (mut at, mut last) = (cut.pierce, None);
+    for leg in &cut.legs {
+        if leg.to == at {
+            continue;
+        }
+        if leg.held != held
+            && let Some(words) = hold(design, leg.held)
+        {
+            block(words);
+            held = leg.held;
+        }
+        let F = feed(design, law, at, leg)?;
+        let mut line: Vec<Word> = std::iter::once(Word::whole('G', 1)).chain(words(leg.to)).collect();
+        if law.in_every_block() || last != Some(F) {
+            line.push(Word::size('F', F));
+            last = Some(F);
+        }
+        block(line);
+        at = leg.to;
+    }
+    block(design.torch_off.clone());
+    if held && let Some(words) = hold(design, false) {
+        block(words);
+    }
+    if law.code() != 94 {
+        block(vec![Word::whole('G', 94)]);
+    }
+    block(rapid(vec![Word::size('Z', safe)]));
+    block(design.end_codes.clone());
+    Ok(Program {
+        key: "hole",
+        title: TITLE,
+        dialect,
+        format: NumberFormat::Fixed,
+        block_step: Some(design.block_step),
+        start: Position::default(),
+        parts,
+    })
+}
+
+fn comments(design: &Design, header: &mut Header) {
+    let mm = |value: f64| format!("{value:.3}");
+    let (D, t) = (mm(design.header.D), mm(design.header.t));
+    header.line(&format!("TUBO BASE DIAM. {D} PARED {t}"), &format!("HEADER DIAM. {D} WALL {t}"));
+    let (D, theta, e) = (mm(design.branch.D), shown(design.theta, 3), mm(design.e));
+    header.line(
+        &format!("INJERTO DIAM. {D} ANGULO {theta} EXCENTR. {e}"),
+        &format!("BRANCH DIAM. {D} ANGLE {theta} ECCENTR. {e}"),
+    );
+    let (gamma, b, h) = (shown(design.gamma, 3), mm(design.b), mm(design.h));
+    header.line(&format!("BISEL {gamma} HOLGURA {b} TALON {h}"), &format!("GROOVE {gamma} ROOT GAP {b} LAND {h}"));
+    let (kerf, F) = (mm(design.kerf), shown(design.F, 3));
+    header.line(
+        &format!("CORTE DE {kerf} COMPENSADO - AVANCE {F} MM-MIN"),
+        &format!("KERF {kerf} COMPENSATED - FEED {F} MM-MIN"),
+    );
+    header.line(
+        "X0 EN EL EJE DEL INJERTO - Z0 EN EL EJE DEL TUBO",
+        "X0 ON THE AXIS OF THE BRANCH - Z0 ON THE AXIS OF THE PIPE",
+    );
+    header.line("X Y Z DE LA PUNTA DE LA ANTORCHA - Y SIEMPRE 0", "X Y Z OF THE TORCH TIP - Y ALWAYS 0");
+    header.line("B INCLINA Y C GIRA LA ANTORCHA SOBRE SU PUNTA", "B TILTS AND C SWINGS THE TORCH ABOUT ITS TIP");
+    let last = design.torch();
+    let shoulder = mm(last.shoulder());
+    let (r_g, R_g) = (mm(design.r_g), mm(design.R_g));
+    header.line(
+        &format!("ANTORCHA R {r_g} CUERPO R {R_g} A {shoulder} DE LA PUNTA"),
+        &format!("TORCH R {r_g} BODY R {R_g} AT {shoulder} FROM THE TIP"),
+    );
+}
+
+/// What a leg follows, in a word.
+#[must_use]
+pub const fn follows(follows: Follows) -> Text {
+    match follows {
+        Follows::WayIn => Text::fixed("entrada", "lead-in"),
+        Follows::Curve(_) => Text::fixed("curva", "curve"),
+    }
+}
