@@ -4,12 +4,14 @@
     python3 benches/pairs.py [--runs 9] [--rodete target/release/rodete]
 
 Pairs: the build of the published case against a numpy + openpyxl script of the same job, and against LibreOffice
-converting a workbook of the same tables; the report against typst compiling the same files alone; and the build of
-100,000 intervals by itself, for its memory.
+converting a workbook of the same tables; the report against typst compiling the same files alone; the build of
+100,000 intervals by itself, for its memory; 200,000 five-axis lines and 200,000 arcs with R through `rodete verify`
+against LinuxCNC's `rs274 -g`; and 10 million lines by themselves, for the memory.
 """
 
 import argparse
 import os
+import random
 import shutil
 import statistics
 import subprocess
@@ -79,12 +81,59 @@ def main():
         whole = [rodete, "build", case, "-o", str(folder / "out")]
         pair("typst compile alone against build with report", alone, whole, runs)
 
+        programs(rodete, folder, runs)
+
         long = folder / "long.xlsx"
         subprocess.run([sys.executable, "-c", LONG, case, str(long)], check=True)
         command = [rodete, "build", str(long), "-o", str(folder / "out"), "--no-report"]
         times = [run(command) for _ in range(3)]
         print(f"build --no-report, n = 100,000: {statistics.median(t[0] for t in times):.1f} s, "
               f"{max(t[2] for t in times):.0f} MB")
+
+
+def five_axes(path, lines):
+    """G1 in X, Y, Z, B and C, three decimals; no move of no length."""
+    rolls = random.Random(1)
+    with open(path, "w") as out:
+        out.write("G21 G90 G94 F500\n")
+        for n in range(1, lines):
+            x, y, z = (rolls.uniform(-100, 100) for _ in range(3))
+            out.write(f"N{n % 90000 + 1} G1 X{x:.3f} Y{y:.3f} Z{z:.3f} B{rolls.uniform(0, 90):.3f} "
+                      f"C{rolls.uniform(-360, 360):.3f}\n")
+        out.write("M2\n")
+
+
+def arcs(path, lines):
+    """G2 and G3 with R, three decimals."""
+    rolls = random.Random(2)
+    x = y = 0.0
+    with open(path, "w") as out:
+        out.write("G21 G90 G94 F500\nG0 X0 Y0\n")
+        for n in range(2, lines):
+            to = rolls.uniform(-50, 50), rolls.uniform(-50, 50)
+            radius = ((to[0] - x) ** 2 + (to[1] - y) ** 2) ** 0.5 / 2 + rolls.uniform(0.001, 20)
+            x, y = to
+            out.write(f"G{2 + n % 2} X{x:.3f} Y{y:.3f} R{radius:.3f}\n")
+        out.write("M2\n")
+
+
+def programs(rodete, folder, runs):
+    judge = shutil.which("rs274")
+    (folder / "tools.tbl").write_text("T1 P1 D1 Z0\n")
+    os.environ["HOME"] = str(folder)
+    for title, make in [("200,000 five-axis lines", five_axes), ("200,000 arcs with R", arcs)]:
+        path = folder / "program.ngc"
+        make(path, 200_000)
+        ours = [rodete, "verify", str(path), "--dialect", "linuxcnc"]
+        if judge:
+            fresh = f'rm -f "{folder}/var"; : >"{folder}/var"; exec "{judge}" -t "{folder}/tools.tbl" -v "{folder}/var" -g "{path}"'
+            pair(f"verify, {title}, against rs274 -g", ours, ["sh", "-c", fresh], runs)
+        else:
+            print("rs274 is missing: not compared")
+    path = folder / "long.ngc"
+    five_axes(path, 10_000_000)
+    wall, _, memory = run([rodete, "verify", str(path), "--dialect", "linuxcnc"])
+    print(f"verify, 10 million lines: {wall:.1f} s, {memory:.1f} MB")
 
 
 LONG = """

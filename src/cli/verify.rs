@@ -232,12 +232,12 @@ fn line(motion: &Motion) -> Value {
 
 fn extents(extents: &Option<Extents>) -> Value {
     let Some(extents) = extents else { return json!({}) };
-    let moved = |axis: &Axis| (*axis as usize) < 3 || extents[*axis as usize] != [0.0, 0.0];
+    let moved = |axis: &Axis| (*axis as usize) < 3 || extents.of(*axis) != [0.0, 0.0];
     Value::Object(
         Axis::ALL
             .into_iter()
             .filter(moved)
-            .map(|axis| (axis.letter().to_string(), json!(extents[axis as usize].map(|at| at + 0.0))))
+            .map(|axis| (axis.letter().to_string(), json!(extents.of(axis).map(|at| at + 0.0))))
             .collect(),
     )
 }
@@ -282,16 +282,16 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
     );
     if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
         for axis in Axis::ALL {
-            let at = axis as usize;
-            if at < 3 || machine[at] != [0.0, 0.0] || program[at] != [0.0, 0.0] {
+            let (program, machine) = (program.of(axis), machine.of(axis));
+            if (axis as usize) < 3 || machine != [0.0, 0.0] || program != [0.0, 0.0] {
                 text.push_str(&format!(
                     "  {}  {} … {}  {}, {} … {}  {}\n",
                     axis.letter(),
-                    number(program[at][0]),
-                    number(program[at][1]),
+                    number(program[0]),
+                    number(program[1]),
                     word("programa", "program"),
-                    number(machine[at][0]),
-                    number(machine[at][1]),
+                    number(machine[0]),
+                    number(machine[1]),
                     word("máquina", "machine"),
                 ));
             }

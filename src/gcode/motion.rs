@@ -1,6 +1,9 @@
 //! Canonical motions: what a control does with a program, whatever the dialect.
 
+use std::f64::consts::{PI, TAU};
+
 use crate::machine::axis::{Axis, Pose};
+use crate::number::trig;
 
 /// The plane of arcs and canned cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -71,10 +74,89 @@ pub struct Arc {
     pub turns: i32,
     /// The radius at the start, mm.
     pub radius: f64,
-    /// The direction of the start seen from the centre, radians from the first axis towards the second.
-    pub start: f64,
     /// The angle swept, positive counter-clockwise, radians.
     pub sweep: f64,
+    /// How far the work offset turns program coordinates about Z against the machine's, degrees.
+    pub rotation: f64,
+}
+
+impl Arc {
+    /// The length of the arc, a helix if it rises across its plane; mm.
+    #[must_use]
+    pub fn length(&self, rise: f64) -> f64 {
+        let around = self.sweep * self.radius;
+        (around * around + rise * rise).sqrt()
+    }
+
+    /// The points of the arc between two poses where it reaches farthest along a direction, start and end left out;
+    /// program coordinates, the other axes at their share of the way.
+    ///
+    /// Along the direction d the arc goes as f(θ) = A cos θ + B sin θ + D θ, with A and B the radius by d's shares of the
+    /// plane's axes and D the rise per radian by d's share of the axis across. f′ = 0 where sin(θ − φ) = D/H with
+    /// H = √(A² + B²), φ = atan2(B, A): twice a turn, and from turn to turn f at either goes on by 2πD, so that the first
+    /// and the last of each are the farthest. Derived here.
+    pub fn farthest(&self, from: &Pose, to: &Pose, direction: [f64; 3], visit: &mut dyn FnMut(&Pose)) {
+        let axes = self.plane.axes();
+        let [a, b, across] = axes;
+        let share = axes.map(|axis| direction[axis as usize]);
+        let D = share[2] * (to.get(across) - from.get(across)) / self.sweep;
+        let H = self.radius * trig::hypot(share[0], share[1]);
+        if self.sweep == 0.0 || D.abs() >= H {
+            return;
+        }
+        let [x, y] = [from.get(a) - self.centre[0], from.get(b) - self.centre[1]];
+        let start = trig::atan2(y, x);
+        let (low, high) = (start.min(start + self.sweep), start.max(start + self.sweep));
+        let (middle, aside) = (trig::atan2(share[1], share[0]), trig::asin(D / H));
+        for stationary in [middle + aside, middle + PI - aside] {
+            let first = stationary + ((low - stationary) / TAU).ceil() * TAU;
+            let last = stationary + ((high - stationary) / TAU).floor() * TAU;
+            if first > last {
+                continue;
+            }
+            for angle in [first, last] {
+                let part = (angle - start) / self.sweep;
+                let (sin, cos) = trig::sin_cos(angle);
+                let mut at = Pose(std::array::from_fn(|axis| from.0[axis] + (to.0[axis] - from.0[axis]) * part));
+                at.set(a, self.centre[0] + self.radius * cos);
+                at.set(b, self.centre[1] + self.radius * sin);
+                visit(&at);
+            }
+        }
+    }
+
+    /// How far the arc between two poses reaches along the axes of its plane where it passes a quarter turn about its
+    /// centre: there it is farthest. Program coordinates.
+    pub fn quarters(&self, from: &Pose, to: &Pose, visit: &mut dyn FnMut(Axis, f64)) {
+        let [a, b, _] = self.plane.axes();
+        let clockwise = self.sweep < 0.0;
+        // Quarters counted in the direction of the arc.
+        let quarter = |pose: &Pose| {
+            let (x, y) = (pose.get(a) - self.centre[0], pose.get(b) - self.centre[1]);
+            let y = if clockwise { -y } else { y };
+            match (x > 0.0, y > 0.0) {
+                (true, _) if y >= 0.0 => 0_u8,
+                (false, true) => 1,
+                (false, false) if x < 0.0 => 2,
+                _ => 3,
+            }
+        };
+        let (first, last) = (quarter(from), quarter(to));
+        let passed = match (last + 4 - first) % 4 {
+            _ if self.sweep.abs() >= TAU => 4,
+            0 if self.sweep.abs() > PI => 4,
+            passed => passed,
+        };
+        let up = if clockwise { -self.radius } else { self.radius };
+        for next in first + 1..=first + passed {
+            match next % 4 {
+                0 => visit(a, self.centre[0] + self.radius),
+                1 => visit(b, self.centre[1] + up),
+                2 => visit(a, self.centre[0] - self.radius),
+                _ => visit(b, self.centre[1] - up),
+            }
+        }
+    }
 }
 
 /// What is moved how.

@@ -80,7 +80,7 @@ pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'
     let mut judges: [&mut dyn crate::verify::step::Judge; 8] =
         [&mut agreement, &mut closure, &mut axes, &mut turning, &mut feeds, &mut cutting, &mut clear, &mut arcs];
     let read = watch(program, &mut *text, &mut judges);
-    let mut checks = vec![reading(program, text, read.as_ref().err())];
+    let mut checks = vec![reading(program, text, read.as_ref().err().map(Box::as_ref))];
     if read.is_ok() {
         checks.extend(judges.iter_mut().flat_map(|judge| judge.checks(program)));
     }
@@ -89,7 +89,7 @@ pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'
 }
 
 /// How the interpreter took the text.
-fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Box<Fault>>) -> Check {
+fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>) -> Check {
     let lines = text.lines();
     let name = Text::fixed("Leído de nuevo por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));

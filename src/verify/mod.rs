@@ -16,7 +16,7 @@
 //! | [`flanks`] | does the tool keep clear of the other blades |
 //! | [`stock`] | does it keep clear of the stock where it does not cut |
 //! | [`text`] | are characters, numbers and lines such as the control takes them |
-//! | [`arcs`] | would LinuxCNC take an arc |
+//! | [`arcs`] | how well do the radii of an arc agree |
 
 pub mod account;
 pub mod agreement;

@@ -5,7 +5,7 @@
 //! inch, in centre form the radii at start and end may differ by 0.0283 mm or 0.1 % (the greater), and never by more than
 //! 2.83 mm.
 
-use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
+use std::f64::consts::{SQRT_2, TAU};
 
 use crate::gcode::code::G;
 use crate::gcode::interpreter::Interpreter;
@@ -13,7 +13,6 @@ use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Kind, Plane};
-use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::number::{shown, trig};
 use crate::text::Text;
@@ -104,11 +103,11 @@ impl Interpreter<'_> {
             None => self.centre_by_offsets(start, end, [first, second])?,
         };
         let turns = if clockwise { -turns } else { turns };
-        let angle = |point: [f64; 2]| trig::atan2(point[1] - centre[1], point[0] - centre[0]);
-        let direction = angle(start);
-        let (x, y) = (start[0] - centre[0], start[1] - centre[1]);
-        let radius = (x * x + y * y).sqrt();
-        let arc = Arc { plane, centre, turns, radius, start: direction, sweep: sweep(turns, angle(end) - direction) };
+        let [x, y] = [start[0] - centre[0], start[1] - centre[1]];
+        let [to_x, to_y] = [end[0] - centre[0], end[1] - centre[1]];
+        let between = trig::atan2(x * to_y - y * to_x, x * to_x + y * to_y);
+        let (radius, rotation) = ((x * x + y * y).sqrt(), self.frame.work.rotation);
+        let arc = Arc { plane, centre, turns, radius, sweep: sweep(turns, between), rotation };
         let seconds = self.seconds(arc.length(to.get(c) - self.current.get(c)), feed);
         self.emit(Kind::Arc(arc, feed), to, seconds);
         Ok(())
@@ -181,15 +180,22 @@ impl Interpreter<'_> {
     }
 }
 
+/// By how much the radii of an arc at its start and its end may differ whatever its size, in the unit whose tolerance
+/// counts; mm.
+#[must_use]
+pub const fn radii_tolerance(unit: LengthUnit) -> f64 {
+    match unit {
+        LengthUnit::Inch => 2.0 * 0.001 * SQRT_2 * 25.4,
+        LengthUnit::Millimetre => 2.0 * 0.01 * SQRT_2,
+    }
+}
+
 /// LinuxCNC's rule for the radii at start and end of an arc with a centre; mm, in the unit whose tolerance counts.
 ///
 /// # Errors
 /// With both radii and their difference.
-pub(super) fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()> {
-    let tolerance = match unit {
-        LengthUnit::Inch => 2.0 * 0.001 * SQRT_2 * 25.4,
-        LengthUnit::Millimetre => 2.0 * 0.01 * SQRT_2,
-    };
+fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()> {
+    let tolerance = radii_tolerance(unit);
     let difference = (start - end).abs();
     let text = |value: f64| format!("{} {}", shown(unit.from_mm(value), 4), unit.symbol());
     if start < LEAST || end < LEAST {
@@ -223,62 +229,14 @@ pub(super) fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()>
     Ok(())
 }
 
-/// The angle that an arc of some turns sweeps, positive counter-clockwise, from the difference of the directions of its end and
-/// its start; radians.
+/// The angle that an arc of some turns sweeps, positive counter-clockwise, from the angle between the directions of its
+/// start and its end, −π to π; radians.
 fn sweep(turns: i32, between: f64) -> f64 {
     let whole = f64::from(turns.abs() - 1) * TAU;
     // An arc whose end is its start is a full circle. A hair of rounding must not make it none.
-    let between = if between > PI {
-        between - TAU
-    } else if between < -PI {
-        between + TAU
-    } else {
-        between
-    };
     if turns > 0 {
         (if between <= 1e-12 { between + TAU } else { between }) + whole
     } else {
         (if between >= -1e-12 { between - TAU } else { between }) - whole
-    }
-}
-
-impl Arc {
-    /// The length of the arc, a helix if it rises across its plane; mm.
-    #[must_use]
-    pub fn length(&self, rise: f64) -> f64 {
-        let around = self.sweep * self.radius;
-        (around * around + rise * rise).sqrt()
-    }
-
-    /// The points of the arc between two poses where it reaches farthest along its plane's axes, start and end left out:
-    /// at every quarter turn about its centre that it passes. Program coordinates; the other axes at their share of the way.
-    pub fn quarters(&self, from: &Pose, to: &Pose, visit: &mut dyn FnMut(&Pose)) {
-        let [a, b, _] = self.plane.axes();
-        if self.sweep == 0.0 {
-            return;
-        }
-        // At most the four quarters of one turn are farthest; a helix adds nothing to them.
-        let (begin, step) = if self.sweep > 0.0 {
-            ((self.start / FRAC_PI_2).floor() + 1.0, 1.0)
-        } else {
-            ((self.start / FRAC_PI_2).ceil() - 1.0, -1.0)
-        };
-        for passed in 0..4_u8 {
-            let quarter = begin + step * f64::from(passed);
-            let part = (quarter * FRAC_PI_2 - self.start) / self.sweep;
-            if part >= 1.0 {
-                break;
-            }
-            let mut at = *from;
-            for axis in Axis::ALL {
-                at.set(axis, from.get(axis) + (to.get(axis) - from.get(axis)) * part);
-            }
-            let ways = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 3")]
-            let way = ways[quarter.rem_euclid(4.0) as usize % 4];
-            at.set(a, self.centre[0] + self.radius * way[0]);
-            at.set(b, self.centre[1] + self.radius * way[1]);
-            visit(&at);
-        }
     }
 }

@@ -47,6 +47,7 @@ pub mod tool_table;
 use std::collections::VecDeque;
 use std::io::Cursor as Memory;
 
+pub use self::arc::radii_tolerance;
 use self::block::{Block, Parameter};
 use self::cursor::{Cursor, comments};
 pub use self::expression::DEEPEST;
