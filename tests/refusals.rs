@@ -124,7 +124,8 @@ fn a_feed_beyond_the_machine_is_refused() {
 
 #[test]
 fn codes_that_the_control_does_not_know_are_refused() {
-    let findings = refused("tfg-2021", &[("dialect", Value::Choice("linuxcnc"))]);
+    let published = ("start_codes", Value::Line("M3 M11 M13".to_owned()));
+    let findings = refused("full", &[("dialect", Value::Choice("linuxcnc")), published]);
     let texts: Vec<_> = findings.iter().map(|finding| finding.what.en.as_ref()).collect();
     assert_eq!(texts, ["dialect linuxcnc does not know M11", "dialect linuxcnc does not know M13"]);
     let codes = |key, text: &str| [(key, Value::Line(text.to_owned()))];
@@ -175,12 +176,19 @@ fn a_splitter_whose_path_crosses_nothing_is_refused() {
 
 #[test]
 fn a_splitter_with_nothing_left_is_refused() {
-    let changes = [("n", Value::Whole(2)), ("N", Value::Whole(5))];
-    let refusal = job::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();
-    assert_eq!(
-        refusal.findings[0].what.en,
-        "no splitter blade is left: its path crosses that of the neighbouring blade at the first point"
-    );
+    for (fade, what) in [
+        ("published", "no splitter blade is left: its path crosses that of the neighbouring blade at the first point"),
+        ("each-side", "no splitter blade fits: however it fades out, the tool would cut into the neighbouring blade"),
+    ] {
+        let changes = [("n", Value::Whole(2)), ("N", Value::Whole(5)), ("splitter_fade", Value::Choice(fade))];
+        let refusal = job::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();
+        assert_eq!(refusal.exit, Exit::Refused);
+        assert_eq!(refusal.findings[0].what.en, what);
+        assert_eq!(
+            refusal.findings[0].remedy.en,
+            "splitters = no; or fewer blades, thinner blades, a smaller tool, or a larger n"
+        );
+    }
 }
 
 #[test]
@@ -260,7 +268,8 @@ fn annex_style_says_that_it_carries_no_feed() {
 
 #[test]
 fn programs_without_feed_are_refused_where_the_control_needs_one() {
-    let found = refused("tfg-2021", &[("dialect", Value::Choice("linuxcnc"))]);
+    let known = ("start_codes", Value::Line("M3".to_owned()));
+    let found = refused("tfg-2021", &[("dialect", Value::Choice("linuxcnc")), known]);
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!(found[0].what.en, "style annex carries no feed F, and dialect linuxcnc does not move without it");
     assert_eq!(found[0].remedy.en, "style = full");

@@ -9,8 +9,8 @@ pub static CASES: [Case; 2] = [
     Case {
         name: "full",
         note: t(
-            "La pieza publicada, con programas completos. F, S y F_max están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
-            "The published part, with complete programs. F, S and F_max are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
+            "La pieza publicada, con programas completos y álabes intermedios cuyas pasadas libran a sus vecinos. F, S y F_max están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
+            "The published part, with complete programs and splitters whose passes clear their neighbours. F, S and F_max are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
         ),
         filled: full,
     },

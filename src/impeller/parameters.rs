@@ -112,8 +112,8 @@ const GEOMETRY: &[Parameter] = &[
         false,
         t("Cómo nacen los álabes intermedios", "How splitter blades begin"),
         t(
-            "each-side: cada lado donde la herramienta libra al álabe vecino; published, o vacío: ambos a la vez, como en el anexo publicado, cortando el álabe vecino",
-            "each-side: each side where the tool clears the neighbouring blade; published, or empty: both at once, as in the published annex, cutting into the neighbouring blade",
+            "each-side: la herramienta libra a los álabes vecinos; published, o vacío: como se publicó, los corta",
+            "each-side: the tool clears the neighbouring blades; published, or empty: as published, it cuts into them",
         ),
     ),
 ];

@@ -19,6 +19,9 @@
 //! greater ones, and the least is found by halving. There is none where the tool does not fit through the middle, or not
 //! at the exit.
 //!
+//! The ways from the safe points to the path and back are the same whatever m is; they are left to the judge of the
+//! finished program, which stops what is too narrow for them.
+//!
 //! ε is what rounding to the output grid may take: 0.0005 mm on each of X, Y, Z, and 0.0005° on B and C at the distance of
 //! any point of the part from the pivot, L + R at most, and from the axis, R at most.
 //!
