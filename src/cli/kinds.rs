@@ -5,7 +5,8 @@ use crate::parameter::{Case, Form, Kind};
 use crate::pipe;
 
 /// Every form, the usual one first.
-pub(super) static FORMS: [&Form; 2] = [&impeller::parameters::FORM, &pipe::insert::parameters::FORM];
+pub(super) static FORMS: [&Form; 3] =
+    [&impeller::parameters::FORM, &pipe::insert::parameters::FORM, &pipe::hole::parameters::FORM];
 
 /// The kinds' names.
 pub(super) fn names() -> Vec<&'static str> {

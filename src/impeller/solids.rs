@@ -7,30 +7,11 @@ use nalgebra::Vector3;
 
 use crate::geometry::torus::Torus;
 use crate::impeller::blade::Blade;
+use crate::number::root::golden;
 use crate::number::trig::{hypot, sin_cos};
 
 /// Steps of a search by golden section: the interval shrinks to 1/800.
 const GOLDEN_STEPS: u32 = 14;
-
-/// The least value of a function with one minimum in an interval, and where.
-fn golden(low: f64, high: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
-    let ratio = (5.0_f64.sqrt() - 1.0) / 2.0;
-    let (mut low, mut high) = (low, high);
-    let (mut left, mut right) = (high - ratio * (high - low), low + ratio * (high - low));
-    let (mut at_left, mut at_right) = (value(left), value(right));
-    for _ in 0..GOLDEN_STEPS {
-        if at_left < at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = high - ratio * (high - low);
-            at_left = value(left);
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = low + ratio * (high - low);
-            at_right = value(right);
-        }
-    }
-    if at_left < at_right { (at_left, left) } else { (at_right, right) }
-}
 
 /// A tool in the part: tip, direction from the tip along the axis, radius. It reaches on for ever.
 #[derive(Clone, Copy, Debug)]
@@ -145,7 +126,7 @@ impl Flanks {
     }
 
     fn line(&self, tool: &Tool, foot: Vector3<f64>, N: Vector3<f64>) -> f64 {
-        golden(-self.a_p, 0.0, |h| tool.distance(&(foot + N * h))).0
+        golden([-self.a_p, 0.0], GOLDEN_STEPS, |h| tool.distance(&(foot + N * h))).0
     }
 
     /// The least about a line, between its neighbours.
@@ -159,7 +140,7 @@ impl Flanks {
             let ((foot, N), (next_foot, next_N)) = (side[below], side[above]);
             self.line(tool, foot + (next_foot - foot) * part, N + (next_N - N) * part)
         };
-        let (distance, x) = golden(low as f64, high as f64, at);
+        let (distance, x) = golden([low as f64, high as f64], GOLDEN_STEPS, at);
         let own = at(line as f64);
         if own <= distance { (own, line as f64) } else { (distance, x) }
     }
@@ -237,14 +218,6 @@ mod tests {
         ] {
             assert!((stock.distance(radius, z) - distance).abs() < 1e-12, "{radius} {z}");
         }
-    }
-
-    #[test]
-    fn a_golden_section_finds_the_least() {
-        let (value, at) = golden(-3.0, 5.0, |x| (x - 1.25) * (x - 1.25) + 2.0);
-        assert!((value - 2.0).abs() < 1e-4 && (at - 1.25).abs() < 0.02);
-        let (value, at) = golden(0.0, 1.0, |x| x);
-        assert!(value < 1e-3 && at < 1e-3);
     }
 
     #[test]

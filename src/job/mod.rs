@@ -4,6 +4,7 @@ pub mod charts;
 pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
+pub mod pipe_hole;
 pub mod pipe_insert;
 
 use std::sync::LazyLock;
@@ -115,6 +116,7 @@ impl Outcome {
 pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
     match form.kind {
         "impeller" => impeller::run(form, values, source),
+        "pipe-hole" => pipe_hole::run(form, values, source),
         "pipe-insert" => pipe_insert::run(form, values, source),
         _ => Err(Refusal::new(
             Exit::Fault,

@@ -15,6 +15,28 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
     Some(if one <= other { [one, other] } else { [other, one] })
 }
 
+/// The least value of a function with one minimum in an interval, and where, by
+/// golden section: each step shrinks the interval to 0.618 of it.
+#[must_use]
+pub fn golden([low, high]: [f64; 2], steps: u32, value: impl Fn(f64) -> f64) -> (f64, f64) {
+    let ratio = (5.0_f64.sqrt() - 1.0) / 2.0;
+    let (mut low, mut high) = (low, high);
+    let (mut left, mut right) = (high - ratio * (high - low), low + ratio * (high - low));
+    let (mut at_left, mut at_right) = (value(left), value(right));
+    for _ in 0..steps {
+        if at_left < at_right {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - ratio * (high - low);
+            at_left = value(left);
+        } else {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + ratio * (high - low);
+            at_right = value(right);
+        }
+    }
+    if at_left < at_right { (at_left, left) } else { (at_right, right) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -32,5 +54,13 @@ mod tests {
         assert_eq!(quadratic(0.0, 1.0, 1.0), None);
         assert_eq!(quadratic(1.0, f64::NAN, 1.0), None);
         assert_eq!(quadratic(1.0, 0.0, 0.0), Some([0.0, 0.0]));
+    }
+
+    #[test]
+    fn a_golden_section_finds_the_least() {
+        let (value, at) = golden([-3.0, 5.0], 14, |x| (x - 1.25) * (x - 1.25) + 2.0);
+        assert!((value - 2.0).abs() < 1e-4 && (at - 1.25).abs() < 0.02);
+        let (value, at) = golden([0.0, 1.0], 14, |x| x);
+        assert!(value < 1e-3 && at < 1e-3);
     }
 }

@@ -28,6 +28,7 @@ pub mod feed;
 pub mod flanks;
 pub mod floor;
 pub mod impeller;
+pub mod pipe_hole;
 pub mod pipe_insert;
 pub mod refinement;
 pub mod step;

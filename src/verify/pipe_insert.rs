@@ -14,6 +14,7 @@ use crate::gcode::program::{Program, Style};
 use crate::geometry::pipe_pair::Side;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
+use crate::number::root::golden;
 use crate::number::shown;
 use crate::number::trig::{atan2, sin_cos};
 use crate::pipe::insert::arcs::triples;
@@ -120,28 +121,10 @@ fn axes(mode: Mode, pose: &Pose) -> [f64; 2] {
     }
 }
 
-/// The angle near `near` at which a path is nearest to a point, by halving the golden section of a span about it.
+/// The angle of a span at which a path is nearest to a point.
 fn nearest(path: &dyn Fn(f64) -> Vector2<f64>, point: Vector2<f64>, span: [f64; 2]) -> f64 {
-    let part = (5.0_f64.sqrt() - 1.0) / 2.0;
-    let off = |phi: f64| (path(phi) - point).norm_squared();
-    let [mut low, mut high] = span;
-    let (mut one, mut other) = (high - part * (high - low), low + part * (high - low));
-    let (mut at_one, mut at_other) = (off(one), off(other));
     // Sideways to a hundred thousandth of the span: the distance, which is square in it, far better.
-    for _ in 0..25 {
-        if at_one < at_other {
-            high = other;
-            (other, at_other) = (one, at_one);
-            one = high - part * (high - low);
-            at_one = off(one);
-        } else {
-            low = one;
-            (one, at_one) = (other, at_other);
-            other = low + part * (high - low);
-            at_other = off(other);
-        }
-    }
-    f64::midpoint(low, high)
+    golden(span, 25, |phi| (path(phi) - point).norm_squared()).1
 }
 
 impl Watch<'_> {

@@ -1,5 +1,6 @@
 //! The design of a bevelled hole: validated parameters with units settled, and the checks of one against another.
 
+use crate::figure::Paper;
 use crate::finding::{Finding, Place};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::machine_codes::refused_codes;
@@ -59,6 +60,8 @@ pub struct Design {
     pub arc_tolerance: f64,
     /// Height of rapid moves above the header.
     pub Z_s: f64,
+    /// The paper that the template is printed on.
+    pub paper: Paper,
     /// The part's name.
     pub part: String,
     /// The material.
@@ -131,6 +134,7 @@ impl Design {
             overcut: real("overcut")?,
             arc_tolerance: real("arc_tolerance")?,
             Z_s: real("Z_s")?,
+            paper: values.choice("paper").and_then(Paper::of).unwrap_or(Paper::A4),
             part: values.line("part").to_owned(),
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
