@@ -51,8 +51,12 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         return Err(refused(vec![height_refused(&design, &nowhere)]));
     };
     let stations = tables::stations(&design);
-    let mut tables: Vec<Table> =
-        vec![tables::curve(&stations), tables::height(&stations), tables::pose(&stations), tables::way(&cut)];
+    let mut tables: Vec<Table> = vec![
+        tables::curve(&stations),
+        tables::height(&stations),
+        tables::pose(&stations, design.kerf / 2.0),
+        tables::way(&cut),
+    ];
     for table in &tables {
         if let Some((_, row)) = table.not_finite() {
             return Err(Refusal::new(Exit::Fault, not_finite(table, row)));

@@ -36,6 +36,10 @@ fn rounding(design: &Design) -> f64 {
     0.002 + 0.001_f64.to_radians() * (design.R_o() + design.D_max)
 }
 
+/// By how much the bevel may be off before a person must judge it, degrees: a fifth of what welding procedures allow
+/// for a groove angle (AWS D1.1, −5°).
+const BEVEL: f64 = 1.0;
+
 /// Points round the torch's tip and body.
 const ROUND: u16 = 36;
 
@@ -146,7 +150,7 @@ impl Watch<'_> {
             let middle = from + (to - from) * part;
             let groove = self.groove;
             let beside = groove.beside;
-            let beam = |alpha: f64| groove.at(alpha).map_or(f64::INFINITY, |station| off(&pose, &station, beside)[0]);
+            let beam = |alpha: f64| groove.at(alpha).map_or(f64::INFINITY, |station| off(&pose, &station, beside));
             let (_, alpha) = golden([middle - margin, middle + margin], 25, beam);
             let Some(station) = groove.at(alpha) else { continue };
             self.look_at(&pose, &station, at);
@@ -169,7 +173,7 @@ impl Watch<'_> {
 
     fn look_at(&mut self, pose: &TorchPose, station: &Station, at: At) {
         let beside = self.groove.beside;
-        let [beam, _] = off(pose, station, beside);
+        let beam = off(pose, station, beside);
         self.beam.raise(beam, at);
         self.curve.push([station.alpha.to_degrees(), beam]);
         // The place of the beam nearest to the root, and half a kerf back from it the edge that is cut.
@@ -328,7 +332,20 @@ fn answers(design: &Design, program: &Program, watch: &mut Watch<'_>, planned: u
     );
     let name = Text::fixed("Bisel: mayor error de ángulo", "Bevel: greatest error of angle");
     let value = Text::same(format!("{}°", shown(watch.bevel.value, 3)));
-    let bevel = Check::passed("bevel", name, program, value, Text::same("")).at(watch.bevel.at).informing();
+    let bevel = Check::passed("bevel", name, program, value, Text::same(format!("{BEVEL}°"))).at(watch.bevel.at);
+    let bevel = if watch.bevel.value <= BEVEL {
+        bevel
+    } else {
+        let angle = shown(watch.bevel.value, 2);
+        bevel.of_parameters(vec!["gamma"]).found(
+            Verdict::Caution,
+            Text::new(
+                format!("el bisel se aparta hasta {angle}° donde la antorcha pasa cerca de la vertical"),
+                format!("the bevel is off by up to {angle}° where the torch passes near the vertical"),
+            ),
+            Text::fixed("otro ángulo de bisel", "another groove angle"),
+        )
+    };
     let name = Text::fixed("Distancia de la antorcha al tubo", "Distance of the torch from the pipe");
     let (least, limit) = (-watch.near.value, design.g0 - tolerance);
     let near = Check::passed("clearance", name, program, Text::same(mm(least)), Text::same(mm(limit)));

@@ -1,17 +1,23 @@
 //! The torch's way round the hole: poses on the output grid.
 //!
+//! B is signed: it is positive where the torch leans away from the hole, whose direction C follows, so that C goes round
+//! once. Where the torch passes the vertical, which it hardly ever meets exactly, C would swing half a turn at once: below
+//! [`UPRIGHT`] it gives way to the direction away from the hole, and the torch is off its angle by a part of that tilt; its
+//! beam stays on the root.
+//!
 //! The curve is parted until, halfway between two poses, the beam leaves the exact curve and the tip its exact place by no
 //! more than the tolerance: the control moves A, X, Z, B and C linearly.
 //!
 //! # Units
 //! Millimetres; angles in degrees on the grid, in radians elsewhere.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::pipe::hole::design::Design;
 use crate::pipe::hole::height::Rule;
 use crate::pipe::hole::station::{Groove, Station};
@@ -84,6 +90,51 @@ pub fn too_high(design: &Design) -> Option<TooHigh> {
     worst
 }
 
+/// The tilt, in radians, below which C begins to give way; below half of it C has given way.
+pub const UPRIGHT: f64 = 2.0 * std::f64::consts::PI / 180.0;
+
+/// The axes of a place of the cut, near those before.
+///
+/// With d the angle from the direction away from the hole to that of the tilt (turned by π where the tilt leans over the
+/// hole), C is that direction plus d, or near the vertical plus ½ sin 2d, which goes on smoothly where d turns over. B is
+/// the part of the tilt along C. The tip is then put back so that the beam passes through the root.
+#[must_use]
+pub fn machine_axes(station: &Station, beside: f64, before: Option<&TorchAxes>) -> TorchAxes {
+    let through = root(station, beside);
+    let reach = (station.pose.tip - through).dot(&station.pose.axis);
+    let mut pose = station.pose;
+    let mut found = TorchAxes::default();
+    for _ in 0..4 {
+        let A = atan2(pose.tip.y, pose.tip.z);
+        let turned = |direction: &Vector3<f64>| {
+            let (sin, cos) = sin_cos(A);
+            Vector3::new(direction.x, direction.y * cos - direction.z * sin, direction.y * sin + direction.z * cos)
+        };
+        let (axis, away) = (turned(&station.pose.axis), turned(&station.away));
+        let tilt = atan2(hypot(axis.x, axis.y), axis.z);
+        let guide = atan2(away.y, away.x);
+        let mut d = if tilt < 1e-12 { 0.0 } else { atan2(axis.y, axis.x) - guide };
+        d -= (d / TAU).round() * TAU;
+        let mut sign = 1.0;
+        if d.abs() > FRAC_PI_2 {
+            sign = -1.0;
+            d -= d.signum() * PI;
+        }
+        let exact = ((tilt / UPRIGHT - 0.5) / 0.5).clamp(0.0, 1.0);
+        let exact = exact * exact * (3.0 - 2.0 * exact);
+        let turn = d * exact + 0.5 * sin_cos(2.0 * d).0 * (1.0 - exact);
+        let B = sign * atan2(sin_cos(tilt).0 * sin_cos(d - turn).1, sin_cos(tilt).1);
+        let C = guide + turn;
+        found = TorchAxes { A, X: pose.tip.x, Z: hypot(pose.tip.y, pose.tip.z), B, C };
+        let axis = found.pose().axis;
+        pose = TorchPose { tip: through + axis * reach, axis };
+    }
+    match before {
+        None => found,
+        Some(before) => TorchAxes { A: near(found.A, before.A), C: near(found.C, before.C), ..found },
+    }
+}
+
 /// Turns brought near those before, so that no axis jumps.
 fn near(value: f64, before: f64) -> f64 {
     value + ((before - value) / TAU).round() * TAU
@@ -132,39 +183,31 @@ pub fn root(station: &Station, beside: f64) -> Vector3<f64> {
     station.root + station.waste * beside
 }
 
-/// How far a pose is from a place of the cut: its beam from the root, and its tip from its own.
+/// How far the beam of a pose passes from the root of a place of the cut.
 #[must_use]
-pub fn off(pose: &TorchPose, station: &Station, beside: f64) -> [f64; 2] {
+pub fn off(pose: &TorchPose, station: &Station, beside: f64) -> f64 {
     let to_root = root(station, beside) - pose.tip;
-    let across = to_root - pose.axis * to_root.dot(&pose.axis);
-    [across.norm(), (pose.tip - station.pose.tip).norm()]
+    (to_root - pose.axis * to_root.dot(&pose.axis)).norm()
 }
 
 /// How deep the halving may go.
 const DEEPEST: u32 = 20;
 
 impl Way<'_> {
-    /// The axes of a place of the cut, without a jump from `before`.
-    fn axes(&self, station: &Station, before: &TorchAxes) -> TorchAxes {
-        let axes = station.pose.axes();
-        // Upright the swing has no meaning and stays as it is.
-        let C = if axes.B < 1e-9 { before.C } else { near(axes.C, before.C) };
-        TorchAxes { A: near(axes.A, before.A), C, ..axes }
-    }
-
     fn follow(&mut self, from: &Station, to: &Station, depth: u32) -> Result<(), OutOfFormat> {
-        let next = self.axes(to, &self.at);
+        let next = machine_axes(to, self.groove.beside, Some(&self.at));
         let middle = self.groove.at(f64::midpoint(from.alpha, to.alpha));
         let beside = self.groove.beside;
         if depth < DEEPEST
             && let Some(middle) = middle
         {
             let halfway = between(&self.at, &next, 0.5).pose();
-            let [beam, tip] = off(&halfway, &middle, beside);
+            let beam = off(&halfway, &middle, beside);
+            let exact = machine_axes(&middle, beside, Some(&self.at)).pose();
             // What lies along the path does no harm; across it the tip counts as the beam does.
             let along = (root(to, beside) - root(from, beside)).try_normalize(1e-12).unwrap_or_else(Vector3::x);
-            let by = halfway.tip - middle.pose.tip;
-            let aside = (by - along * by.dot(&along)).norm().min(tip);
+            let by = halfway.tip - exact.tip;
+            let aside = (by - along * by.dot(&along)).norm();
             if beam.max(aside) > 0.7 * self.design.arc_tolerance || to.alpha - from.alpha > TAU / 32.0 {
                 self.follow(from, &middle, depth + 1)?;
                 return self.follow(&middle, to, depth + 1);
@@ -187,6 +230,13 @@ impl Way<'_> {
     }
 }
 
+/// The axes with the tip moved from a place of the cut into the hole.
+fn lead_in(onto: &TorchAxes, station: &Station, way: f64) -> TorchAxes {
+    let pose = onto.pose();
+    let moved = TorchPose { tip: pose.tip - station.away * way, axis: pose.axis }.axes();
+    TorchAxes { X: moved.X, Z: moved.Z, A: near(moved.A, onto.A), ..*onto }
+}
+
 /// The way round the hole; `None` where the torch's axis does not leave the header's outside somewhere.
 ///
 /// # Errors
@@ -194,13 +244,11 @@ impl Way<'_> {
 pub fn cut(design: &Design) -> Result<Option<Cut>, OutOfFormat> {
     let groove = design.groove();
     let Some(first) = groove.at(0.0) else { return Ok(None) };
-    let lead = TorchPose { tip: first.pose.tip - first.away * design.lead_in, axis: first.pose.axis };
-    let start = first.pose.axes();
-    let pierce = lead.axes();
-    let pierce = TorchAxes { A: near(pierce.A, start.A), C: near(pierce.C, start.C), ..pierce };
+    // The torch keeps its direction on the way in; at α = 0 or α = π the pipe keeps its turn.
+    let onto = machine_axes(&first, groove.beside, None);
+    let pierce = lead_in(&onto, &first, design.lead_in);
     let held = first.rule != Rule::Wanted;
     let mut way = Way { design, groove, at: pierce, legs: Vec::new() };
-    let onto = way.axes(&first, &pierce);
     if design.lead_in > 0.0 {
         way.go(&onto, held, design.lead_in, Follows::WayIn)?;
     }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 
 use crate::machine::torch::TorchAxes;
-use crate::pipe::hole::cut::Cut;
+use crate::pipe::hole::cut::{Cut, machine_axes};
 use crate::pipe::hole::design::Design;
 use crate::pipe::hole::height::Rule;
 use crate::pipe::hole::program::{AXES, follows};
@@ -90,7 +90,7 @@ pub fn height(stations: &[Station]) -> Table {
 
 /// The torch's pose and the machine's axes.
 #[must_use]
-pub fn pose(stations: &[Station]) -> Table {
+pub fn pose(stations: &[Station], beside: f64) -> Table {
     let vectors = |of: fn(&Station) -> Vector3<f64>, symbols, unit, formula| {
         let values: std::sync::Arc<[Vector3<f64>]> = stations.iter().map(of).collect();
         Column::vectors(symbols, unit, formula, &values)
@@ -100,11 +100,7 @@ pub fn pose(stations: &[Station]) -> Table {
     let axes: Vec<TorchAxes> = stations
         .iter()
         .map(|one| {
-            let mut axes = one.pose.axes();
-            if let Some(before) = before {
-                let near = |value: f64, before: f64| value + ((before - value) / TAU).round() * TAU;
-                (axes.A, axes.C) = (near(axes.A, before.A), near(axes.C, before.C));
-            }
+            let axes = machine_axes(one, beside, before.as_ref());
             before = Some(axes);
             axes
         })
@@ -116,7 +112,7 @@ pub fn pose(stations: &[Station]) -> Table {
         numbers("A", DEGREE, "A = atan2(y_t, z_t)", axes.iter().map(|one| one.A.to_degrees())),
         numbers("X", MM, "X = x_t", axes.iter().map(|one| one.X)),
         numbers("Z", MM, "Z = √(y_t² + z_t²)", axes.iter().map(|one| one.Z)),
-        numbers("B", DEGREE, "B = acos(a′_z)", axes.iter().map(|one| one.B.to_degrees())),
+        numbers("B", DEGREE, "B = ±acos(a′_z)", axes.iter().map(|one| one.B.to_degrees())),
         numbers("C", DEGREE, "C = atan2(a′_y, a′_x)", axes.iter().map(|one| one.C.to_degrees())),
     ]);
     Table {
