@@ -9,9 +9,12 @@ use std::process::Command;
 use calamine::{Data, Reader, Xlsx, open_workbook};
 use rodete::impeller::cases::CASES;
 use rodete::impeller::parameters::FORM;
+use rodete::job::{self, Source};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
-use rodete::parameter::Value;
+use rodete::parameter::{Value, Values};
+use rodete::pipe::hole::parameters as hole;
+use rodete::pipe::insert::parameters as insert;
 use rodete::text::Language;
 use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::{offsets_sheet, results, template};
@@ -67,6 +70,19 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
             template::write(&FORM, &values, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
             let outcome = common::outcome(case.name, std::slice::from_ref(&hostile));
             results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
+        }
+        for form in [&insert::FORM, &hole::FORM] {
+            for case in form.cases {
+                let name = format!("{}-{}-{}", form.kind, case.name, language.code());
+                let filled = case.values(language);
+                template::write(form, &filled, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
+                let mut values = Values { language, ..Values::default() };
+                values.values.extend(filled);
+                values.values.insert(hostile.0, hostile.1.clone());
+                let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                let outcome = job::run(form, values, source).expect("an outcome");
+                results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
+            }
         }
         let unit = LengthUnit::Inch;
         let to = create(format!("offsets-{}.xlsx", language.code()));

@@ -23,6 +23,9 @@ templates![
     "method-impeller.typ",
     "method-impeller-es.typ",
     "method-impeller-en.typ",
+    "method-pipe-hole.typ",
+    "method-pipe-hole-es.typ",
+    "method-pipe-hole-en.typ",
     "method-pipe-insert.typ",
     "method-pipe-insert-es.typ",
     "method-pipe-insert-en.typ",
@@ -33,6 +36,7 @@ templates![
     "setup.typ",
     "setup-parts.typ",
     "setup-impeller.typ",
+    "setup-pipe-hole.typ",
     "setup-pipe-insert.typ",
 ];
 

@@ -18,7 +18,7 @@ use crate::number::grid::Milli;
 use crate::number::root::golden;
 use crate::number::shown;
 use crate::number::trig::{hypot, sin_cos};
-use crate::pipe::hole::cut::{Cut, Follows, axes, off, root};
+use crate::pipe::hole::cut::{Cut, Follows, Leg, axes, off, root};
 use crate::pipe::hole::design::Design;
 use crate::pipe::hole::program::AXES;
 use crate::pipe::hole::station::{Groove, Station};
@@ -103,6 +103,7 @@ struct Watch<'d> {
     tilt: [f64; 2],
     speed: [f64; 2],
     off_speed: Option<(f64, At)>,
+    slowed: Option<(f64, At)>,
     turn: Worst,
     curve: Curve,
     length: f64,
@@ -140,7 +141,8 @@ impl Watch<'_> {
         axes(std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part)).pose()
     }
 
-    fn look(&mut self, motion: &Motion, follows: Follows, way: f64) {
+    fn look(&mut self, motion: &Motion, leg: &Leg) {
+        let Leg { follows, way, .. } = *leg;
         let at = At::motion(motion);
         for part in (0..=LOOKS).map(|at| f64::from(at) / f64::from(LOOKS)) {
             let pose = Self::pose(motion, part);
@@ -161,10 +163,14 @@ impl Watch<'_> {
         self.tilt = [self.tilt[0].min(motion.to.get(Axis::B)), self.tilt[1].max(motion.to.get(Axis::B))];
         if let Some(seconds) = motion.seconds.filter(|seconds| *seconds > 0.0) {
             let speed = way * 60.0 / seconds;
-            let word = if let Kind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
             self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
-            if way > 0.001 && (speed / self.design.F - 1.0).abs() > 0.005 + 0.0005 / word {
+            let word = if let Kind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
+            if (seconds / leg.seconds - 1.0).abs() > 1e-6 + 0.0005 / word {
                 self.off_speed.get_or_insert((speed, at));
+            }
+            let wanted = way * 60.0 / self.design.F;
+            if leg.seconds > wanted * 1.01 && self.slowed.is_none_or(|(least, _)| speed < least) {
+                self.slowed = Some((speed, at));
             }
         } else {
             self.off_speed.get_or_insert((0.0, at));
@@ -201,16 +207,7 @@ pub fn judge(
     program: &Program,
     text: &mut Interpreter<'_>,
 ) -> (Vec<Check>, Curve, Account) {
-    let mut at = cut.pierce;
-    let legs: Vec<_> = cut
-        .legs
-        .iter()
-        .filter(|leg| {
-            let moves = leg.to != at;
-            at = leg.to;
-            moves
-        })
-        .collect();
+    let legs = &cut.legs;
     let mut watch = Watch {
         design,
         groove: design.groove(),
@@ -223,6 +220,7 @@ pub fn judge(
         tilt: [f64::INFINITY, f64::NEG_INFINITY],
         speed: [f64::INFINITY, 0.0],
         off_speed: None,
+        slowed: None,
         turn: Worst::from(0.0),
         curve: Curve::new(),
         length: 0.0,
@@ -260,7 +258,7 @@ pub fn judge(
                 let planned = legs.get(done);
                 watch.compare(&motion, planned.map(|leg| leg.to));
                 if let Some(leg) = planned {
-                    watch.look(&motion, leg.follows, leg.way);
+                    watch.look(&motion, leg);
                 }
                 done += 1;
             }
@@ -392,15 +390,29 @@ fn feed(design: &Design, program: &Program, watch: &Watch<'_>) -> Check {
     let F = shown(design.F, 3);
     let value = Text::same(format!("{least} … {most} mm/min"));
     let check = Check::passed("feed", name, program, value, Text::same(format!("{F} mm/min")));
-    match watch.off_speed {
-        None => check,
-        Some((speed, at)) => {
+    match (watch.off_speed, watch.slowed) {
+        (None, None) => check,
+        (None, Some((speed, at))) => {
+            let speed = shown(speed, 0);
+            check.at(Some(at)).of_parameters(vec!["F_max", "gamma"]).found(
+                Verdict::Caution,
+                Text::new(
+                    format!("el corte baja a {speed} mm/min en la línea {}: un eje llegaría a su límite", at.line),
+                    format!("the cut slows to {speed} mm/min at line {}: an axis would pass its limit", at.line),
+                ),
+                Text::fixed(
+                    "más F_max si la máquina lo permite, u otro bisel",
+                    "a greater F_max if the machine allows it, or another groove",
+                ),
+            )
+        }
+        (Some((speed, at)), _) => {
             let speed = shown(speed, 1);
             check.at(Some(at)).found(
                 Verdict::Stop,
                 Text::new(
-                    format!("la velocidad de corte es {speed} mm/min en la línea {}, y F es {F}", at.line),
-                    format!("the cutting speed is {speed} mm/min at line {} where F is {F}", at.line),
+                    format!("el movimiento de la línea {} no dura lo planeado: {speed} mm/min", at.line),
+                    format!("the motion at line {} does not take its planned time: {speed} mm/min", at.line),
                 ),
                 FAULT,
             )

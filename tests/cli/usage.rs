@@ -6,8 +6,9 @@ use crate::common::{folder, names, rodete, with_impeller};
 
 #[test]
 fn a_wrong_command_line_ends_with_2_and_says_how_it_is_meant() {
-    let cases: [(&[&str], &str); 12] = [
+    let cases: [(&[&str], &str); 13] = [
         (&[], "Usage: rodete"),
+        (&["new", "pipe-hole", "--case", "full"], "cases of pipe-hole: set-in"),
         (&["bild"], "build"),
         (&["build"], "<WORKBOOK>..."),
         (&["check"], "<WORKBOOK>..."),
@@ -16,8 +17,8 @@ fn a_wrong_command_line_ends_with_2_and_says_how_it_is_meant() {
         (&["build", "a.xlsx", "--lang", "de"], "[possible values: es, en]"),
         (&["build", "a.xlsx", "--json", "--json"], "cannot be used multiple times"),
         (&["build", "a.xlsx", "-o", "x", "-o", "y"], "cannot be used multiple times"),
-        (&["new", "propeller"], "[possible values: impeller]"),
-        (&["new", "impeller", "a.xlsx", "--case", "x"], "[possible values: full, tfg-2021]"),
+        (&["new", "propeller"], "[possible values: impeller, pipe-insert, pipe-hole]"),
+        (&["new", "impeller", "a.xlsx", "--case", "x"], "[possible values: full, tfg-2021, square, 3on4-2023, set-in]"),
         (&["new", "impeller", "a.ods"], "give a name like impeller.xlsx"),
     ];
     for (arguments, hint) in cases {
@@ -54,7 +55,10 @@ fn help_and_version_end_with_0() {
     let folder = folder();
     for flag in ["--version", "-V"] {
         rodete(&folder).arg(flag).assert().code(0).stderr("").stdout(format!(
-            "rodete {}\nworkbook impeller: schema rodete-impeller 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n",
+            "rodete {}\n\
+             workbook impeller: schema rodete-impeller 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
+             workbook pipe-insert: schema rodete-pipe-insert 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
+             workbook pipe-hole: schema rodete-pipe-hole 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n",
             env!("CARGO_PKG_VERSION")
         ));
     }

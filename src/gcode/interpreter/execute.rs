@@ -323,7 +323,7 @@ impl Interpreter<'_> {
     fn machine_codes(&mut self) -> Outcome<()> {
         if let Some((M::Output, _)) = self.block.m(5) {
             let P = self.block.get(letter::P);
-            if !P.is_some_and(|P| whole(P).is_some_and(|output| output >= 0)) {
+            if P.and_then(whole).is_none_or(|output| output < 0) {
                 return Err(Fault::at(
                     &[self.block.m_column(5)],
                     Text::fixed("salida digital sin su número P", "digital output without its number P"),

@@ -41,6 +41,7 @@ fn filled(language: Language) -> Vec<(&'static str, Value)> {
         ("g0", Value::Real(2.0)),
         ("D_max", Value::Real(15.0)),
         ("F", Value::Real(1500.0)),
+        ("F_max", Value::Real(15_000.0)),
         ("pierce_delay", Value::Real(0.8)),
         ("lead_in", Value::Real(8.0)),
         ("overcut", Value::Real(4.0)),

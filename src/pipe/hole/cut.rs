@@ -15,8 +15,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 
+use crate::gcode::dialect::FeedLaw;
 use crate::machine::torch::{TorchAxes, TorchPose};
-use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::grid::{LIMIT, Milli, OutOfFormat};
 use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::pipe::hole::design::Design;
 use crate::pipe::hole::height::Rule;
@@ -45,6 +46,8 @@ pub struct Leg {
     pub held: bool,
     /// The way of the beam's root, mm.
     pub way: f64,
+    /// The time that it should take, s: the way at F, or longer where an axis or the F word would pass its limit.
+    pub seconds: f64,
 }
 
 /// The whole way.
@@ -144,6 +147,7 @@ struct Way<'d> {
     design: &'d Design,
     groove: Groove,
     at: TorchAxes,
+    place: Place,
     legs: Vec<Leg>,
 }
 
@@ -190,6 +194,9 @@ pub fn off(pose: &TorchPose, station: &Station, beside: f64) -> f64 {
     (to_root - pose.axis * to_root.dot(&pose.axis)).norm()
 }
 
+/// Pieces of the curve before they are halved.
+const PIECES: u32 = 32;
+
 /// How deep the halving may go.
 const DEEPEST: u32 = 20;
 
@@ -225,7 +232,22 @@ impl Way<'_> {
     fn go(&mut self, to: &TorchAxes, held: bool, way: f64, follows: Follows) -> Result<(), OutOfFormat> {
         let place = on_grid(to)?;
         self.at = *to;
-        self.legs.push(Leg { to: place, follows, held, way });
+        if place == self.place {
+            return Ok(());
+        }
+        let by: [f64; 5] = std::array::from_fn(|axis| (place[axis] - self.place[axis]).value());
+        let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
+        let resultant = by.iter().map(|by| by * by).sum::<f64>().sqrt();
+        let most = f64::from(LIMIT) / 1000.0;
+        let word = match self.design.dialect.feed {
+            FeedLaw::Resultant => resultant * 60.0 / most,
+            FeedLaw::Seconds => 0.001,
+            FeedLaw::InverseTime => 60.0 / most,
+        };
+        let axis = self.design.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max);
+        let seconds = (way * 60.0 / self.design.F).max(axis).max(word);
+        self.place = place;
+        self.legs.push(Leg { to: place, follows, held, way, seconds });
         Ok(())
     }
 }
@@ -248,29 +270,30 @@ pub fn cut(design: &Design) -> Result<Option<Cut>, OutOfFormat> {
     let onto = machine_axes(&first, groove.beside, None);
     let pierce = lead_in(&onto, &first, design.lead_in);
     let held = first.rule != Rule::Wanted;
-    let mut way = Way { design, groove, at: pierce, legs: Vec::new() };
+    let mut way = Way { design, groove, at: pierce, place: on_grid(&pierce)?, legs: Vec::new() };
     if design.lead_in > 0.0 {
         way.go(&onto, held, design.lead_in, Follows::WayIn)?;
     }
-    let N = design.N.max(8);
     let mut before = first;
-    for j in 1..=N {
-        let Some(next) = groove.at(TAU * f64::from(j) / f64::from(N)) else { return Ok(None) };
+    for j in 1..=PIECES {
+        let Some(next) = groove.at(TAU * f64::from(j) / f64::from(PIECES)) else { return Ok(None) };
         way.follow(&before, &next, 0)?;
         before = next;
     }
     // Over the beginning once more.
     let (mut left, mut alpha) = (design.overcut, TAU);
-    while left > 1e-9 && alpha < 1.2 * TAU {
+    // A last piece that is hardly there would be a move too short for its F word.
+    while left > 0.05 && alpha < 1.2 * TAU {
         let step = TAU / 720.0;
-        let Some(next) = groove.at(alpha + step) else { return Ok(None) };
-        let length = (root(&next, groove.beside) - root(&before, groove.beside)).norm();
+        let (Some(here), Some(next)) = (groove.at(alpha), groove.at(alpha + step)) else { return Ok(None) };
+        let length = (root(&next, groove.beside) - root(&here, groove.beside)).norm();
         let part = (left / length).min(1.0);
         alpha += step * part;
         left -= length;
+    }
+    if alpha > TAU {
         let Some(next) = groove.at(alpha) else { return Ok(None) };
         way.follow(&before, &next, 0)?;
-        before = next;
     }
     Ok(Some(Cut { pierce: on_grid(&pierce)?, pierce_held: held, legs: way.legs }))
 }

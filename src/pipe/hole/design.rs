@@ -50,6 +50,8 @@ pub struct Design {
     pub kerf: f64,
     /// F, cutting speed at the root, mm/min.
     pub F: f64,
+    /// F_max, greatest speed of an axis, mm/min or °/min.
+    pub F_max: Option<f64>,
     /// The pierce delay, s.
     pub pierce_delay: f64,
     /// The way from the pierce to the curve.
@@ -129,6 +131,7 @@ impl Design {
             D_max: real("D_max")?,
             kerf: real("kerf").unwrap_or(2.0 * m),
             F: real("F")?,
+            F_max: real("F_max"),
             pierce_delay: real("pierce_delay")?,
             lead_in: real("lead_in")?,
             overcut: real("overcut")?,

@@ -140,6 +140,15 @@ const CUTTING: &[Parameter] = &[
         t("", ""),
     ),
     real(
+        "F_max",
+        "feed_limit_F_max",
+        Unit::MillimetrePerMinute,
+        [1.0, 200_000.0],
+        false,
+        t("Velocidad máxima de cada eje (°/min en A, B y C)", "Greatest speed of any axis (°/min in A, B and C)"),
+        t("Vacío: no se limita", "Empty: not limited"),
+    ),
+    real(
         "pierce_delay",
         "pierce_delay",
         Unit::Second,

@@ -36,13 +36,11 @@ fn words(place: Place) -> impl Iterator<Item = Word> {
     AXES.into_iter().zip(place).map(|(axis, size)| Word::size(axis.letter(), size))
 }
 
-/// The F word of a leg, so that the beam's root moves at F.
-fn feed(design: &Design, law: FeedLaw, from: Place, leg: &Leg) -> Result<Milli, OutOfFormat> {
+/// The F word of a leg, so that it takes its time.
+fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<Milli, OutOfFormat> {
     let by = (0..5).map(|axis| (leg.to[axis] - from[axis]).value());
     let resultant = by.map(|by| by * by).sum::<f64>().sqrt();
-    // A leg that only tilts the torch takes as long as the least way that an F word can tell.
-    let seconds = (leg.way.max(0.001) * 60.0 / design.F).max(1e-6);
-    Milli::round(law.word(seconds, resultant).clamp(0.001, f64::from(LIMIT) / 1000.0))
+    Milli::round(law.word(leg.seconds, resultant).clamp(0.001, f64::from(LIMIT) / 1000.0))
 }
 
 /// The complete program.
@@ -79,16 +77,13 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     }
     let (mut at, mut last) = (cut.pierce, None);
     for leg in &cut.legs {
-        if leg.to == at {
-            continue;
-        }
         if leg.held != held
             && let Some(words) = hold(design, leg.held)
         {
             block(words);
             held = leg.held;
         }
-        let F = feed(design, law, at, leg)?;
+        let F = feed(law, at, leg)?;
         let mut line: Vec<Word> = std::iter::once(Word::whole('G', 1)).chain(words(leg.to)).collect();
         if law.in_every_block() || last != Some(F) {
             line.push(Word::size('F', F));

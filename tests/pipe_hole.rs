@@ -1,0 +1,306 @@
+//! The bevelled hole: the check values of the height law, the torch clear of the pipe by brute force, and what must hold
+//! for every hole.
+
+#[path = "interpreter/agreement.rs"]
+mod agreement;
+mod common;
+
+use std::f64::consts::TAU;
+
+use common::rs274;
+use proptest::prelude::*;
+use rodete::finding::{Exit, Finding, Grade};
+use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::job::{self, Outcome, Source};
+use rodete::number::trig::{hypot, sin_cos};
+use rodete::parameter::{Value, Values};
+use rodete::pipe::hole::cases::CASES;
+use rodete::pipe::hole::cut::{cut, machine_axes, root};
+use rodete::pipe::hole::design::Design;
+use rodete::pipe::hole::parameters::FORM;
+use rodete::pipe::hole::tables;
+use rodete::table::Entry;
+use rodete::text::Language;
+use rodete::verify::check::Verdict;
+use rodete::verify::pipe_hole::{clearance, judge};
+
+fn values(changes: &[(&'static str, Value)]) -> Values {
+    let mut values = Values { language: Language::En, ..Values::default() };
+    values.values.extend(CASES[0].values(Language::En));
+    values.values.extend(changes.iter().cloned());
+    values
+}
+
+fn run(changes: &[(&'static str, Value)]) -> Result<Outcome, rodete::finding::Refusal> {
+    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    job::run(&FORM, values(changes), source)
+}
+
+fn outcome(changes: &[(&'static str, Value)]) -> Outcome {
+    run(changes).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings))
+}
+
+const fn real(key: &'static str, value: f64) -> (&'static str, Value) {
+    (key, Value::Real(value))
+}
+
+const fn choice(key: &'static str, value: &'static str) -> (&'static str, Value) {
+    (key, Value::Choice(value))
+}
+
+/// Holes of many shapes.
+fn holes() -> Vec<Vec<(&'static str, Value)>> {
+    vec![
+        vec![],
+        vec![real("gamma", 0.0)],
+        vec![real("gamma", 37.5), real("theta", 75.0)],
+        vec![real("e", 20.0), real("theta", 100.0)],
+        vec![choice("branch_size", "5"), real("gamma", 25.0)],
+        vec![choice("branch_size", "1"), real("lead_in", 4.0), real("gamma", 20.0), real("D_max", 30.0)],
+        vec![real("gamma", 45.0), real("D_max", 40.0), real("h", 0.0), real("b", 0.0)],
+    ]
+}
+
+#[test]
+fn every_hole_passes_its_verification_in_every_dialect() {
+    for hole in holes() {
+        for dialect in ["linuxcnc", "fagor-8055", "fagor-8070"] {
+            let mut changes = hole.clone();
+            changes.push(choice("dialect", dialect));
+            if dialect != "linuxcnc" {
+                changes.push(("hold_on", Value::Line("M41".to_owned())));
+                changes.push(("hold_off", Value::Line("M42".to_owned())));
+            }
+            let outcome = outcome(&changes);
+            // Where the torch passes near the vertical, the cut may have to slow down; not in the usual case.
+            let usual = hole.is_empty();
+            let worst: Vec<_> = outcome
+                .findings
+                .iter()
+                .filter(|finding| {
+                    finding.grade > Grade::Note && (usual || !finding.what.en.starts_with("the cut slows"))
+                })
+                .collect();
+            assert!(worst.is_empty(), "{changes:?}: {worst:?}");
+        }
+    }
+}
+
+#[test]
+fn a_control_without_a_hold_is_a_caution() {
+    let outcome = outcome(&[choice("dialect", "fagor-8055")]);
+    let caution = outcome.findings.iter().find(|finding| finding.grade == Grade::Caution).expect("a caution");
+    assert!(caution.what.en.contains("does not hold the height control"), "{}", caution.what.en);
+    let free = run(&[
+        choice("dialect", "fagor-8055"),
+        real("gamma", 0.0),
+        real("g0", 0.2),
+        choice("branch_size", "1"),
+        real("lead_in", 4.0),
+    ])
+    .expect("a hole");
+    assert!(
+        free.findings.iter().all(|finding| finding.grade == Grade::Note),
+        "d0 serves everywhere: {:?}",
+        free.findings
+    );
+}
+
+#[test]
+fn linuxcnc_makes_the_same_motions_of_our_programs() {
+    if !rs274::is_here() {
+        return;
+    }
+    for hole in holes() {
+        let program = outcome(&hole).programs.remove(0);
+        let theirs =
+            rs274::run(program.text().as_bytes(), None, None).unwrap_or_else(|refused| panic!("{hole:?}: {refused:?}"));
+        let ours: Vec<_> = program.read_back().map(Result::unwrap).collect();
+        agreement::agree(&ours, &theirs.motions).unwrap_or_else(|fault| panic!("{hole:?}: {fault}"));
+        let outputs: Vec<_> = theirs.calls.iter().filter(|(name, _)| name.contains("MOTION_OUTPUT_BIT")).collect();
+        let held = program.text().lines().filter(|line| line.contains("M62 P2") || line.contains("M63 P2")).count();
+        assert_eq!(outputs.len(), held, "{outputs:?}");
+    }
+}
+
+#[test]
+fn the_height_control_is_held_where_the_height_is_not_the_wanted_one() {
+    let outcome = outcome(&[]);
+    let text = outcome.programs[0].text();
+    let codes: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.split_once(' '))
+        .map(|(_, rest)| rest)
+        .filter(|rest| rest.starts_with("M6"))
+        .collect();
+    assert_eq!(codes, ["M62 P2", "M63 P2", "M62 P2", "M63 P2", "M62 P2", "M63 P2"]);
+    let design = Design::new(&values(&[])).expect("a design");
+    let stations = tables::stations(&design);
+    assert!(stations.iter().any(|one| one.D > design.d0) && stations.iter().any(|one| one.D == design.d0));
+}
+
+fn refused(changes: &[(&'static str, Value)]) -> Finding {
+    match run(changes) {
+        Err(refusal) => {
+            assert_eq!(refusal.exit, Exit::Refused);
+            assert_eq!(refusal.findings.len(), 1, "{:?}", refusal.findings);
+            refusal.findings[0].clone()
+        }
+        Ok(outcome) => panic!("{changes:?}: {:?}", outcome.findings),
+    }
+}
+
+#[test]
+fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
+    for (changes, what, remedy) in [
+        (
+            vec![real("g0", 4.0)],
+            "the least distance g0 is 4 mm, must be below the height d0, 4 mm",
+            "a smaller g0, or a greater d0",
+        ),
+        (
+            vec![real("gamma", 45.0)],
+            "at α = 0° the torch stands at 45° to the pipe and needs a height of 8.828 mm; D_max is 8 mm",
+            "a smaller groove angle γ, a finer torch, a smaller g0, or a greater D_max",
+        ),
+        (
+            vec![real("gamma", 60.0), real("theta", 60.0)],
+            "at α = 0° the torch stands at ",
+            "a smaller groove angle γ, a finer torch, a smaller g0, or a greater D_max",
+        ),
+        (
+            vec![choice("branch_size", "6")],
+            "the branch with its gap does not go into the header, by 8.11 mm: r + b = 86.15 mm, e = 0 mm, radius 78.04 mm",
+            "a smaller branch or less eccentricity",
+        ),
+        (vec![real("h", 7.2)], "the land h is 7.2 mm, must be below the wall, 7.11 mm", "a smaller land"),
+        (vec![real("R_g", 5.0)], "the body R_g = 5 mm is thinner than the nozzle r_g = 6 mm", "check both radii"),
+        (vec![real("kerf", 1.0)], "the kerf of 1 mm is finer than the beam, 1.6 mm", "leave kerf empty for 2·m"),
+        (
+            vec![real("lead_in", 60.0)],
+            "the lead-in reaches past the hole's axis: 60.8 mm, and its radius is 46.45 mm",
+            "a shorter lead-in",
+        ),
+    ] {
+        let mut changes = changes;
+        if changes == [real("gamma", 45.0)] {
+            changes.push(real("D_max", 8.0));
+        }
+        let finding = refused(&changes);
+        if changes.contains(&real("gamma", 60.0)) {
+            assert!(finding.what.en.contains("the torch lies down"), "{}", finding.what.en);
+            continue;
+        }
+        assert_eq!((finding.what.en.as_ref(), finding.remedy.en.as_ref()), (what, remedy), "{changes:?}");
+    }
+}
+
+/// The curve lies on the branch grown by its gap and on the header's bore grown by its land; the beam passes through it.
+#[test]
+fn the_root_lies_on_both_pipes_and_under_the_torch() {
+    for hole in holes() {
+        let design = Design::new(&values(&hole)).expect("a design");
+        let (r, R) = (design.branch.D / 2.0 + design.b, design.R_i() + design.h);
+        for one in tables::stations(&design) {
+            assert!((hypot(one.root.y, one.root.z) - R).abs() < 1e-9);
+            assert!(design.pair().off_branch(&one.root).abs() < 1e-9, "{r}");
+            assert!((hypot(one.face.y, one.face.z) - design.R_o()).abs() < 1e-9);
+            let through = root(&one, design.kerf / 2.0);
+            let pose = machine_axes(&one, design.kerf / 2.0, None).pose();
+            let off = (through - pose.tip).cross(&pose.axis).norm();
+            assert!(off < 1e-6, "{off}");
+        }
+    }
+}
+
+/// The height table: D by the law at σ_o, continuous from place to place.
+#[test]
+fn the_height_table_follows_the_law_and_does_not_jump() {
+    let outcome = outcome(&[("N", Value::Whole(1000))]);
+    let table = outcome.table("height").expect("the table");
+    let column = |symbol: &str| -> Vec<f64> {
+        let values = &table.column(symbol).expect(symbol).values;
+        (0..values.len())
+            .map(|row| match values.get(row) {
+                Entry::Number(value) => value,
+                Entry::Text(_) => panic!("text"),
+            })
+            .collect()
+    };
+    let (sigma, D, g) = (column("σ_o"), column("D"), column("g"));
+    for (sigma, D) in sigma.iter().zip(&D) {
+        let (sin, cos) = sin_cos(sigma.to_radians());
+        let h_s = 9.0 / rodete::number::trig::tan(30.0_f64.to_radians());
+        let law = 4.0_f64.max((2.0 + 6.0 * cos) / sin).max((2.0 + 15.0 * cos) / sin - h_s);
+        assert!((law - D).abs() < 1e-9);
+    }
+    assert!(D.windows(2).all(|pair| (pair[1] - pair[0]).abs() < 0.05), "no jump");
+    assert!(g.iter().all(|gap| *gap >= 2.0 - 1e-9));
+}
+
+/// One fault at a time in the text of a sound program.
+#[test]
+fn faults_in_the_text_are_caught() {
+    let design = Design::new(&values(&[])).expect("a design");
+    let way = cut(&design).expect("within the format").expect("a way");
+    let program = outcome(&[]).programs.remove(0);
+    let text = program.text();
+    let worst = |text: &str| {
+        let mut read = Interpreter::over(text.as_bytes(), Setting::new(program.dialect));
+        let (checks, ..) = judge(&design, &way, &program, &mut read);
+        checks.iter().map(|check| (check.key, check.verdict)).collect::<std::collections::BTreeMap<_, _>>()
+    };
+    assert!(worst(&text).values().all(|verdict| *verdict <= Verdict::Note));
+    let cuts: Vec<usize> = (0..text.lines().count())
+        .filter(|&at| text.lines().nth(at).is_some_and(|line| line.contains(" G1 ")))
+        .collect();
+    let line = cuts[cuts.len() / 3];
+    let change = |letter: char, by: f64| -> String {
+        let changed = text.lines().enumerate().map(|(at, found)| {
+            let words = found.split(' ').map(|word| match word.strip_prefix(letter) {
+                Some(number) if at == line => format!("{letter}{:.3}", number.parse::<f64>().unwrap() + by),
+                _ => word.to_owned(),
+            });
+            words.collect::<Vec<_>>().join(" ") + "\n"
+        });
+        changed.collect()
+    };
+    for (letter, by, key) in
+        [('A', 2.0, "beam"), ('X', 0.3, "beam"), ('Z', -2.0, "clearance"), ('B', 6.0, "bevel"), ('C', 120.0, "turning")]
+    {
+        let worst = worst(&change(letter, by));
+        assert_eq!(worst["agreement"], Verdict::Stop, "{letter}");
+        assert!(worst[key] > Verdict::Note, "{letter} {key}");
+    }
+    assert_eq!(worst(&change('F', 200.0))["feed"], Verdict::Stop);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// The torch as a solid of many points against the round pipe, in poses that are not rounded: never nearer than g₀.
+    #[test]
+    fn the_torch_is_clear_of_the_round_pipe_by_brute_force(
+        D in 60.0..600.0_f64, wall in 0.02..0.12_f64, part in 0.1..0.8_f64, theta in 50.0..130.0_f64, off in -0.5..0.5_f64,
+        gamma in 0.0..50.0_f64, b in 0.0..3.0_f64, h in 0.0..0.9_f64, r_g in 2.0..10.0_f64, more in 0.0..15.0_f64,
+        Psi in 15.0..70.0_f64, d0 in 2.0..8.0_f64, gap in 0.2..0.9_f64, alpha in 0.0..TAU,
+    ) {
+        let t = D * wall;
+        let d = (D - 2.0 * t) * part;
+        let changes = [
+            real("D_header", D), real("t_header", t), real("D_branch", d), real("t_branch", d * 0.05),
+            real("theta", theta), real("e", (D / 2.0 - t - d / 2.0) * 0.5 * off), real("gamma", gamma), real("b", b),
+            real("h", h * t), real("r_g", r_g), real("R_g", r_g + more), real("Psi", Psi), real("d0", d0),
+            real("g0", d0 * gap), real("D_max", 500.0), real("lead_in", 0.0),
+        ];
+        let mut values = values(&changes);
+        for key in ["branch_size", "branch_schedule", "header_size", "header_schedule"] {
+            values.values.remove(key);
+        }
+        let Ok(design) = Design::new(&values) else { return Ok(()) };
+        let Some(station) = design.groove().at(alpha) else { return Ok(()) };
+        prop_assume!(station.D <= design.D_max);
+        let found = clearance(&design, &station.pose);
+        prop_assert!(found >= design.g0 - 1e-6, "{found} {}", design.g0);
+    }
+}
