@@ -10,13 +10,14 @@ use crate::gcode::dialect::ALL;
 use crate::machine::work_offset::System;
 use crate::text::Language;
 
-/// From a workbook of design parameters to checked tables, ISO programs and a report for 5-axis impellers.
+/// From a workbook of design parameters to checked tables, ISO programs and a report: 5-axis impellers, branch pipes, bevelled holes.
 #[derive(Debug, Parser)]
 #[command(name = "rodete", version, arg_required_else_help = true, max_term_width = 100)]
 #[command(after_help = "Start with `rodete new impeller`, edit the workbook, then `rodete build impeller.xlsx`.")]
 #[command(after_long_help = "\
 How to work with it:
   rodete new impeller           writes impeller.xlsx, ready to edit in Excel
+                                (other kinds: pipe-insert, pipe-hole)
   rodete check impeller.xlsx    says what would stop a build, and the limits
   rodete build impeller.xlsx    writes tables, programs and report into impeller-out
   rodete verify program.nc      reads a program as the control would and says what it comes to
