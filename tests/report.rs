@@ -189,6 +189,30 @@ mod embedded {
         assert!(once.starts_with(b"%PDF-1.7"));
     }
 
+    /// Every kind, case and language: each has words, method and set-up sheet of its own.
+    #[test]
+    fn every_kind_of_workbook_has_its_report() {
+        use rodete::pipe::{hole, insert};
+        for form in [&FORM, &insert::parameters::FORM, &hole::parameters::FORM] {
+            for case in form.cases {
+                for language in Language::ALL {
+                    let mut values = Values { language, ..Values::default() };
+                    values.values.extend(case.values(language));
+                    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                    let outcome = rodete::job::run(form, values, source).expect("an outcome");
+                    let report = typeset(&outcome, &[workbook()], language, &typst()).expect("a report");
+                    assert!(report.findings.is_empty(), "{} {}: {:?}", form.kind, case.name, report.findings);
+                    let Some(text) = text(&report.pdf) else { continue };
+                    for table in &outcome.tables {
+                        if table.key != "checks" && table.key != "views" {
+                            assert!(text.contains(table.name.get(language)), "{} {}", form.kind, table.key);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn markup_in_a_name_is_shown_and_not_run() {
         let part = r##"#read("/etc/passwd") $x^2$ *b* #import "a.typ": * \u{41} <label> @ref // /* `c` = h"##;
