@@ -213,6 +213,51 @@ fn the_root_lies_on_both_pipes_and_under_the_torch() {
     }
 }
 
+/// The branch's template wrapped round it, the branch on the turning pipe, and the hole: one joint, not its mirror image.
+/// The header lies along x and the branch leans to +x; with e > 0 its axis is at y = −e, in front.
+#[test]
+fn branch_and_hole_of_one_joint_are_no_mirror_images() {
+    use nalgebra::Vector3;
+    use rodete::pipe::insert;
+    let (theta, e, b) = (65.0, 14.0, 2.0);
+    let hole =
+        Design::new(&values(&[real("theta", theta), real("e", e), real("D_max", 60.0), real("gamma", 0.0)])).unwrap();
+    // The branch's axis: a point of it at x = 0 z = 0, and its direction.
+    let (sin, cos) = sin_cos(f64::to_radians(theta));
+    let d = Vector3::new(cos, 0.0, sin);
+    let foot = Vector3::new(0.0, -e, 0.0);
+    for one in tables::stations(&hole) {
+        let off = (one.root - foot).cross(&d).norm();
+        assert!((off - (hole.branch.D / 2.0 + b)).abs() < 1e-9, "{off}");
+    }
+    // The branch, its curve on the outside of the header.
+    let mut filled = Values { language: Language::En, ..Values::default() };
+    filled.values.extend(insert::cases::CASES[0].values(Language::En));
+    filled.values.extend([real("theta", theta), real("e", e), choice("header_size", "6")]);
+    let branch = insert::design::Design::new(&filled).unwrap();
+    let template = branch.template();
+    // What is up on the sheet goes down the branch; printed face outwards, right is up × out.
+    let (up, out0) = (-d, Vector3::new(sin, 0.0, -cos));
+    let right0 = up.cross(&out0);
+    let R = branch.R;
+    let low = template.curve(0.0).y;
+    // Where φ = 0 is on the branch's axis: from the header's own equation.
+    let z0 = (R * R - e * e).sqrt();
+    let s0 = (z0 + branch.r * cos) / sin;
+    for at in 0..60 {
+        let phi = TAU * f64::from(at) / 60.0;
+        let point = template.curve(phi);
+        let angle = point.x / template.radius;
+        let (s, c) = sin_cos(angle);
+        let place = foot + d * (s0 - (point.y - low)) + (out0 * c + right0 * s) * branch.r;
+        assert!((hypot(place.y, place.z) - R).abs() < 1e-9, "{phi}");
+    }
+    // On the turning pipe: the torch goes round by the right hand about +X, which points as the sheet's up.
+    let turned = |A: f64| out0 * sin_cos(A).1 + up.cross(&out0) * sin_cos(A).0;
+    let (s, c) = sin_cos(1.0);
+    assert!((turned(1.0) - (out0 * c + right0 * s)).norm() < 1e-12);
+}
+
 /// The height table: D by the law at σ_o, continuous from place to place.
 #[test]
 fn the_height_table_follows_the_law_and_does_not_jump() {

@@ -1,10 +1,11 @@
 //! A torch over a turning pipe: axes A, X, Z, B and C.
 //!
-//! The pipe lies along X and turns by A about it. The torch stands over its axis (Y = 0): X along the pipe and Z up from
-//! the pipe's axis are the place of its tip; B tilts it from the vertical and C swings the tilt about it, 0 towards +X.
-//! B and C turn the torch about its tip: a head made so, or a control that keeps the tip in its place.
+//! The pipe lies along X and turns about it. As ISO 841 has it for every axis, A counts how the torch goes round the pipe,
+//! by the right hand about +X: the pipe itself turns the other way. The torch stands over its axis (Y = 0): X along the pipe
+//! and Z up from the pipe's axis are the place of its tip; B tilts it from the vertical and C swings the tilt about it, 0
+//! towards +X. B and C turn the torch about its tip: a head made so, or a control that keeps the tip in its place.
 //!
-//! A point of the pipe at (x, y, z) with A = 0 stands at (x, y cos A − z sin A, y sin A + z cos A). Derived here.
+//! A point of the pipe at (x, y, z) with A = 0 stands at (x, y cos A + z sin A, z cos A − y sin A). Derived here.
 //!
 //! # Units
 //! Millimetres and radians.
@@ -25,7 +26,7 @@ pub struct TorchPose {
 /// The five axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TorchAxes {
-    /// A, the pipe's turn.
+    /// A, how far the torch has gone round the pipe.
     pub A: f64,
     /// X, along the pipe.
     pub X: f64,
@@ -47,8 +48,8 @@ impl TorchPose {
     /// between −π and π; upright C is 0.
     #[must_use]
     pub fn axes(&self) -> TorchAxes {
-        let A = atan2(self.tip.y, self.tip.z);
-        let axis = about_x(&self.axis, A);
+        let A = atan2(-self.tip.y, self.tip.z);
+        let axis = about_x(&self.axis, -A);
         let across = hypot(axis.x, axis.y);
         TorchAxes {
             A,
@@ -67,8 +68,8 @@ impl TorchAxes {
         let (sin_B, cos_B) = sin_cos(self.B);
         let (sin_C, cos_C) = sin_cos(self.C);
         TorchPose {
-            tip: about_x(&Vector3::new(self.X, 0.0, self.Z), -self.A),
-            axis: about_x(&Vector3::new(sin_B * cos_C, sin_B * sin_C, cos_B), -self.A),
+            tip: about_x(&Vector3::new(self.X, 0.0, self.Z), self.A),
+            axis: about_x(&Vector3::new(sin_B * cos_C, sin_B * sin_C, cos_B), self.A),
         }
     }
 }
@@ -93,6 +94,13 @@ mod tests {
             let back = pose.axes().pose();
             prop_assert!((back.tip - pose.tip).norm() < 1e-9 && (back.axis - pose.axis).norm() < 1e-7);
         }
+    }
+
+    #[test]
+    fn a_counts_the_torch_round_the_pipe_by_the_right_hand() {
+        // From +Z by the right hand about +X towards −Y.
+        let pose = TorchAxes { A: PI / 2.0, X: 0.0, Z: 50.0, B: 0.0, C: 0.0 }.pose();
+        assert!((pose.tip - Vector3::new(0.0, -50.0, 0.0)).norm() < 1e-12, "{:?}", pose.tip);
     }
 
     #[test]

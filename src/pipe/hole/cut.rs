@@ -108,10 +108,10 @@ pub fn machine_axes(station: &Station, beside: f64, before: Option<&TorchAxes>) 
     let mut pose = station.pose;
     let mut found = TorchAxes::default();
     for _ in 0..4 {
-        let A = atan2(pose.tip.y, pose.tip.z);
+        let A = atan2(-pose.tip.y, pose.tip.z);
         let turned = |direction: &Vector3<f64>| {
             let (sin, cos) = sin_cos(A);
-            Vector3::new(direction.x, direction.y * cos - direction.z * sin, direction.y * sin + direction.z * cos)
+            Vector3::new(direction.x, direction.y * cos + direction.z * sin, direction.z * cos - direction.y * sin)
         };
         let (axis, away) = (turned(&station.pose.axis), turned(&station.away));
         let tilt = atan2(hypot(axis.x, axis.y), axis.z);

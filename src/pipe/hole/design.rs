@@ -164,9 +164,13 @@ impl Design {
     }
 
     /// The branch's outside grown by the gap, and the header's bore grown by the land.
+    ///
+    /// With e > 0 the branch's axis passes in front of the header's for someone who sees the branch lean to the right, as it
+    /// does for a branch whose template of the same e is wrapped round it, printed face outwards (see
+    /// [`crate::pipe::insert`]): here at y = −e.
     #[must_use]
     pub fn pair(&self) -> PipePair {
-        PipePair::new(self.branch.D / 2.0 + self.b, self.R_i() + self.h, self.theta, self.e)
+        PipePair::new(self.branch.D / 2.0 + self.b, self.R_i() + self.h, self.theta, -self.e)
     }
 
     /// The torch.

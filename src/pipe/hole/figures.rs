@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use crate::figure::{Axes, Figure, Ink, Label, Stroke};
 use crate::geometry::scene::{Camera, Scene};
-use crate::number::trig::{atan2, hypot, sin_cos};
+use crate::number::trig::{atan2, sin_cos};
 use crate::pipe::hole::design::Design;
 use crate::pipe::hole::station::Station;
 use crate::text::Text;
@@ -151,7 +151,9 @@ fn left(deviation: &[[f64; 2]]) -> Figure {
     }
 }
 
-/// The template at 1:1, to be laid round the header: the hole's outer edge as finished, with the lines through its middle.
+/// The template at 1:1, to be laid round the header, printed face outwards: the hole's outer edge as finished, with the
+/// header's top generator along it and the line across it through the foot of the branch's axis. A branch with θ < 90° leans
+/// to the right.
 #[must_use]
 pub fn template(design: &Design) -> Figure {
     let R = design.R_o();
@@ -159,23 +161,22 @@ pub fn template(design: &Design) -> Figure {
     let bare = crate::pipe::hole::station::Groove { beside: 0.0, ..design.groove() };
     let edge: Vec<[f64; 2]> = (0..=4 * FINE)
         .filter_map(|at| bare.at(TAU * f64::from(at) / f64::from(4 * FINE)))
-        .map(|one| [R * atan2(one.face.y, one.face.z), one.face.x])
+        .map(|one| [one.face.x, R * atan2(one.face.y, one.face.z)])
         .collect();
     let most = |axis: usize| edge.iter().map(|point| point[axis].abs()).fold(0.0, f64::max) + 15.0;
     let (width, height) = (most(0), most(1));
-    let middle = R * atan2(design.e, hypot(R, 0.0));
     Figure {
         key: "template",
         caption: t("Plantilla del agujero sobre el exterior del tubo", "Template of the hole on the pipe's outside"),
         axes: None,
         strokes: vec![
-            Stroke::line(Ink::Thin, vec![[-width, 0.0], [width, 0.0]]),
-            Stroke::line(Ink::Seam, vec![[0.0, -height], [0.0, height]]),
+            Stroke::line(Ink::Seam, vec![[-width, 0.0], [width, 0.0]]),
+            Stroke::line(Ink::Thin, vec![[0.0, -height], [0.0, height]]),
             Stroke::line(Ink::Cut, edge),
         ],
         labels: vec![
-            Label { at: [0.0, height + 2.0], text: t("generatriz superior", "top generator") },
-            Label { at: [middle, -height - 4.0], text: t("eje del injerto en y = 0", "axis of the branch at y = 0") },
+            Label { at: [width + 12.0, 0.0], text: t("generatriz superior", "top generator") },
+            Label { at: [0.0, height + 2.0], text: Text::same("x = 0") },
         ],
         legend: vec![(Ink::Cut, t("corte", "cut")), (Ink::Seam, t("generatriz", "generator"))],
     }

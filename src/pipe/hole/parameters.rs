@@ -30,7 +30,7 @@ const JOINT: &[Parameter] = &[
         [-1500.0, 1500.0],
         true,
         t("Excentricidad: distancia entre los ejes", "Eccentricity: distance between the axes"),
-        t("Con signo", "With its sign"),
+        t("Visto inclinado a la derecha, e > 0 pasa por delante", "Seen leaning to the right, e > 0 passes in front"),
     ),
     real(
         "gamma",

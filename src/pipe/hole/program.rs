@@ -132,6 +132,10 @@ fn comments(design: &Design, header: &mut Header) {
         "X0 EN EL EJE DEL INJERTO - Z0 EN EL EJE DEL TUBO",
         "X0 ON THE AXIS OF THE BRANCH - Z0 ON THE AXIS OF THE PIPE",
     );
+    header.line(
+        "A RODEA EL TUBO SEGUN ISO 841 - EL TUBO GIRA AL REVES",
+        "A GOES ROUND THE PIPE BY ISO 841 - PIPE TURNS BACKWARDS",
+    );
     header.line("X Y Z DE LA PUNTA DE LA ANTORCHA - Y SIEMPRE 0", "X Y Z OF THE TORCH TIP - Y ALWAYS 0");
     header.line("B INCLINA Y C GIRA LA ANTORCHA SOBRE SU PUNTA", "B TILTS AND C SWINGS THE TORCH ABOUT ITS TIP");
     let last = design.torch();

@@ -109,7 +109,7 @@ pub fn pose(stations: &[Station], beside: f64) -> Table {
     columns.extend(vectors(|one| one.pose.tip, ["x_t", "y_t", "z_t"], MM, "T = Q + D·a"));
     columns.extend(vectors(|one| one.pose.axis, ["a_x", "a_y", "a_z"], Unit::One, "a = m cos(φ − γ) + n sin(φ − γ)"));
     columns.extend([
-        numbers("A", DEGREE, "A = atan2(y_t, z_t)", axes.iter().map(|one| one.A.to_degrees())),
+        numbers("A", DEGREE, "A = atan2(−y_t, z_t)", axes.iter().map(|one| one.A.to_degrees())),
         numbers("X", MM, "X = x_t", axes.iter().map(|one| one.X)),
         numbers("Z", MM, "Z = √(y_t² + z_t²)", axes.iter().map(|one| one.Z)),
         numbers("B", DEGREE, "B = ±acos(a′_z)", axes.iter().map(|one| one.B.to_degrees())),
@@ -119,7 +119,7 @@ pub fn pose(stations: &[Station], beside: f64) -> Table {
         key: "pose",
         name: t("Postura", "Pose"),
         title: t("Postura de la antorcha y ejes de la máquina", "Pose of the torch, and axes of the machine"),
-        source: t("Deducido aquí; a′ es a girada con A", "Derived here; a′ is a turned with A"),
+        source: t("Deducido aquí; a′ es a girada con −A", "Derived here; a′ is a turned with −A"),
         index: Index::Point,
         columns,
     }

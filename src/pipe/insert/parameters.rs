@@ -128,7 +128,10 @@ const JOINT: &[Parameter] = &[
         [-1500.0, 1500.0],
         true,
         t("Excentricidad: distancia entre los ejes", "Eccentricity: distance between the axes"),
-        t("Con signo; el injerto no debe sobresalir", "With its sign; the branch must not overhang"),
+        t(
+            "Visto inclinado a la derecha, e > 0 pasa por delante; no debe sobresalir",
+            "Seen leaning to the right, e > 0 passes in front; it must not overhang",
+        ),
     ),
     real(
         "Z",

@@ -178,7 +178,11 @@ fn comments(design: &Design, header: &mut Header) {
             );
         }
         Mode::Rotary => {
-            header.line("A GIRA EL TUBO - A0 ES LA LINEA DE PHI 0", "A TURNS THE PIPE - A0 IS THE LINE OF PHI 0");
+            header.line("A0 ES LA LINEA DE PHI 0", "A0 IS THE LINE OF PHI 0");
+            header.line(
+                "A RODEA EL TUBO SEGUN ISO 841 - EL TUBO GIRA AL REVES",
+                "A GOES ROUND THE PIPE BY ISO 841 - PIPE TURNS BACKWARDS",
+            );
             header.line(
                 "X A LO LARGO DEL TUBO - X0 BORDE - CRECE HACIA EL CORTE",
                 "X ALONG THE PIPE - X0 EDGE - GROWS TOWARDS THE CUT",
