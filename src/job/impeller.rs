@@ -14,8 +14,8 @@ use crate::impeller::figures::figures;
 use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
-use crate::job::impeller_remarks::{no_calibration, no_splitter, not_finite, out_of_format, remarks};
-use crate::job::{Outcome, Source, charts};
+use crate::job::impeller_remarks::{no_calibration, no_splitter, remarks};
+use crate::job::{Outcome, Source, charts, not_finite, out_of_format};
 use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Unit};
@@ -73,7 +73,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     };
     let made = Tracks::new(&blade, &passes, splitter.as_ref())
         .and_then(|tracks| programs(&design, &tracks, &origin))
-        .map_err(|error| refused(vec![out_of_format(error)]))?;
+        .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_p", "L_t"])]))?;
     let quantities = quantities(&design, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
     let (verification, curves) =

@@ -5,9 +5,7 @@ use crate::impeller::design::{Design, Style};
 use crate::impeller::programs::Programs;
 use crate::impeller::splitter::NoSplitter;
 use crate::machine::calibration::Axis as Calibrated;
-use crate::number::grid::OutOfFormat;
 use crate::number::shown;
-use crate::table::Table;
 use crate::text::Text;
 
 pub(super) fn no_splitter(why: NoSplitter) -> Finding {
@@ -46,28 +44,6 @@ pub(super) fn no_calibration() -> Finding {
             "the calibration has no real solution: the slots cannot come from one machine",
         ),
         Text::fixed("compruebe x0, z0 y las medidas de las ranuras", "check x0, z0 and the measures of the slots"),
-    )
-}
-
-pub(super) fn not_finite(table: &Table, row: usize) -> Finding {
-    Finding::stop(
-        Place::Point { table: table.key, index: row },
-        Text::fixed(
-            "un valor calculado no es finito: es un fallo de rodete",
-            "a computed value is not finite: a fault in rodete",
-        ),
-        Text::fixed("comuníquelo con el libro de trabajo", "report it with the workbook"),
-    )
-}
-
-pub(super) fn out_of_format(error: OutOfFormat) -> Finding {
-    Finding::stop(
-        Place::Parameters(vec!["R", "R_p", "L_t"]),
-        Text::new(
-            format!("la posición {} no cabe en un programa (cinco cifras y tres decimales)", error.0),
-            format!("position {} does not fit into a program (five digits and three decimals)", error.0),
-        ),
-        Text::fixed("compruebe R, R_p y L_t", "check R, R_p and L_t"),
     )
 }
 

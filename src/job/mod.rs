@@ -12,6 +12,7 @@ use std::sync::LazyLock;
 use crate::figure::{Figure, Paper};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
+use crate::number::grid::OutOfFormat;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Table};
 use crate::text::Text;
@@ -107,6 +108,35 @@ impl Outcome {
     pub fn table(&self, key: &str) -> Option<&Table> {
         self.tables.iter().find(|table| table.key == key)
     }
+}
+
+/// The fault of a table with a value that is no number.
+fn not_finite(table: &Table, row: usize) -> Finding {
+    Finding::stop(
+        Place::Point { table: table.key, index: row },
+        Text::fixed(
+            "un valor calculado no es finito: es un fallo de rodete",
+            "a computed value is not finite: a fault in rodete",
+        ),
+        Text::fixed("comuníquelo con el libro de trabajo", "report it with the workbook"),
+    )
+}
+
+/// The stop for a position that no program may carry, at the parameters that make it.
+fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Finding {
+    let list = |and: &str| match keys.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} {and} {last}", rest.join(", ")),
+        _ => keys.join(""),
+    };
+    let remedy = Text::new(format!("compruebe {}", list("y")), format!("check {}", list("and")));
+    Finding::stop(
+        Place::Parameters(keys),
+        Text::new(
+            format!("la posición {} no cabe en un programa (cinco cifras y tres decimales)", error.0),
+            format!("position {} does not fit into a program (five digits and three decimals)", error.0),
+        ),
+        remedy,
+    )
 }
 
 /// Computes a filled-in form.

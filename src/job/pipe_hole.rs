@@ -4,8 +4,7 @@ use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::header::Origin;
-use crate::job::impeller_remarks::{not_finite, out_of_format};
-use crate::job::{Chart, Outcome, Series, Source, Template};
+use crate::job::{Chart, Outcome, Series, Source, Template, not_finite, out_of_format};
 use crate::number::shown;
 use crate::parameter::{Form, Values};
 use crate::pipe::hole::cut::{TooHigh, cut, too_high};
@@ -46,7 +45,8 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         let program = full(&design, &cut, &origin)?;
         Ok(Some((cut, program)))
     });
-    let Some((cut, program)) = made.map_err(|error| refused(vec![out_of_format(error)]))? else {
+    let Some((cut, program)) = made.map_err(|error| refused(vec![out_of_format(error, vec!["D_header", "Z_s"])]))?
+    else {
         let nowhere = TooHigh { alpha: 0.0, sigma_o: None, D: f64::INFINITY };
         return Err(refused(vec![height_refused(&design, &nowhere)]));
     };

@@ -5,8 +5,7 @@ use std::sync::LazyLock;
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Style;
-use crate::job::impeller_remarks::{not_finite, out_of_format};
-use crate::job::{Chart, Outcome, Series, Source, Template};
+use crate::job::{Chart, Outcome, Series, Source, Template, not_finite, out_of_format};
 use crate::number::shown;
 use crate::parameter::{Form, Values};
 use crate::pipe::insert::cut::cut;
@@ -46,7 +45,8 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
             Ok((Some(cut), program))
         }),
     };
-    let (cut, program) = made.map_err(|error| refused(vec![out_of_format(error)]))?;
+    let (cut, program) =
+        made.map_err(|error| refused(vec![out_of_format(error, vec!["D_branch", "D_header", "Z"])]))?;
     let mut tables = vec![tables::template(&design), tables::arcs(&design)];
     tables.extend(cut.as_ref().map(|cut| tables::way(&design, cut)));
     for table in &tables {

@@ -25,7 +25,7 @@ use crate::pipe::insert::program::template_points;
 use crate::text::Text;
 use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
-use crate::verify::verification::{Verification, reading};
+use crate::verify::verification::{Verification, as_planned, reading};
 
 /// Points of a motion that are looked at.
 const LOOKS: u16 = 64;
@@ -329,28 +329,7 @@ pub fn judge(
 }
 
 fn answers(design: &Design, program: &Program, watch: &mut Watch<'_>, planned: usize) -> Vec<Check> {
-    if watch.different.is_none() && watch.agreed != planned {
-        let what = Text::new(
-            format!("el texto acaba tras {} movimientos de {planned}", watch.agreed),
-            format!("the text ends after {} of {planned} motions", watch.agreed),
-        );
-        watch.different = Some((At { line: 1, n: None, point: None }, what));
-    }
-    let title = &program.title;
-    let name = Text::fixed("Cada movimiento, como en el plan", "Every motion as planned");
-    let value = Text::new(format!("{} movimientos", watch.agreed), format!("{} motions", watch.agreed));
-    let agreement = Check::passed("agreement", name, program, value, Text::same(planned.to_string()));
-    let agreement = match watch.different.take() {
-        None => agreement,
-        Some((at, what)) => agreement.at(Some(at)).found(
-            Verdict::Stop,
-            Text::new(
-                format!("«{}» no es lo planeado en la {}: {}", title.es, at.words().es, what.es),
-                format!("\"{}\" is not what was planned at {}: {}", title.en, at.words().en, what.en),
-            ),
-            FAULT,
-        ),
-    };
+    let agreement = as_planned(program, watch.agreed, planned, watch.different.take());
     let tolerance = design.arc_tolerance + if design.style == Style::Full { ROUNDING } else { 0.0 };
     let name = Text::fixed("Trayectoria contra la curva exacta", "Path against the exact curve");
     let path = Check::passed("path", name, program, Text::same(mm(watch.path.value)), Text::same(mm(tolerance)));

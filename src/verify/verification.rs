@@ -47,6 +47,33 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>)
     }
 }
 
+/// The check that every motion is as planned: how many agreed, how many were planned, and where the first was another.
+#[must_use]
+pub fn as_planned(program: &Program, agreed: usize, planned: usize, different: Option<(At, Text)>) -> Check {
+    let title = &program.title;
+    let name = Text::fixed("Cada movimiento, como en el plan", "Every motion as planned");
+    let value = Text::new(format!("{agreed} movimientos"), format!("{agreed} motions"));
+    let check = Check::passed("agreement", name, program, value, Text::same(planned.to_string()));
+    let ended = || {
+        let what = Text::new(
+            format!("el texto acaba tras {agreed} movimientos de {planned}"),
+            format!("the text ends after {agreed} of {planned} motions"),
+        );
+        (At { line: 1, n: None, point: None }, what)
+    };
+    match different.or_else(|| (agreed != planned).then(ended)) {
+        None => check,
+        Some((at, what)) => check.at(Some(at)).found(
+            Verdict::Stop,
+            Text::new(
+                format!("«{}» no es lo planeado en la {}: {}", title.es, at.words().es, what.es),
+                format!("\"{}\" is not what was planned at {}: {}", title.en, at.words().en, what.en),
+            ),
+            FAULT,
+        ),
+    }
+}
+
 /// The caution for a program that its control may not hold.
 fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
     (bytes > program.dialect.memory).then(|| {

@@ -3,9 +3,11 @@
 //! Source: the parameters of the patent, in its symbols: R_o and R_i from the header's size, the groove angle γ, the gap b,
 //! the land h, the torch's r_g, R_g, Ψ and m, the heights d₀ and g₀; what a machine needs beside them is added here.
 
-use crate::parameter::{DIALECTS, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::{Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::pipe::form::{
+    BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
+};
 use crate::pipe::hole::cases::CASES;
-use crate::pipe::insert::parameters::{PAPER, PIPES};
 use crate::table::Unit;
 
 /// Name and version of the form.
@@ -14,24 +16,8 @@ pub const SCHEMA: &str = "rodete-pipe-hole 1";
 const MM: Unit = Unit::Millimetre;
 
 const JOINT: &[Parameter] = &[
-    real(
-        "theta",
-        "angle_theta",
-        Unit::Degree,
-        [1.0, 179.0],
-        true,
-        t("Ángulo entre los ejes", "Angle between the axes"),
-        t("90: perpendicular", "90: square"),
-    ),
-    real(
-        "e",
-        "eccentricity_e",
-        MM,
-        [-1500.0, 1500.0],
-        true,
-        t("Excentricidad: distancia entre los ejes", "Eccentricity: distance between the axes"),
-        t("Visto inclinado a la derecha, e > 0 pasa por delante", "Seen leaning to the right, e > 0 passes in front"),
-    ),
+    THETA,
+    E,
     real(
         "gamma",
         "groove_gamma",
@@ -148,15 +134,7 @@ const CUTTING: &[Parameter] = &[
         t("Velocidad máxima de cada eje (°/min en A, B y C)", "Greatest speed of any axis (°/min in A, B and C)"),
         t("Vacío: no se limita", "Empty: not limited"),
     ),
-    real(
-        "pierce_delay",
-        "pierce_delay",
-        Unit::Second,
-        [0.0, 60.0],
-        true,
-        t("Espera al perforar", "Pierce delay"),
-        t("0: sin espera", "0: none"),
-    ),
+    PIERCE_DELAY,
     real(
         "lead_in",
         "lead_in",
@@ -197,41 +175,12 @@ const CUTTING: &[Parameter] = &[
 
 const PROGRAM: &[Parameter] = &[
     PAPER,
-    other("part", "part", Kind::Line { max: 200 }, true, t("Pieza", "Part"), t("", "")),
-    other("material", "material", Kind::Line { max: 200 }, false, t("Material", "Material"), t("", "")),
-    whole(
-        "program",
-        "program_number",
-        Unit::Count,
-        [1, 9999],
-        true,
-        t("Número de programa", "Program number"),
-        t("En la cabecera del programa", "In the program's header"),
-    ),
-    other(
-        "dialect",
-        "dialect",
-        Kind::Choice(DIALECTS),
-        true,
-        t("Dialecto del control", "Dialect of the control"),
-        t("", ""),
-    ),
-    other(
-        "torch_on",
-        "torch_on",
-        Kind::Codes,
-        true,
-        t("Códigos que encienden la antorcha", "Codes that turn the torch on"),
-        t("Lo usual: M3", "Usual: M3"),
-    ),
-    other(
-        "torch_off",
-        "torch_off",
-        Kind::Codes,
-        true,
-        t("Códigos que la apagan", "Codes that turn it off"),
-        t("Lo usual: M5", "Usual: M5"),
-    ),
+    PART,
+    MATERIAL,
+    NUMBER,
+    DIALECT,
+    TORCH_ON,
+    TORCH_OFF,
     other(
         "hold_on",
         "hold_on",
@@ -248,23 +197,8 @@ const PROGRAM: &[Parameter] = &[
         t("Códigos que lo sueltan", "Codes that let it go"),
         t("Vacío: en linuxcnc M63 P2; en otro, ninguno", "Empty: M63 P2 in linuxcnc; none in another"),
     ),
-    other(
-        "end_codes",
-        "end_codes",
-        Kind::Codes,
-        true,
-        t("Códigos al terminar", "Codes at the end"),
-        t("Lo usual: M30", "Usual: M30"),
-    ),
-    whole(
-        "block_step",
-        "block_step",
-        Unit::Count,
-        [1, 1000],
-        true,
-        t("Paso de la numeración de bloques", "Step of the block numbers"),
-        t("Lo usual: 10", "Usual: 10"),
-    ),
+    END_CODES,
+    BLOCK_STEP,
 ];
 
 /// The pipe-hole workbook.

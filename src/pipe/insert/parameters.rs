@@ -4,19 +4,17 @@
 //! machine needs beside them is added here. The published form asks for an inside and an outside radius; this one asks for
 //! what is stamped on a pipe, and keeps the radii as an override.
 
-use crate::figure::PAPERS;
-use crate::parameter::{Choice, DIALECTS, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::pipe::form::{
+    BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
+};
 use crate::pipe::insert::cases::CASES;
-use crate::pipe::size::{NPS, SCHEDULES};
 use crate::table::Unit;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-pipe-insert 1";
 
 const MM: Unit = Unit::Millimetre;
-const DIAMETER: [f64; 2] = [5.0, 3000.0];
-const WALL: [f64; 2] = [0.3, 200.0];
-
 const CONTACT: &[Choice] = &[
     Choice { key: "inside", label: t("interior", "inside") },
     Choice { key: "outside", label: t("exterior", "outside") },
@@ -31,78 +29,6 @@ const MODES: &[Choice] =
 const STYLES: &[Choice] =
     &[Choice { key: "annex", label: t("annex", "annex") }, Choice { key: "full", label: t("full", "full") }];
 
-/// The sizes of both pipes.
-pub(in crate::pipe) const PIPES: &[Parameter] = &[
-    other(
-        "branch_size",
-        "branch_size",
-        Kind::Choice(NPS),
-        false,
-        t("Tamaño nominal del injerto (NPS)", "Nominal size of the branch (NPS)"),
-        t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
-    ),
-    other(
-        "branch_schedule",
-        "branch_schedule",
-        Kind::Choice(SCHEDULES),
-        false,
-        t("Cédula del injerto", "Schedule of the branch"),
-        t("ASME B36.10", "ASME B36.10"),
-    ),
-    real(
-        "D_branch",
-        "branch_diameter_D",
-        MM,
-        DIAMETER,
-        false,
-        t("Diámetro exterior del injerto", "Outside diameter of the branch"),
-        t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
-    ),
-    real(
-        "t_branch",
-        "branch_wall_t",
-        MM,
-        WALL,
-        false,
-        t("Espesor de pared del injerto", "Wall of the branch"),
-        t("Menor que el radio", "Less than the radius"),
-    ),
-    other(
-        "header_size",
-        "header_size",
-        Kind::Choice(NPS),
-        false,
-        t("Tamaño nominal del tubo base (NPS)", "Nominal size of the header (NPS)"),
-        t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
-    ),
-    other(
-        "header_schedule",
-        "header_schedule",
-        Kind::Choice(SCHEDULES),
-        false,
-        t("Cédula del tubo base", "Schedule of the header"),
-        t("ASME B36.10", "ASME B36.10"),
-    ),
-    real(
-        "D_header",
-        "header_diameter_D",
-        MM,
-        DIAMETER,
-        false,
-        t("Diámetro exterior del tubo base", "Outside diameter of the header"),
-        t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
-    ),
-    real(
-        "t_header",
-        "header_wall_t",
-        MM,
-        WALL,
-        false,
-        t("Espesor de pared del tubo base", "Wall of the header"),
-        t("Menor que el radio", "Less than the radius"),
-    ),
-];
-
 const JOINT: &[Parameter] = &[
     other(
         "contact",
@@ -112,27 +38,8 @@ const JOINT: &[Parameter] = &[
         t("Curva del injerto que apoya en el tubo base", "Curve of the branch that rests on the header"),
         t("interior o exterior", "inside or outside"),
     ),
-    real(
-        "theta",
-        "angle_theta",
-        Unit::Degree,
-        [1.0, 179.0],
-        true,
-        t("Ángulo entre los ejes", "Angle between the axes"),
-        t("90: perpendicular", "90: square"),
-    ),
-    real(
-        "e",
-        "eccentricity_e",
-        MM,
-        [-1500.0, 1500.0],
-        true,
-        t("Excentricidad: distancia entre los ejes", "Eccentricity: distance between the axes"),
-        t(
-            "Visto inclinado a la derecha, e > 0 pasa por delante; no debe sobresalir",
-            "Seen leaning to the right, e > 0 passes in front; it must not overhang",
-        ),
-    ),
+    THETA,
+    E,
     real(
         "Z",
         "offset_Z",
@@ -215,15 +122,7 @@ const CUTTING: &[Parameter] = &[
         t("Velocidad de corte", "Cutting speed"),
         t("Obligatorio con style = full", "Required with style = full"),
     ),
-    real(
-        "pierce_delay",
-        "pierce_delay",
-        Unit::Second,
-        [0.0, 60.0],
-        true,
-        t("Espera al perforar", "Pierce delay"),
-        t("0: sin espera", "0: none"),
-    ),
+    PIERCE_DELAY,
     real(
         "lead_in",
         "lead_in",
@@ -253,37 +152,12 @@ const CUTTING: &[Parameter] = &[
     ),
 ];
 
-/// The paper that templates are printed on.
-pub(in crate::pipe) const PAPER: Parameter = other(
-    "paper",
-    "paper",
-    Kind::Choice(PAPERS),
-    false,
-    t("Papel de la plantilla a tamaño natural", "Paper of the template at full size"),
-    t("Vacío: A4", "Empty: A4"),
-);
-
 const PROGRAM: &[Parameter] = &[
     PAPER,
-    other("part", "part", Kind::Line { max: 200 }, true, t("Pieza", "Part"), t("", "")),
-    other("material", "material", Kind::Line { max: 200 }, false, t("Material", "Material"), t("", "")),
-    whole(
-        "program",
-        "program_number",
-        Unit::Count,
-        [1, 9999],
-        true,
-        t("Número de programa", "Program number"),
-        t("En la cabecera del programa", "In the program's header"),
-    ),
-    other(
-        "dialect",
-        "dialect",
-        Kind::Choice(DIALECTS),
-        true,
-        t("Dialecto del control", "Dialect of the control"),
-        t("", ""),
-    ),
+    PART,
+    MATERIAL,
+    NUMBER,
+    DIALECT,
     other(
         "style",
         "style",
@@ -292,39 +166,10 @@ const PROGRAM: &[Parameter] = &[
         t("Estilo del programa", "Style of the program"),
         t("annex: como el publicado; full: completo", "annex: as published; full: complete"),
     ),
-    other(
-        "torch_on",
-        "torch_on",
-        Kind::Codes,
-        true,
-        t("Códigos que encienden la antorcha", "Codes that turn the torch on"),
-        t("Lo usual: M3", "Usual: M3"),
-    ),
-    other(
-        "torch_off",
-        "torch_off",
-        Kind::Codes,
-        true,
-        t("Códigos que la apagan", "Codes that turn it off"),
-        t("Lo usual: M5", "Usual: M5"),
-    ),
-    other(
-        "end_codes",
-        "end_codes",
-        Kind::Codes,
-        true,
-        t("Códigos al terminar", "Codes at the end"),
-        t("Lo usual: M30", "Usual: M30"),
-    ),
-    whole(
-        "block_step",
-        "block_step",
-        Unit::Count,
-        [1, 1000],
-        true,
-        t("Paso de la numeración de bloques", "Step of the block numbers"),
-        t("Lo usual: 10", "Usual: 10"),
-    ),
+    TORCH_ON,
+    TORCH_OFF,
+    END_CODES,
+    BLOCK_STEP,
 ];
 
 /// The pipe-insert workbook.
@@ -341,15 +186,14 @@ pub static FORM: Form = Form {
         sections: &[
             Section {
                 title: t("Esquema", "Schema"),
-                parameters: &[Parameter {
-                    key: "schema",
-                    name: "schema",
-                    meaning: t("Esquema del libro", "Schema of the workbook"),
-                    unit: Unit::None,
-                    kind: Kind::Schema,
-                    required: true,
-                    note: t("No lo cambie", "Do not change it"),
-                }],
+                parameters: &[other(
+                    "schema",
+                    "schema",
+                    Kind::Schema,
+                    true,
+                    t("Esquema y versión de este libro", "Schema and version of this workbook"),
+                    t("No se cambia", "Not to be changed"),
+                )],
             },
             Section { title: t("Tubos", "Pipes"), parameters: PIPES },
             Section { title: t("Unión", "Joint"), parameters: JOINT },
