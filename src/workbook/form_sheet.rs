@@ -25,7 +25,7 @@ const RANGE: ColNum = 4;
 pub const LAST: ColNum = RANGE;
 
 /// Widths of columns A to E, in characters.
-const WIDTHS: [f64; 5] = [12.0, 38.0, 19.0, 8.0, 42.0];
+const WIDTHS: [f64; 5] = [15.5, 37.0, 19.0, 8.0, 42.0];
 
 /// What fills a form's sheet.
 #[derive(Clone, Copy, Debug)]
