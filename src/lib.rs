@@ -17,8 +17,8 @@
 //! | floor | modules | |
 //! |---|---|---|
 //! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`] | the concepts |
-//! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines |
-//! | 2 | [`machine`] | axes, rotary axes with pivot length, travel, calibration, work offsets |
+//! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines, circles, two pipes that meet |
+//! | 2 | [`machine`] | axes, rotary axes with pivot length, a torch over a turning pipe, travel, calibration, work offsets |
 //! | 3 | [`gcode`] | words, dialects, programs and their text, the interpreter |
 //! | 4 | [`impeller`], [`blank`], [`pipe`] | the methods, one formula family a file |
 //! | 5 | [`verify`] | judging programs, what they come to |

@@ -175,6 +175,11 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         ),
         (vec![real("h", 7.2)], "the land h is 7.2 mm, must be below the wall, 7.11 mm", "a smaller land"),
         (vec![real("R_g", 5.0)], "the body R_g = 5 mm is thinner than the nozzle r_g = 6 mm", "check both radii"),
+        (
+            vec![("hold_on", Value::Line("M41".to_owned())), choice("dialect", "fagor-8055")],
+            "hold_on without hold_off: the height control would not be held and let go",
+            "fill in hold_off, or leave both empty",
+        ),
         (vec![real("kerf", 1.0)], "the kerf of 1 mm is finer than the beam, 1.6 mm", "leave kerf empty for 2·m"),
         (
             vec![real("lead_in", 60.0)],
@@ -347,5 +352,21 @@ proptest! {
         prop_assume!(station.D <= design.D_max);
         let found = clearance(&design, &station.pose);
         prop_assert!(found >= design.g0 - 1e-6, "{found} {}", design.g0);
+    }
+}
+
+#[test]
+fn a_torch_not_lit_for_the_cut_or_not_put_out_after_it_is_caught() {
+    use rodete::gcode::program::Part;
+    use rodete::verify::verification::torch;
+    let design = Design::new(&values(&[])).expect("a design");
+    let program = outcome(&[]).programs.remove(0);
+    let codes = || Some([&design.torch_on[..], &design.torch_off[..]]);
+    assert_eq!(torch(&program, codes()).verdict, Verdict::Passed);
+    for code in [&design.torch_on, &design.torch_off] {
+        let mut without = program.clone();
+        without.parts.retain(|part| !matches!(part, Part::Block(words) if words == code));
+        assert_eq!(without.parts.len() + 1, program.parts.len());
+        assert_eq!(torch(&without, codes()).verdict, Verdict::Stop, "{code:?}");
     }
 }

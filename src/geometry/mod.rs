@@ -1,4 +1,5 @@
-//! Geometry: the torus, its Villarceau circles, the Darboux frame along them, plane polylines.
+//! Geometry: the torus, its Villarceau circles, the Darboux frame along them, plane polylines and circles, two pipes that
+//! meet, and views of solids.
 
 pub mod circle;
 pub mod darboux;

@@ -25,7 +25,7 @@ use crate::pipe::hole::station::{Groove, Station};
 use crate::text::Text;
 use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
-use crate::verify::verification::{Verification, as_planned, reading};
+use crate::verify::verification::{Verification, as_planned, reading, torch};
 
 /// Poses of a motion that are looked at.
 const LOOKS: u16 = 8;
@@ -272,6 +272,7 @@ pub fn judge(
     let mut checks = vec![reading(program, text, fault.as_deref())];
     if fault.is_none() {
         checks.extend(answers(design, program, &mut watch, legs.len()));
+        checks.push(torch(program, Some([&design.torch_on, &design.torch_off])));
     }
     watch.curve.sort_by(|one, other| one[0].total_cmp(&other[0]));
     (checks, watch.curve, account)

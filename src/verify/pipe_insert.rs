@@ -25,7 +25,7 @@ use crate::pipe::insert::program::template_points;
 use crate::text::Text;
 use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
-use crate::verify::verification::{Verification, as_planned, reading};
+use crate::verify::verification::{Verification, as_planned, reading, torch};
 
 /// Points of a motion that are looked at.
 const LOOKS: u16 = 64;
@@ -323,7 +323,8 @@ pub fn judge(
     let mut checks = vec![reading(program, text, fault.as_deref())];
     if fault.is_none() {
         checks.extend(answers(design, program, &mut watch, legs.len()));
-        checks.push(torch(design, program));
+        let codes = (design.style == Style::Full).then_some([&design.torch_on[..], &design.torch_off[..]]);
+        checks.push(torch(program, codes));
     }
     (checks, watch.curve, account)
 }
@@ -400,50 +401,5 @@ fn feed(design: &Design, program: &Program, watch: &Watch<'_>) -> Check {
                 FAULT,
             )
         }
-    }
-}
-
-/// The torch burns over the feed moves and over no rapid move.
-fn torch(design: &Design, program: &Program) -> Check {
-    let name = Text::fixed("Antorcha: encendida sólo en el corte", "Torch: on in the cut only");
-    let written = |codes: &[crate::gcode::word::Word]| {
-        let mut block = String::new();
-        codes.iter().for_each(|word| word.write(program.format, &mut block));
-        block
-    };
-    let (on, off) = (written(&design.torch_on), written(&design.torch_off));
-    let (mut burning, mut line, mut cuts, mut wrong) = (design.style == Style::Annex, 0, 0, None);
-    let mut lines = program.lines();
-    while let Some((_, text)) = lines.next() {
-        line += 1;
-        let first = text.split(' ').next().unwrap_or_default();
-        let rapid = matches!(first, "G0");
-        let feed = matches!(first, "G1" | "G2" | "G3" | "G01" | "G02" | "G03");
-        if text == on {
-            burning = true;
-        } else if text == off {
-            burning = false;
-        }
-        cuts += usize::from(feed);
-        if feed != burning && (feed || rapid) && design.style == Style::Full {
-            wrong.get_or_insert(line);
-        }
-    }
-    if burning && design.style == Style::Full {
-        wrong.get_or_insert(line);
-    }
-    let value = Text::new(format!("{cuts} movimientos de corte"), format!("{cuts} cutting moves"));
-    let check = Check::passed("torch", name, program, value, Text::same(""));
-    match wrong {
-        None if design.style == Style::Annex => check.informing(),
-        None => check,
-        Some(line) => check.at(Some(At { line, n: None, point: None })).found(
-            Verdict::Stop,
-            Text::new(
-                format!("la antorcha no está como debe en la línea {line}"),
-                format!("the torch is not as it should be at line {line}"),
-            ),
-            FAULT,
-        ),
     }
 }

@@ -3,6 +3,7 @@
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::interpreter::{Fault, Interpreter, NO_FEED};
 use crate::gcode::program::Program;
+use crate::gcode::word::Word;
 use crate::table::{Column, Index, Table};
 use crate::text::Text;
 use crate::verify::check::{At, Check, FAULT, Verdict};
@@ -68,6 +69,51 @@ pub fn as_planned(program: &Program, agreed: usize, planned: usize, different: O
             Text::new(
                 format!("«{}» no es lo planeado en la {}: {}", title.es, at.words().es, what.es),
                 format!("\"{}\" is not what was planned at {}: {}", title.en, at.words().en, what.en),
+            ),
+            FAULT,
+        ),
+    }
+}
+
+/// The check that the torch burns over the feed moves and over no rapid move, from the text. Of a program without the codes
+/// that turn it on and off, as the published one, the moves are only counted.
+#[must_use]
+pub fn torch(program: &Program, codes: Option<[&[Word]; 2]>) -> Check {
+    let name = Text::fixed("Antorcha: encendida sólo en el corte", "Torch: on in the cut only");
+    let written = |codes: &[Word]| {
+        let mut block = String::new();
+        codes.iter().for_each(|word| word.write(program.format, &mut block));
+        block
+    };
+    let codes = codes.map(|codes| codes.map(written));
+    let (mut burning, mut line, mut cuts, mut wrong) = (false, 0, 0, None);
+    let mut lines = program.lines();
+    while let Some((_, text)) = lines.next() {
+        line += 1;
+        let first = text.split(' ').next().unwrap_or_default();
+        let rapid = matches!(first, "G0");
+        let feed = matches!(first, "G1" | "G2" | "G3" | "G01" | "G02" | "G03");
+        if let Some([on, off]) = &codes {
+            burning = text == on || burning && text != off;
+        }
+        cuts += usize::from(feed);
+        if feed != burning && (feed || rapid) {
+            wrong.get_or_insert(line);
+        }
+    }
+    if burning {
+        wrong.get_or_insert(line);
+    }
+    let value = Text::new(format!("{cuts} movimientos de corte"), format!("{cuts} cutting moves"));
+    let check = Check::passed("torch", name, program, value, Text::same(""));
+    match wrong {
+        _ if codes.is_none() => check.informing(),
+        None => check,
+        Some(line) => check.at(Some(At { line, n: None, point: None })).found(
+            Verdict::Stop,
+            Text::new(
+                format!("la antorcha no está como debe en la línea {line}"),
+                format!("the torch is not as it should be at line {line}"),
             ),
             FAULT,
         ),

@@ -281,6 +281,19 @@ impl Design {
                 Text::fixed("una entrada más corta", "a shorter lead-in"),
             );
         }
+        if self.hold_on.is_empty() != self.hold_off.is_empty() {
+            let (given, missing) =
+                if self.hold_on.is_empty() { ("hold_off", "hold_on") } else { ("hold_on", "hold_off") };
+            stop(
+                &[missing, given],
+                format!("{given} sin {missing}: el control de altura no se bloquearía y soltaría"),
+                format!("{given} without {missing}: the height control would not be held and let go"),
+                Text::new(
+                    format!("escriba {missing}, o deje vacíos los dos"),
+                    format!("fill in {missing}, or leave both empty"),
+                ),
+            );
+        }
         for (key, codes) in [
             ("torch_on", &self.torch_on),
             ("torch_off", &self.torch_off),
