@@ -198,6 +198,7 @@ fn line(motion: &Motion) -> Value {
         Kind::Rapid => "rapid",
         Kind::Feed(_) => "feed",
         Kind::Arc(..) => "arc",
+        Kind::Thread(_) => "thread",
         Kind::Dwell(_) => "dwell",
     };
     object.insert("motion".into(), json!(name));

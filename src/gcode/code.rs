@@ -252,8 +252,8 @@ pub enum M {
     ToolChange,
     /// The loaded tool gets a number (M61).
     SetTool,
-    /// Coolant (M7, M8, M9).
-    Coolant,
+    /// Coolant: true for on (M7, M8), false for off (M9).
+    Coolant(bool),
     /// Override switches (M48 to M53).
     Override,
     /// A digital output P, with the motion or at once (M62 to M65).
@@ -276,7 +276,7 @@ impl M {
             Self::Pause | Self::End | Self::Call | Self::Return => 4,
             Self::ToolChange | Self::SetTool => 6,
             Self::Spindle(_) | Self::SpindleOff | Self::SpindleOrient => 7,
-            Self::Coolant => 8,
+            Self::Coolant(_) => 8,
             Self::Override => 9,
             Self::User => 10,
             Self::Output | Self::Refused(_) => 5,

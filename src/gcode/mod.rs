@@ -5,6 +5,7 @@
 
 pub mod code;
 pub mod comment;
+pub mod control;
 pub mod dialect;
 pub mod header;
 pub mod interpreter;
@@ -15,4 +16,5 @@ pub mod offset_preamble;
 pub mod program;
 mod read_back;
 pub mod summary;
+pub mod turning;
 pub mod word;

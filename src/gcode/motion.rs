@@ -159,6 +159,15 @@ impl Arc {
     }
 }
 
+/// A thread cut in one pass: the spindle's revolutions lead the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thread {
+    /// The lead at the start, mm a revolution, along the axis that moves more.
+    pub lead: f64,
+    /// By how much the lead grows with each revolution, mm; 0 for a constant lead.
+    pub change: f64,
+}
+
 /// What is moved how.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
@@ -168,6 +177,8 @@ pub enum Kind {
     Feed(Feed),
     /// Along an arc or helix, at feed.
     Arc(Arc, Feed),
+    /// Along a straight line, led by the spindle.
+    Thread(Thread),
     /// Not at all, for some seconds.
     Dwell(f64),
 }

@@ -95,7 +95,7 @@ impl Account {
         let straight = (by[0] * by[0] + by[1] * by[1] + by[2] * by[2]).sqrt();
         match motion.kind {
             Kind::Rapid => self.rapid_path += straight,
-            Kind::Feed(_) => self.feed_path += straight,
+            Kind::Feed(_) | Kind::Thread(_) => self.feed_path += straight,
             Kind::Arc(arc, _) => {
                 let [_, _, across] = arc.plane.axes();
                 self.feed_path += arc.length(by[across as usize]);

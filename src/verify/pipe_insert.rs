@@ -204,7 +204,7 @@ impl Watch<'_> {
                 // Half a thousandth of a small F word is much of it.
                 let word = match motion.kind {
                     Kind::Feed(feed) | Kind::Arc(_, feed) => feed.value,
-                    Kind::Rapid | Kind::Dwell(_) => 0.0,
+                    Kind::Rapid | Kind::Thread(_) | Kind::Dwell(_) => 0.0,
                 };
                 let F = self.design.F.unwrap_or(speed);
                 if (speed / F - 1.0).abs() > SPEED + 0.0005 / word {

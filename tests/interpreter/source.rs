@@ -43,7 +43,7 @@ fn assert_follows(motions: &[Motion], table: &Table) {
                 let centre = [0, 1].map(|axis| (arc.centre[axis] + centre[axis]) / INCH);
                 G3(feed(f.value), centre.map(|c| (c * 1e9).round() / 1e9))
             }
-            Kind::Dwell(_) => panic!("{motion:?}"),
+            Kind::Thread(_) | Kind::Dwell(_) => panic!("{motion:?}"),
         };
         assert_eq!(done, *by, "{motion:?}");
         let expected: Six = [to[0] * INCH, to[1] * INCH, to[2] * INCH, 0.0, 0.0, 0.0];

@@ -242,7 +242,8 @@ fn machine_code(number: u32) -> Option<M> {
         4 => M::Spindle(false),
         5 => M::SpindleOff,
         6 => M::ToolChange,
-        8 | 9 => M::Coolant,
+        8 => M::Coolant(true),
+        9 => M::Coolant(false),
         19 => M::SpindleOrient,
         // The machine's builder defines the others, the clamps M10 to M13 of the published programs among them.
         7 | 10..=9999 => M::User,

@@ -5,11 +5,11 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G};
+use crate::gcode::control::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::modal::Spindle;
 use crate::gcode::motion::{Feed, FeedMode, Kind};
 use crate::machine::axis::Pose;
 use crate::text::Text;

@@ -5,13 +5,13 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G, Group, M};
+use crate::gcode::control::Spindle;
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
-use crate::gcode::interpreter::modal::Spindle;
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
@@ -343,6 +343,9 @@ impl Interpreter<'_> {
             Some((M::SpindleOff, _)) => self.modal.spindle = Spindle::Stopped,
             _ => {}
         }
+        if let Some((M::Coolant(on), _)) = self.block.m(8) {
+            self.modal.coolant = on;
+        }
         Ok(())
     }
 
@@ -535,7 +538,7 @@ impl Interpreter<'_> {
             seconds,
         };
         self.current = to;
-        self.queue.push_back(motion);
+        self.queue.push_back((motion, self.modal.control()));
     }
 }
 

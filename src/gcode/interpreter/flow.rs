@@ -73,12 +73,12 @@ impl Interpreter<'_> {
 
     /// An O-word line; the cursor stands on O.
     pub(super) fn o_word(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
-        let result = self.control(cursor);
+        let result = self.steer(cursor);
         // Where the flow is not known, nothing after it is.
         result.map_err(Fault::fatal)
     }
 
-    fn control(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    fn steer(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let clause = std::mem::take(&mut self.flow.clause);
         let column = cursor.column();
         cursor.pass();

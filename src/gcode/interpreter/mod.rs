@@ -62,6 +62,7 @@ use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
 use self::structure::Structure;
 use crate::finding::{Exit, Finding, Grade, Place};
+use crate::gcode::control::Control;
 use crate::gcode::dialect::reading::{Comments, Reading};
 use crate::gcode::motion::Motion;
 use crate::machine::axis::Pose;
@@ -92,11 +93,12 @@ pub struct Interpreter<'a> {
     line: usize,
     block: Block,
     modal: Modal,
+    control: Control,
     frame: Frame,
     current: Pose,
     parameters: Parameters,
     tools: Tools,
-    queue: VecDeque<Motion>,
+    queue: VecDeque<(Motion, Control)>,
     run: Option<cycle::Run>,
     remarks: Remarks,
     flow: Flow,
@@ -152,6 +154,7 @@ impl<'a> Interpreter<'a> {
             line: 0,
             block: Block::new(),
             modal: Modal::new(reading.plane, setting.unit, system),
+            control: Control::default(),
             current: frame.to_program(&Pose::default()),
             frame,
             parameters,
@@ -174,6 +177,12 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn remarks(&self) -> Vec<Finding> {
         self.remarks.findings()
+    }
+
+    /// What was in force when the motion last handed out was made.
+    #[must_use]
+    pub const fn control(&self) -> &Control {
+        &self.control
     }
 
     /// The position reached, in program and machine coordinates.
@@ -489,7 +498,8 @@ impl Iterator for Interpreter<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            if let Some(motion) = self.queue.pop_front() {
+            if let Some((motion, control)) = self.queue.pop_front() {
+                self.control = control;
                 return Some(Ok(motion));
             }
             let result = if self.run.is_some() {

@@ -1,6 +1,7 @@
 //! The modal state: what codes of earlier blocks leave in force.
 
 use crate::gcode::code::{Cycle, G};
+use crate::gcode::control::{Compensation, Control, Speed, Spindle};
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::length_unit::LengthUnit;
 
@@ -16,14 +17,6 @@ pub(super) struct Sticky {
     pub(super) ijk: [f64; 3],
     /// The height that the first cycle of a series started from.
     pub(super) initial: Option<f64>,
-}
-
-/// Which way the spindle turns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Spindle {
-    Stopped,
-    Clockwise,
-    CounterClockwise,
 }
 
 /// The modal state.
@@ -48,6 +41,10 @@ pub(super) struct Modal {
     pub(super) selected: Option<u32>,
     /// The tool in the spindle.
     pub(super) tool: u32,
+    /// The number of the tool's offset in force.
+    pub(super) offset: u32,
+    pub(super) coolant: bool,
+    pub(super) compensation: Compensation,
     pub(super) sticky: Sticky,
     /// The work offset in force, 1 to 9.
     pub(super) system: u8,
@@ -70,8 +67,31 @@ impl Modal {
             spindle: Spindle::Stopped,
             selected: None,
             tool: 0,
+            offset: 0,
+            coolant: false,
+            compensation: Compensation::Off,
             sticky: Sticky::default(),
             system,
+        }
+    }
+
+    /// What is in force, for those who follow the motions.
+    pub(super) const fn control(&self) -> Control {
+        Control {
+            tool: self.tool,
+            offset: self.offset,
+            spindle: self.spindle,
+            speed: if self.constant_surface_speed {
+                Speed::Surface(self.speed)
+            } else {
+                Speed::Revolutions(self.speed)
+            },
+            greatest_speed: self.greatest_speed,
+            coolant: self.coolant,
+            system: self.system,
+            feed_mode: self.feed_mode,
+            unit: self.unit,
+            compensation: self.compensation,
         }
     }
 

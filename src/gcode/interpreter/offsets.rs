@@ -6,11 +6,11 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::G;
+use crate::gcode::control::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::modal::Spindle;
 use crate::gcode::motion::{FeedMode, Kind};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{ACTIVE, Frame, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset};

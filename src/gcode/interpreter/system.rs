@@ -1,8 +1,8 @@
 //! Parameters that the control itself keeps: position, modes, offsets.
 
 use crate::gcode::code::G;
+use crate::gcode::control::Spindle;
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::interpreter::modal::Spindle;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;

@@ -2,11 +2,11 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
+use crate::gcode::control::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::modal::Spindle;
 use crate::gcode::interpreter::setting::Tool;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{Frame, G92_FIRST, G92_SWITCH};

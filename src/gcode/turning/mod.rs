@@ -1,0 +1,43 @@
+//! Turning cycles: what a control makes of one cycle, as plain moves.
+//!
+//! Each cycle is a pure function from its parameters to moves. The interpreter reads the parameters from the words of a
+//! dialect and turns the moves into motions.
+//!
+//! # Units
+//! A point is `[X, Z]` in program coordinates, X the *radius*, mm. Angles count from +Z towards +X, so that G3 is
+//! counter-clockwise in a drawing with Z to the right and X up.
+
+use crate::gcode::motion::Thread;
+
+/// How a move goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// At rapid.
+    Rapid,
+    /// Straight at feed; with its own F (in the units of the feed mode in force, mm) or with the cycle's.
+    Feed(Option<f64>),
+    /// An arc of less than a full circle at feed.
+    Arc {
+        /// The centre, `[X, Z]`.
+        centre: [f64; 2],
+        /// G2.
+        clockwise: bool,
+        /// Its own F, as for [`Way::Feed`].
+        feed: Option<f64>,
+    },
+    /// A thread.
+    Thread(Thread),
+    /// Not at all, for some seconds.
+    Dwell(f64),
+}
+
+/// One move of an expanded cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// How.
+    pub way: Way,
+    /// Where to, `[X, Z]`.
+    pub to: [f64; 2],
+    /// The line of the block of a contour that it follows; `None` for the moves of the cycle's own block.
+    pub line: Option<usize>,
+}
