@@ -25,7 +25,7 @@ fn moves(canon: &Canon) -> Vec<(bool, Six)> {
     let moves = canon.motions.iter().map(|motion| match motion.kind {
         Kind::Rapid => (true, motion.machine),
         Kind::Feed(_) => (false, motion.machine),
-        Kind::Arc { .. } | Kind::Thread(_) | Kind::Dwell(_) => panic!("not among our programs: {motion:?}"),
+        Kind::Arc { .. } | Kind::Dwell(_) => panic!("not among our programs: {motion:?}"),
     });
     moves.collect()
 }
