@@ -4,4 +4,6 @@
 //! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
 
 pub mod cases;
+pub mod figures;
 pub mod parameters;
+pub mod text;
