@@ -3,6 +3,7 @@
 
 pub mod circle;
 pub mod darboux;
+pub mod exact;
 pub mod pipe_pair;
 pub mod polyline;
 pub mod scene;
