@@ -204,9 +204,11 @@ mod tests {
         assert_eq!(level.reversed().side(flat, upright), Ordering::Less);
         let [z, r] = flat.meets(upright);
         assert!((z - 1e-6).abs() < 1e-15 && (r - 900.000_000_333_333_3).abs() < 1e-12);
-        // Through the meeting point itself.
-        let through = Line::through(point(-2, 900_000_000 - 1), point(4, 900_000_001 + 1));
-        assert_eq!(through.side(flat, Line::through(point(0, 900_000_000), point(9, 900_000_009))), Ordering::Greater);
+        // Through the meeting point itself, and past it.
+        let rising = Line::through(point(0, 900_000_000), point(9, 900_000_009));
+        let past = |low: i64| Line::through(point(-2, 899_999_999 - low), point(4, 900_000_002)).side(flat, rising);
+        assert_eq!(past(0), Ordering::Equal);
+        assert_eq!(past(1), Ordering::Greater);
         let third = Line::through(point(0, 0), point(2, 2));
         assert_eq!(
             third.side(Line::through(point(0, 2), point(2, 0)), Line::through(point(0, 1), point(2, 1))),
