@@ -7,6 +7,8 @@
 //! A point is `[X, Z]` in program coordinates, X the *radius*, mm. Angles count from +Z towards +X, so that G3 is
 //! counter-clockwise in a drawing with Z to the right and X up.
 
+pub mod nose;
+
 use crate::gcode::motion::Thread;
 
 /// How a move goes.
