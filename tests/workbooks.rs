@@ -27,7 +27,8 @@ fn path(file: &str) -> PathBuf {
 fn written(form: &'static Form, case: &str, language: Language) -> Vec<u8> {
     let case = form.cases.iter().find(|one| one.name == case).expect("the case is listed");
     let mut out = Cursor::new(Vec::new());
-    template::write(form, &case.values(language), &case.note, language, &mut out).expect("the template can be written");
+    template::write(form, &case.values(language), &(case.listed)(language), &case.note, language, &mut out)
+        .expect("the template can be written");
     out.into_inner()
 }
 

@@ -1,5 +1,6 @@
 //! What G and M codes mean, whatever number a dialect gives them, and which of them exclude each other.
 
+use crate::gcode::dialect::reading::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::Text;
 
@@ -113,6 +114,55 @@ impl Cycle {
     }
 }
 
+/// A turning cycle that a block calls and that is over with the block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turning {
+    /// Finishing along the contour (G70).
+    Finish,
+    /// Stock removal along Z (G71).
+    Axial,
+    /// Stock removal along X (G72).
+    Radial,
+    /// Stock removal along the contour (G73).
+    Repeat,
+    /// Grooving and drilling along Z, with chip breaking (G74).
+    GrooveFace,
+    /// Grooving along X, with chip breaking (G75).
+    GrooveOutside,
+    /// A thread in several passes (G76).
+    Thread,
+    /// A cycle of the Fagor 8055 T, by its number.
+    Fagor(u8),
+}
+
+impl Turning {
+    /// The number of its G code.
+    #[must_use]
+    pub const fn number(self) -> u8 {
+        match self {
+            Self::Finish => 70,
+            Self::Axial => 71,
+            Self::Radial => 72,
+            Self::Repeat => 73,
+            Self::GrooveFace => 74,
+            Self::GrooveOutside => 75,
+            Self::Thread => 76,
+            Self::Fagor(number) => number,
+        }
+    }
+
+    /// The letters that it may have beside those that need no code.
+    #[must_use]
+    pub const fn letters(self) -> Letters {
+        match self {
+            Self::Finish => Letters::of("PQ"),
+            Self::Axial | Self::Radial | Self::Repeat => Letters::of("PQRUW"),
+            Self::GrooveFace | Self::GrooveOutside | Self::Thread => Letters::of("PQRUWXZ"),
+            Self::Fagor(_) => Letters::of("ABCDEFHIJKLMPQRSUVWXZ"),
+        }
+    }
+}
+
 /// The meaning of a G code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum G {
@@ -158,6 +208,8 @@ pub enum G {
     PathTolerance,
     /// Canned cycle.
     Cycle(Cycle),
+    /// Turning cycle of one call.
+    Turning(Turning),
     /// No canned cycle, no motion.
     Cancel,
     /// Absolute coordinates.
@@ -208,7 +260,8 @@ impl G {
             | Self::LocalOffset
             | Self::MachineCoordinates
             | Self::SetPosition
-            | Self::SetPositionOrSpeed => Group::NonModal,
+            | Self::SetPositionOrSpeed
+            | Self::Turning(_) => Group::NonModal,
             Self::Plane(_) => Group::Plane,
             Self::Inch | Self::Millimetre => Group::Units,
             Self::CutterCompensationOff => Group::CutterCompensation,
@@ -230,7 +283,12 @@ impl G {
     pub const fn takes_axes(self) -> bool {
         matches!(
             self,
-            Self::SetOffsets | Self::Reference(_) | Self::LocalOffset | Self::SetPosition | Self::SetPositionOrSpeed
+            Self::SetOffsets
+                | Self::Reference(_)
+                | Self::LocalOffset
+                | Self::SetPosition
+                | Self::SetPositionOrSpeed
+                | Self::Turning(_)
         )
     }
 }

@@ -32,11 +32,11 @@ pub fn run(
     let mut stage = Stage::new(straight);
     let mut placed = Vec::new();
     for (tag, &element) in contour.iter().enumerate() {
-        stage.push(Step { element, side, nose, tag }, &mut placed)?;
+        stage.push(Step { element, side, nose, rapid: false, tag }, &mut placed)?;
     }
     if let Some(to) = out {
         let element = line(contour.last().unwrap().to, to);
-        stage.push(Step { element, side: Compensation::Off, nose, tag: contour.len() }, &mut placed)?;
+        stage.push(Step { element, side: Compensation::Off, nose, rapid: false, tag: contour.len() }, &mut placed)?;
     }
     stage.finish(&mut placed)?;
     Ok(placed)

@@ -197,7 +197,7 @@ fn a_change_of_side_crosses_the_path_at_the_corner() {
     let mut placed = Vec::new();
     let points = [[5.0, 10.0], [0.0, 10.0], [-10.0, 10.0], [-20.0, 10.0]];
     for (element, side) in through(&points).into_iter().zip([Right, Right, Left]) {
-        stage.push(Step { element, side, nose: nose(0.5, 0), tag: () }, &mut placed).unwrap();
+        stage.push(Step { element, side, nose: nose(0.5, 0), rapid: false, tag: () }, &mut placed).unwrap();
     }
     stage.finish(&mut placed).unwrap();
     let ends: Vec<Point> = placed.iter().map(|(element, ())| element.to).collect();
@@ -225,7 +225,7 @@ fn what_makes_no_way_keeps_its_place() {
         (line([-10.0, 20.0], [5.0, 20.0]), Off),
     ];
     for (tag, (element, side)) in steps.into_iter().enumerate() {
-        stage.push(Step { element, side, nose: nose(0.5, 0), tag }, &mut placed).unwrap();
+        stage.push(Step { element, side, nose: nose(0.5, 0), rapid: false, tag }, &mut placed).unwrap();
     }
     assert!(stage.idle());
     assert_eq!(placed.iter().map(|&(_, tag)| tag).collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5, 6, 7, 8]);

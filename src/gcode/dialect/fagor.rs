@@ -21,8 +21,7 @@ pub static MILLING_8055: Reading = Reading {
     plane: Plane::XY,
     return_initial: true,
     diameter: false,
-    incremental_letters: false,
-    point_required: false,
+    system_a: false,
     dwell: &[(b'K' - b'A', 0.01)],
     most_machine_codes: 7,
 };

@@ -4,7 +4,7 @@
 //! # References
 //! The lathe simulator's list of codes; Fanuc Series 0i-T operator's manual, G-code system A.
 
-use crate::gcode::code::{G, Group, M, Name};
+use crate::gcode::code::{G, Group, M, Name, Turning};
 use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading};
 use crate::gcode::motion::{FeedMode, Plane};
 
@@ -22,8 +22,7 @@ pub static LATHE_A: Reading = Reading {
     plane: Plane::ZX,
     return_initial: true,
     diameter: true,
-    incremental_letters: true,
-    point_required: true,
+    system_a: true,
     dwell: &[(b'X' - b'A', 1.0), (b'U' - b'A', 1.0), (b'P' - b'A', 0.001)],
     most_machine_codes: 3,
 };
@@ -61,13 +60,13 @@ static CODES: Codes = Codes::new(&[
     (580, G::WorkOffset(5)),
     (590, G::WorkOffset(6)),
     (650, G::Refused(Group::NonModal, &MACRO)),
-    (700, G::Refused(Group::NonModal, &CYCLE)),
-    (710, G::Refused(Group::NonModal, &CYCLE)),
-    (720, G::Refused(Group::NonModal, &CYCLE)),
-    (730, G::Refused(Group::NonModal, &CYCLE)),
-    (740, G::Refused(Group::NonModal, &CYCLE)),
-    (750, G::Refused(Group::NonModal, &CYCLE)),
-    (760, G::Refused(Group::NonModal, &THREAD)),
+    (700, G::Turning(Turning::Finish)),
+    (710, G::Turning(Turning::Axial)),
+    (720, G::Turning(Turning::Radial)),
+    (730, G::Turning(Turning::Repeat)),
+    (740, G::Turning(Turning::GrooveFace)),
+    (750, G::Turning(Turning::GrooveOutside)),
+    (760, G::Turning(Turning::Thread)),
     (800, G::Cancel),
     (810, G::Refused(Group::Motion, &DRILLING)),
     (820, G::Refused(Group::Motion, &DRILLING)),

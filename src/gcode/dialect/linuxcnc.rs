@@ -18,8 +18,7 @@ pub static READING: Reading = Reading {
     plane: Plane::XY,
     return_initial: false,
     diameter: false,
-    incremental_letters: false,
-    point_required: false,
+    system_a: false,
     dwell: &[(b'P' - b'A', 1.0)],
     most_machine_codes: 4,
 };

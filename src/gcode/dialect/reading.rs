@@ -97,10 +97,9 @@ pub struct Reading {
     pub return_initial: bool,
     /// X is a diameter.
     pub diameter: bool,
-    /// U and W are increments of X and Z.
-    pub incremental_letters: bool,
-    /// A dimension without a decimal point is refused: the control's setting decides whether it is mm or µm.
-    pub point_required: bool,
+    /// Fanuc's G-code system A: U and W are increments of X and Z; what a dimension without a decimal point is, mm or µm,
+    /// the control's setting decides; subprograms are called by their program's or their block's number.
+    pub system_a: bool,
     /// The addresses of a dwell, counted from A = 0, each with what its number is multiplied with to give seconds.
     pub dwell: &'static [(u8, f64)],
     /// Most M codes in one block.

@@ -12,6 +12,7 @@ pub(super) mod letter {
         B = b'B',
         C = b'C',
         D = b'D',
+        E = b'E',
         F = b'F',
         H = b'H',
         I = b'I',
@@ -145,6 +146,12 @@ impl Block {
     /// The column of a group's G code.
     pub(super) fn g_column(&self, group: Group) -> usize {
         self.g_columns.get(group as usize).copied().unwrap_or(0).into()
+    }
+
+    /// The column of the first code among some groups, one bit for each.
+    pub(super) fn group_column(&self, groups: u16) -> usize {
+        let columns = (0..GROUPS).filter(|&at| self.groups & groups & (1 << at) != 0);
+        columns.filter_map(|at| self.g_columns.get(at)).copied().min().unwrap_or(0).into()
     }
 
     /// Puts a G code in; the column of the first one if its group has one already. G80 gives way to the motion that

@@ -10,6 +10,7 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::moves;
 use crate::gcode::motion::{Feed, FeedMode, Kind};
 use crate::machine::axis::Pose;
 use crate::text::Text;
@@ -156,7 +157,7 @@ impl Interpreter<'_> {
         let sticky = &mut self.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
         self.modal.motion = G::Cycle(cycle);
-        self.run = Some(run);
+        self.run = Some(moves::Run::Holes(run));
         Ok(())
     }
 
@@ -268,9 +269,8 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// Makes the next hole of the cycle in hand.
-    pub(super) fn run_cycle(&mut self) -> Outcome<()> {
-        let Some(mut run) = self.run.take() else { return Ok(()) };
+    /// Makes the next hole of a run.
+    pub(super) fn next_hole(&mut self, mut run: Run) -> Outcome<()> {
         let [first, second, across] = self.modal.plane.axes();
         run.at[0] += run.step[0];
         run.at[1] += run.step[1];
@@ -354,7 +354,7 @@ impl Interpreter<'_> {
         }
         run.left -= 1;
         if run.left > 0 {
-            self.run = Some(run);
+            self.run = Some(moves::Run::Holes(run));
         }
         Ok(())
     }

@@ -4,7 +4,7 @@
 //! LinuxCNC, G-code overview, "G-code order of execution".
 
 use crate::finding::Grade;
-use crate::gcode::code::{Cycle, G, Group, M};
+use crate::gcode::code::{Cycle, G, Group, M, Turning};
 use crate::gcode::control::Spindle;
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
@@ -100,6 +100,7 @@ impl Interpreter<'_> {
             Some(G::LocalOffset) => self.local_offset(),
             Some(G::SetPosition) => self.set_position(),
             Some(G::SetPositionOrSpeed) => self.set_position_or_speed()?,
+            Some(G::Turning(cycle)) => self.turning(cycle)?,
             Some(G::MachineCoordinates) if self.modal.incremental => {
                 return Err(Fault::at(
                     &[self.block.g_column(Group::NonModal)],
@@ -117,9 +118,7 @@ impl Interpreter<'_> {
         }
         match self.block.m(4) {
             Some((M::End, _)) => {
-                while self.run.is_some() {
-                    self.run_cycle()?;
-                }
+                self.finish_run()?;
                 self.end()
             }
             Some((M::Call | M::Return, _)) => self.call_or_return(),
@@ -198,7 +197,8 @@ impl Interpreter<'_> {
             ));
         }
         let mut used = dwell;
-        if motion.is_some_and(|motion| motion != G::Cancel) || takes_axes || given {
+        let turning = matches!(at_once, Some(G::Turning(_)));
+        if motion.is_some_and(|motion| motion != G::Cancel) || (takes_axes && !turning) || given {
             used |= AXIS_WORDS;
         }
         used |= match motion {
@@ -216,6 +216,7 @@ impl Interpreter<'_> {
     fn words_of_codes(&self, at_once: Option<G>, length: Option<G>) -> u32 {
         let mut used = match at_once {
             Some(G::SetOffsets) => Letters::of("LPRQIJ").mask(),
+            Some(G::Turning(cycle)) => cycle.letters().mask(),
             _ => 0,
         };
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
@@ -257,7 +258,7 @@ impl Interpreter<'_> {
         )
     }
 
-    fn unused(&self, idle: u32) -> Box<Fault> {
+    pub(super) fn unused(&self, idle: u32) -> Box<Fault> {
         let index = idle.trailing_zeros() as usize;
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
         Fault::at(
@@ -305,6 +306,10 @@ impl Interpreter<'_> {
     }
 
     fn take_feed_and_speed(&mut self) -> Outcome<()> {
+        // They are parameters of the cycle.
+        if let Some(G::Turning(Turning::Fagor(_))) = self.block.g(Group::NonModal) {
+            return Ok(());
+        }
         if let Some(F) = self.block.get(letter::F) {
             self.modal.feed = match self.modal.feed_mode {
                 FeedMode::PerMinute | FeedMode::PerRevolution => self.modal.unit.to_mm(F),
@@ -479,7 +484,7 @@ impl Interpreter<'_> {
                 if self.reading.diameter && axis == Axis::X {
                     value /= 2.0;
                 }
-                if self.reading.incremental_letters && matches!(axis, Axis::U | Axis::W) {
+                if self.reading.system_a && matches!(axis, Axis::U | Axis::W) {
                     let (onto, factor) = if axis == Axis::U { (Axis::X, 0.5) } else { (Axis::Z, 1.0) };
                     to.set(onto, self.current.get(onto) + value * factor);
                 } else if self.modal.incremental && !machine {

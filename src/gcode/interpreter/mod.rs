@@ -27,6 +27,7 @@
 
 mod arc;
 mod block;
+mod contour;
 mod cursor;
 mod cycle;
 mod execute;
@@ -34,6 +35,8 @@ mod expression;
 mod fault;
 mod flow;
 mod modal;
+mod moves;
+mod numbers;
 mod offsets;
 mod parameters;
 mod read;
@@ -43,8 +46,9 @@ mod structure;
 mod system;
 mod tool;
 pub mod tool_table;
+mod turning;
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::io::Cursor as Memory;
 
 pub use self::arc::radii_tolerance;
@@ -56,6 +60,8 @@ use self::fault::Remarks;
 pub use self::fault::{Fault, NO_FEED};
 use self::flow::Flow;
 use self::modal::Modal;
+use self::moves::Run;
+use self::numbers::Numbers;
 use self::parameters::Parameters;
 pub use self::setting::{Budget, Files, NoFiles, Setting, Tool, Tools};
 use self::source::Source;
@@ -87,6 +93,8 @@ pub struct Interpreter<'a> {
     setting: Setting,
     sources: Vec<Source<'a>>,
     structures: Vec<Option<Structure>>,
+    /// The block numbers of the sources by whose number something has been sought.
+    numbers: BTreeMap<usize, Numbers>,
     /// The source in hand.
     at: usize,
     buffer: Vec<u8>,
@@ -99,7 +107,7 @@ pub struct Interpreter<'a> {
     parameters: Parameters,
     tools: Tools,
     queue: VecDeque<(Motion, Control)>,
-    run: Option<cycle::Run>,
+    run: Option<Run>,
     remarks: Remarks,
     flow: Flow,
     stage: Stage,
@@ -149,6 +157,7 @@ impl<'a> Interpreter<'a> {
             reading,
             sources: vec![Source::new(bytes, None)],
             structures: vec![None],
+            numbers: BTreeMap::new(),
             at: 0,
             buffer: Vec::new(),
             line: 0,
@@ -240,22 +249,11 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
-        let source = self.source();
-        if !source.next_line(line)? {
+        if !self.source().next_line(line)? {
             return self.end_of_file();
         }
-        let number = source.position().lines;
-        let again = !source.first_time(number);
-        self.line = number;
-        if again {
-            self.repeated += 1;
-            if self.repeated > self.setting.budget.repeated_blocks {
-                return Err(self.endless());
-            }
-        } else {
-            self.lines += 1;
-        }
-        if number == 1 && line.starts_with(b"\xEF\xBB\xBF") {
+        self.count_line()?;
+        if self.line == 1 && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
             self.remarks.add(
                 Grade::Note,
@@ -268,7 +266,26 @@ impl<'a> Interpreter<'a> {
         self.execute_line(line)
     }
 
-    fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
+    /// Counts the line that has just been read.
+    fn count_line(&mut self) -> Outcome<()> {
+        let source = self.source();
+        let number = source.position().lines;
+        let again = !source.first_time(number);
+        self.line = number;
+        if again {
+            self.repeated += 1;
+            if self.repeated > self.setting.budget.repeated_blocks {
+                return Err(self.endless());
+            }
+        } else {
+            self.lines += 1;
+        }
+        Ok(())
+    }
+
+    /// The beginning of a line's words, its block number read; at `%` where the line begins with it. `None` where there is
+    /// nothing to execute.
+    fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
         if line.len() > self.reading.longest_line {
             let most = self.reading.longest_line;
             return Err(Fault::at(
@@ -286,20 +303,25 @@ impl<'a> Interpreter<'a> {
         let mut cursor = Cursor::new(line, self.reading.comments);
         let first = cursor.peek();
         if first == 0 {
-            return Ok(());
-        }
-        if first == b'%' {
-            return self.percent_line(&mut cursor);
+            return Ok(None);
         }
         self.block.clear();
         if first == b'/' {
             if self.setting.block_delete {
-                return Ok(());
+                return Ok(None);
             }
             cursor.pass();
         }
         if cursor.accept(b'n') {
             self.block.n = Some(block_number(&mut cursor)?);
+        }
+        Ok(Some(cursor))
+    }
+
+    fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
+        let Some(mut cursor) = self.open_line(line)? else { return Ok(()) };
+        if cursor.peek() == b'%' && self.block.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
+            return self.percent_line(&mut cursor);
         }
         let opening = self.stage == Stage::Opening;
         self.stage = Stage::Running;
@@ -503,7 +525,7 @@ impl Iterator for Interpreter<'_> {
                 return Some(Ok(motion));
             }
             let result = if self.run.is_some() {
-                self.run_cycle()
+                self.go_on()
             } else if self.stage == Stage::Ended {
                 return None;
             } else {

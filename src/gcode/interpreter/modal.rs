@@ -1,7 +1,8 @@
 //! The modal state: what codes of earlier blocks leave in force.
 
-use crate::gcode::code::{Cycle, G};
+use crate::gcode::code::{Cycle, G, Turning};
 use crate::gcode::control::{Compensation, Control, Speed, Spindle};
+use crate::gcode::interpreter::turning::First;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::length_unit::LengthUnit;
 
@@ -46,6 +47,8 @@ pub(super) struct Modal {
     pub(super) coolant: bool,
     pub(super) compensation: Compensation,
     pub(super) sticky: Sticky,
+    /// The first blocks of turning cycles of two blocks.
+    pub(super) first: Vec<(Turning, First)>,
     /// The work offset in force, 1 to 9.
     pub(super) system: u8,
 }
@@ -71,6 +74,7 @@ impl Modal {
             coolant: false,
             compensation: Compensation::Off,
             sticky: Sticky::default(),
+            first: Vec::new(),
             system,
         }
     }

@@ -1,7 +1,7 @@
 //! From a line to a block.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, M};
+use crate::gcode::code::{G, Group, M, Turning};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::cursor::Cursor;
@@ -41,7 +41,7 @@ impl Interpreter<'_> {
             match cursor.peek() {
                 0 => return Ok(()),
                 b'g' => self.read_g(cursor)?,
-                b'm' => self.read_m(cursor)?,
+                b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
                 b'#' if self.reading.expressions => {
                     let setting = self.setting(cursor)?;
@@ -50,6 +50,11 @@ impl Interpreter<'_> {
                 _ => return Err(cursor.refuse_character()),
             }
         }
+    }
+
+    /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
+    fn fagor_cycle(&self) -> bool {
+        matches!(self.block.g(Group::NonModal), Some(G::Turning(Turning::Fagor(_))))
     }
 
     fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
@@ -162,7 +167,8 @@ impl Interpreter<'_> {
     fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {
         let column = cursor.column();
         let index = letter - b'a';
-        if !self.reading.letters.has(index) {
+        let known = self.reading.letters.has(index);
+        if !known && !(self.fagor_cycle() && Turning::Fagor(0).letters().has(index)) {
             return Err(self.unknown_letter(letter, column));
         }
         cursor.pass();
@@ -182,7 +188,7 @@ impl Interpreter<'_> {
                     Text::fixed("compruebe el número", "check the number"),
                 ));
             }
-            if self.reading.point_required && !number.point && value != 0.0 && LENGTHS.has(index) {
+            if self.reading.system_a && !number.point && value != 0.0 && LENGTHS.has(index) {
                 return Err(Fault::at(
                     &[column],
                     Text::new(
@@ -194,7 +200,8 @@ impl Interpreter<'_> {
             }
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
-            && !(letter == b'q' && self.reading.point_required)
+            && !(letter == b'q' && self.reading.system_a)
+            && !self.fagor_cycle()
         {
             return Err(Fault::at(
                 &[number_column],

@@ -92,6 +92,8 @@ pub struct Step<T> {
     pub side: Compensation,
     /// The nose.
     pub nose: Nose,
+    /// It is made at rapid, which no arc is: the corner behind it is made of straight lines.
+    pub rapid: bool,
     /// What the caller knows it by.
     pub tag: T,
 }
@@ -205,8 +207,9 @@ impl<T: Clone> Stage<T> {
             return Err(broken(held, step, Misfit::Arc { radius: R, arc: 1.0 / start.curvature.abs() }, out));
         }
         let normal = plus(start.at, start.left(), s * R);
+        let straight = if held.step.rapid { STRAIGHT } else { self.straight };
         let round = match held.step.element.end() {
-            Some(end) if !held.entry && held.s == s => match corner(&end, &start, s, R, self.straight) {
+            Some(end) if !held.entry && held.s == s => match corner(&end, &start, s, R, straight) {
                 Ok(round) => round,
                 Err(misfit) => return Err(broken(held, step, misfit, out)),
             },
