@@ -14,7 +14,10 @@ fn an_arc_cannot_begin_or_end_the_compensation() {
     let mut stage = Stage::new(STRAIGHT);
     let mut placed = Vec::new();
     stage
-        .push(Step { element: line([9.0, 0.0], [5.0, 0.0]), side: Right, nose: nose(0.8, 3), rapid: false, tag: 0 }, &mut placed)
+        .push(
+            Step { element: line([9.0, 0.0], [5.0, 0.0]), side: Right, nose: nose(0.8, 3), rapid: false, tag: 0 },
+            &mut placed,
+        )
         .unwrap();
     let end = stage.push(Step { element: bow, side: Off, nose: nose(0.8, 3), rapid: false, tag: 1 }, &mut placed);
     assert_eq!(end, Err((Misfit::ArcExit, 1)));
@@ -117,7 +120,9 @@ fn after_a_misfit_the_path_passes_as_programmed_until_the_compensation_ends() {
         [(line([9.0, 0.0], [5.0, 0.0]), Left), (small, Left), (small, Left), (line([4.5, 0.5], [9.0, 0.0]), Off)];
     let mut refused = 0;
     for (tag, (element, side)) in steps.into_iter().enumerate() {
-        refused += usize::from(stage.push(Step { element, side, nose: nose(0.8, 0), rapid: false, tag }, &mut placed).is_err());
+        refused += usize::from(
+            stage.push(Step { element, side, nose: nose(0.8, 0), rapid: false, tag }, &mut placed).is_err(),
+        );
     }
     assert_eq!(refused, 1);
     assert_eq!(placed.len(), 4);

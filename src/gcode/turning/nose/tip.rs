@@ -31,6 +31,20 @@ impl Tip {
         if number <= 9 { Some(Self(number)) } else { None }
     }
 
+    /// The orientation that LinuxCNC's tool table gives by a number, 0 to 9.
+    #[must_use]
+    pub const fn of_linuxcnc(number: u8) -> Option<Self> {
+        match number {
+            1 => Some(Self(4)),
+            2 => Some(Self(3)),
+            3 => Some(Self(2)),
+            4 => Some(Self(1)),
+            6 => Some(Self(8)),
+            8 => Some(Self(6)),
+            other => Self::new(other),
+        }
+    }
+
     /// The number.
     #[must_use]
     pub const fn number(self) -> u8 {
