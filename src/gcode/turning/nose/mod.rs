@@ -30,6 +30,7 @@
 
 pub mod corner;
 pub mod element;
+mod gouge;
 pub mod tip;
 
 use std::f64::consts::PI;
