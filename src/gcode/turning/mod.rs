@@ -8,6 +8,7 @@
 //! counter-clockwise in a drawing with Z to the right and X up.
 
 pub mod nose;
+pub mod pace;
 pub mod profile;
 
 use crate::gcode::motion::Thread;
