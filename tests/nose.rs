@@ -5,6 +5,8 @@ mod common;
 mod contour;
 #[path = "nose/judged.rs"]
 mod judged;
+#[path = "nose/programs.rs"]
+mod programs;
 #[path = "nose/properties.rs"]
 mod properties;
 #[path = "nose/refused.rs"]

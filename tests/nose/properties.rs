@@ -7,7 +7,7 @@ use rodete::gcode::control::Compensation::{Left, Right};
 use rodete::gcode::turning::nose::{Element, Nose, Path, Point, STRAIGHT, Tip};
 use rodete::number::trig::sin_cos;
 
-use crate::contour::{arc, at, carrier, clearance, distance, line, run};
+use crate::contour::{arc, at, carrier, clearance, cuts, distance, line, run};
 
 /// Pieces whose directions stay within 75 degrees of −Z, so that no piece comes near another but its neighbours. Each is
 /// (turn at its start as a share, length, bend as a share; straight where that is small).
@@ -65,6 +65,7 @@ proptest! {
         let side = if left { Left } else { Right };
         let nose = Nose { radius: R, tip: Tip::new(tip).unwrap() };
         let Ok(placed) = run(&elements, side, nose, straight, None) else { return Err(TestCaseError::reject("does not fit")) };
+        prop_assert!(cuts(&elements, side, nose, straight).is_empty());
         let back = nose.to_tip();
         let mut last = None;
         for (element, tag) in &placed {

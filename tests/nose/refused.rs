@@ -129,3 +129,38 @@ fn after_a_misfit_the_path_passes_as_programmed_until_the_compensation_ends() {
     assert_eq!(placed[3].0, line([4.5, 0.5], [9.0, 0.0]));
     assert!(stage.idle());
 }
+
+/// An undercut behind a neck: each corner has room for the nose, but the neck is narrower than the nose.
+#[test]
+fn a_neck_that_no_neighbouring_pieces_make_is_told_with_its_depth() {
+    let cuts = |neck: f64| {
+        let contour = through(&[
+            [10.0, 10.0],
+            [5.0, 10.0],
+            [0.0, 10.0],
+            [0.0, 7.0],
+            [2.0, 7.0],
+            [2.0, 4.0],
+            [-4.0, 4.0],
+            [-4.0, 7.0],
+            [-neck, 7.0],
+            [-neck, 10.0],
+            [-20.0, 10.0],
+        ]);
+        let mut stage = Stage::new(STRAIGHT);
+        let mut placed = Vec::new();
+        for (tag, element) in contour.into_iter().enumerate() {
+            stage.push(Step { element, side: Right, nose: nose(0.8, 3), rapid: false, tag }, &mut placed).unwrap();
+        }
+        stage.finish(&mut placed).unwrap();
+        stage.cuts()
+    };
+    assert_eq!(cuts(1.7), []);
+    let found = cuts(1.5);
+    assert!(!found.is_empty());
+    for cut in &found {
+        assert!((cut.depth - 0.1).abs() < 1e-9 || cut.depth <= 0.1, "{cut:?}");
+        assert!(cut.along.abs_diff(cut.into) > 1, "neighbours are refused, not told: {cut:?}");
+    }
+    assert!(found.iter().any(|cut| (cut.along, cut.into) == (2, 8) || (cut.along, cut.into) == (8, 2)), "{found:?}");
+}

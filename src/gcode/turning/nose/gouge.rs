@@ -3,10 +3,65 @@
 //! The distance of two pieces is 0 where they cross. Else it is that of an end to the other piece, or, where an arc takes part, that
 //! along the line from its centre at right angles to the other piece. Derived here.
 
+use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
+use crate::gcode::turning::nose::ROUNDING;
 use crate::gcode::turning::nose::element::{Element, Path, Point, cross, distance, dot, plus};
 use crate::number::trig;
+
+/// How many pieces back the nose is watched.
+const MOST: usize = 8;
+
+/// The nose cuts into a piece of the programmed path that is not a neighbour of the one it follows, which a control's check
+/// of neighbouring pieces does not see.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut<T> {
+    /// How deep, mm.
+    pub depth: f64,
+    /// The nose radius, mm.
+    pub radius: f64,
+    /// The piece that the nose follows.
+    pub along: T,
+    /// The piece that it cuts into.
+    pub into: T,
+}
+
+/// The last pieces, each with the ways of the nose's centre along it.
+pub(super) struct Trail<T> {
+    pieces: VecDeque<(Element, Vec<Element>, T)>,
+    pub(super) cuts: Vec<Cut<T>>,
+}
+
+impl<T: Clone> Trail<T> {
+    pub(super) const fn new() -> Self {
+        Self { pieces: VecDeque::new(), cuts: Vec::new() }
+    }
+
+    /// Another contour begins.
+    pub(super) fn clear(&mut self) {
+        self.pieces.clear();
+    }
+
+    /// The next piece of the contour, with the ways of the nose's centre along it.
+    pub(super) fn add(&mut self, piece: Element, ways: Vec<Element>, radius: f64, tag: &T) {
+        let depth = |ways: &[Element], into: &Element| {
+            radius - ways.iter().map(|way| nearest(way, into)).fold(f64::INFINITY, f64::min)
+        };
+        for (earlier, trodden, of) in &self.pieces {
+            let (now, then) = (depth(&ways, earlier), depth(trodden, &piece));
+            if now.max(then) <= 2.0 * ROUNDING {
+                continue;
+            }
+            let (along, into) = if now >= then { (tag, of) } else { (of, tag) };
+            self.cuts.push(Cut { depth: now.max(then), radius, along: along.clone(), into: into.clone() });
+        }
+        if self.pieces.len() == MOST {
+            self.pieces.pop_front();
+        }
+        self.pieces.push_back((piece, ways, tag.clone()));
+    }
+}
 
 /// The least distance of two pieces, mm.
 pub(super) fn nearest(one: &Element, other: &Element) -> f64 {

@@ -36,10 +36,12 @@ pub mod tip;
 use std::f64::consts::PI;
 
 pub use self::element::{Element, Path, Point};
+pub use self::gouge::Cut;
 pub use self::tip::{Nose, Tip};
 use crate::gcode::control::Compensation;
 use crate::gcode::turning::nose::corner::{Corner, corner, offset_radius};
 use crate::gcode::turning::nose::element::{distance, plus};
+use crate::gcode::turning::nose::gouge::Trail;
 
 /// By how much the nose may be larger than an arc or a piece allows: the least increment of a program's coordinates, whose
 /// rounding does not make a contour wrong; mm.
@@ -126,6 +128,7 @@ enum State<T> {
 pub struct Stage<T> {
     straight: f64,
     state: State<T>,
+    trail: Trail<T>,
 }
 
 impl<T: Clone> Stage<T> {
@@ -133,7 +136,12 @@ impl<T: Clone> Stage<T> {
     /// (π: all of them, as on a Fanuc as delivered), others of arcs about the corner (0: all of them).
     #[must_use]
     pub const fn new(straight: f64) -> Self {
-        Self { straight, state: State::Off(None) }
+        Self { straight, state: State::Off(None), trail: Trail::new() }
+    }
+
+    /// The cuts into pieces that are no neighbours, found since the last time they were asked for.
+    pub fn cuts(&mut self) -> Vec<Cut<T>> {
+        std::mem::take(&mut self.trail.cuts)
     }
 
     /// True where a piece would pass as it is if it had no side.
@@ -172,7 +180,11 @@ impl<T: Clone> Stage<T> {
     pub fn finish(&mut self, out: &mut Vec<(Element, T)>) -> Result<(), (Misfit, T)> {
         match std::mem::replace(&mut self.state, State::Off(None)) {
             State::Held(held) => {
+                let before = out.len();
+                let watched = held.watched();
                 let (tip, misfit) = held.release_to_normal(out);
+                self.watch(watched, out, before);
+                self.trail.clear();
                 self.state = State::Off(Some(tip));
                 misfit.map_or(Ok(()), Err)
             }
@@ -195,7 +207,10 @@ impl<T: Clone> Stage<T> {
             return Err(broken(held, step, Misfit::Still, out));
         };
         let Some(s) = sign(step.side) else {
+            let (before, watched) = (out.len(), held.watched());
             let (tip, late) = held.release_to_normal(out);
+            self.watch(watched, out, before);
+            self.trail.clear();
             let misfit;
             (self.state, misfit) = begin(step, Some(tip), out);
             return late.or(misfit).map_or(Ok(()), Err);
@@ -217,7 +232,12 @@ impl<T: Clone> Stage<T> {
             Some(end) if !held.entry => Corner::straight(plus(end.at, end.left(), held.s * R), normal),
             _ => Corner::straight(normal, normal),
         };
+        let (before, watched, turned) = (out.len(), held.watched(), held.s != s);
         let (_, misfit) = held.release(&round, out);
+        self.watch(watched, out, before);
+        if turned {
+            self.trail.clear();
+        }
         if let Some(misfit) = misfit {
             out.push((step.element, step.tag));
             return Err(misfit);
@@ -229,6 +249,17 @@ impl<T: Clone> Stage<T> {
     }
 }
 
+impl<T: Clone> Stage<T> {
+    /// Holds what has been placed of a piece against the pieces before it.
+    fn watch(&mut self, watched: Option<(Element, Nose, T)>, out: &[(Element, T)], before: usize) {
+        let Some((piece, nose, tag)) = watched else { return self.trail.clear() };
+        let back = nose.to_tip().map(|share| -share);
+        let placed = out.get(before..).unwrap_or_default().iter();
+        let ways = placed.filter(|(way, _)| way.path != Path::Still).map(|(way, _)| way.shifted(back)).collect();
+        self.trail.add(piece, ways, nose.radius, &tag);
+    }
+}
+
 /// Places what is held back and the piece that does not fit, and gives the misfit.
 fn broken<T: Clone>(held: Held<T>, step: Step<T>, misfit: Misfit, out: &mut Vec<(Element, T)>) -> (Misfit, T) {
     let (_, earlier) = held.release_to_normal(out);
@@ -237,6 +268,12 @@ fn broken<T: Clone>(held: Held<T>, step: Step<T>, misfit: Misfit, out: &mut Vec<
 }
 
 impl<T: Clone> Held<T> {
+    /// What is watched for cuts: a piece of the contour, which neither an entry nor a rapid move is.
+    fn watched(&self) -> Option<(Element, Nose, T)> {
+        let step = &self.step;
+        (!self.entry && !step.rapid).then(|| (step.element, step.nose, step.tag.clone()))
+    }
+
     /// Places the piece up to a corner, the moves round it and what follows without way. Where the tip is then, and whether
     /// the piece is too short for its corners.
     fn release(self, round: &Corner, out: &mut Vec<(Element, T)>) -> (Point, Option<(Misfit, T)>) {
