@@ -13,6 +13,7 @@ pub mod figures;
 pub mod machine;
 pub mod outline;
 pub mod parameters;
+pub mod setup;
 pub mod stock;
 pub mod text;
 pub mod tool;
