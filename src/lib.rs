@@ -58,6 +58,7 @@ pub mod gcode;
 pub mod geometry;
 pub mod impeller;
 pub mod job;
+pub mod lathe;
 pub mod machine;
 pub mod number;
 pub mod parameter;

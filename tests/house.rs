@@ -10,7 +10,7 @@ use std::str::FromStr;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// Every top-level module with its floor: a module uses its own floor and those below.
-const FLOORS: [(&str, u8); 19] = [
+const FLOORS: [(&str, u8); 20] = [
     ("text", 0),
     ("escape", 0),
     ("finding", 0),
@@ -24,6 +24,7 @@ const FLOORS: [(&str, u8); 19] = [
     ("impeller", 4),
     ("blank", 4),
     ("pipe", 4),
+    ("lathe", 4),
     ("verify", 5),
     ("job", 6),
     ("workbook", 7),

@@ -33,8 +33,8 @@ struct Beside(PathBuf);
 
 impl Files for Beside {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        for ending in ["ngc", "nc"] {
-            let path = self.0.join(format!("{name}.{ending}"));
+        for ending in [".ngc", ".nc", ""] {
+            let path = self.0.join(format!("{name}{ending}"));
             if path.is_file() {
                 return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
                     refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
@@ -133,6 +133,7 @@ fn follow(
     setting.unit = shared.unit;
     setting.var_file = shared.var_file.clone();
     setting.tools = shared.tools.clone();
+    setting.point = arguments.decimal_point;
     setting.block_delete = arguments.block_delete;
     setting.keep_g92 = !arguments.no_g92_persistence;
     setting.files = Box::new(Beside(path.parent().unwrap_or(Path::new("")).to_owned()));
@@ -224,6 +225,10 @@ fn line(motion: &Motion) -> Value {
             FeedMode::Seconds => "s",
         };
         object.insert("feed_unit".into(), json!(mode));
+    }
+    if let Kind::Thread(thread) = motion.kind {
+        object.insert("lead".into(), json!(thread.lead));
+        object.insert("lead_change".into(), json!(thread.change));
     }
     if let Some(seconds) = motion.seconds {
         object.insert("seconds".into(), json!(seconds));

@@ -57,7 +57,11 @@ impl Interpreter<'_> {
         let between = trig::atan2(x * to_y - y * to_x, x * to_x + y * to_y);
         let (radius, rotation) = ((x * x + y * y).sqrt(), self.frame.work.rotation);
         let arc = Arc { plane, centre, turns, radius, sweep: sweep(turns, between), rotation };
-        let seconds = self.seconds(arc.length(to.get(c) - self.current.get(c)), feed);
+        let seconds = if self.by_revolution(feed) {
+            self.turned_arc_seconds(&arc, feed)
+        } else {
+            self.seconds(arc.length(to.get(c) - self.current.get(c)), feed)
+        };
         self.emit(Kind::Arc(arc, feed), to, seconds);
         Ok(())
     }

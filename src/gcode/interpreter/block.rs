@@ -54,6 +54,8 @@ pub(super) struct Block {
     pub(super) n: Option<u32>,
     /// One bit for each letter that stands in the block.
     pub(super) present: u32,
+    /// One bit for each letter whose number has no decimal point although a control may scale it for that.
+    pub(super) pointless: u32,
     values: [f64; 26],
     columns: [u16; 26],
     /// One bit for each group of which a G code stands in the block.
@@ -79,6 +81,7 @@ impl Block {
         Self {
             n: None,
             present: 0,
+            pointless: 0,
             values: [0.0; 26],
             columns: [0; 26],
             groups: 0,
@@ -96,6 +99,7 @@ impl Block {
     pub(super) fn clear(&mut self) {
         self.n = None;
         self.present = 0;
+        self.pointless = 0;
         self.groups = 0;
         self.machine_groups = 0;
         self.machine_codes = 0;
@@ -128,6 +132,13 @@ impl Block {
             self.present |= 1 << letter;
         }
         Ok(())
+    }
+
+    /// Divides the number of a letter's word.
+    pub(super) fn divide(&mut self, letter: usize, by: f64) {
+        if let Some(value) = self.values.get_mut(letter) {
+            *value /= by;
+        }
     }
 
     /// Takes a word out, as its meaning has been used up.

@@ -182,11 +182,10 @@ impl Interpreter<'_> {
     fn contour_block(&mut self, cycle: u8, contour: &mut Contour, feed: &mut Option<f64>) -> Outcome<()> {
         let first = contour.profile.elements.is_empty();
         self.contour_refuses(cycle)?;
-        match self.block.g(Group::CutterCompensation) {
-            Some(G::CutterCompensationOff) => contour.compensation = Some(Compensation::Off),
-            _ => {}
+        if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
+            contour.compensation = Some(side);
         }
-        let speed = self.block.get(letter::S);
+        let speed = self.block.get(letter::S).map(|S| self.surface(S));
         contour.blocks.push(ContourBlock { line: self.line, n: self.block.n, speed });
         if let Some(F) = self.block.get(letter::F) {
             *feed = Some(self.modal.unit.to_mm(F));
@@ -249,7 +248,7 @@ impl Interpreter<'_> {
             ))
         };
         let block = &self.block;
-        if let Some((M::Call | M::Return, _)) = block.m(4) {
+        if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {
             return refuse(block.m_column(4), ("llamada a un subprograma".into(), "call of a subprogram".into()));
         }
         if block.has(letter::T) {

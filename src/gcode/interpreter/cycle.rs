@@ -16,9 +16,9 @@ use crate::machine::axis::Pose;
 use crate::text::Text;
 
 /// How far above the last depth a peck begins again; mm (0.010 inch).
-const PECK_CLEARANCE: f64 = 0.254;
+pub(super) const PECK_CLEARANCE: f64 = 0.254;
 /// Most pecks of a hole.
-const MOST_PECKS: f64 = 10_000.0;
+pub(super) const MOST_PECKS: f64 = 10_000.0;
 /// Most holes of a block.
 const MOST_HOLES: i64 = 9_999;
 
@@ -41,7 +41,7 @@ pub(super) struct Run {
     feed: Feed,
 }
 
-fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
+pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
     let number = cycle.number();
     Fault::block(
         Text::new(format!("falta {letter} en G{number}"), format!("{letter} is missing in G{number}")),

@@ -27,6 +27,7 @@
 
 mod arc;
 mod block;
+mod codes;
 mod contour;
 mod cursor;
 mod cycle;
@@ -34,19 +35,25 @@ mod execute;
 mod expression;
 mod fault;
 mod flow;
+mod hole;
+mod lathe;
 mod modal;
 mod moves;
 mod numbers;
 mod offsets;
 mod parameters;
+mod pass;
+mod point;
 mod read;
 mod setting;
 mod source;
 mod structure;
+mod subprogram;
 mod system;
 mod tool;
 pub mod tool_table;
 mod turning;
+mod turret;
 
 use std::collections::{BTreeMap, VecDeque};
 use std::io::Cursor as Memory;
@@ -63,7 +70,7 @@ use self::modal::Modal;
 use self::moves::Run;
 use self::numbers::Numbers;
 use self::parameters::Parameters;
-pub use self::setting::{Budget, Files, NoFiles, Setting, Tool, Tools};
+pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Tool, Tools};
 use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
 use self::structure::Structure;
@@ -162,7 +169,7 @@ impl<'a> Interpreter<'a> {
             buffer: Vec::new(),
             line: 0,
             block: Block::new(),
-            modal: Modal::new(reading.plane, setting.unit, system),
+            modal: Modal::new(reading, setting.unit, system),
             control: Control::default(),
             current: frame.to_program(&Pose::default()),
             frame,
@@ -366,8 +373,8 @@ impl<'a> Interpreter<'a> {
                 self.percent = true;
                 return Ok(());
             }
-            if self.percent {
-                return if self.stage == Stage::Opening { self.end_of_file() } else { self.end() };
+            if self.percent || self.at != 0 {
+                return if self.stage == Stage::Opening || self.at != 0 { self.end_of_file() } else { self.end() };
             }
         }
         Err(Fault::at(
@@ -387,6 +394,10 @@ impl<'a> Interpreter<'a> {
         block_number(cursor)?;
         if opening && cursor.peek() == 0 {
             return Ok(());
+        }
+        if self.reading.system_a && cursor.peek() == 0 {
+            // What follows is another program.
+            return self.end_of_file().map_err(Fault::fatal);
         }
         Err(Fault::at(
             &[column],

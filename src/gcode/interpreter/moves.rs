@@ -88,10 +88,17 @@ impl Interpreter<'_> {
             Way::Arc { centre, clockwise, feed } => {
                 let feed = own(feed);
                 let arc = self.arc_to(&to, centre, clockwise);
-                let seconds = self.seconds(arc.length(0.0), feed);
+                let seconds = if self.by_revolution(feed) {
+                    self.turned_arc_seconds(&arc, feed)
+                } else {
+                    self.seconds(arc.length(0.0), feed)
+                };
                 self.emit(Kind::Arc(arc, feed), to, seconds);
             }
-            Way::Thread(thread) => self.emit(Kind::Thread(thread), to, None),
+            Way::Thread(thread) => {
+                let seconds = self.thread_seconds(&to, &thread);
+                self.emit(Kind::Thread(thread), to, seconds);
+            }
             Way::Dwell(seconds) => self.emit(Kind::Dwell(seconds), self.current, Some(seconds)),
         }
         (self.line, self.block.n) = (line, n);

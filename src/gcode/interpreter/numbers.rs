@@ -88,6 +88,11 @@ impl Numbers {
         self.blocks.get(&(program, number)).copied()
     }
 
+    /// The first O number of the file.
+    pub(super) fn first_program(&self) -> Option<u32> {
+        self.programs.first().map(|(number, _)| *number)
+    }
+
     /// Where the programs with an O number begin: behind the line of the number.
     pub(super) fn programs(&self, number: u32) -> impl Iterator<Item = Position> {
         self.programs.iter().filter(move |(one, _)| *one == number).map(|(_, after)| *after)

@@ -12,8 +12,6 @@ use crate::text::Text;
 
 /// Addresses whose numbers are lengths or angles on the part.
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
-/// Of these, lengths.
-const LENGTHS: Letters = Letters::of("IJKRUWXZ");
 
 fn unverifiable() -> Text {
     Text::fixed(
@@ -39,6 +37,7 @@ impl Interpreter<'_> {
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         loop {
             match cursor.peek() {
+                0 if self.block.pointless != 0 => return self.settle_points(),
                 0 => return Ok(()),
                 b'g' => self.read_g(cursor)?,
                 b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
@@ -188,16 +187,6 @@ impl Interpreter<'_> {
                     Text::fixed("compruebe el número", "check the number"),
                 ));
             }
-            if self.reading.system_a && !number.point && value != 0.0 && LENGTHS.has(index) {
-                return Err(Fault::at(
-                    &[column],
-                    Text::new(
-                        format!("{}{value} sin punto decimal: según el control son mm o µm", name(letter)),
-                        format!("{}{value} has no decimal point: mm or µm, depending on the control", name(letter)),
-                    ),
-                    Text::new(format!("escriba {}{value}.", name(letter)), format!("write {}{value}.", name(letter))),
-                ));
-            }
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
             && !(letter == b'q' && self.reading.system_a)
@@ -208,6 +197,9 @@ impl Interpreter<'_> {
                 Text::new(format!("{} negativo: {value}", name(letter)), format!("negative {}: {value}", name(letter))),
                 Text::fixed("escriba un número positivo", "write a positive number"),
             ));
+        }
+        if self.reading.system_a {
+            self.see_point(index, &number, column)?;
         }
         self.block.put(index.into(), value, column).map_err(|first| twice(name(letter), first, column))
     }

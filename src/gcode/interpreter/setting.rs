@@ -38,6 +38,15 @@ impl Files for NoFiles {
     }
 }
 
+/// What a control of Fanuc's system A makes of a dimension without a decimal point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DecimalPoint {
+    /// As a pocket calculator does: X100 is 100 mm.
+    Calculator,
+    /// A number of least input increments: X100 is 0.1 mm (0.01 inch under G20).
+    Micrometre,
+}
+
 /// How much a program may ask of the interpreter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
@@ -63,6 +72,8 @@ pub struct Setting {
     pub var_file: VarFile,
     /// The tool table; `None` where it is not known: every tool is then taken as one of length 0, and said so.
     pub tools: Option<Tools>,
+    /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
+    pub point: Option<DecimalPoint>,
     /// Blocks that begin with `/` are skipped.
     pub block_delete: bool,
     /// G92 and G52 outlive the program; else they are cleared at its start and its end.
@@ -84,6 +95,7 @@ impl Setting {
             unit: LengthUnit::Millimetre,
             var_file: VarFile::default(),
             tools: None,
+            point: None,
             block_delete: false,
             keep_g92: true,
             part: false,

@@ -4,7 +4,7 @@
 //! Fanuc Series 0i-T operator's manual, multiple repetitive cycles G70 to G76: two blocks each but for G70, the words of the first
 //! stay in force; after G70 the program goes on with the next block, after G71 to G73 behind the contour.
 
-use crate::gcode::code::{Group, Turning};
+use crate::gcode::code::{G, Group, Turning};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::contour::Contour;
@@ -53,6 +53,11 @@ impl Interpreter<'_> {
             }
             Turning::Fagor(_) => Err(self.refused(cycle)),
         }
+    }
+
+    /// True where the block has a turning cycle of one call.
+    pub(super) fn has_turning_cycle(&self) -> bool {
+        matches!(self.block.g(Group::NonModal), Some(G::Turning(_)))
     }
 
     fn not_yet(&mut self, cycle: Turning, contour: &Contour, _: Feed) -> Outcome<()> {
