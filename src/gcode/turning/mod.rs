@@ -10,6 +10,7 @@
 pub mod fagor;
 pub mod finish;
 pub mod groove;
+pub mod nose;
 pub mod pace;
 pub mod profile;
 pub mod repeat;
