@@ -166,7 +166,9 @@ const OWN_8055: [(usize, G); 38] = [
 
 static CODES_8055: Codes = with::<{ COMMON.len() + OWN_8055.len() }>(&OWN_8055);
 
-const OWN_8055_T: [(usize, G); 32] = [
+const OWN_8055_T: [(usize, G); 34] = [
+    (410, G::Compensation(Compensation::Left)),
+    (420, G::Compensation(Compensation::Right)),
     OFFSETS_8055[0],
     OFFSETS_8055[1],
     OFFSETS_8055[2],

@@ -31,7 +31,6 @@ pub static LATHE_A: Reading = Reading {
     most_machine_codes: 3,
 };
 
-const COMPENSATION: Name = ("compensación de radio de punta", "nose radius compensation");
 const MACRO: Name = ("macros", "macros");
 
 static CODES: Codes = Codes::new(&[
@@ -48,8 +47,8 @@ static CODES: Codes = Codes::new(&[
     (320, G::Thread(false)),
     (340, G::Thread(true)),
     (400, G::Compensation(Compensation::Off)),
-    (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
-    (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (410, G::Compensation(Compensation::Left)),
+    (420, G::Compensation(Compensation::Right)),
     (500, G::SetPositionOrSpeed),
     (530, G::MachineCoordinates),
     (540, G::WorkOffset(1)),

@@ -34,6 +34,8 @@ pub(super) struct ContourBlock {
     pub(super) n: Option<u32>,
     /// Its S.
     pub(super) speed: Option<f64>,
+    /// The compensation in force in it.
+    pub(super) side: Compensation,
 }
 
 /// A contour as its blocks say.
@@ -45,7 +47,7 @@ pub(super) struct Contour {
     pub(super) blocks: Vec<ContourBlock>,
     /// Its first motion names both axes.
     pub(super) both_axes: bool,
-    /// The compensation that a block of the contour puts in force.
+    /// The compensation that the last block of the contour to say so puts in force.
     pub(super) compensation: Option<Compensation>,
     /// The line of its last block.
     last: usize,
@@ -191,7 +193,8 @@ impl Interpreter<'_> {
             contour.compensation = Some(side);
         }
         let speed = self.block.get(letter::S).map(|S| self.surface(S));
-        contour.blocks.push(ContourBlock { line: self.line, n: self.block.n, speed });
+        let side = contour.compensation.unwrap_or(self.modal.compensation);
+        contour.blocks.push(ContourBlock { line: self.line, n: self.block.n, speed, side });
         if let Some(F) = self.block.get(letter::F) {
             *feed = Some(self.modal.unit.to_mm(F));
         }

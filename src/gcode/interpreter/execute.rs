@@ -71,7 +71,7 @@ impl Interpreter<'_> {
             self.take_unit();
         }
         if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
-            self.modal.compensation = side;
+            self.set_compensation(side)?;
         }
         if let Some(code) = self.block.g(Group::ToolLength) {
             self.tool_length(code)?;
@@ -465,7 +465,7 @@ impl Interpreter<'_> {
             seconds,
         };
         self.current = to;
-        self.queue.push_back((motion, self.modal.control()));
+        self.hand_out(motion);
     }
 }
 

@@ -28,6 +28,7 @@
 mod arc;
 mod block;
 mod codes;
+mod compensation;
 mod contour;
 mod cursor;
 mod cycle;
@@ -60,6 +61,7 @@ use std::io::Cursor as Memory;
 
 pub use self::arc::radii_tolerance;
 use self::block::{Block, Parameter};
+use self::compensation::Compensator;
 use self::cursor::{Cursor, comments};
 pub use self::expression::DEEPEST;
 use self::fault::Outcome;
@@ -113,7 +115,8 @@ pub struct Interpreter<'a> {
     current: Pose,
     parameters: Parameters,
     tools: Tools,
-    queue: VecDeque<(Motion, Control)>,
+    queue: VecDeque<Result<(Motion, Control), Box<Fault>>>,
+    compensator: Compensator,
     run: Option<Run>,
     remarks: Remarks,
     flow: Flow,
@@ -176,6 +179,7 @@ impl<'a> Interpreter<'a> {
             parameters,
             tools: setting.tools.clone().unwrap_or_default(),
             queue: VecDeque::new(),
+            compensator: Compensator::new(!reading.system_a),
             run: None,
             remarks,
             flow: Flow::default(),
@@ -204,7 +208,8 @@ impl<'a> Interpreter<'a> {
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        (self.current, self.frame.to_machine(&self.current))
+        let tip = self.compensator.tip(&self.current);
+        (tip, self.frame.to_machine(&tip))
     }
 
     /// True where every motion so far was programmed by increments.
@@ -531,14 +536,20 @@ impl Iterator for Interpreter<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            if let Some((motion, control)) = self.queue.pop_front() {
-                self.control = control;
-                return Some(Ok(motion));
+            if let Some(item) = self.queue.pop_front() {
+                return Some(item.map(|(motion, control)| {
+                    self.control = control;
+                    motion
+                }));
             }
             let result = if self.run.is_some() {
                 self.go_on()
             } else if self.stage == Stage::Ended {
-                return None;
+                self.flush();
+                if self.queue.is_empty() {
+                    return None;
+                }
+                continue;
             } else {
                 self.step()
             };

@@ -1,5 +1,6 @@
 //! Motions that one block makes many of: the holes of a canned cycle, the moves of a turning cycle.
 
+use crate::gcode::control::Compensation;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::cycle;
@@ -32,11 +33,15 @@ pub(super) struct Moves {
 impl Interpreter<'_> {
     /// Turns the moves of a cycle into motions, one after another as they are asked for.
     pub(super) fn make_moves(&mut self, moves: Vec<Move>, feed: Feed) {
+        self.remark_uncompensated(&[]);
         self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks: Vec::new(), speeds: false }));
     }
 
     /// The same for moves that name blocks of a contour; with `speeds` their S words are obeyed.
     pub(super) fn make_contour_moves(&mut self, moves: Vec<Move>, feed: Feed, blocks: Vec<ContourBlock>, speeds: bool) {
+        if !speeds {
+            self.remark_uncompensated(&blocks);
+        }
         self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks, speeds }));
     }
 
@@ -65,15 +70,19 @@ impl Interpreter<'_> {
 
     fn make_move(&mut self, next: &Move, run: &Moves) {
         let (line, n) = (self.line, self.block.n);
+        let mut side = Compensation::Off;
         if let Some(of) = next.line {
             self.line = of;
             let block = run.blocks.binary_search_by_key(&of, |block| block.line).ok();
             let block = block.and_then(|at| run.blocks.get(at));
             self.block.n = block.and_then(|block| block.n);
+            // Finishing follows the contour with the nose; other passes are made as they are.
+            side = block.map(|block| block.side).filter(|_| run.speeds).unwrap_or_default();
             if let Some(S) = block.and_then(|block| block.speed).filter(|_| run.speeds) {
                 self.modal.speed = S;
             }
         }
+        self.compensator.cycle = Some(side);
         let mut to = self.current;
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
@@ -106,6 +115,7 @@ impl Interpreter<'_> {
             }
             Way::Dwell(seconds) => self.emit(Kind::Dwell(seconds), self.current, Some(seconds)),
         }
+        self.compensator.cycle = None;
         (self.line, self.block.n) = (line, n);
     }
 

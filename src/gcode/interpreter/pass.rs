@@ -146,11 +146,16 @@ impl Interpreter<'_> {
         } else {
             (Way::Feed(None), Way::Feed(None), self.feed()?)
         };
-        let points = if pass == Pass::Radial {
+        let mut points = if pass == Pass::Radial {
             [[start[0], end[1] + taper], end, [end[0], start[1]], start]
         } else {
             [[end[0] + taper, start[1]], end, [start[0], end[1]], start]
         };
+        let aside = self.pass_aside(pass, taper / (start[1 - across] - end[1 - across]))?;
+        // The moves across end on the cone, which the nose touches aside of what is programmed.
+        let [first, last, ..] = &mut points;
+        first[across] += aside;
+        last[across] += aside;
         self.modal.motion = G::Pass(pass);
         self.modal.pass = Some((end, taper));
         let mut moves = Vec::with_capacity(4);

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::gcode::dialect::Dialect;
+use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
@@ -14,6 +15,8 @@ pub struct Tool {
     pub offset: Pose,
     /// The diameter.
     pub diameter: f64,
+    /// Of a turning tool its nose; `None` where the table gives none: it cannot be compensated then.
+    pub nose: Option<Nose>,
 }
 
 /// The tools by their number.

@@ -9,6 +9,7 @@
 
 pub mod finish;
 pub mod groove;
+pub mod nose;
 pub mod pace;
 pub mod profile;
 pub mod repeat;
