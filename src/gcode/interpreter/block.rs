@@ -12,7 +12,6 @@ pub(super) mod letter {
         B = b'B',
         C = b'C',
         D = b'D',
-        E = b'E',
         F = b'F',
         H = b'H',
         I = b'I',

@@ -45,7 +45,9 @@ pub(super) struct Contour {
     pub(super) profile: Profile,
     /// Its blocks, in the order of their lines.
     pub(super) blocks: Vec<ContourBlock>,
-    /// The compensation that the last block of the contour to say so puts in force.
+    /// Its first motion names both axes.
+    pub(super) both_axes: bool,
+    /// The compensation that the last of its blocks to say so puts in force.
     pub(super) compensation: Option<Compensation>,
     /// The line of its last block.
     last: usize,
@@ -70,13 +72,14 @@ impl Interpreter<'_> {
         }
         let columns = letters.map(|letter| self.block.column(letter));
         let [first, last] =
-            [self.block_numbered(numbers[0], columns[0])?, self.block_numbered(numbers[1], columns[1])?];
+            [self.block_numbered(numbers[0], columns[0], 63)?, self.block_numbered(numbers[1], columns[1], 63)?];
+        let alarm = self.alarm(63);
         if last.line() < first.line() {
             return Err(Fault::at(
                 &[columns[1], columns[0]],
                 Text::new(
-                    format!("G{cycle}: N{} está delante de N{}", numbers[1], numbers[0]),
-                    format!("G{cycle}: N{} stands before N{}", numbers[1], numbers[0]),
+                    format!("{alarm}G{cycle}: N{} está delante de N{}", numbers[1], numbers[0]),
+                    format!("{alarm}G{cycle}: N{} stands before N{}", numbers[1], numbers[0]),
                 ),
                 Text::fixed(
                     "nombre primero el primer bloque del contorno y luego el último",
@@ -90,11 +93,12 @@ impl Interpreter<'_> {
     fn number_of_block(&self, cycle: u8, letter: usize) -> Outcome<u32> {
         let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
         let Some(value) = self.block.get(letter) else {
+            let alarm = self.alarm(61);
             return Err(Fault::at(
                 &[self.block.g_column(Group::NonModal)],
                 Text::new(
-                    format!("falta {name} en G{cycle}: el número de un bloque del contorno"),
-                    format!("{name} is missing in G{cycle}: the number of a block of the contour"),
+                    format!("{alarm}falta {name} en G{cycle}: el número de un bloque del contorno"),
+                    format!("{alarm}{name} is missing in G{cycle}: the number of a block of the contour"),
                 ),
                 Text::new(format!("dé {name} en el bloque"), format!("give {name} in the block")),
             ));
@@ -131,6 +135,7 @@ impl Interpreter<'_> {
         let mut contour = Contour {
             profile: Profile { start, elements: Vec::new() },
             blocks: Vec::new(),
+            both_axes: false,
             compensation: None,
             last: ends.last.line(),
             behind: ends.last.at,
@@ -168,11 +173,11 @@ impl Interpreter<'_> {
         }
         contour.behind = self.source().position();
         if contour.profile.elements.is_empty() {
-            let [P, Q] = ends.numbers;
+            let ([P, Q], alarm) = (ends.numbers, self.alarm(63));
             return Err(Fault::block(
                 Text::new(
-                    format!("G{cycle}: no hay movimiento de N{P} a N{Q}"),
-                    format!("G{cycle}: there is no motion from N{P} to N{Q}"),
+                    format!("{alarm}G{cycle}: no hay movimiento de N{P} a N{Q}"),
+                    format!("{alarm}G{cycle}: there is no motion from N{P} to N{Q}"),
                 ),
                 Text::fixed("dé el contorno con G0, G1, G2 y G3", "give the contour with G0, G1, G2 and G3"),
             ));
@@ -200,11 +205,16 @@ impl Interpreter<'_> {
             return Ok(());
         }
         let motion = self.modal.motion;
+        if first {
+            let named = |letters: [usize; 2]| letters.into_iter().any(|letter| self.block.has(letter));
+            contour.both_axes = named([letter::X, letter::U]) && named([letter::Z, letter::W]);
+        }
         if first && !matches!(self.block.g(Group::Motion), Some(G::Rapid | G::Linear)) {
+            let alarm = self.alarm(65);
             return Err(Fault::block(
                 Text::new(
-                    format!("el primer movimiento del contorno de G{cycle} no lleva G0 ni G1"),
-                    format!("the first motion of the contour of G{cycle} has neither G0 nor G1"),
+                    format!("{alarm}el primer movimiento del contorno de G{cycle} no lleva G0 ni G1"),
+                    format!("{alarm}the first motion of the contour of G{cycle} has neither G0 nor G1"),
                 ),
                 Text::fixed("programe G0 o G1 en él", "program G0 or G1 in it"),
             ));
@@ -237,12 +247,13 @@ impl Interpreter<'_> {
 
     /// Refuses what may not stand in a contour.
     fn contour_refuses(&self, cycle: u8) -> Outcome<()> {
+        let alarm = self.alarm(325);
         let refuse = |column: usize, what: (String, String)| {
             Err(Fault::at(
                 &[column],
                 Text::new(
-                    format!("{} dentro del contorno de G{cycle}", what.0),
-                    format!("{} inside the contour of G{cycle}", what.1),
+                    format!("{alarm}{} dentro del contorno de G{cycle}", what.0),
+                    format!("{alarm}{} inside the contour of G{cycle}", what.1),
                 ),
                 Text::fixed(
                     "un contorno lleva G0, G1, G2, G3, sus cotas, F y S; escriba lo demás fuera",
@@ -300,6 +311,11 @@ impl Interpreter<'_> {
             );
         }
         self.source().go_to(contour.behind)
+    }
+
+    /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.
+    pub(super) fn alarm(&self, number: u16) -> String {
+        if self.reading.system_a { format!("PS{number:04}: ") } else { String::new() }
     }
 
     /// True where the block has an axis word.

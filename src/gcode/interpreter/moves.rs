@@ -87,6 +87,11 @@ impl Interpreter<'_> {
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
         let own = |own: Option<f64>| Feed { value: own.unwrap_or(run.feed.value), ..run.feed };
+        if run.speeds
+            && let Way::Feed(Some(feed)) | Way::Arc { feed: Some(feed), .. } = next.way
+        {
+            self.modal.feed = feed;
+        }
         match next.way {
             Way::Rapid => self.emit(Kind::Rapid, to, None),
             Way::Feed(feed) => {

@@ -111,14 +111,16 @@ impl Interpreter<'_> {
         self.numbers.get(&at).ok_or_else(|| Fault::block(Text::same("N"), Text::same("")))
     }
 
-    /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it.
-    pub(super) fn block_numbered(&mut self, number: u32, column: usize) -> Outcome<Numbered> {
+    /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
+    /// `alarm` what a Fanuc control raises where there is none.
+    pub(super) fn block_numbered(&mut self, number: u32, column: usize, alarm: u16) -> Outcome<Numbered> {
+        let alarm = self.alarm(alarm);
         let line = self.line;
         let found = self.numbers()?.block(number, line);
         match found {
             None => Err(Fault::at(
                 &[column],
-                Text::new(format!("no hay bloque N{number}"), format!("there is no block N{number}")),
+                Text::new(format!("{alarm}no hay bloque N{number}"), format!("{alarm}there is no block N{number}")),
                 Text::fixed("compruebe el número del bloque", "check the number of the block"),
             )),
             Some(Numbered { again: Some(again), at }) => Err(Fault::at(

@@ -167,7 +167,7 @@ impl Interpreter<'_> {
         let column = cursor.column();
         let index = letter - b'a';
         let known = self.reading.letters.has(index);
-        if !known && !(self.fagor_cycle() && Turning::Fagor(0).letters().has(index)) {
+        if !(known || (self.fagor_cycle() && Turning::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }
         cursor.pass();

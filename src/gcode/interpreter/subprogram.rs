@@ -65,7 +65,7 @@ impl Interpreter<'_> {
     fn call_block(&mut self) -> Outcome<()> {
         let number = self.called(97)?;
         let repeats = self.repeats()?.unwrap_or(1);
-        let block = self.block_numbered(number, self.block.column(letter::P))?;
+        let block = self.block_numbered(number, self.block.column(letter::P), 78)?;
         if repeats == 0 {
             return Ok(());
         }
@@ -112,7 +112,6 @@ impl Interpreter<'_> {
     /// Where a program begins: its source, and the line behind its number.
     fn program_numbered(&mut self, number: u32) -> Outcome<(usize, Position)> {
         let column = self.block.column(letter::P);
-        let main = Text::new(format!("O{number:04}"), format!("O{number:04}"));
         let twice = |places: String| {
             Fault::at(
                 &[column],
@@ -165,7 +164,10 @@ impl Interpreter<'_> {
         let Some((name, bytes)) = found else {
             return Err(Fault::at(
                 &[column],
-                Text::new(format!("no hay subprograma {}", main.es), format!("there is no subprogram {}", main.en)),
+                Text::new(
+                    format!("PS0078: no hay subprograma O{number:04}"),
+                    format!("PS0078: there is no subprogram O{number:04}"),
+                ),
                 Text::new(
                     format!(
                         "póngalo junto al programa, en un archivo O{number:04}.nc, o en el mismo archivo detrás de M30"
@@ -240,7 +242,7 @@ impl Interpreter<'_> {
                 // The number is one of the caller's program.
                 let there = self.source().position().lines.max(1);
                 let line = std::mem::replace(&mut self.line, there);
-                let block = self.block_numbered(number, column);
+                let block = self.block_numbered(number, column, 78);
                 self.line = line;
                 self.go_to(block?.at)
             }
