@@ -47,7 +47,7 @@ pub(super) struct Contour {
     pub(super) blocks: Vec<ContourBlock>,
     /// Its first motion names both axes.
     pub(super) both_axes: bool,
-    /// The compensation that the last of its blocks to say so puts in force.
+    /// The compensation that the last block of the contour to say so puts in force.
     pub(super) compensation: Option<Compensation>,
     /// The line of its last block.
     last: usize,
