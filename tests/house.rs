@@ -10,7 +10,7 @@ use std::str::FromStr;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// Every top-level module with its floor: a module uses its own floor and those below.
-const FLOORS: [(&str, u8); 19] = [
+const FLOORS: [(&str, u8); 20] = [
     ("text", 0),
     ("escape", 0),
     ("finding", 0),
@@ -29,6 +29,7 @@ const FLOORS: [(&str, u8); 19] = [
     ("workbook", 7),
     ("report", 7),
     ("drawing", 7),
+    ("view", 7),
     ("store", 7),
 ];
 /// Above all of them: the commands, and what is linked into the binary alone.
