@@ -46,7 +46,7 @@ void main() {
   }
   vec3 lamp = normalize(to_eye + vec3(0.35, -0.2, 0.55));
   float light = 0.34 + 0.5 * max(dot(normal, lamp), 0.0) + 0.22 * facing;
-  float gloss = pow(max(dot(normal, normalize(lamp + to_eye)), 0.0), 40.0) * 0.22;
+  float gloss = pow(max(dot(normal, normalize(lamp + to_eye)), 0.0), 40.0) * 0.10;
   seen = vec4(colour.rgb * light + gloss, colour.a);
 }`;
 
@@ -156,6 +156,11 @@ class Gl {
     this.buffers.clear();
   }
 
+  /** Only the first attributes are fed. */
+  feeds(count) {
+    for (let place = count; place < 4; place++) this.gl.disableVertexAttribArray(place);
+  }
+
   /** Forgets one array. */
   drop(data) {
     this.gl.deleteBuffer(this.buffers.get(data));
@@ -208,6 +213,7 @@ class Gl {
     const buffer = this.kept(vertices);
     this.attribute(0, buffer, 3, 24, 0, 0);
     this.attribute(1, buffer, 3, 24, 12, 0);
+    this.feeds(2);
     gl.drawArrays(gl.TRIANGLES, 0, vertices.length / 6);
     this.triangles += vertices.length / 18;
   }
@@ -223,6 +229,7 @@ class Gl {
     this.attribute(0, this.round, 2, 0, 0, 0);
     this.attribute(1, this.changing, 4, 32, 0, 1);
     this.attribute(2, this.changing, 4, 32, 16, 1);
+    this.feeds(3);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 194, pieces.length / 8);
     this.triangles += (pieces.length / 8) * 192;
   }

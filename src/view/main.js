@@ -13,7 +13,7 @@ const curves = scene.curves.map((curve) => {
 });
 const runs = [];
 
-let renderer, camera, run, path, grid, tools;
+let renderer, camera, run, path, grid, tools, toolSize;
 let program = -1, cursor = 0, playing = false, speed = 1, last = 0, marked = 0, asked = false, shownPreset = "iso";
 /** What the status says beside the cursor: how long a frame and the start took, ms; what broke. */
 const measured = { frame: 0, loaded: 0 };
@@ -87,11 +87,11 @@ function chooseProgram(index) {
   preset(turning ? "plan" : "iso");
   grid = gridLines(low, high, turning);
   tools = new Map();
-  tools.size = size;
+  toolSize = size;
   pause();
   cursor = 0;
   marked = 0;
-  chooseSpeed(SPEEDS.find((one) => run.total / one <= 90) ?? SPEEDS.at(-1));
+  chooseSpeed(SPEEDS.find((one) => one >= 1 && run.total / one <= 120) ?? SPEEDS.at(-1));
   readout.show(run);
   list.show(run);
   labelAll();
@@ -102,7 +102,7 @@ function chooseProgram(index) {
 function toolOf(number) {
   const { tools: given } = run.data;
   const tool = given.find((one) => one.number === number) ?? given[0];
-  if (!tools.has(tool)) tools.set(tool, toolBodies(tool, run.data.diameter, tools.size));
+  if (!tools.has(tool)) tools.set(tool, toolBodies(tool, run.data.diameter, toolSize));
   return tools.get(tool);
 }
 
@@ -179,7 +179,7 @@ function drawTool(motion, part, tip) {
     ? new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...tip, 1])
     : standing(tip, direction);
   if (!run.data.diameter) {
-    const far = tip.map((value, axis) => value + direction[axis] * tools.size);
+    const far = tip.map((value, axis) => value + direction[axis] * toolSize);
     const line = new Float32Array([...tip, -1, -1, ...far, -1, AXIS_TOOL]);
     renderer.lines(line, { width: 1.2, through: 0.5 });
     renderer.drop(line);

@@ -93,11 +93,15 @@ pub fn splitter_halves(design: &Design, blade: &Blade, splitter: &Splitter, v: f
     let last = blade.points().saturating_sub(1);
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     let position = (v - PI) / FRAC_PI_2 * last as f64;
-    // Between the first point and m the fraction is a power of a straight line: the nearest point serves a drawing.
+    let position = position.clamp(0.0, last as f64);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to the last index")]
-    let nearest = position.clamp(0.0, last as f64).round() as usize;
+    let below = position as usize;
+    #[expect(clippy::cast_precision_loss, reason = "an index of a point")]
+    let part = position - below as f64;
+    // Between two points the fraction is a power of a straight line: a straight line serves a drawing.
     [&splitter.back, &splitter.out].map(|side| {
-        let fraction = side.fraction.get(nearest).copied().unwrap_or(1.0);
+        let at = |index: usize| side.fraction.get(index).copied().unwrap_or(1.0);
+        let fraction = at(below) + (at(below + 1) - at(below)) * part;
         design.w() * fraction - design.d_t / 2.0
     })
 }
