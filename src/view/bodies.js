@@ -124,6 +124,9 @@ function standing(point, direction) {
   return new Float32Array([...x, 0, ...y, 0, ...direction, 0, ...point, 1]);
 }
 
+/** The matrix that leaves everything where it is. */
+const STILL = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+
 /** A round number not below another: 1, 2 or 5 with noughts. */
 function round125(value) {
   const ten = 10 ** Math.floor(Math.log10(value));
@@ -166,7 +169,7 @@ const COLOURS = {
   rapid: ["#d9480f", "#ff9d5c"], feed: ["#1668c9", "#62b0ff"], thread: ["#8a1fb5", "#d58bff"], grid: ["#c3cad3", "#39424d"],
   x: ["#c92a2a", "#ff7b72"], y: ["#2b8a3e", "#69db7c"], z: ["#1c4fd7", "#74a7ff"], curve: ["#c2255c", "#ff8fb8"],
   metal: ["#b8bec6", "#8f99a5"], blade: ["#c9a14a", "#c9a552"], splitter: ["#7fa88c", "#7fae91"], ghost: ["#8fa3b8", "#7f95ab"],
-  fixture: ["#7a828c", "#5d6670"], cutter: ["#e0a400", "#f0bd2c"], holder: ["#6a7684", "#76828f"], cut: ["#e8846b", "#d0694f"],
+  fixture: ["#7a828c", "#5d6670"], cutter: ["#e0a400", "#f0bd2c"], holder: ["#6a7684", "#76828f"], cut: ["#e6b8a2", "#a9735c"],
   ground: ["#f4f5f7", "#14171b"], text: ["#1b2027", "#e6e9ed"],
 };
 const dark = matchMedia("(prefers-color-scheme: dark)");

@@ -106,7 +106,8 @@ class Camera {
   plane() {
     if (!this.section) return [0, 0, 0, 1e9];
     const away = this.basis[1];
-    return [...away, -dot(away, this.sectionAt ?? this.centre)];
+    // A little before the middle: points of a body that lie in the plane itself are kept.
+    return [...away, -dot(away, this.sectionAt ?? this.centre) + this.radius * 1e-4];
   }
 
   turn(dx, dy) {

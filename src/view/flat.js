@@ -18,6 +18,7 @@ class Flat {
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
     this.camera = camera.matrix(width / height);
     this.plane = camera.plane();
+    this.cut = camera.section;
     this.ratio = ratio;
     this.triangles = 0;
     this.context.fillStyle = colour("ground");
@@ -32,7 +33,7 @@ class Flat {
     return [(to(0) + 1) * 0.5 * width, (1 - to(1)) * 0.5 * height, to(2)];
   }
 
-  mesh(vertices, paint, alpha = 1, model = standing([0, 0, 0], [0, 0, 1]), whole = false) {
+  mesh(vertices, paint, alpha = 1, model = STILL, whole = false) {
     const context = this.context, [red, green, blue] = light(paint), faces = [];
     const count = vertices.length / 18, stride = Math.max(1, Math.ceil(count / FLAT_TRIANGLES));
     if (stride > 1 && alpha < 1) return;
@@ -44,7 +45,8 @@ class Flat {
       const corners = [0, 6, 12].map((corner) => place(18 * face + corner));
       if (!whole && corners.some((corner) => dot(this.plane, corner) + this.plane[3] < 0)) continue;
       const normal = unit(cross(corners[1].map((v, i) => v - corners[0][i]), corners[2].map((v, i) => v - corners[0][i])));
-      const facing = Math.abs(dot(normal, unit(this.camera.eye.slice(0, 3))));
+      const towards = dot(normal, unit(this.camera.eye.slice(0, 3))), facing = Math.abs(towards);
+      if (towards < 0 && alpha === 1 && !this.cut) continue;
       const points = corners.map((corner) => this.project(...corner));
       faces.push({ points, facing, deep: points[0][2] + points[1][2] + points[2][2] });
     }

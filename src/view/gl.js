@@ -204,7 +204,7 @@ class Gl {
   }
 
   /** Triangles with normals; `model` stands them somewhere. */
-  mesh(vertices, paint, alpha = 1, model = standing([0, 0, 0], [0, 0, 1]), whole = false) {
+  mesh(vertices, paint, alpha = 1, model = STILL, whole = false) {
     const gl = this.gl;
     if (vertices.length === 0) return;
     this.use(this.surface, paint, alpha);
@@ -230,7 +230,11 @@ class Gl {
     this.attribute(1, this.changing, 4, 32, 0, 1);
     this.attribute(2, this.changing, 4, 32, 16, 1);
     this.feeds(3);
+    // What is seen through lies a little behind what it touches.
+    if (alpha < 1) gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(2, 8);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 194, pieces.length / 8);
+    gl.disable(gl.POLYGON_OFFSET_FILL);
     this.triangles += (pieces.length / 8) * 192;
   }
 

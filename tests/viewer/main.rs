@@ -53,6 +53,19 @@ fn quiet(browser: &Browser) {
     assert_eq!(asked, json!([]), "the page asks for nothing");
 }
 
+/// Where the bodies of a page reach along X, Y and Z, mm, by their names.
+fn reaches(browser: &Browser, name: &str) -> Vec<f64> {
+    let script = format!(
+        "const points = bodies.find((body) => body.name.en === '{name}').vertices, reach = [];
+         for (let axis = 0; axis < 3; axis++) {{
+           const along = points.filter((_, at) => at % 6 === axis);
+           reach.push(along.reduce((a, b) => Math.min(a, b)), along.reduce((a, b) => Math.max(a, b)));
+         }}
+         return reach;"
+    );
+    browser.run(&script).as_array().into_iter().flatten().map(|one| (real(one) * 1000.0).round() / 1000.0).collect()
+}
+
 /// Fails on a picture of one colour.
 fn drawn(browser: &Browser, name: &str) {
     let counts = browser.picture(&picture(name), STAGE);
@@ -92,6 +105,37 @@ fn parts_and_programs_are_drawn_and_played() {
         assert!(real(&later["cursor"]) > 0.0, "{later}");
         quiet(&browser);
     }
+}
+
+#[test]
+fn the_torch_runs_along_the_edge_of_the_pipe_that_it_cuts() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let page = page_of(folder.path(), "pipe-insert");
+    let browser = Browser::start(true);
+    let status = browser.open(&page, "view=section");
+    let reach = reaches(&browser, "Part");
+    // From the edge X0 along X, 88.9 mm across.
+    assert_eq!((reach[0], &reach[2..]), (0.0, &[-44.45, 44.45, -44.45, 44.45][..]), "{reach:?}");
+    drawn(&browser, "pipe-insert-section");
+    // Every point of the cut is half a kerf from the nearest point of the part's edge.
+    let off = browser.run(
+        "const edge = bodies.find((body) => body.name.en === 'Part').vertices, far = [];
+         for (let motion = 6; motion < run.count - 3; motion += 4) {
+           const point = run.point(motion, 1);
+           let least = Infinity;
+           for (let at = 0; at < edge.length; at += 6) {
+             least = Math.min(least, Math.hypot(edge[at] - point[0], edge[at + 1] - point[1], edge[at + 2] - point[2]));
+           }
+           far.push(least);
+         }
+         return Math.max(...far);",
+    );
+    // Points of the edge stand every two degrees: 1.55 mm apart.
+    assert!(real(&off) < 2.0, "{off} {status}");
+    quiet(&browser);
 }
 
 #[test]
@@ -272,8 +316,11 @@ fn the_page_fits_a_phone_and_the_dark() {
     browser.developer("Emulation.setEmulatedMedia", &media);
     browser.resize(1280, 800);
     browser.open(&turned, "time=60&view=iso");
+    let shape = browser.run("const view = document.getElementById('view'); return view.width * view.clientHeight - view.height * view.clientWidth");
+    assert_eq!(shape, json!(0), "a round part stays round when the window changes");
     let dark = browser.picture(&picture("dark-turning"), STAGE);
-    assert_eq!(dark[0].0, "111", "a dark ground: {:?}", &dark[..3]);
+    let light = |name: &str| dark.iter().filter(|(colour, _)| colour == name).map(|(_, count)| count).sum::<u64>();
+    assert!(light("111") > 10_000 && light("fff") + light("eff") < 1000, "a dark ground: {:?}", &dark[..3]);
     quiet(&browser);
 }
 
