@@ -88,11 +88,12 @@ class Flat {
     this.triangles += pieces.length / 4;
   }
 
-  lines(path, { hidden = [], now = Infinity, rest = 1, width = 1.6 } = {}) {
-    const context = this.context, count = path.length / 5, stride = Math.max(1, Math.ceil(count / FLAT_LINES));
+  lines(path, { hidden = [], now = Infinity, rest = 1, width = 1.6, first = 0, most = Infinity } = {}) {
+    const context = this.context, count = Math.min(path.length / 5, first + most);
+    const stride = Math.max(1, Math.ceil((count - first) / FLAT_LINES));
     context.lineWidth = width * this.ratio;
     let last = null, style = "";
-    for (let at = 0; at < count; at += stride) {
+    for (let at = first; at < count; at += stride) {
       const [x, y, z, cursor, kind] = path.subarray(5 * at, 5 * at + 5);
       const point = this.project(x, y, z);
       const share = cursor <= now ? 1 : rest;

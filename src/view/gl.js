@@ -78,6 +78,26 @@ void main() {
   gl_Position = end + vec4(aside * end.w, -nearer * end.w, 0.0);
 }`;
 
+/** The same one pixel wide, for paths of very many pieces: a strip, each piece in the colour of its end. */
+const THIN_VERTEX = `#version 300 es
+layout(location = 0) in vec4 end;
+layout(location = 1) in float kind;
+uniform mat4 matrix;
+uniform vec4 palette[12];
+uniform float nearer;
+out float cursor;
+flat out vec4 colour;
+void main() {
+  int paint = int(kind);
+  colour = paint < 0 ? vec4(0.0) : palette[paint];
+  cursor = end.w;
+  gl_Position = matrix * vec4(end.xyz, 1.0);
+  gl_Position.z -= nearer * gl_Position.w;
+}`;
+
+/** More pieces than this are drawn thin. */
+const THIN = 30000;
+
 const LINE_FRAGMENT = `#version 300 es
 precision highp float;
 in float cursor;
@@ -86,7 +106,7 @@ uniform float now, rest, strength;
 out vec4 seen;
 void main() {
   float share = cursor <= now ? 1.0 : rest;
-  if (share == 0.0) discard;
+  if (share * colour.a == 0.0) discard;
   seen = vec4(colour.rgb, colour.a * share * strength);
 }`;
 
@@ -106,6 +126,7 @@ class Gl {
     this.surface = this.program(MESH_VERTEX, SURFACE_FRAGMENT);
     this.turned = this.program(TURNED_VERTEX, SURFACE_FRAGMENT);
     this.line = this.program(LINE_VERTEX, LINE_FRAGMENT);
+    this.thin = this.program(THIN_VERTEX, LINE_FRAGMENT);
     this.buffers = new Map();
     this.changing = null;
     const round = [];
@@ -238,35 +259,46 @@ class Gl {
     this.triangles += (pieces.length / 8) * 192;
   }
 
-  /** Lines of a path: `hidden` are the kinds not to be drawn, `now` the cursor, `rest` how strong the part beyond it is. */
-  lines(path, { hidden = [], now = Infinity, rest = 1, width = 1.6, through = 0 } = {}) {
-    const gl = this.gl, { program, places } = this.line, count = path.length / 5 - 1;
+  /** Lines of a path: `hidden` are the kinds not to be drawn, `now` the cursor, `rest` how strong the part beyond it is;
+   * `first` and `most` say which pieces. */
+  lines(path, { hidden = [], now = Infinity, rest = 1, width = 1.6, through = 0, first = 0, most = Infinity } = {}) {
+    const gl = this.gl, count = Math.min(path.length / 5 - 1 - first, most), thin = count > THIN;
     if (count < 1) return;
+    const { program, places } = thin ? this.thin : this.line;
     gl.useProgram(program);
     gl.uniformMatrix4fv(places.matrix, false, this.camera.matrix);
     const palette = LINE_COLOURS.flatMap((name, kind) => [...light(name), hidden.includes(kind) ? 0 : kind === GRID ? 0.8 : 1]);
     gl.uniform4fv(places.palette, palette);
-    gl.uniform2f(places.pixels, this.canvas.width / 2, this.canvas.height / 2);
-    gl.uniform1f(places.width, (width * this.ratio) / 2);
+    if (!thin) {
+      gl.uniform2f(places.pixels, this.canvas.width / 2, this.canvas.height / 2);
+      gl.uniform1f(places.width, (width * this.ratio) / 2);
+    }
     gl.uniform1f(places.now, Math.min(now, 3e38));
     gl.uniform1f(places.rest, rest);
     gl.uniform1f(places.nearer, 2e-4);
     const buffer = this.kept(path);
-    this.attribute(0, this.quad, 2, 0, 0, 0);
-    this.attribute(1, buffer, 4, 20, 0, 1);
-    this.attribute(2, buffer, 4, 20, 20, 1);
-    this.attribute(3, buffer, 1, 20, 36, 1);
+    if (thin) {
+      this.attribute(0, buffer, 4, 20, 20 * first, 0);
+      this.attribute(1, buffer, 1, 20, 20 * first + 16, 0);
+      this.feeds(2);
+    } else {
+      this.attribute(0, this.quad, 2, 0, 0, 0);
+      this.attribute(1, buffer, 4, 20, 20 * first, 1);
+      this.attribute(2, buffer, 4, 20, 20 * first + 20, 1);
+      this.attribute(3, buffer, 1, 20, 20 * first + 36, 1);
+    }
+    const draw = () => (thin ? gl.drawArrays(gl.LINE_STRIP, 0, count + 1) : gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count));
     gl.enable(gl.BLEND);
     gl.depthMask(false);
     if (through > 0) {
       // What is behind something shines through a little.
       gl.disable(gl.DEPTH_TEST);
       gl.uniform1f(places.strength, through);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+      draw();
       gl.enable(gl.DEPTH_TEST);
     }
     gl.uniform1f(places.strength, 1);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+    draw();
     gl.depthMask(true);
     this.triangles += 2 * count;
   }

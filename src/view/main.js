@@ -18,6 +18,26 @@ let program = -1, cursor = 0, playing = false, speed = 1, last = 0, marked = 0, 
 /** What the status says beside the cursor: how long a frame and the start took, ms; what broke. */
 const measured = { frame: 0, loaded: 0 };
 
+/** Pieces of the path that are drawn while something moves: as many as the graphics keep up with. At rest all are drawn. */
+const LEAST = 4000, REST = 600;
+let budget = 50000, touched = -Infinity, before = 0, resting = 0;
+const moving = () => playing || performance.now() - touched < REST;
+
+/** Notes that someone is at work on the view, and asks for the whole path when nobody is any more. */
+function touch() {
+  touched = performance.now();
+  clearTimeout(resting);
+  resting = setTimeout(ask, REST + 50);
+}
+
+/** Which pieces of the path are drawn: while it moves, those about the tool. */
+function nearPieces(motion) {
+  const all = path.length / 5;
+  if (!moving() || budget >= all) return {};
+  const at = motion < 0 ? 0 : run.pieceOf[motion];
+  return { first: Math.round(Math.max(0, Math.min(at - 0.7 * budget, all - budget))), most: budget };
+}
+
 function makeRenderer() {
   const canvas = byId("view");
   if (!/[#&]flat\b/.test(location.hash)) {
@@ -114,6 +134,12 @@ function ask() {
 
 function frame(now) {
   asked = false;
+  if (moving()) {
+    const took = now - before;
+    if (took > 90 && took < 5000) budget = Math.max(LEAST, budget / 2);
+    else if (took < 40 && budget < path.length) budget *= 2;
+  }
+  before = now;
   if (playing) {
     const time = Math.min(run.total, run.timeAt(cursor) + Math.max(0, Math.min(now - last, 250)) * 0.001 * speed);
     // A motion that takes no time must not hold the rest up.
@@ -146,7 +172,8 @@ function draw() {
   if (!shown.rapid) hidden.push(RAPID);
   if (!shown.feed) hidden.push(FEED, CLOCKWISE, COUNTER);
   if (!shown.thread) hidden.push(THREAD);
-  renderer.lines(path, { hidden, now: cursor, rest: shown.rest ? 0.3 : 0, through: 0.35 });
+  const near = nearPieces(motion);
+  renderer.lines(path, { hidden, now: cursor, rest: shown.rest ? 0.3 : 0, through: budget < path.length / 5 ? 0 : 0.35, ...near });
   if (tip && shown.tool) drawTool(motion, part, tip);
   parts.filter((body) => ghost(body.paint) < 1).forEach((body) => renderer.mesh(body.vertices, body.paint, ghost(body.paint)));
   if (run.metal && shown.fixtures) {
@@ -241,6 +268,7 @@ function preset(name) {
 
 function pause() {
   playing = false;
+  touch();
   byId("play").setAttribute("aria-pressed", "false");
 }
 
@@ -258,6 +286,7 @@ function goTo(to, line = 0) {
   cursor = Math.max(0, Math.min(run.count, to));
   marked = line;
   last = performance.now();
+  touch();
   ask();
 }
 
@@ -436,7 +465,7 @@ function begin() {
   addEventListener("hashchange", follow);
   dark.addEventListener("change", () => (labelAll(), ask()));
   new ResizeObserver(ask).observe(byId("stage"));
-  listenToPointers(byId("view"), () => camera, ask);
+  listenToPointers(byId("view"), () => camera, () => (touch(), ask()));
   if (matchMedia("(min-width: 761px)").matches) byId("layers").open = true;
   follow();
   measured.loaded = performance.now();

@@ -196,7 +196,8 @@ class Run {
     return 0;
   }
 
-  /** The path to be drawn: x, y, z, cursor, and the kind of the piece that ends there, −1 for none. */
+  /** The path to be drawn: x, y, z, cursor, and the kind of the piece that ends there, −1 for none. Where in it each motion
+   * begins is kept. */
   path() {
     const steps = (motion) => {
       const arc = this.arcAt[motion];
@@ -208,11 +209,13 @@ class Run {
       if (this.kind[motion] !== DWELL) size += steps(motion) + (this.jumpAt[motion] >= 0 ? 1 : 0);
     }
     const path = new Float32Array(5 * size);
+    this.pieceOf = new Uint32Array(this.count + 1);
     let at = 0;
     const add = (point, cursor, kind) => {
       path[at++] = point[0]; path[at++] = point[1]; path[at++] = point[2]; path[at++] = cursor; path[at++] = kind;
     };
     for (let motion = 0; motion < this.count; motion++) {
+      this.pieceOf[motion] = at / 5;
       if (this.kind[motion] === DWELL) continue;
       if (this.jumpAt[motion] >= 0) add(this.startOf(motion), motion, -1);
       const count = steps(motion);

@@ -348,23 +348,46 @@ fn a_hundred_thousand_motions_are_gone_through_without_waiting() {
         return;
     }
     let folder = folder();
-    let page = turned(folder.path(), 5300);
+    let mut program = String::from("G21 G90 G94 F1200\n");
+    for at in 0..100_000_u32 {
+        let (x, y) = (at % 317, at / 317);
+        program.push_str(&format!("N{} G1 X{}.{:03} Y{}.5 Z-{}.25\n", at + 1, x, at % 1000, y, at % 7));
+    }
+    program.push_str("M2\n");
+    fs::write(folder.path().join("milled.ngc"), program).expect("a program");
+    rodete(folder.path(), &["view", "milled.ngc"]);
     let browser = Browser::start(true);
-    let status = browser.open(&page, "");
-    assert!(real(&status["motions"]) > 100_000.0, "{status}");
-    assert!(real(&status["loaded"]) < 10_000.0, "{status}");
-    // To the end, into the middle, and back: each within the time of a few frames.
-    let times = browser.run(
-        "const times = [];
-         for (const share of [1, 0.5, 0.51, 0.9, 0.1, 0]) {
-           const began = performance.now();
-           goTo(Math.floor(run.count * share));
-           draw();
-           times.push(Math.round((performance.now() - began) * 10) / 10);
-         }
-         return times;",
-    );
-    let bytes = fs::metadata(&page).expect("a page").len();
-    println!("turning: {bytes} bytes, loaded in {} ms, seeks {times} ms", status["loaded"]);
-    assert!(times.as_array().into_iter().flatten().all(|time| real(time) < 1500.0), "{times}");
+    for page in [turned(folder.path(), 5300), folder.path().join("milled.html")] {
+        let status = browser.open(&page, "");
+        assert!(real(&status["motions"]) >= 100_000.0, "{status}");
+        assert!(real(&status["loaded"]) < 15_000.0, "{status}");
+        // To the end, into the middle, and back: each within the time of a few frames.
+        let seeks = browser.run(
+            "return [1, 0.5, 0.51, 0.9, 0.1, 0].map((share) => {
+               const began = performance.now();
+               goTo(Math.floor(run.count * share));
+               draw();
+               return Math.round((performance.now() - began) * 10) / 10;
+             });",
+        );
+        assert!(seeks.as_array().into_iter().flatten().all(|time| real(time) < 1500.0), "{seeks}");
+        // What the page itself takes for a frame; the rest is the work of the graphics, here of software.
+        let frames: Vec<f64> = (0..12_u32)
+            .map(|at| {
+                browser.run(&format!("goTo({})", 5000.4 + 0.37 * f64::from(at)));
+                real(&browser.status()["frame"])
+            })
+            .collect();
+        let mut sorted = frames.clone();
+        sorted.sort_by(f64::total_cmp);
+        assert!(sorted[6] < 100.0, "{frames:?}");
+        // The last line is shown and can be clicked.
+        let last = browser.open(&page, "goto=100000");
+        let seen = browser.run("return [...document.querySelectorAll('.row.now')].map((row) => row.textContent)");
+        if real(&last["lines"]) > 100_000.0 {
+            assert!(seen[0].as_str().expect("a row").starts_with("100000N99999 G1"), "{seen}");
+        }
+        let (bytes, name) = (fs::metadata(&page).expect("a page").len(), page.file_name().expect("a name").display());
+        println!("{name}: {bytes} bytes, loaded in {} ms, seeks {seeks} ms, frames {frames:?} ms", status["loaded"]);
+    }
 }
