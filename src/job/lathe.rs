@@ -148,7 +148,10 @@ fn follow(
     }
     if total > faults.len() {
         let more = total - faults.len();
-        faults.push(Finding::note(Place::File, Text::new(format!("y {more} errores más"), format!("and {more} more errors"))));
+        faults.push(Finding::note(
+            Place::File,
+            Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
+        ));
     }
     one.findings = faults;
     for mut remark in interpreter.remarks() {
@@ -286,13 +289,37 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         ),
         quantity("t", t("Duración", "Time"), sum(|all| all.seconds), Unit::Second, t("programa leído", "program read")),
         quantity("t_c", t("de ella, cortando", "of it, cutting"), sum(|all| all.cutting_seconds), Unit::Second, none()),
-        quantity("t_G0", t("de ella, en rápido", "of it, at rapid"), sum(|all| all.rapid_seconds), Unit::Second, none()),
+        quantity(
+            "t_G0",
+            t("de ella, en rápido", "of it, at rapid"),
+            sum(|all| all.rapid_seconds),
+            Unit::Second,
+            none(),
+        ),
         quantity("V_r", t("Volumen arrancado", "Volume removed"), sum(|all| all.volume), mm3, none()),
         quantity("V_t", t("Volumen tronzado", "Volume parted off"), sum(|all| all.parted), mm3, none()),
         quantity("V", t("Volumen de la pieza", "Volume of the part"), left, mm3, none()),
-        quantity("a_p", t("Mayor profundidad de corte", "Greatest depth of cut"), most(|all| all.depth), Unit::Millimetre, none()),
-        quantity("V_c", t("Mayor velocidad de corte", "Greatest cutting speed"), most(|all| all.cutting_speed), Unit::MetrePerMinute, none()),
-        quantity("Q", t("Mayor caudal de viruta", "Greatest removal rate"), most(|all| all.rate), Unit::CubicCentimetrePerMinute, none()),
+        quantity(
+            "a_p",
+            t("Mayor profundidad de corte", "Greatest depth of cut"),
+            most(|all| all.depth),
+            Unit::Millimetre,
+            none(),
+        ),
+        quantity(
+            "V_c",
+            t("Mayor velocidad de corte", "Greatest cutting speed"),
+            most(|all| all.cutting_speed),
+            Unit::MetrePerMinute,
+            none(),
+        ),
+        quantity(
+            "Q",
+            t("Mayor caudal de viruta", "Greatest removal rate"),
+            most(|all| all.rate),
+            Unit::CubicCentimetrePerMinute,
+            none(),
+        ),
         quantity("alarms", t("Alarmas", "Alarms"), count(None), Unit::Count, none()),
         quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
     ]

@@ -73,12 +73,14 @@ impl Rows {
     pub fn push(&mut self, step: &Step, lines: &Lines) {
         let motion = &step.motion;
         if self.starts.is_empty() {
-            self.starts = std::iter::once(0).chain(memchr::memchr_iter(b'\n', lines.text.as_bytes()).map(|at| at + 1)).collect();
+            self.starts =
+                std::iter::once(0).chain(memchr::memchr_iter(b'\n', lines.text.as_bytes()).map(|at| at + 1)).collect();
         }
         let block = match &self.last {
             Some((line, block)) if *line == motion.line => block.clone(),
             _ => {
-                let from = motion.line.checked_sub(1).and_then(|at| self.starts.get(at)).copied().unwrap_or(lines.text.len());
+                let from =
+                    motion.line.checked_sub(1).and_then(|at| self.starts.get(at)).copied().unwrap_or(lines.text.len());
                 let block = lines.text.get(from..).and_then(|rest| rest.lines().next()).unwrap_or_default();
                 let block = Text::same(block);
                 self.last = Some((motion.line, block.clone()));
@@ -187,7 +189,8 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
         columns: vec![
             Column::numbers("T", Unit::Count, "", places.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>()),
             Column::texts(t("herramienta", "tool"), "", places.keys().map(name).collect()),
-            Column::numbers("motions", Unit::Count, "", numbers(|total| count(total.motions))).named(t("mov.", "motions")),
+            Column::numbers("motions", Unit::Count, "", numbers(|total| count(total.motions)))
+                .named(t("mov.", "motions")),
             Column::numbers("t", Unit::Second, "", numbers(|total| total.seconds)),
             Column::numbers("t_c", Unit::Second, "", numbers(|total| total.cutting_seconds)),
             Column::numbers("V", Unit::CubicMillimetre, "", numbers(|total| total.volume)),
@@ -201,7 +204,9 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
 /// The turret as the control knows it.
 #[must_use]
 pub fn turret_table(turret: &Turret) -> Table {
-    let of = |value: fn(&crate::lathe::tool::Tool) -> f64| turret.tools.values().map(|tool| value(tool) + 0.0).collect::<Vec<f64>>();
+    let of = |value: fn(&crate::lathe::tool::Tool) -> f64| {
+        turret.tools.values().map(|tool| value(tool) + 0.0).collect::<Vec<f64>>()
+    };
     Table {
         key: "turret",
         name: t("Torreta", "Turret"),
@@ -209,7 +214,12 @@ pub fn turret_table(turret: &Turret) -> Table {
         source: t("De la hoja de herramientas", "From the sheet of tools"),
         index: Index::None,
         columns: vec![
-            Column::numbers("T", Unit::Count, "", turret.tools.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>()),
+            Column::numbers(
+                "T",
+                Unit::Count,
+                "",
+                turret.tools.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>(),
+            ),
             Column::texts(t("herramienta", "tool"), "", turret.tools.values().map(|tool| tool.name.clone()).collect()),
             Column::numbers("Q_x", Unit::Millimetre, "", of(|tool| tool.overhang[0])),
             Column::numbers("Q_z", Unit::Millimetre, "", of(|tool| tool.overhang[1])),
@@ -223,7 +233,8 @@ pub fn turret_table(turret: &Turret) -> Table {
 #[must_use]
 pub fn contour_table(contours: &[Ring]) -> Table {
     let points = || contours.iter().enumerate().flat_map(|(at, ring)| ring.iter().map(move |point| (at, point)));
-    let numbers = |of: fn(usize, &[f64; 2]) -> f64| points().map(|(at, point)| of(at, point) + 0.0).collect::<Vec<f64>>();
+    let numbers =
+        |of: fn(usize, &[f64; 2]) -> f64| points().map(|(at, point)| of(at, point) + 0.0).collect::<Vec<f64>>();
     Table {
         key: "contour",
         name: t("Contorno", "Contour"),
