@@ -127,8 +127,20 @@ fn same_moves(
     place: impl Fn([f64; 2]) -> [f64; 2],
     flips: bool,
 ) -> Result<(), TestCaseError> {
+    // Where a circle touches a level, rounding moves the end of a pass, and a way of nothing may stand in one of them.
+    let long = |moves: &[Move]| {
+        let mut at = [f64::NAN; 2];
+        let mut moves = moves.to_vec();
+        moves.retain(|m| {
+            let near = (m.to[0] - at[0]).abs() < 1e-5 && (m.to[1] - at[1]).abs() < 1e-5;
+            at = m.to;
+            !near
+        });
+        moves
+    };
+    let (plain, other) = (long(plain), long(other));
     prop_assert_eq!(plain.len(), other.len());
-    for (a, b) in plain.iter().zip(other) {
+    for (a, b) in plain.iter().zip(&other) {
         let close = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).abs() < 1e-5 && (p[1] - q[1]).abs() < 1e-5;
         prop_assert!(close(place(a.to), b.to), "{:?} {:?}", a, b);
         match (a.way, b.way) {
