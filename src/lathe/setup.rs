@@ -6,9 +6,10 @@ use crate::finding::{CellPlace, Finding, Place};
 use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
 use crate::gcode::interpreter::{DecimalPoint, Setting, Tool as Offset, Tools};
 use crate::gcode::turning::nose::{Nose, Tip as Orientation};
-use crate::lathe::machine::{Chuck, Lathe, Tailstock};
+use crate::lathe::machine::{Chuck, Lathe};
 use crate::lathe::parameters::TOOLS_KEY;
-use crate::lathe::stock::Stock;
+use crate::lathe::simulation::Setup;
+use crate::lathe::stock::{Stock, Support};
 use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
 use crate::lathe::turret::Turret;
 use crate::machine::axis::{Axis, Pose};
@@ -22,23 +23,17 @@ use crate::text::Text;
 /// Tolerance of arcs where the form gives none, mm.
 const EPS: f64 = 0.0002;
 
-/// The machine before the program starts.
+/// What a filled-in form gives: the lathe before the program starts, and its control.
 #[derive(Clone, Debug)]
-pub struct Setup {
-    /// The lathe.
-    pub lathe: Lathe,
-    /// The stock in its chuck.
-    pub stock: Stock,
-    /// The turret.
-    pub turret: Turret,
+pub struct Given {
+    /// Lathe, stock, turret, tolerance.
+    pub setup: Setup,
     /// The control's dialect.
     pub dialect: &'static Dialect,
     /// What a dimension without a point is.
     pub point: Option<DecimalPoint>,
     /// Blocks with `/` are skipped.
     pub block_delete: bool,
-    /// The chords' tolerance, mm.
-    pub tolerance: f64,
     /// The shift of the part that was turned about for the second set-up, mm.
     pub second: f64,
     /// The tool offsets of the control, by their numbers.
@@ -47,7 +42,7 @@ pub struct Setup {
     zeros: [[f64; 2]; 5],
 }
 
-impl Setup {
+impl Given {
     /// The set-up of a filled-in form.
     ///
     /// # Errors
@@ -149,20 +144,20 @@ impl Setup {
             [bound(least, -5000.0), bound(greatest, 5000.0)]
         };
         let default = Lathe::default();
-        let beyond = match values.choice("tailstock") {
-            Some("yes") => -1.0,
-            Some("no") => f64::INFINITY,
-            _ => default.tailstock.beyond,
+        let support = match values.choice("tailstock") {
+            Some("yes") => Support::Always,
+            Some("no") => Support::Never,
+            _ => Support::ByOverhang,
         };
         let lathe = Lathe {
             travel_x: between("X_min", "X_max", 0.5),
             travel_z: between("Z_min", "Z_max", 1.0),
             rapid: [real("G_X"), real("G_Z")],
-            bent_rapid: false,
+            bent_rapid: values.choice("rapid") == Some("bent"),
             greatest_speed: real("S_max"),
             turret_behind: values.choice("turret") == Some("rear"),
             chuck: Chuck { body: real("L1"), jaws: real("L2"), diameter: real("D_c"), ..default.chuck },
-            tailstock: Tailstock { beyond, ..default.tailstock },
+            tailstock: default.tailstock,
         };
         let stock = Stock {
             diameter: D,
@@ -170,6 +165,7 @@ impl Setup {
             bore: values.real("d").unwrap_or_default(),
             overhang: L - L4,
             facing: real("L5"),
+            support,
         };
         if !findings.is_empty() {
             return Err(findings);
@@ -181,13 +177,10 @@ impl Setup {
         let zeros = [["W2_X", "W2_Z"], ["W3_X", "W3_Z"], ["W4_X", "W4_Z"], ["W5_X", "W5_Z"], ["W6_X", "W6_Z"]]
             .map(|[X, Z]| [real(X) / 2.0, real(Z)]);
         Ok(Self {
-            lathe,
-            stock,
-            turret: Turret { tools, body: None },
+            setup: Setup { lathe, stock, turret: Turret { tools, body: None }, tolerance, part: None, record: false },
             dialect,
             point,
             block_delete: values.choice("block_delete") == Some("yes"),
-            tolerance,
             second: real("Z_s"),
             offsets,
             zeros,
@@ -200,7 +193,7 @@ impl Setup {
         let mut setting = Setting::new(self.dialect);
         let mut file = VarFile::default();
         file.complete();
-        let first = [0.0, self.stock.zero(&self.lathe)];
+        let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
         for (system, [X, Z]) in System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros)) {
             // The form's limits are far within what the file holds.
             let _ = file.set(system.first_parameter() + Axis::X as u32, X);

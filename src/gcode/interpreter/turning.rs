@@ -38,6 +38,9 @@ impl Interpreter<'_> {
                 let contour = self.named_contour(cycle)?;
                 let feed = self.feed()?;
                 let moves = self.told(finish(&contour.profile, None))?;
+                if let Some(side) = contour.compensation {
+                    self.modal.compensation = side;
+                }
                 self.make_contour_moves(moves, feed, contour.blocks, true);
                 Ok(())
             }
