@@ -19,6 +19,7 @@ use rodete::gcode::turning::fagor::drill::{Drill, drill};
 use rodete::gcode::turning::fagor::groove::{Groove, groove};
 use rodete::gcode::turning::fagor::section::{Section, section};
 use rodete::gcode::turning::{Move, Way};
+use rodete::number::trig::{atan2, hypot};
 
 /// The published torus: G85 X50 Z-15 Q20 R0 C1 I0 K15 from X55 Z0.
 const TORUS: Section = Section {
@@ -75,7 +76,7 @@ fn g85_of_the_publication_leaves_a_quarter_torus() {
     for m in &moves {
         if let Way::Arc { centre, clockwise, .. } = m.way {
             assert_eq!((centre, clockwise), ([25.0, 0.0], false));
-            let angle = |p: [f64; 2]| (p[0] - 25.0).atan2(p[1]);
+            let angle = |p: [f64; 2]| atan2(p[0] - 25.0, p[1]);
             turned += (angle(m.to) - angle(at)).rem_euclid(std::f64::consts::TAU);
         }
         at = m.to;
@@ -120,7 +121,7 @@ fn g84_follows_the_arc_about_the_centre_from_the_initial_point() {
         if n <= 3 {
             assert!((z + 48.775).abs() < 1e-9);
         } else {
-            assert!(((x + 11.0).hypot(z + 48.775) - 50.0).abs() < 1e-4, "{x} {z}");
+            assert!((hypot(x + 11.0, z + 48.775) - 50.0).abs() < 1e-4, "{x} {z}");
         }
     }
     assert_eq!(moves.last().map(|m| m.to), Some([45.0, 20.0]));
@@ -395,7 +396,7 @@ proptest! {
             match parameters.centre {
                 None => x + (q - x) * z / r,
                 Some([i, k]) => {
-                    let half = (i.hypot(k).powi(2) - (z - k).powi(2)).sqrt();
+                    let half = (i * i + k * k - (z - k) * (z - k)).sqrt();
                     if i > 0.0 { x + i - half } else { x + half }
                 }
             }

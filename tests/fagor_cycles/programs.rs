@@ -13,7 +13,7 @@ const PUBLISHED: &[u8] = include_bytes!("../golden/lathe-g85-as-printed.nc");
 fn run(program: &[u8]) -> (Vec<Motion>, Vec<(usize, String)>, Vec<String>) {
     let mut interpreter = Interpreter::over(program, Setting::new(&FAGOR_8055_T));
     let (mut motions, mut faults) = (Vec::new(), Vec::new());
-    while let Some(next) = interpreter.next() {
+    for next in interpreter.by_ref() {
         match next {
             Ok(motion) => motions.push(motion),
             Err(fault) => faults.push((fault.line, fault.what.en.to_string())),

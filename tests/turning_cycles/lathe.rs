@@ -2,6 +2,13 @@
 
 use rodete::gcode::turning::profile::{Element, Profile};
 use rodete::gcode::turning::{Move, Way};
+use rodete::number::trig;
+
+/// A count from a number that is one.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small counts")]
+pub fn count(number: f64) -> usize {
+    number as usize
+}
 
 /// A block of a contour; its line is set by [`profile`].
 pub const fn line(to: [f64; 2]) -> Element {
@@ -37,15 +44,16 @@ pub fn bare(m: &Move) -> (char, [f64; 2]) {
 /// Points along a move, its ends included, close enough that a chord leaves an arc by less than 1e-4 mm.
 pub fn points(from: [f64; 2], m: &Move) -> Vec<[f64; 2]> {
     let Way::Arc { centre, clockwise, .. } = m.way else { return vec![from, m.to] };
-    let angle = |p: [f64; 2]| (p[0] - centre[0]).atan2(p[1] - centre[1]);
-    let radius = (from[0] - centre[0]).hypot(from[1] - centre[1]);
+    let angle = |p: [f64; 2]| trig::atan2(p[0] - centre[0], p[1] - centre[1]);
+    let radius = trig::hypot(from[0] - centre[0], from[1] - centre[1]);
     let sign = if clockwise { -1.0 } else { 1.0 };
     let sweep = (sign * (angle(m.to) - angle(from))).rem_euclid(std::f64::consts::TAU);
     let steps = 2000;
     (0..=steps)
         .map(|at| {
             let at = angle(from) + sign * sweep * f64::from(at) / f64::from(steps);
-            [centre[0] + radius * at.sin(), centre[1] + radius * at.cos()]
+            let (sin, cos) = trig::sin_cos(at);
+            [centre[0] + radius * sin, centre[1] + radius * cos]
         })
         .collect()
 }
@@ -65,7 +73,7 @@ impl Metal {
     pub fn new(low: f64, high: f64, height: f64) -> Self {
         // Off the grid of the contours, so that no place lies on a wall.
         let pitch = 0.048_712_357_1;
-        let places = ((high - low) / pitch) as usize;
+        let places = count((high - low) / pitch);
         Self { low: low + 0.012_345_677_9, high, pitch, top: height, cuts: Vec::new(), height: vec![height; places] }
     }
 
@@ -76,7 +84,7 @@ impl Metal {
     /// The places strictly between two Z, with the X of the straight way there.
     fn under(&self, a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = (usize, f64)> + use<> {
         let [low, high] = [a[1].min(b[1]), a[1].max(b[1])];
-        let first = ((low - self.low) / self.pitch).ceil().max(0.0) as usize;
+        let first = count(((low - self.low) / self.pitch).ceil().max(0.0));
         let (from, pitch, places) = (self.low, self.pitch, self.height.len());
         (first..places)
             .map(move |at| (at, from + pitch * at as f64))

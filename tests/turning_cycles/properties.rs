@@ -5,7 +5,7 @@ use rodete::gcode::turning::profile::{Element, Profile};
 use rodete::gcode::turning::rough::{Rough, axial, radial};
 use rodete::gcode::turning::{Move, Way};
 
-use crate::lathe::{Metal, arc, line, points, profile, rapid};
+use crate::lathe::{Metal, arc, count, line, points, profile, rapid};
 
 /// A contour of type I on a grid of half a millimetre: steps out and towards the chuck, straight or as quarter circles.
 fn falling() -> impl Strategy<Value = Profile> {
@@ -127,8 +127,20 @@ fn same_moves(
     place: impl Fn([f64; 2]) -> [f64; 2],
     flips: bool,
 ) -> Result<(), TestCaseError> {
+    // Where a circle touches a level, rounding moves the end of a pass, and a way of nothing may stand in one of them.
+    let long = |moves: &[Move]| {
+        let mut at = [f64::NAN; 2];
+        let mut moves = moves.to_vec();
+        moves.retain(|m| {
+            let near = (m.to[0] - at[0]).abs() < 1e-5 && (m.to[1] - at[1]).abs() < 1e-5;
+            at = m.to;
+            !near
+        });
+        moves
+    };
+    let (plain, other) = (long(plain), long(other));
     prop_assert_eq!(plain.len(), other.len());
-    for (a, b) in plain.iter().zip(other) {
+    for (a, b) in plain.iter().zip(&other) {
         let close = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).abs() < 1e-5 && (p[1] - q[1]).abs() < 1e-5;
         prop_assert!(close(place(a.to), b.to), "{:?} {:?}", a, b);
         match (a.way, b.way) {
@@ -167,7 +179,7 @@ proptest! {
         }
         // One for each level at which the contour leaves a way of 0.001 mm, the last level as deep as the contour.
         let total = contour.start[0] - contour.elements[0].to[0];
-        let levels = (total / rough.depth - 1e-9).ceil() as usize;
+        let levels = count((total / rough.depth - 1e-9).ceil());
         let level = |n: usize| if n == levels { contour.elements[0].to[0] } else { contour.start[0] - rough.depth * n as f64 };
         let mut corner = contour.elements[0].to;
         let mut lowest = vec![0.0_f64; levels];
@@ -221,11 +233,9 @@ proptest! {
     ) {
         let contour = profile(start, corners.into_iter().map(|(to, round)| Element { arc: round, ..line(to) }));
         let rough = Rough { depth, retract: 0.5, U, W, feed: None, both_axes: both };
-        for answer in [axial(&contour, &rough), radial(&contour, &rough)] {
-            if let Ok(moves) = answer {
-                let end = moves.last().map_or(start, |m| m.to);
-                prop_assert!((end[0] - start[0]).abs() < 1e-9 && (end[1] - start[1]).abs() < 1e-9);
-            }
+        for moves in [axial(&contour, &rough), radial(&contour, &rough)].into_iter().flatten() {
+            let end = moves.last().map_or(start, |m| m.to);
+            prop_assert!((end[0] - start[0]).abs() < 1e-9 && (end[1] - start[1]).abs() < 1e-9);
         }
     }
 }
