@@ -16,6 +16,8 @@ mod machine;
 mod passes;
 #[path = "turning/point.rs"]
 mod point;
+#[path = "turning/soup.rs"]
+mod soup;
 #[path = "turning/subprograms.rs"]
 mod subprograms;
 #[path = "turning/times.rs"]
