@@ -17,10 +17,10 @@
 //! | floor | modules | |
 //! |---|---|---|
 //! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`] | the concepts |
-//! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines, circles, two pipes that meet |
+//! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines, circles, two pipes that meet, plane regions |
 //! | 2 | [`machine`] | axes, rotary axes with pivot length, a torch over a turning pipe, travel, calibration, work offsets |
 //! | 3 | [`gcode`] | words, dialects, programs and their text, the interpreter |
-//! | 4 | [`impeller`], [`blank`], [`pipe`] | the methods, one formula family a file |
+//! | 4 | [`impeller`], [`blank`], [`pipe`], [`lathe`] | the methods, one formula family a file |
 //! | 5 | [`verify`] | judging programs, what they come to |
 //! | 6 | [`job`] | the pure whole of a workbook kind |
 //! | 7 | [`workbook`], [`report`], [`drawing`], [`view`], [`store`], [`cli`] | the outside world, one wall each |
@@ -58,6 +58,7 @@ pub mod gcode;
 pub mod geometry;
 pub mod impeller;
 pub mod job;
+pub mod lathe;
 pub mod machine;
 pub mod number;
 pub mod parameter;

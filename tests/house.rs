@@ -24,6 +24,7 @@ const FLOORS: [(&str, u8); 20] = [
     ("impeller", 4),
     ("blank", 4),
     ("pipe", 4),
+    ("lathe", 4),
     ("verify", 5),
     ("job", 6),
     ("workbook", 7),

@@ -67,7 +67,15 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
         for case in &CASES {
             let name = format!("{}-{}", case.name, language.code());
             let values = case.values(language);
-            template::write(&FORM, &values, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
+            template::write(
+                &FORM,
+                &values,
+                &(case.listed)(language),
+                &case.note,
+                language,
+                create(format!("{name}.xlsx")),
+            )
+            .expect("a form");
             let outcome = common::outcome(case.name, std::slice::from_ref(&hostile));
             results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
         }
@@ -75,7 +83,15 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
             for case in form.cases {
                 let name = format!("{}-{}-{}", form.kind, case.name, language.code());
                 let filled = case.values(language);
-                template::write(form, &filled, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
+                template::write(
+                    form,
+                    &filled,
+                    &(case.listed)(language),
+                    &case.note,
+                    language,
+                    create(format!("{name}.xlsx")),
+                )
+                .expect("a form");
                 let mut values = Values { language, ..Values::default() };
                 values.values.extend(filled);
                 values.values.insert(hostile.0, hostile.1.clone());

@@ -5,6 +5,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use rodete::impeller::parameters as impeller;
+use rodete::lathe::parameters as lathe;
 use rodete::parameter::Form;
 use rodete::pipe::hole::parameters as hole;
 use rodete::pipe::insert::parameters as insert;
@@ -12,12 +13,14 @@ use rodete::text::Language;
 use rodete::workbook::template;
 
 /// File, kind, case and language of every shipped workbook.
-const SHIPPED: [(&str, &Form, &str, Language); 5] = [
+const SHIPPED: [(&str, &Form, &str, Language); 7] = [
     ("impeller.xlsx", &impeller::FORM, "full", Language::En),
     ("impeller-tfg-2021.xlsx", &impeller::FORM, "tfg-2021", Language::Es),
     ("pipe-insert.xlsx", &insert::FORM, "square", Language::En),
     ("pipe-insert-3on4-2023.xlsx", &insert::FORM, "3on4-2023", Language::Es),
     ("pipe-hole.xlsx", &hole::FORM, "set-in", Language::En),
+    ("lathe.xlsx", &lathe::FORM, "shaft", Language::En),
+    ("lathe-blank-g85.xlsx", &lathe::FORM, "blank", Language::Es),
 ];
 
 fn path(file: &str) -> PathBuf {
@@ -27,7 +30,8 @@ fn path(file: &str) -> PathBuf {
 fn written(form: &'static Form, case: &str, language: Language) -> Vec<u8> {
     let case = form.cases.iter().find(|one| one.name == case).expect("the case is listed");
     let mut out = Cursor::new(Vec::new());
-    template::write(form, &case.values(language), &case.note, language, &mut out).expect("the template can be written");
+    template::write(form, &case.values(language), &(case.listed)(language), &case.note, language, &mut out)
+        .expect("the template can be written");
     out.into_inner()
 }
 

@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand};
 
 use super::kinds;
 use crate::gcode::dialect::ALL;
+use crate::gcode::interpreter::DecimalPoint;
 use crate::machine::work_offset::System;
 use crate::text::Language;
 
@@ -145,6 +146,9 @@ pub(super) struct Control {
     /// Skip blocks that begin with /
     #[arg(long)]
     pub(super) block_delete: bool,
+    /// What a Fanuc lathe makes of a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
+    #[arg(long, value_name = "RULE", value_parser = decimal_point())]
+    pub(super) decimal_point: Option<DecimalPoint>,
     /// The control forgets G92 and G52 at the end of a program (DISABLE_G92_PERSISTENCE)
     #[arg(long)]
     pub(super) no_g92_persistence: bool,
@@ -224,6 +228,11 @@ pub(super) struct Offsets {
 
 fn system() -> impl TypedValueParser<Value = System> {
     PossibleValuesParser::new(System::ALL.map(System::name)).map(|name| System::from_name(&name).unwrap_or_default())
+}
+
+fn decimal_point() -> impl TypedValueParser<Value = DecimalPoint> {
+    PossibleValuesParser::new(["calculator", "micrometre"])
+        .map(|rule| if rule == "calculator" { DecimalPoint::Calculator } else { DecimalPoint::Micrometre })
 }
 
 fn language() -> impl TypedValueParser<Value = Language> {

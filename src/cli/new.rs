@@ -54,8 +54,8 @@ fn write(arguments: &New) -> Result<Vec<Written>, Refusal> {
     let name = workbook_name(&file)?;
     let folder = Folder::open(file.parent().unwrap_or(Path::new("")))?;
     let mut set = Set::new(&folder, &[], Existing::Keep);
-    let values = case.values(arguments.lang);
-    set.write(name, |out| template::write(form, &values, &case.note, arguments.lang, out))?;
+    let (values, lists) = (case.values(arguments.lang), (case.listed)(arguments.lang));
+    set.write(name, |out| template::write(form, &values, &lists, &case.note, arguments.lang, out))?;
     set.commit()
 }
 

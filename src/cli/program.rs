@@ -19,8 +19,8 @@ struct Beside(PathBuf);
 
 impl Files for Beside {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        for ending in ["ngc", "nc"] {
-            let path = self.0.join(format!("{name}.{ending}"));
+        for ending in [".ngc", ".nc", ""] {
+            let path = self.0.join(format!("{name}{ending}"));
             if path.is_file() {
                 return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
                     refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
@@ -69,6 +69,7 @@ impl<'a> Shared<'a> {
         setting.unit = self.unit;
         setting.var_file = self.var_file.clone();
         setting.tools = self.tools.clone();
+        setting.point = self.control.decimal_point;
         setting.block_delete = self.control.block_delete;
         setting.keep_g92 = !self.control.no_g92_persistence;
         setting.files = Box::new(Beside(path.parent().unwrap_or(Path::new("")).to_owned()));

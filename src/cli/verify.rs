@@ -174,6 +174,10 @@ fn line(motion: &Motion) -> Value {
         };
         object.insert("feed_unit".into(), json!(mode));
     }
+    if let Kind::Thread(thread) = motion.kind {
+        object.insert("lead".into(), json!(thread.lead));
+        object.insert("lead_change".into(), json!(thread.change));
+    }
     if let Some(seconds) = motion.seconds {
         object.insert("seconds".into(), json!(seconds));
     }

@@ -1,5 +1,7 @@
 //! What G and M codes mean, whatever number a dialect gives them, and which of them exclude each other.
 
+use crate::gcode::control::Compensation;
+use crate::gcode::dialect::reading::Letters;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::Text;
 
@@ -113,6 +115,78 @@ impl Cycle {
     }
 }
 
+/// A turning cycle that a block calls and that is over with the block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turning {
+    /// Finishing along the contour (G70).
+    Finish,
+    /// Stock removal along Z (G71).
+    Axial,
+    /// Stock removal along X (G72).
+    Radial,
+    /// Stock removal along the contour (G73).
+    Repeat,
+    /// Grooving and drilling along Z, with chip breaking (G74).
+    GrooveFace,
+    /// Grooving along X, with chip breaking (G75).
+    GrooveOutside,
+    /// A thread in several passes (G76).
+    Thread,
+    /// A cycle of the Fagor 8055 T, by its number.
+    Fagor(u8),
+}
+
+impl Turning {
+    /// The number of its G code.
+    #[must_use]
+    pub const fn number(self) -> u8 {
+        match self {
+            Self::Finish => 70,
+            Self::Axial => 71,
+            Self::Radial => 72,
+            Self::Repeat => 73,
+            Self::GrooveFace => 74,
+            Self::GrooveOutside => 75,
+            Self::Thread => 76,
+            Self::Fagor(number) => number,
+        }
+    }
+
+    /// The letters that it may have beside those that need no code.
+    #[must_use]
+    pub const fn letters(self) -> Letters {
+        match self {
+            Self::Finish => Letters::of("PQ"),
+            Self::Axial | Self::Radial | Self::Repeat => Letters::of("PQRUW"),
+            Self::GrooveFace | Self::GrooveOutside | Self::Thread => Letters::of("PQRUWXZ"),
+            Self::Fagor(_) => Letters::of("ABCDEFHIJKLMPQRSUVWXZ"),
+        }
+    }
+}
+
+/// A turning cycle of one pass, which every block with X, Z or R repeats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pass {
+    /// Along Z, or along a cone (G90).
+    Axial,
+    /// A thread (G92).
+    Thread,
+    /// Along X, or along a cone (G94).
+    Radial,
+}
+
+impl Pass {
+    /// The number of its G code.
+    #[must_use]
+    pub const fn number(self) -> u8 {
+        match self {
+            Self::Axial => 90,
+            Self::Thread => 92,
+            Self::Radial => 94,
+        }
+    }
+}
+
 /// The meaning of a G code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum G {
@@ -136,8 +210,8 @@ pub enum G {
     Reference(bool),
     /// Keep this position as a reference point: false G28.1, true G30.1.
     SetReference(bool),
-    /// No cutter radius compensation.
-    CutterCompensationOff,
+    /// On which side of the path the tool's radius is kept (G40, G41, G42).
+    Compensation(Compensation),
     /// Tool length offset from the tool table.
     ToolLength,
     /// Tool length offset given in the block.
@@ -158,6 +232,12 @@ pub enum G {
     PathTolerance,
     /// Canned cycle.
     Cycle(Cycle),
+    /// Turning cycle of one call.
+    Turning(Turning),
+    /// Turning cycle of one pass, repeated until another motion code.
+    Pass(Pass),
+    /// A thread along a straight line; true where its lead changes (G32, G34).
+    Thread(bool),
     /// No canned cycle, no motion.
     Cancel,
     /// Absolute coordinates.
@@ -200,7 +280,13 @@ impl G {
     #[must_use]
     pub const fn group(self) -> Group {
         match self {
-            Self::Rapid | Self::Linear | Self::Arc(_) | Self::Cycle(_) | Self::Cancel => Group::Motion,
+            Self::Rapid
+            | Self::Linear
+            | Self::Arc(_)
+            | Self::Thread(_)
+            | Self::Pass(_)
+            | Self::Cycle(_)
+            | Self::Cancel => Group::Motion,
             Self::Dwell
             | Self::SetOffsets
             | Self::Reference(_)
@@ -208,10 +294,11 @@ impl G {
             | Self::LocalOffset
             | Self::MachineCoordinates
             | Self::SetPosition
-            | Self::SetPositionOrSpeed => Group::NonModal,
+            | Self::SetPositionOrSpeed
+            | Self::Turning(_) => Group::NonModal,
             Self::Plane(_) => Group::Plane,
             Self::Inch | Self::Millimetre => Group::Units,
-            Self::CutterCompensationOff => Group::CutterCompensation,
+            Self::Compensation(_) => Group::CutterCompensation,
             Self::ToolLength | Self::ToolLengthGiven | Self::ToolLengthAdded | Self::ToolLengthOff => Group::ToolLength,
             Self::WorkOffset(_) => Group::WorkOffset,
             Self::PathControl | Self::PathTolerance => Group::Path,
@@ -230,7 +317,12 @@ impl G {
     pub const fn takes_axes(self) -> bool {
         matches!(
             self,
-            Self::SetOffsets | Self::Reference(_) | Self::LocalOffset | Self::SetPosition | Self::SetPositionOrSpeed
+            Self::SetOffsets
+                | Self::Reference(_)
+                | Self::LocalOffset
+                | Self::SetPosition
+                | Self::SetPositionOrSpeed
+                | Self::Turning(_)
         )
     }
 }
@@ -260,8 +352,12 @@ pub enum M {
     Output,
     /// Call of a subprogram (M98).
     Call,
+    /// Call of a subprogram of the same program by the number of its first block (M97).
+    CallBlock,
     /// Return from a subprogram (M99).
     Return,
+    /// The machine's doors (M38, M39).
+    Door,
     /// A code of the machine's builder or user: not run, and said so.
     User,
     /// Known to the dialect and refused by name.
@@ -273,12 +369,12 @@ impl M {
     #[must_use]
     pub const fn group(self) -> u8 {
         match self {
-            Self::Pause | Self::End | Self::Call | Self::Return => 4,
+            Self::Pause | Self::End | Self::Call | Self::CallBlock | Self::Return => 4,
             Self::ToolChange | Self::SetTool => 6,
             Self::Spindle(_) | Self::SpindleOff | Self::SpindleOrient => 7,
             Self::Coolant(_) => 8,
             Self::Override => 9,
-            Self::User => 10,
+            Self::User | Self::Door => 10,
             Self::Output | Self::Refused(_) => 5,
         }
     }

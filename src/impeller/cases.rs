@@ -1,7 +1,7 @@
 //! The cases that a new impeller workbook can start from.
 
 use crate::impeller::parameters::SCHEMA;
-use crate::parameter::{Case, Value, t};
+use crate::parameter::{Case, Value, t, unlisted};
 use crate::text::Language;
 
 /// The cases that a new workbook can start from, the usual one first.
@@ -13,6 +13,7 @@ pub static CASES: [Case; 2] = [
             "The published part, with complete programs and splitters whose passes clear their neighbours. F, S and F_max are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
         ),
         filled: full,
+        listed: unlisted,
     },
     Case {
         name: "tfg-2021",
@@ -21,6 +22,7 @@ pub static CASES: [Case; 2] = [
             "The published case (UPCT, 2021). Its tables fix e + d_t = 8 and d_s + d_t/2 = 8; here d_t = 6, e = 2, d_s = 5. L = 147.5 + 95.4 = 242.9.",
         ),
         filled: published,
+        listed: unlisted,
     },
 ];
 

@@ -511,4 +511,5 @@ pub static FORM: Form = Form {
             sections: &[Section { title: t("Ranuras de prueba", "Test slots"), parameters: CALIBRATION }],
         },
     ],
+    lists: &[],
 };

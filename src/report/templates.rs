@@ -23,6 +23,9 @@ templates![
     "method-impeller.typ",
     "method-impeller-es.typ",
     "method-impeller-en.typ",
+    "method-lathe.typ",
+    "method-lathe-es.typ",
+    "method-lathe-en.typ",
     "method-pipe-hole.typ",
     "method-pipe-hole-es.typ",
     "method-pipe-hole-en.typ",
@@ -36,6 +39,7 @@ templates![
     "setup.typ",
     "setup-parts.typ",
     "setup-impeller.typ",
+    "setup-lathe.typ",
     "setup-pipe-hole.typ",
     "setup-pipe-insert.typ",
 ];

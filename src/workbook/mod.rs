@@ -27,6 +27,8 @@ pub mod error;
 pub mod form_sheet;
 pub mod gate;
 pub mod limits;
+mod list_rows;
+pub mod list_sheet;
 mod listing;
 pub mod long_rows;
 pub mod names;

@@ -16,7 +16,7 @@ use super::page::{Page, properties};
 use super::program_sheet::{self, ProgramSheet};
 use super::style::Styles;
 use super::table_sheet::{FIRST, TableSheet};
-use super::template::{HOW, OPTIONAL};
+use super::template::{HOW, OPTIONAL, write_lists};
 use crate::gcode::program::Program;
 use crate::job::{Chart, Outcome, checks};
 use crate::table::Table;
@@ -110,7 +110,11 @@ impl<'a> Results<'a> {
                 self.workbook.define_name(defined, &cell)?;
             }
         }
-        Ok(())
+        let names = &mut self.names;
+        let lists = &outcome.values.lists;
+        write_lists(&mut self.workbook, outcome.form, lists, &self.styles, &self.page, language, |name| {
+            names.take(name)
+        })
     }
 
     fn write_tables(&mut self) -> Result<(), WriteError> {

@@ -8,11 +8,13 @@ use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::parameter::list::{List, Naming};
 use crate::parameter::{Form, Kind, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text};
 
 use super::book::Book;
 use super::gate::gate;
+use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::sheet_cells::{Content, SheetCells};
 use super::survey::COLUMNS;
@@ -57,7 +59,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut exit = Exit::Refused;
     let mut first = Some(sheet);
     for (index, described) in form.sheets.iter().enumerate() {
-        let found = if index == 0 { Some(entry.clone()) } else { find(&book.gated.sheets, described, &mut findings)? };
+        let found =
+            if index == 0 { Some(entry.clone()) } else { find(&book.gated.sheets, &described.name, &mut findings)? };
         let Some(entry) = found else {
             if !described.optional {
                 let name = described.name.get(language);
@@ -88,6 +91,26 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         }
         if !sheet.survey.unsound {
             take(form.schema, described, &sheet, &mut values, &mut findings);
+        }
+    }
+    for list in form.lists {
+        for entry in list_sheets(list, &book.gated.sheets, language, &mut findings)? {
+            match book.read(&entry, list_rows::COLUMNS) {
+                Ok(mut sheet) => {
+                    findings.extend(hidden(&entry));
+                    findings.append(&mut sheet.survey.findings);
+                    if exit == Exit::Refused {
+                        exit = sheet.survey.exit();
+                    }
+                    if !sheet.survey.unsound {
+                        values.lists.extend(list_rows::read(list, &sheet, &mut findings));
+                    }
+                }
+                Err(mut refusal) => {
+                    exit = refusal.exit;
+                    findings.append(&mut refusal.findings);
+                }
+            }
         }
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
@@ -201,8 +224,8 @@ pub(super) fn sheet_named(
 }
 
 /// A further sheet of a form, in either language.
-fn find(sheets: &[SheetEntry], described: &Sheet, findings: &mut Vec<Finding>) -> Result<Option<SheetEntry>, Refusal> {
-    let names = Language::ALL.map(|language| described.name.get(language));
+fn find(sheets: &[SheetEntry], name: &Text, findings: &mut Vec<Finding>) -> Result<Option<SheetEntry>, Refusal> {
+    let names = Language::ALL.map(|language| name.get(language));
     let mut alike: Vec<_> =
         sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name, &entry.name))).collect();
     if alike.iter().any(|entry| names.contains(&entry.name.as_str())) {
@@ -230,6 +253,40 @@ fn find(sheets: &[SheetEntry], described: &Sheet, findings: &mut Vec<Finding>) -
         say!("cambie su nombre a \"{es}\" para que se lea", "rename it to \"{en}\" to have it read"),
     ));
     Ok(None)
+}
+
+/// The sheets of a list, in the order of the workbook.
+fn list_sheets(
+    list: &List,
+    sheets: &[SheetEntry],
+    language: Language,
+    findings: &mut Vec<Finding>,
+) -> Result<Vec<SheetEntry>, Refusal> {
+    match &list.naming {
+        Naming::One(name) => {
+            let found = find(sheets, name, findings)?;
+            if found.is_none() && !list.optional {
+                let name = name.get(language);
+                findings.push(Finding::stop(
+                    Place::File,
+                    say!("falta la hoja \"{name}\"", "the sheet \"{name}\" is missing"),
+                    say!("añada la hoja \"{name}\" de un libro nuevo", "add the sheet \"{name}\" of a new workbook"),
+                ));
+            }
+            Ok(found.into_iter().collect())
+        }
+        Naming::Numbered(_) => Ok(sheets
+            .iter()
+            .filter(|entry| entry.kind == listing::Kind::Cells && is_numbered(&entry.name))
+            .cloned()
+            .collect()),
+    }
+}
+
+/// True for `O` and one to four digits.
+fn is_numbered(name: &str) -> bool {
+    let digits = name.trim().strip_prefix(['O', 'o']).unwrap_or_default();
+    (1..=4).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 fn ambiguous(alike: &[&SheetEntry]) -> Refusal {

@@ -36,6 +36,8 @@ pub struct Styles {
     pub input_number: Format,
     /// A value cell for text, to be filled in.
     pub input_text: Format,
+    /// A cell of a list for a line of text, to be filled in.
+    pub input_line: Format,
     /// A value cell that stays as it is.
     pub fixed: Format,
     /// A computed value beside the form: boxed.
@@ -92,6 +94,7 @@ impl Default for Styles {
             input_text: input(
                 Format::new().set_num_format("@").set_align(FormatAlign::Right).set_indent(1).set_text_wrap(),
             ),
+            input_line: input(Format::new().set_num_format("@").set_font_name("Consolas").set_font_size(10)),
             fixed: ruled(top().set_align(FormatAlign::Right).set_indent(1).set_font_color(FAINT)),
             number: ruled(top().set_num_format("0.000000").set_align(FormatAlign::Right).set_indent(1)),
             whole: ruled(top().set_align(FormatAlign::Right)),

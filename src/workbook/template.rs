@@ -6,9 +6,11 @@ use rust_xlsxwriter::Workbook;
 
 use super::error::WriteError;
 use super::form_sheet::{Filling, LAST};
+use super::list_sheet::ListSheet;
 use super::long_rows::save;
 use super::page::{Page, properties};
 use super::style::Styles;
+use crate::parameter::list::{Naming, Rows};
 use crate::parameter::{Form, Value};
 use crate::text::{Language, Text};
 
@@ -24,14 +26,15 @@ pub(super) static OPTIONAL: Text = Text::fixed(
     "This sheet is optional: if all its values stay empty, nothing is computed from it.",
 );
 
-/// Writes a new workbook with one sheet for each sheet of the form. `values` are by key, parameters without one stay
-/// empty; `note` says where the values come from. The same input gives the same bytes.
+/// Writes a new workbook with one sheet for each sheet and each list of the form. `values` are by key, parameters
+/// without one stay empty; `lists` are the rows of its lists; `note` says where the values come from. The same input gives the same bytes.
 ///
 /// # Errors
 /// For a value that is not finite, for a form that a workbook cannot hold, and for what `out` refuses.
 pub fn write<W: Write + Seek + Send>(
     form: &'static Form,
     values: &[(&'static str, Value)],
+    lists: &[Rows],
     note: &Text,
     language: Language,
     out: W,
@@ -61,5 +64,42 @@ pub fn write<W: Write + Seek + Send>(
             workbook.define_name(name, &cell)?;
         }
     }
+    write_lists(&mut workbook, form, lists, &styles, &page, language, |name| name.to_owned())?;
     save(&mut workbook, Vec::new(), out)
+}
+
+/// Writes the sheets of a form's lists; `take` gives a sheet the name nearest to the one wanted that is free.
+///
+/// # Errors
+/// For a value that is not finite, and for a list that a workbook cannot hold.
+pub(super) fn write_lists(
+    workbook: &mut Workbook,
+    form: &'static Form,
+    lists: &[Rows],
+    styles: &Styles,
+    page: &Page<'_>,
+    language: Language,
+    mut take: impl FnMut(&str) -> String,
+) -> Result<(), WriteError> {
+    for list in form.lists {
+        let filled: Vec<&Rows> = lists.iter().filter(|rows| rows.list == list.key).collect();
+        match &list.naming {
+            Naming::One(name) => {
+                let name = take(name.get(language));
+                let rows = filled.first().map_or(&[][..], |rows| &rows.rows);
+                ListSheet { list, name: &name, rows, language }.write(workbook.add_worksheet(), styles, page)?;
+            }
+            Naming::Numbered(_) => {
+                for rows in filled {
+                    let name = take(&rows.sheet);
+                    ListSheet { list, name: &name, rows: &rows.rows, language }.write(
+                        workbook.add_worksheet(),
+                        styles,
+                        page,
+                    )?;
+                }
+            }
+        }
+    }
+    Ok(())
 }

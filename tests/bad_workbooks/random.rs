@@ -17,7 +17,8 @@ static SOUND: LazyLock<Parts> = LazyLock::new(Parts::sound);
 static WRITTEN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let (case, language) = (&CASES[0], Language::Es);
     let mut written = Cursor::new(Vec::new());
-    template::write(&FORM, &case.values(language), &case.note, language, &mut written).unwrap();
+    template::write(&FORM, &case.values(language), &(case.listed)(language), &case.note, language, &mut written)
+        .unwrap();
     written.into_inner()
 });
 static PARTS: LazyLock<Parts> = LazyLock::new(|| Parts::of(&WRITTEN));

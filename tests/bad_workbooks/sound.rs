@@ -35,8 +35,15 @@ fn the_written_template_is_read_back() {
     for case in &CASES {
         for language in Language::ALL {
             let mut written = std::io::Cursor::new(Vec::new());
-            rodete::workbook::template::write(&FORM, &case.values(language), &case.note, language, &mut written)
-                .unwrap();
+            rodete::workbook::template::write(
+                &FORM,
+                &case.values(language),
+                &(case.listed)(language),
+                &case.note,
+                language,
+                &mut written,
+            )
+            .unwrap();
             let filled = impeller(&written.into_inner()).unwrap();
             assert!(filled.findings.is_empty(), "{:?}", filled.findings);
             assert_eq!(filled.values.language, language);

@@ -31,7 +31,7 @@ pub fn workbook(path: &Path, changes: &[(&'static str, Value)]) {
         values.push((key, value.clone()));
     }
     let file = File::create(path).expect("a workbook to write");
-    template::write(&FORM, &values, &Text::same(""), Language::En, file).expect("a workbook");
+    template::write(&FORM, &values, &[], &Text::same(""), Language::En, file).expect("a workbook");
 }
 
 /// A folder with `impeller.xlsx` of the usual case in it.

@@ -4,7 +4,8 @@
 //! Fagor Automation, CNC 8055 M and CNC 8055 T programming manuals, CNC 8070 programming manual: lists of G functions.
 
 use crate::gcode::code::{G, Group, M, Name};
-use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading};
+use crate::gcode::control::Compensation;
+use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
 
 /// How programs of the 8055 M are read.
@@ -21,8 +22,10 @@ pub static MILLING_8055: Reading = Reading {
     plane: Plane::XY,
     return_initial: true,
     diameter: false,
-    incremental_letters: false,
-    point_required: false,
+    system_a: false,
+    turret: Turret::Change,
+    start: (G::Cancel, FeedMode::PerMinute),
+    call_depth: 10,
     dwell: &[(b'K' - b'A', 0.01)],
     most_machine_codes: 7,
 };
@@ -33,6 +36,7 @@ pub static TURNING_8055: Reading = Reading {
     codes: &CODES_8055_T,
     plane: Plane::ZX,
     diameter: true,
+    turret: Turret::Words,
     ..MILLING_8055
 };
 
@@ -84,7 +88,7 @@ const COMMON: [(usize, G); 35] = [
     (370, G::Refused(Group::Other, &GEOMETRY)),
     (380, G::Refused(Group::Other, &GEOMETRY)),
     (390, G::Refused(Group::Other, &GEOMETRY)),
-    (400, G::CutterCompensationOff),
+    (400, G::Compensation(Compensation::Off)),
     (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
     (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
     (500, G::PathControl),
@@ -162,7 +166,9 @@ const OWN_8055: [(usize, G); 38] = [
 
 static CODES_8055: Codes = with::<{ COMMON.len() + OWN_8055.len() }>(&OWN_8055);
 
-const OWN_8055_T: [(usize, G); 32] = [
+const OWN_8055_T: [(usize, G); 34] = [
+    (410, G::Compensation(Compensation::Left)),
+    (420, G::Compensation(Compensation::Right)),
     OFFSETS_8055[0],
     OFFSETS_8055[1],
     OFFSETS_8055[2],

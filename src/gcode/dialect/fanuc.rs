@@ -4,14 +4,15 @@
 //! # References
 //! The lathe simulator's list of codes; Fanuc Series 0i-T operator's manual, G-code system A.
 
-use crate::gcode::code::{G, Group, M, Name};
-use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading};
+use crate::gcode::code::{Cycle, G, Group, M, Name, Pass, Turning};
+use crate::gcode::control::Compensation;
+use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
 
 /// How programs of Fanuc's system A are read.
 pub static LATHE_A: Reading = Reading {
-    letters: Letters::of("CFIKPQRSTUWXZ"),
-    refused_letters: Letters::of("ABDEHJLVY"),
+    letters: Letters::of("FIKLPQRSTUWXZ"),
+    refused_letters: Letters::of("ABCDEHJVY"),
     free: Letters::of("FST"),
     codes: &CODES,
     machine_code,
@@ -22,19 +23,15 @@ pub static LATHE_A: Reading = Reading {
     plane: Plane::ZX,
     return_initial: true,
     diameter: true,
-    incremental_letters: true,
-    point_required: true,
+    system_a: true,
+    turret: Turret::Digits,
+    start: (G::Rapid, FeedMode::PerRevolution),
+    call_depth: 4,
     dwell: &[(b'X' - b'A', 1.0), (b'U' - b'A', 1.0), (b'P' - b'A', 0.001)],
     most_machine_codes: 3,
 };
 
-const CYCLE: Name = ("ciclos de torneado", "turning cycles");
-const DRILLING: Name = ("ciclos de taladrado", "drilling cycles");
-const THREAD: Name = ("roscado", "threading");
-const COMPENSATION: Name = ("compensación de radio de punta", "nose radius compensation");
 const MACRO: Name = ("macros", "macros");
-const REFERENCE: Name = ("retorno al punto de referencia", "return to the reference point");
-const CALL: Name = ("subprogramas", "subprograms");
 
 static CODES: Codes = Codes::new(&[
     (0, G::Rapid),
@@ -45,13 +42,13 @@ static CODES: Codes = Codes::new(&[
     (180, G::Plane(Plane::ZX)),
     (200, G::Inch),
     (210, G::Millimetre),
-    (280, G::Refused(Group::NonModal, &REFERENCE)),
-    (300, G::Refused(Group::NonModal, &REFERENCE)),
-    (320, G::Refused(Group::Motion, &THREAD)),
-    (340, G::Refused(Group::Motion, &THREAD)),
-    (400, G::CutterCompensationOff),
-    (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
-    (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (280, G::Reference(false)),
+    (300, G::Reference(true)),
+    (320, G::Thread(false)),
+    (340, G::Thread(true)),
+    (400, G::Compensation(Compensation::Off)),
+    (410, G::Compensation(Compensation::Left)),
+    (420, G::Compensation(Compensation::Right)),
     (500, G::SetPositionOrSpeed),
     (530, G::MachineCoordinates),
     (540, G::WorkOffset(1)),
@@ -61,20 +58,20 @@ static CODES: Codes = Codes::new(&[
     (580, G::WorkOffset(5)),
     (590, G::WorkOffset(6)),
     (650, G::Refused(Group::NonModal, &MACRO)),
-    (700, G::Refused(Group::NonModal, &CYCLE)),
-    (710, G::Refused(Group::NonModal, &CYCLE)),
-    (720, G::Refused(Group::NonModal, &CYCLE)),
-    (730, G::Refused(Group::NonModal, &CYCLE)),
-    (740, G::Refused(Group::NonModal, &CYCLE)),
-    (750, G::Refused(Group::NonModal, &CYCLE)),
-    (760, G::Refused(Group::NonModal, &THREAD)),
+    (700, G::Turning(Turning::Finish)),
+    (710, G::Turning(Turning::Axial)),
+    (720, G::Turning(Turning::Radial)),
+    (730, G::Turning(Turning::Repeat)),
+    (740, G::Turning(Turning::GrooveFace)),
+    (750, G::Turning(Turning::GrooveOutside)),
+    (760, G::Turning(Turning::Thread)),
     (800, G::Cancel),
-    (810, G::Refused(Group::Motion, &DRILLING)),
-    (820, G::Refused(Group::Motion, &DRILLING)),
-    (830, G::Refused(Group::Motion, &DRILLING)),
-    (900, G::Refused(Group::Motion, &CYCLE)),
-    (920, G::Refused(Group::Motion, &THREAD)),
-    (940, G::Refused(Group::Motion, &CYCLE)),
+    (810, G::Cycle(Cycle::Drill)),
+    (820, G::Cycle(Cycle::DrillDwell)),
+    (830, G::Cycle(Cycle::Peck)),
+    (900, G::Pass(Pass::Axial)),
+    (920, G::Pass(Pass::Thread)),
+    (940, G::Pass(Pass::Radial)),
     (960, G::ConstantSurfaceSpeed),
     (970, G::Rpm),
     (980, G::Feed(FeedMode::PerMinute)),
@@ -90,8 +87,10 @@ fn machine_code(number: u32) -> Option<M> {
         5 => M::SpindleOff,
         7 | 8 => M::Coolant(true),
         9 => M::Coolant(false),
-        38 | 39 => M::User,
-        97..=99 => M::Refused(&CALL),
+        38 | 39 => M::Door,
+        97 => M::CallBlock,
+        98 => M::Call,
+        99 => M::Return,
         _ => return None,
     })
 }

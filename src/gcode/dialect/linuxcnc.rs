@@ -1,7 +1,8 @@
 //! LinuxCNC: its G and M codes as its G-code reference has them.
 
 use crate::gcode::code::{Cycle, G, Group, M, Name};
-use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading};
+use crate::gcode::control::Compensation;
+use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
 
 /// How LinuxCNC's programs are read.
@@ -18,8 +19,10 @@ pub static READING: Reading = Reading {
     plane: Plane::XY,
     return_initial: false,
     diameter: false,
-    incremental_letters: false,
-    point_required: false,
+    system_a: false,
+    turret: Turret::Change,
+    start: (G::Cancel, FeedMode::PerMinute),
+    call_depth: 10,
     dwell: &[(b'P' - b'A', 1.0)],
     most_machine_codes: 4,
 };
@@ -63,7 +66,7 @@ static CODES: Codes = Codes::new(&[
     (383, G::Refused(Group::Motion, &PROBE)),
     (384, G::Refused(Group::Motion, &PROBE)),
     (385, G::Refused(Group::Motion, &PROBE)),
-    (400, G::CutterCompensationOff),
+    (400, G::Compensation(Compensation::Off)),
     (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
     (411, G::Refused(Group::CutterCompensation, &COMPENSATION)),
     (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),

@@ -1,7 +1,7 @@
 //! How programs of a dialect are read: its letters, its codes, its rules.
 
 use crate::gcode::code::{G, M};
-use crate::gcode::motion::Plane;
+use crate::gcode::motion::{FeedMode, Plane};
 
 /// Letters of the alphabet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,8 +66,19 @@ pub enum Comments {
     ParenthesesAndSemicolon,
     /// `;` to the end of the line; a parenthesis opens a statement of the control's high-level language.
     Semicolon,
-    /// `(...)` anywhere; `;` ends the block.
+    /// `(...)` anywhere; `;` ends the block, and what stands behind it is a comment unless it reads as another block.
     Parentheses,
+}
+
+/// How T is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turret {
+    /// T selects the tool that M6 changes in; offsets are taken by codes of their own.
+    Change,
+    /// T0A0B turns the turret to place A and puts offset B into force, 0 for none.
+    Digits,
+    /// T turns the turret, D puts an offset into force; without D the one with the tool's number.
+    Words,
 }
 
 /// How a dialect's programs are read.
@@ -97,10 +108,15 @@ pub struct Reading {
     pub return_initial: bool,
     /// X is a diameter.
     pub diameter: bool,
-    /// U and W are increments of X and Z.
-    pub incremental_letters: bool,
-    /// A dimension without a decimal point is refused: the control's setting decides whether it is mm or µm.
-    pub point_required: bool,
+    /// Fanuc's G-code system A: U and W are increments of X and Z; what a dimension without a decimal point is, mm or µm,
+    /// the control's setting decides; subprograms are called by their program's or their block's number.
+    pub system_a: bool,
+    /// How T is meant.
+    pub turret: Turret,
+    /// The motion code in force at the start, [`G::Cancel`] for none, and what F means.
+    pub start: (G, FeedMode),
+    /// Most calls of subprograms inside one another.
+    pub call_depth: usize,
     /// The addresses of a dwell, counted from A = 0, each with what its number is multiplied with to give seconds.
     pub dwell: &'static [(u8, f64)],
     /// Most M codes in one block.

@@ -13,6 +13,7 @@ use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Kind, Plane};
+use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::{shown, trig};
 use crate::text::Text;
@@ -43,51 +44,84 @@ impl Interpreter<'_> {
     /// An arc of the block in hand.
     pub(super) fn arc(&mut self, clockwise: bool) -> Outcome<()> {
         let plane = self.modal.plane;
-        let [first, second, across] = plane.centre_letters();
-        let centred = self.block.has(first) || self.block.has(second) || self.block.has(across);
-        let radius = self.block.get(letter::R);
-        match (radius, centred) {
-            (None, false) => {
-                return Err(Fault::block(
-                    Text::fixed("arco sin centro (I J K) ni radio R", "arc without a centre (I J K) or radius R"),
-                    Text::fixed("dé el centro o el radio", "give the centre or the radius"),
-                ));
-            }
-            (Some(_), true) => {
-                return Err(Fault::at(
-                    &[self.block.column(letter::R)],
-                    Text::fixed("arco con centro y con radio R", "arc with a centre and with radius R"),
-                    Text::fixed("deje uno de los dos", "leave one of the two"),
-                ));
-            }
-            _ => {}
-        }
+        self.arc_form()?;
         let feed = self.feed()?;
-        if self.block.has(across) {
-            return Err(Fault::at(
-                &[self.block.column(across)],
-                Text::new(
-                    format!("{} no pertenece al plano {}", name(across), plane.name()),
-                    format!("{} does not belong to the plane {}", name(across), plane.name()),
-                ),
-                Text::new(
-                    format!("use {} y {}, o cambie de plano", name(first), name(second)),
-                    format!("use {} and {}, or change the plane", name(first), name(second)),
-                ),
-            ));
-        }
+        self.arc_letters()?;
         let turns = self.turns()?;
         self.modal.motion = G::Arc(clockwise);
-        let to = self.end_point();
+        let (centre, to) = self.arc_centre(clockwise)?;
         let [a, b, c] = plane.axes();
+        let turns = if clockwise { -turns } else { turns };
+        let [x, y] = [self.current.get(a) - centre[0], self.current.get(b) - centre[1]];
+        let [to_x, to_y] = [to.get(a) - centre[0], to.get(b) - centre[1]];
+        let between = trig::atan2(x * to_y - y * to_x, x * to_x + y * to_y);
+        let (radius, rotation) = ((x * x + y * y).sqrt(), self.frame.work.rotation);
+        let arc = Arc { plane, centre, turns, radius, sweep: sweep(turns, between), rotation };
+        let seconds = if self.by_revolution(feed) {
+            self.turned_arc_seconds(&arc, feed)
+        } else {
+            self.seconds(arc.length(to.get(c) - self.current.get(c)), feed)
+        };
+        self.emit(Kind::Arc(arc, feed), to, seconds);
+        Ok(())
+    }
+
+    /// The centre of the block's arc along the plane's first and second axis, and its end; the block's words are checked.
+    pub(super) fn arc_geometry(&mut self, clockwise: bool) -> Outcome<([f64; 2], Pose)> {
+        self.arc_form()?;
+        self.arc_letters()?;
+        self.arc_centre(clockwise)
+    }
+
+    /// Refuses an arc with neither a centre nor a radius, or with both.
+    fn arc_form(&self) -> Outcome<()> {
+        let centred = self.modal.plane.centre_letters().into_iter().any(|letter| self.block.has(letter));
+        match (self.block.has(letter::R), centred) {
+            (false, false) => Err(Fault::block(
+                Text::fixed("arco sin centro (I J K) ni radio R", "arc without a centre (I J K) or radius R"),
+                Text::fixed("dé el centro o el radio", "give the centre or the radius"),
+            )),
+            (true, true) => Err(Fault::at(
+                &[self.block.column(letter::R)],
+                Text::fixed("arco con centro y con radio R", "arc with a centre and with radius R"),
+                Text::fixed("deje uno de los dos", "leave one of the two"),
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses a centre word of another plane.
+    fn arc_letters(&self) -> Outcome<()> {
+        let plane = self.modal.plane;
+        let [first, second, across] = plane.centre_letters();
+        if !self.block.has(across) {
+            return Ok(());
+        }
+        Err(Fault::at(
+            &[self.block.column(across)],
+            Text::new(
+                format!("{} no pertenece al plano {}", name(across), plane.name()),
+                format!("{} does not belong to the plane {}", name(across), plane.name()),
+            ),
+            Text::new(
+                format!("use {} y {}, o cambie de plano", name(first), name(second)),
+                format!("use {} and {}, or change the plane", name(first), name(second)),
+            ),
+        ))
+    }
+
+    fn arc_centre(&mut self, clockwise: bool) -> Outcome<([f64; 2], Pose)> {
+        let plane = self.modal.plane;
+        let to = self.end_point();
+        let [a, b, _] = plane.axes();
+        let [first, second, _] = plane.centre_letters();
         let start = [self.current.get(a), self.current.get(b)];
         let end = [to.get(a), to.get(b)];
-        let centre = match radius {
+        let centre = match self.block.get(letter::R) {
             Some(R) => {
                 let named = [a, b].into_iter().any(|axis| self.block.has(AXES[axis as usize]));
                 // U and W of a lathe stand for X and Z.
-                let incremental =
-                    self.reading.incremental_letters && (self.block.has(letter::U) || self.block.has(letter::W));
+                let incremental = self.reading.system_a && (self.block.has(letter::U) || self.block.has(letter::W));
                 if !named && !incremental {
                     return Err(Fault::at(
                         &[self.block.column(letter::R)],
@@ -102,15 +136,7 @@ impl Interpreter<'_> {
             }
             None => self.centre_by_offsets(start, end, [first, second])?,
         };
-        let turns = if clockwise { -turns } else { turns };
-        let [x, y] = [start[0] - centre[0], start[1] - centre[1]];
-        let [to_x, to_y] = [end[0] - centre[0], end[1] - centre[1]];
-        let between = trig::atan2(x * to_y - y * to_x, x * to_x + y * to_y);
-        let (radius, rotation) = ((x * x + y * y).sqrt(), self.frame.work.rotation);
-        let arc = Arc { plane, centre, turns, radius, sweep: sweep(turns, between), rotation };
-        let seconds = self.seconds(arc.length(to.get(c) - self.current.get(c)), feed);
-        self.emit(Kind::Arc(arc, feed), to, seconds);
-        Ok(())
+        Ok((centre, to))
     }
 
     /// P, the number of turns.
@@ -231,7 +257,7 @@ fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()> {
 
 /// The angle that an arc of some turns sweeps, positive counter-clockwise, from the angle between the directions of its
 /// start and its end, −π to π; radians.
-fn sweep(turns: i32, between: f64) -> f64 {
+pub(super) fn sweep(turns: i32, between: f64) -> f64 {
     let whole = f64::from(turns.abs() - 1) * TAU;
     // An arc whose end is its start is a full circle. A hair of rounding must not make it none.
     if turns > 0 {

@@ -53,6 +53,8 @@ pub(super) struct Block {
     pub(super) n: Option<u32>,
     /// One bit for each letter that stands in the block.
     pub(super) present: u32,
+    /// One bit for each letter whose number has no decimal point although a control may scale it for that.
+    pub(super) pointless: u32,
     values: [f64; 26],
     columns: [u16; 26],
     /// One bit for each group of which a G code stands in the block.
@@ -78,6 +80,7 @@ impl Block {
         Self {
             n: None,
             present: 0,
+            pointless: 0,
             values: [0.0; 26],
             columns: [0; 26],
             groups: 0,
@@ -95,6 +98,7 @@ impl Block {
     pub(super) fn clear(&mut self) {
         self.n = None;
         self.present = 0;
+        self.pointless = 0;
         self.groups = 0;
         self.machine_groups = 0;
         self.machine_codes = 0;
@@ -129,6 +133,13 @@ impl Block {
         Ok(())
     }
 
+    /// Divides the number of a letter's word.
+    pub(super) fn divide(&mut self, letter: usize, by: f64) {
+        if let Some(value) = self.values.get_mut(letter) {
+            *value /= by;
+        }
+    }
+
     /// Takes a word out, as its meaning has been used up.
     pub(super) fn take(&mut self, letter: usize) -> Option<f64> {
         let value = self.get(letter);
@@ -145,6 +156,12 @@ impl Block {
     /// The column of a group's G code.
     pub(super) fn g_column(&self, group: Group) -> usize {
         self.g_columns.get(group as usize).copied().unwrap_or(0).into()
+    }
+
+    /// The column of the first code among some groups, one bit for each.
+    pub(super) fn group_column(&self, groups: u16) -> usize {
+        let columns = (0..GROUPS).filter(|&at| self.groups & groups & (1 << at) != 0);
+        columns.filter_map(|at| self.g_columns.get(at)).copied().min().unwrap_or(0).into()
     }
 
     /// Puts a G code in; the column of the first one if its group has one already. G80 gives way to the motion that

@@ -256,15 +256,17 @@ pub(super) fn comments(line: &[u8], form: Comments) -> Outcome<Vec<(usize, &[u8]
     while let Some(next) = line.get(at..).and_then(|rest| memchr::memchr3(b'(', b')', b';', rest)) {
         let start = at + next;
         match (line[start], form) {
-            (b';', Comments::Parentheses) => {
-                let rest = line[start + 1..].trim_ascii();
-                if rest.is_empty() {
-                    break;
-                }
+            (b';', Comments::Parentheses) if reads_as_words(&line[start + 1..]) => {
                 return Err(Fault::at(
                     &[start],
-                    Text::fixed("hay texto detrás del fin de bloque «;»", "there is text after the end of block ';'"),
-                    Text::fixed("escriba un bloque por línea", "write one block a line"),
+                    Text::fixed(
+                        "hay un bloque detrás del fin de bloque «;»",
+                        "there is a block after the end of block ';'",
+                    ),
+                    Text::fixed(
+                        "escriba un bloque por línea, y los comentarios entre paréntesis",
+                        "write one block a line, and comments in parentheses",
+                    ),
                 ));
             }
             (b';', _) => {
@@ -314,6 +316,13 @@ pub(super) fn comments(line: &[u8], form: Comments) -> Outcome<Vec<(usize, &[u8]
         Some(nul) => Err(strange(line, nul, 0)),
         None => Ok(found),
     }
+}
+
+/// True where a text begins as a block does, with a letter and a number.
+fn reads_as_words(text: &[u8]) -> bool {
+    let mut text = text.trim_ascii_start().iter();
+    text.next().is_some_and(u8::is_ascii_alphabetic)
+        && text.find(|byte| **byte != b' ').is_some_and(|byte| byte.is_ascii_digit() || b"+-.".contains(byte))
 }
 
 /// A character that no block may hold, by its name.

@@ -10,14 +10,15 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::moves;
 use crate::gcode::motion::{Feed, FeedMode, Kind};
 use crate::machine::axis::Pose;
 use crate::text::Text;
 
 /// How far above the last depth a peck begins again; mm (0.010 inch).
-const PECK_CLEARANCE: f64 = 0.254;
+pub(super) const PECK_CLEARANCE: f64 = 0.254;
 /// Most pecks of a hole.
-const MOST_PECKS: f64 = 10_000.0;
+pub(super) const MOST_PECKS: f64 = 10_000.0;
 /// Most holes of a block.
 const MOST_HOLES: i64 = 9_999;
 
@@ -40,7 +41,7 @@ pub(super) struct Run {
     feed: Feed,
 }
 
-fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
+pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
     let number = cycle.number();
     Fault::block(
         Text::new(format!("falta {letter} en G{number}"), format!("{letter} is missing in G{number}")),
@@ -156,7 +157,7 @@ impl Interpreter<'_> {
         let sticky = &mut self.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
         self.modal.motion = G::Cycle(cycle);
-        self.run = Some(run);
+        self.run = Some(moves::Run::Holes(run));
         Ok(())
     }
 
@@ -268,9 +269,8 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// Makes the next hole of the cycle in hand.
-    pub(super) fn run_cycle(&mut self) -> Outcome<()> {
-        let Some(mut run) = self.run.take() else { return Ok(()) };
+    /// Makes the next hole of a run.
+    pub(super) fn next_hole(&mut self, mut run: Run) -> Outcome<()> {
         let [first, second, across] = self.modal.plane.axes();
         run.at[0] += run.step[0];
         run.at[1] += run.step[1];
@@ -354,7 +354,7 @@ impl Interpreter<'_> {
         }
         run.left -= 1;
         if run.left > 0 {
-            self.run = Some(run);
+            self.run = Some(moves::Run::Holes(run));
         }
         Ok(())
     }

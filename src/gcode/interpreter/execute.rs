@@ -5,16 +5,13 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G, Group, M};
-use crate::gcode::control::Spindle;
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
-use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::length_unit::LengthUnit;
 use crate::text::Text;
 
 /// The axis words.
@@ -32,8 +29,11 @@ struct Plan {
 impl Interpreter<'_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Outcome<()> {
-        if let Some((M::Call | M::Return, _)) = self.block.m(4) {
+        if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
+        }
+        if self.reading.system_a {
+            self.one_word_an_axis()?;
         }
         let plan = self.plan()?;
         let idle = self.block.present & !plan.used & !self.reading.free.mask();
@@ -50,12 +50,12 @@ impl Interpreter<'_> {
     }
 
     fn execute_codes(&mut self, motion: Option<G>) -> Outcome<()> {
+        if self.reading.system_a {
+            self.take_unit();
+        }
         self.set_speed_mode()?;
         if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
-            self.modal.feed_mode = mode;
-            if mode != FeedMode::InverseTime && self.reading.feed_required {
-                self.modal.feed = 0.0;
-            }
+            self.set_feed_mode(mode);
         }
         self.take_feed_and_speed()?;
         self.take_tool()?;
@@ -67,16 +67,21 @@ impl Interpreter<'_> {
         if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
             self.modal.plane = plane;
         }
-        match self.block.g(Group::Units) {
-            Some(G::Inch) => self.set_unit(LengthUnit::Inch),
-            Some(G::Millimetre) => self.set_unit(LengthUnit::Millimetre),
-            _ => {}
+        if !self.reading.system_a {
+            self.take_unit();
+        }
+        if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
+            self.set_compensation(side)?;
         }
         if let Some(code) = self.block.g(Group::ToolLength) {
             self.tool_length(code)?;
         }
         if let Some(G::WorkOffset(system)) = self.block.g(Group::WorkOffset) {
-            self.select_system(system);
+            if self.shifts_system() {
+                self.shift_system(system);
+            } else {
+                self.select_system(system);
+            }
         }
         match self.block.g(Group::Distance) {
             Some(G::Absolute) => self.modal.incremental = false,
@@ -95,11 +100,13 @@ impl Interpreter<'_> {
         }
         match at_once {
             Some(G::SetOffsets) => self.set_offsets()?,
+            Some(G::Reference(second)) if self.reading.system_a => self.return_to_reference(second)?,
             Some(G::Reference(second)) => self.go_to_reference(second)?,
             Some(G::SetReference(second)) => self.keep_reference(second),
             Some(G::LocalOffset) => self.local_offset(),
             Some(G::SetPosition) => self.set_position(),
             Some(G::SetPositionOrSpeed) => self.set_position_or_speed()?,
+            Some(G::Turning(cycle)) => self.turning(cycle)?,
             Some(G::MachineCoordinates) if self.modal.incremental => {
                 return Err(Fault::at(
                     &[self.block.g_column(Group::NonModal)],
@@ -115,14 +122,18 @@ impl Interpreter<'_> {
         if let Some(motion) = motion {
             self.make_motion(motion)?;
         }
+        if self.reading.diameter {
+            self.machine_codes_after()?;
+        }
         match self.block.m(4) {
             Some((M::End, _)) => {
-                while self.run.is_some() {
-                    self.run_cycle()?;
-                }
+                self.finish_run()?;
                 self.end()
             }
-            Some((M::Call | M::Return, _)) => self.call_or_return(),
+            Some((M::Call | M::CallBlock | M::Return, _)) => {
+                self.finish_run()?;
+                self.call_or_return()
+            }
             _ => Ok(()),
         }
     }
@@ -144,7 +155,11 @@ impl Interpreter<'_> {
             0
         };
         let axes = axes & !dwell;
+        let shifts = self.shifts_system();
+        let takes_axes = takes_axes || shifts;
         let motion = match explicit {
+            // G80 ends a cycle; the motion code that was in force before it is so again.
+            Some(G::Cancel) if self.reading.system_a && axes != 0 && !takes_axes => Some(self.modal.under_cycle()),
             Some(G::Cancel) if axes != 0 && !takes_axes => {
                 return Err(self.axes_without_use(Text::fixed("palabras de eje con G80", "axis words with G80")));
             }
@@ -178,6 +193,9 @@ impl Interpreter<'_> {
                 )));
             }
             None if axes != 0 => Some(self.modal.motion),
+            None if block.has(letter::R) && matches!(self.modal.motion, G::Pass(_)) && at_once.is_none() => {
+                Some(self.modal.motion)
+            }
             None if block.present & CENTRE_WORDS != 0 && matches!(self.modal.motion, G::Arc(_)) => {
                 Some(self.modal.motion)
             }
@@ -198,12 +216,20 @@ impl Interpreter<'_> {
             ));
         }
         let mut used = dwell;
-        if motion.is_some_and(|motion| motion != G::Cancel) || takes_axes || given {
+        let turning = matches!(at_once, Some(G::Turning(_)));
+        if shifts {
+            used |= Letters::of("XZ").mask();
+        }
+        if motion.is_some_and(|motion| motion != G::Cancel) || (takes_axes && !turning && !shifts) || given {
             used |= AXIS_WORDS;
         }
         used |= match motion {
+            Some(G::Arc(_)) if self.reading.system_a => Letters::of("IKR").mask(),
             Some(G::Arc(_)) => Letters::of("IJKRP").mask(),
+            Some(G::Cycle(cycle)) if self.reading.system_a => hole_words(cycle),
             Some(G::Cycle(cycle)) => Letters::of("RL").mask() | cycle_words(cycle),
+            Some(G::Pass(_)) => Letters::of("R").mask(),
+            Some(G::Thread(true)) => Letters::of("K").mask(),
             _ => 0,
         };
         if other {
@@ -216,6 +242,7 @@ impl Interpreter<'_> {
     fn words_of_codes(&self, at_once: Option<G>, length: Option<G>) -> u32 {
         let mut used = match at_once {
             Some(G::SetOffsets) => Letters::of("LPRQIJ").mask(),
+            Some(G::Turning(cycle)) => cycle.letters().mask(),
             _ => 0,
         };
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
@@ -242,8 +269,10 @@ impl Interpreter<'_> {
         if let Some((M::SpindleOrient, _)) = self.block.m(7) {
             used |= Letters::of("RPQ").mask();
         }
-        if let Some((M::Call, _)) = self.block.m(4) {
-            used |= Letters::of("PL").mask();
+        match self.block.m(4) {
+            Some((M::Call | M::CallBlock, _)) => used |= Letters::of("PL").mask(),
+            Some((M::Return, _)) if self.reading.system_a => used |= Letters::of("P").mask(),
+            _ => {}
         }
         used
     }
@@ -257,7 +286,7 @@ impl Interpreter<'_> {
         )
     }
 
-    fn unused(&self, idle: u32) -> Box<Fault> {
+    pub(super) fn unused(&self, idle: u32) -> Box<Fault> {
         let index = idle.trailing_zeros() as usize;
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
         Fault::at(
@@ -270,132 +299,14 @@ impl Interpreter<'_> {
         )
     }
 
-    fn set_speed_mode(&mut self) -> Outcome<()> {
-        match self.block.g(Group::Speed) {
-            Some(G::ConstantSurfaceSpeed) => {
-                if !self.block.has(letter::S) {
-                    return Err(Fault::at(
-                        &[self.block.g_column(Group::Speed)],
-                        Text::fixed("G96 sin S", "G96 without S"),
-                        Text::fixed("dé la velocidad de corte con S", "give the surface speed with S"),
-                    ));
-                }
-                self.modal.constant_surface_speed = true;
-                if self.reading.expressions {
-                    self.modal.greatest_speed = self.block.get(letter::D);
-                }
-                if self.modal.greatest_speed.is_none() {
-                    let line = self.line;
-                    self.remarks.add(
-                        Grade::Caution,
-                        line,
-                        Some(self.block.g_column(Group::Speed)),
-                        Text::fixed(
-                            "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
-                            "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
-                        ),
-                        Text::fixed("programe el límite antes de G96", "program the limit before G96"),
-                    );
-                }
-            }
-            Some(G::Rpm) => self.modal.constant_surface_speed = false,
-            _ => {}
-        }
-        Ok(())
-    }
-
-    fn take_feed_and_speed(&mut self) -> Outcome<()> {
-        if let Some(F) = self.block.get(letter::F) {
-            self.modal.feed = match self.modal.feed_mode {
-                FeedMode::PerMinute | FeedMode::PerRevolution => self.modal.unit.to_mm(F),
-                FeedMode::InverseTime | FeedMode::Seconds => F,
-            };
-        }
-        if let Some(S) = self.block.get(letter::S) {
-            let limit = matches!(self.block.g(Group::NonModal), Some(G::SetPositionOrSpeed));
-            if !limit {
-                self.modal.speed = S;
-            }
-        }
-        Ok(())
-    }
-
-    fn machine_codes(&mut self) -> Outcome<()> {
-        if let Some((M::Output, _)) = self.block.m(5) {
-            let P = self.block.get(letter::P);
-            if P.and_then(whole).is_none_or(|output| output < 0) {
-                return Err(Fault::at(
-                    &[self.block.m_column(5)],
-                    Text::fixed("salida digital sin su número P", "digital output without its number P"),
-                    Text::fixed(
-                        "P es el número de la salida, entero de 0 en adelante",
-                        "P is the output's number, whole, from 0 on",
-                    ),
-                ));
-            }
-        }
-        if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
-            self.change_tool(code)?;
-        }
-        match self.block.m(7) {
-            Some((M::Spindle(true), _)) => self.modal.spindle = Spindle::Clockwise,
-            Some((M::Spindle(false), _)) => self.modal.spindle = Spindle::CounterClockwise,
-            Some((M::SpindleOff, _)) => self.modal.spindle = Spindle::Stopped,
-            _ => {}
-        }
-        if let Some((M::Coolant(on), _)) = self.block.m(8) {
-            self.modal.coolant = on;
-        }
-        Ok(())
-    }
-
-    fn dwell(&mut self) -> Outcome<()> {
-        let found =
-            self.reading.dwell.iter().find_map(|&(letter, factor)| {
-                Some((usize::from(letter), self.block.get(usize::from(letter))? * factor))
-            });
-        let column = self.block.g_column(Group::NonModal);
-        match found {
-            None => Err(Fault::at(
-                &[column],
-                Text::fixed("G4 sin tiempo", "G4 without a time"),
-                Text::fixed("dé el tiempo de espera", "give the time to wait"),
-            )),
-            Some((letter, seconds)) if seconds < 0.0 => Err(Fault::at(
-                &[self.block.column(letter)],
-                Text::fixed("tiempo de espera negativo", "negative dwell time"),
-                Text::fixed("dé un tiempo positivo", "give a positive time"),
-            )),
-            Some((letter, seconds)) => {
-                if letter != super::block::letter::P || self.reading.dwell.len() > 1 {
-                    self.block.take(letter);
-                }
-                self.emit(Kind::Dwell(seconds), self.current, Some(seconds));
-                Ok(())
-            }
-        }
-    }
-
-    fn set_unit(&mut self, unit: LengthUnit) {
-        if unit != self.modal.unit && self.unit_said {
-            let line = self.line;
-            self.remarks.add(
-                Grade::Note,
-                line,
-                Some(self.block.g_column(Group::Units)),
-                Text::fixed("las unidades cambian en medio del programa", "the units change in mid-program"),
-                Text::fixed("", ""),
-            );
-        }
-        self.unit_said = true;
-        self.modal.unit = unit;
-    }
-
     fn make_motion(&mut self, motion: G) -> Outcome<()> {
         let moves = motion != G::Cancel && self.block.present & AXIS_WORDS != 0;
         self.distances[usize::from(self.modal.incremental)] |= moves;
         if !matches!(motion, G::Cycle(_)) {
             self.modal.sticky.initial = None;
+        }
+        if self.reading.diameter {
+            self.lathe_motion(motion);
         }
         match motion {
             G::Rapid | G::Linear => {
@@ -415,7 +326,14 @@ impl Interpreter<'_> {
                 Ok(())
             }
             G::Arc(clockwise) => self.arc(clockwise),
+            G::Cycle(cycle) if self.reading.system_a => self.hole(cycle),
             G::Cycle(cycle) => self.cycle(cycle),
+            G::Thread(changing) => self.thread(changing),
+            G::Pass(pass) => self.pass(pass),
+            G::Cancel if self.reading.system_a => {
+                self.modal.motion = self.modal.under_cycle();
+                Ok(())
+            }
             _ => {
                 self.modal.motion = G::Cancel;
                 Ok(())
@@ -464,6 +382,9 @@ impl Interpreter<'_> {
             }
             _ => {}
         }
+        if self.modal.feed_stale {
+            self.remark_stale_feed();
+        }
         Ok(Feed { mode, value: self.modal.feed })
     }
 
@@ -479,7 +400,7 @@ impl Interpreter<'_> {
                 if self.reading.diameter && axis == Axis::X {
                     value /= 2.0;
                 }
-                if self.reading.incremental_letters && matches!(axis, Axis::U | Axis::W) {
+                if self.reading.system_a && matches!(axis, Axis::U | Axis::W) {
                     let (onto, factor) = if axis == Axis::U { (Axis::X, 0.5) } else { (Axis::Z, 1.0) };
                     to.set(onto, self.current.get(onto) + value * factor);
                 } else if self.modal.incremental && !machine {
@@ -489,11 +410,17 @@ impl Interpreter<'_> {
                 }
             }
         }
+        if self.reading.diameter && !machine && to.get(Axis::X) < 0.0 && self.block.has(letter::X) {
+            self.remark_beyond_axis();
+        }
         if machine { self.frame.to_program(&to) } else { to }
     }
 
     /// The time of a straight motion at feed.
     pub(super) fn straight_seconds(&self, to: &Pose, feed: Feed) -> Option<f64> {
+        if self.by_revolution(feed) {
+            return self.turned_seconds(to, feed);
+        }
         let by = to.differences(&self.current);
         let norm = |axes: &[usize]| axes.iter().map(|&axis| by[axis] * by[axis]).sum::<f64>().sqrt();
         let length = if self.setting.dialect.feed == FeedLaw::InverseTime {
@@ -538,7 +465,16 @@ impl Interpreter<'_> {
             seconds,
         };
         self.current = to;
-        self.queue.push_back((motion, self.modal.control()));
+        self.hand_out(motion);
+    }
+}
+
+/// Letters that a drilling cycle of a lathe uses beside the axes.
+const fn hole_words(cycle: Cycle) -> u32 {
+    match cycle {
+        Cycle::Peck => Letters::of("RPQ").mask(),
+        Cycle::DrillDwell => Letters::of("RP").mask(),
+        _ => Letters::of("R").mask(),
     }
 }
 

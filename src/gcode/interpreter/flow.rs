@@ -1,6 +1,6 @@
 //! Subprograms, loops and branches.
 
-use crate::gcode::code::M;
+use crate::gcode::code::{G, Group, M};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cursor::Cursor;
@@ -12,9 +12,9 @@ use crate::gcode::interpreter::structure::{Mark, Structure, Word, label, shown, 
 use crate::text::Text;
 
 /// Most bytes of a subprogram's own file.
-const LARGEST_FILE: usize = 16 << 20;
+pub(super) const LARGEST_FILE: usize = 16 << 20;
 /// Most times that M98 repeats a call.
-const MOST_REPEATS: i64 = 9_999;
+pub(super) const MOST_REPEATS: i64 = 9_999;
 
 /// A call that has not returned.
 #[derive(Debug)]
@@ -29,6 +29,19 @@ pub(super) struct Call {
     start: Position,
     /// The loops that were open in the caller.
     loops: Vec<(usize, i64)>,
+}
+
+impl Call {
+    /// A call that shares its parameters with the caller and runs some times.
+    pub(super) const fn of(label: String, source: usize, back: Position, times: i64, start: Position) -> Self {
+        Self { label, source, back, saved: None, again: times - 1, start, loops: Vec::new() }
+    }
+
+    /// Where it begins once more, if it does; that is counted.
+    pub(super) fn repeat(&mut self) -> Option<Position> {
+        self.again -= 1;
+        (self.again >= 0).then_some(self.start)
+    }
 }
 
 /// Where the program is in its subprograms and loops.
@@ -67,7 +80,7 @@ impl Interpreter<'_> {
         })
     }
 
-    fn go_to(&mut self, position: Position) -> Outcome<()> {
+    pub(super) fn go_to(&mut self, position: Position) -> Outcome<()> {
         self.source().go_to(position)
     }
 
@@ -284,8 +297,8 @@ impl Interpreter<'_> {
         self.go_to(start)
     }
 
-    fn enter(&mut self, mut call: Call) -> Outcome<()> {
-        let most = self.setting.budget.call_depth;
+    pub(super) fn enter(&mut self, mut call: Call) -> Outcome<()> {
+        let most = self.setting.budget.call_depth.min(self.reading.call_depth);
         if self.flow.frames.len() >= most {
             let mut stack: Vec<String> = self.flow.frames.iter().map(|call| shown(&call.label)).collect();
             stack.push(shown(&call.label));
@@ -391,7 +404,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    fn leave(&mut self) -> Outcome<()> {
+    pub(super) fn leave(&mut self) -> Outcome<()> {
         let Some(call) = self.flow.frames.pop() else { return Ok(()) };
         if let Some(saved) = &call.saved {
             self.parameters.leave(saved);
@@ -404,6 +417,7 @@ impl Interpreter<'_> {
     /// M98 and M99 of the block in hand.
     pub(super) fn call_or_return(&mut self) -> Outcome<()> {
         let result = match self.block.m(4) {
+            _ if self.reading.system_a => self.call_by_number(),
             Some((M::Call, _)) => self.call_program(),
             Some((M::Return, _)) => self.return_from_program(),
             _ => Ok(()),
@@ -448,7 +462,7 @@ impl Interpreter<'_> {
             ));
         };
         let start = self.mark(Some(index))?.after;
-        self.enter(Call { label: name, source, back, saved: None, again: repeats - 1, start, loops: Vec::new() })?;
+        self.enter(Call::of(name, source, back, repeats, start))?;
         self.go_to(start)
     }
 
@@ -466,12 +480,10 @@ impl Interpreter<'_> {
                 Text::fixed("M99 dentro de un SUB", "M99 inside a SUB"),
                 Text::fixed("un SUB termina con ENDSUB o RETURN", "a SUB ends with ENDSUB or RETURN"),
             )),
-            Some(call) if call.again > 0 => {
-                call.again -= 1;
-                let start = call.start;
-                self.go_to(start)
-            }
-            Some(_) => self.leave(),
+            Some(call) => match call.repeat() {
+                Some(start) => self.go_to(start),
+                None => self.leave(),
+            },
         }
     }
 
@@ -479,6 +491,14 @@ impl Interpreter<'_> {
     pub(super) fn calls_alone(&self) -> Outcome<()> {
         let words = self.block.present & !((1 << letter::P) | (1 << letter::L));
         if words == 0 && self.block.groups == 0 {
+            return Ok(());
+        }
+        // A lathe makes a plain motion of the block before it.
+        let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
+        if self.reading.system_a
+            && matches!(motion, G::Rapid | G::Linear | G::Arc(_))
+            && self.block.g(Group::NonModal).is_none()
+        {
             return Ok(());
         }
         Err(Fault::at(

@@ -27,28 +27,41 @@
 
 mod arc;
 mod block;
+mod codes;
+mod compensation;
+mod contour;
 mod cursor;
 mod cycle;
 mod execute;
 mod expression;
 mod fault;
 mod flow;
+mod hole;
+mod lathe;
 mod modal;
+mod moves;
+mod numbers;
 mod offsets;
 mod parameters;
+mod pass;
+mod point;
 mod read;
 mod setting;
 mod source;
 mod structure;
+mod subprogram;
 mod system;
 mod tool;
 pub mod tool_table;
+mod turning;
+mod turret;
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::io::Cursor as Memory;
 
 pub use self::arc::radii_tolerance;
 use self::block::{Block, Parameter};
+use self::compensation::Compensator;
 use self::cursor::{Cursor, comments};
 pub use self::expression::DEEPEST;
 use self::fault::Outcome;
@@ -56,8 +69,10 @@ use self::fault::Remarks;
 pub use self::fault::{Fault, NO_FEED};
 use self::flow::Flow;
 use self::modal::Modal;
+use self::moves::Run;
+use self::numbers::Numbers;
 use self::parameters::Parameters;
-pub use self::setting::{Budget, Files, NoFiles, Setting, Tool, Tools};
+pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Tool, Tools};
 use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
 use self::structure::Structure;
@@ -87,6 +102,8 @@ pub struct Interpreter<'a> {
     setting: Setting,
     sources: Vec<Source<'a>>,
     structures: Vec<Option<Structure>>,
+    /// The block numbers of the sources by whose number something has been sought.
+    numbers: BTreeMap<usize, Numbers>,
     /// The source in hand.
     at: usize,
     buffer: Vec<u8>,
@@ -98,8 +115,9 @@ pub struct Interpreter<'a> {
     current: Pose,
     parameters: Parameters,
     tools: Tools,
-    queue: VecDeque<(Motion, Control)>,
-    run: Option<cycle::Run>,
+    queue: VecDeque<Result<(Motion, Control), Box<Fault>>>,
+    compensator: Compensator,
+    run: Option<Run>,
     remarks: Remarks,
     flow: Flow,
     stage: Stage,
@@ -149,17 +167,19 @@ impl<'a> Interpreter<'a> {
             reading,
             sources: vec![Source::new(bytes, None)],
             structures: vec![None],
+            numbers: BTreeMap::new(),
             at: 0,
             buffer: Vec::new(),
             line: 0,
             block: Block::new(),
-            modal: Modal::new(reading.plane, setting.unit, system),
+            modal: Modal::new(reading, setting.unit, system),
             control: Control::default(),
             current: frame.to_program(&Pose::default()),
             frame,
             parameters,
             tools: setting.tools.clone().unwrap_or_default(),
             queue: VecDeque::new(),
+            compensator: Compensator::new(!reading.system_a),
             run: None,
             remarks,
             flow: Flow::default(),
@@ -188,7 +208,8 @@ impl<'a> Interpreter<'a> {
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        (self.current, self.frame.to_machine(&self.current))
+        let tip = self.compensator.tip(&self.current);
+        (tip, self.frame.to_machine(&tip))
     }
 
     /// True where every motion so far was programmed by increments.
@@ -240,22 +261,11 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
-        let source = self.source();
-        if !source.next_line(line)? {
+        if !self.source().next_line(line)? {
             return self.end_of_file();
         }
-        let number = source.position().lines;
-        let again = !source.first_time(number);
-        self.line = number;
-        if again {
-            self.repeated += 1;
-            if self.repeated > self.setting.budget.repeated_blocks {
-                return Err(self.endless());
-            }
-        } else {
-            self.lines += 1;
-        }
-        if number == 1 && line.starts_with(b"\xEF\xBB\xBF") {
+        self.count_line()?;
+        if self.line == 1 && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
             self.remarks.add(
                 Grade::Note,
@@ -268,7 +278,26 @@ impl<'a> Interpreter<'a> {
         self.execute_line(line)
     }
 
-    fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
+    /// Counts the line that has just been read.
+    fn count_line(&mut self) -> Outcome<()> {
+        let source = self.source();
+        let number = source.position().lines;
+        let again = !source.first_time(number);
+        self.line = number;
+        if again {
+            self.repeated += 1;
+            if self.repeated > self.setting.budget.repeated_blocks {
+                return Err(self.endless());
+            }
+        } else {
+            self.lines += 1;
+        }
+        Ok(())
+    }
+
+    /// The beginning of a line's words, its block number read; at `%` where the line begins with it. `None` where there is
+    /// nothing to execute.
+    fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
         if line.len() > self.reading.longest_line {
             let most = self.reading.longest_line;
             return Err(Fault::at(
@@ -286,20 +315,25 @@ impl<'a> Interpreter<'a> {
         let mut cursor = Cursor::new(line, self.reading.comments);
         let first = cursor.peek();
         if first == 0 {
-            return Ok(());
-        }
-        if first == b'%' {
-            return self.percent_line(&mut cursor);
+            return Ok(None);
         }
         self.block.clear();
         if first == b'/' {
             if self.setting.block_delete {
-                return Ok(());
+                return Ok(None);
             }
             cursor.pass();
         }
         if cursor.accept(b'n') {
             self.block.n = Some(block_number(&mut cursor)?);
+        }
+        Ok(Some(cursor))
+    }
+
+    fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
+        let Some(mut cursor) = self.open_line(line)? else { return Ok(()) };
+        if cursor.peek() == b'%' && self.block.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
+            return self.percent_line(&mut cursor);
         }
         let opening = self.stage == Stage::Opening;
         self.stage = Stage::Running;
@@ -344,8 +378,8 @@ impl<'a> Interpreter<'a> {
                 self.percent = true;
                 return Ok(());
             }
-            if self.percent {
-                return if self.stage == Stage::Opening { self.end_of_file() } else { self.end() };
+            if self.percent || self.at != 0 {
+                return if self.stage == Stage::Opening || self.at != 0 { self.end_of_file() } else { self.end() };
             }
         }
         Err(Fault::at(
@@ -365,6 +399,10 @@ impl<'a> Interpreter<'a> {
         block_number(cursor)?;
         if opening && cursor.peek() == 0 {
             return Ok(());
+        }
+        if self.reading.system_a && cursor.peek() == 0 {
+            // What follows is another program.
+            return self.end_of_file().map_err(Fault::fatal);
         }
         Err(Fault::at(
             &[column],
@@ -498,14 +536,20 @@ impl Iterator for Interpreter<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            if let Some((motion, control)) = self.queue.pop_front() {
-                self.control = control;
-                return Some(Ok(motion));
+            if let Some(item) = self.queue.pop_front() {
+                return Some(item.map(|(motion, control)| {
+                    self.control = control;
+                    motion
+                }));
             }
             let result = if self.run.is_some() {
-                self.run_cycle()
+                self.go_on()
             } else if self.stage == Stage::Ended {
-                return None;
+                self.flush();
+                if self.queue.is_empty() {
+                    return None;
+                }
+                continue;
             } else {
                 self.step()
             };

@@ -1,7 +1,9 @@
 //! The modal state: what codes of earlier blocks leave in force.
 
-use crate::gcode::code::{Cycle, G};
+use crate::gcode::code::{Cycle, G, Turning};
 use crate::gcode::control::{Compensation, Control, Speed, Spindle};
+use crate::gcode::dialect::reading::Reading;
+use crate::gcode::interpreter::turning::First;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::length_unit::LengthUnit;
 
@@ -46,19 +48,33 @@ pub(super) struct Modal {
     pub(super) coolant: bool,
     pub(super) compensation: Compensation,
     pub(super) sticky: Sticky,
+    /// The motion code in force before the cycle in force.
+    pub(super) under: G,
+    /// The turning cycle of one pass in force: its end `[X, Z]`, X the radius, and its R.
+    pub(super) pass: Option<([f64; 2], f64)>,
+    /// The lead of threads, mm; `None` before a block of a thread has given F.
+    pub(super) lead: Option<f64>,
+    /// The change of the lead with each revolution, mm.
+    pub(super) lead_change: f64,
+    /// What F means has changed since F was given.
+    pub(super) feed_stale: bool,
+    /// The work offset in force is shifted by its own block.
+    pub(super) shifted: bool,
+    /// The first blocks of turning cycles of two blocks.
+    pub(super) first: Vec<(Turning, First)>,
     /// The work offset in force, 1 to 9.
     pub(super) system: u8,
 }
 
 impl Modal {
-    pub(super) fn new(plane: Plane, unit: LengthUnit, system: u8) -> Self {
+    pub(super) fn new(reading: &Reading, unit: LengthUnit, system: u8) -> Self {
         Self {
-            motion: G::Cancel,
-            plane,
+            motion: reading.start.0,
+            plane: reading.plane,
             unit,
             incremental: false,
             centre_absolute: false,
-            feed_mode: FeedMode::PerMinute,
+            feed_mode: reading.start.1,
             feed: 0.0,
             return_initial: None,
             speed: 0.0,
@@ -71,6 +87,13 @@ impl Modal {
             coolant: false,
             compensation: Compensation::Off,
             sticky: Sticky::default(),
+            under: G::Cancel,
+            pass: None,
+            lead: None,
+            lead_change: 0.0,
+            feed_stale: false,
+            shifted: false,
+            first: Vec::new(),
             system,
         }
     }
@@ -93,6 +116,11 @@ impl Modal {
             unit: self.unit,
             compensation: self.compensation,
         }
+    }
+
+    /// The motion code that is in force once no canned cycle is.
+    pub(super) const fn under_cycle(&self) -> G {
+        if matches!(self.motion, G::Cycle(_)) { self.under } else { self.motion }
     }
 
     /// True where a cycle is in force.

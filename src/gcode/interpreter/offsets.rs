@@ -11,14 +11,14 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::motion::{FeedMode, Kind};
+use crate::gcode::motion::Kind;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{ACTIVE, Frame, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset};
 use crate::text::Text;
 
 impl Interpreter<'_> {
     /// A coordinate system as the parameters hold it.
-    fn system(&self, system: u8) -> WorkOffset {
+    pub(super) fn system(&self, system: u8) -> WorkOffset {
         let system = System::from_number(system.into()).unwrap_or_default();
         WorkOffset {
             origin: self.pose_of(system.first_parameter()),
@@ -27,7 +27,7 @@ impl Interpreter<'_> {
     }
 
     /// Puts another frame into force; the machine does not move.
-    fn reframe(&mut self, frame: Frame) {
+    pub(super) fn reframe(&mut self, frame: Frame) {
         let machine = self.frame.to_machine(&self.current);
         self.frame = frame;
         self.current = frame.to_program(&machine);
@@ -35,15 +35,16 @@ impl Interpreter<'_> {
 
     /// G54 to G59.3. A system that is in force already stays as it is.
     pub(super) fn select_system(&mut self, system: u8) {
-        if system != self.modal.system {
+        if system != self.modal.system || self.modal.shifted {
             self.modal.system = system;
+            self.modal.shifted = false;
             self.parameters.set(ACTIVE as usize, f64::from(system));
             self.reframe(Frame { work: self.system(system), ..self.frame });
         }
     }
 
     /// The value of an axis word in mm or degrees.
-    fn axis_word(&self, axis: Axis) -> Option<f64> {
+    pub(super) fn axis_word(&self, axis: Axis) -> Option<f64> {
         let word = self.block.get(AXES[axis as usize])?;
         let diameter = self.reading.diameter && axis == Axis::X;
         let value = if axis.rotary() { word } else { self.modal.unit.to_mm(word) };
@@ -177,7 +178,7 @@ impl Interpreter<'_> {
         self.keep_pose(if second { G30_FIRST } else { G28_FIRST }, &machine);
     }
 
-    fn keep_g92(&mut self, on: bool, registers: Option<Pose>) {
+    pub(super) fn keep_g92(&mut self, on: bool, registers: Option<Pose>) {
         self.parameters.set(G92_SWITCH as usize, f64::from(u8::from(on)));
         if let Some(registers) = registers {
             self.keep_pose(G92_FIRST, &registers);
@@ -219,7 +220,11 @@ impl Interpreter<'_> {
                 Ok(())
             }
             (true, None) => {
-                self.set_position();
+                if self.reading.system_a {
+                    self.set_lathe_position();
+                } else {
+                    self.set_position();
+                }
                 Ok(())
             }
             _ => Err(Fault::at(
@@ -254,22 +259,31 @@ impl Interpreter<'_> {
             self.reframe(Frame { g92: Pose::default(), ..self.frame });
         } else if left {
             let line = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                None,
-                Text::fixed(
-                    "G92 o G52 sigue activo al final: vale también para el programa siguiente",
-                    "G92 or G52 is left active at the end: it holds for the next program too",
-                ),
-                Text::fixed("programe G92.1 antes del final", "program G92.1 before the end"),
-            );
+            let (what, remedy) = if self.reading.system_a {
+                (
+                    Text::fixed(
+                        "G50 con X o Z sigue activo al final: vale también para el programa siguiente",
+                        "G50 with X or Z is left active at the end: it holds for the next program too",
+                    ),
+                    Text::fixed("use los orígenes G54 a G59", "use the work offsets G54 to G59"),
+                )
+            } else {
+                (
+                    Text::fixed(
+                        "G92 o G52 sigue activo al final: vale también para el programa siguiente",
+                        "G92 or G52 is left active at the end: it holds for the next program too",
+                    ),
+                    Text::fixed("programe G92.1 antes del final", "program G92.1 before the end"),
+                )
+            };
+            self.remarks.add(Grade::Caution, line, None, what, remedy);
         }
         self.select_system(1);
         self.modal.plane = self.reading.plane;
         self.modal.incremental = false;
-        self.modal.feed_mode = FeedMode::PerMinute;
+        self.modal.feed_mode = self.reading.start.1;
         self.modal.feed = 0.0;
         self.modal.spindle = Spindle::Stopped;
+        self.modal.coolant = false;
     }
 }

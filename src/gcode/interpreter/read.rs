@@ -1,7 +1,7 @@
 //! From a line to a block.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, M};
+use crate::gcode::code::{G, Group, M, Turning};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::cursor::Cursor;
@@ -12,8 +12,6 @@ use crate::text::Text;
 
 /// Addresses whose numbers are lengths or angles on the part.
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
-/// Of these, lengths.
-const LENGTHS: Letters = Letters::of("IJKRUWXZ");
 
 fn unverifiable() -> Text {
     Text::fixed(
@@ -39,9 +37,10 @@ impl Interpreter<'_> {
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         loop {
             match cursor.peek() {
+                0 if self.block.pointless != 0 => return self.settle_points(),
                 0 => return Ok(()),
                 b'g' => self.read_g(cursor)?,
-                b'm' => self.read_m(cursor)?,
+                b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
                 b'#' if self.reading.expressions => {
                     let setting = self.setting(cursor)?;
@@ -50,6 +49,11 @@ impl Interpreter<'_> {
                 _ => return Err(cursor.refuse_character()),
             }
         }
+    }
+
+    /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
+    fn fagor_cycle(&self) -> bool {
+        matches!(self.block.g(Group::NonModal), Some(G::Turning(Turning::Fagor(_))))
     }
 
     fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
@@ -162,7 +166,8 @@ impl Interpreter<'_> {
     fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {
         let column = cursor.column();
         let index = letter - b'a';
-        if !self.reading.letters.has(index) {
+        let known = self.reading.letters.has(index);
+        if !(known || (self.fagor_cycle() && Turning::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }
         cursor.pass();
@@ -182,25 +187,19 @@ impl Interpreter<'_> {
                     Text::fixed("compruebe el número", "check the number"),
                 ));
             }
-            if self.reading.point_required && !number.point && value != 0.0 && LENGTHS.has(index) {
-                return Err(Fault::at(
-                    &[column],
-                    Text::new(
-                        format!("{}{value} sin punto decimal: según el control son mm o µm", name(letter)),
-                        format!("{}{value} has no decimal point: mm or µm, depending on the control", name(letter)),
-                    ),
-                    Text::new(format!("escriba {}{value}.", name(letter)), format!("write {}{value}.", name(letter))),
-                ));
-            }
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
-            && !(letter == b'q' && self.reading.point_required)
+            && !(letter == b'q' && self.reading.system_a)
+            && !self.fagor_cycle()
         {
             return Err(Fault::at(
                 &[number_column],
                 Text::new(format!("{} negativo: {value}", name(letter)), format!("negative {}: {value}", name(letter))),
                 Text::fixed("escriba un número positivo", "write a positive number"),
             ));
+        }
+        if self.reading.system_a {
+            self.see_point(index, &number, column)?;
         }
         self.block.put(index.into(), value, column).map_err(|first| twice(name(letter), first, column))
     }

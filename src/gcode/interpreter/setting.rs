@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::gcode::dialect::Dialect;
+use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
@@ -14,6 +15,8 @@ pub struct Tool {
     pub offset: Pose,
     /// The diameter.
     pub diameter: f64,
+    /// Of a turning tool its nose; `None` where the table gives none: it cannot be compensated then.
+    pub nose: Option<Nose>,
 }
 
 /// The tools by their number.
@@ -36,6 +39,15 @@ impl Files for NoFiles {
     fn find(&mut self, _name: &str) -> Result<Option<Vec<u8>>, String> {
         Ok(None)
     }
+}
+
+/// What a control of Fanuc's system A makes of a dimension without a decimal point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DecimalPoint {
+    /// As a pocket calculator does: X100 is 100 mm.
+    Calculator,
+    /// A number of least input increments: X100 is 0.1 mm (0.01 inch under G20).
+    Micrometre,
 }
 
 /// How much a program may ask of the interpreter.
@@ -63,6 +75,8 @@ pub struct Setting {
     pub var_file: VarFile,
     /// The tool table; `None` where it is not known: every tool is then taken as one of length 0, and said so.
     pub tools: Option<Tools>,
+    /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
+    pub point: Option<DecimalPoint>,
     /// Blocks that begin with `/` are skipped.
     pub block_delete: bool,
     /// G92 and G52 outlive the program; else they are cleared at its start and its end.
@@ -84,6 +98,7 @@ impl Setting {
             unit: LengthUnit::Millimetre,
             var_file: VarFile::default(),
             tools: None,
+            point: None,
             block_delete: false,
             keep_g92: true,
             part: false,

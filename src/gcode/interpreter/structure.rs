@@ -38,8 +38,12 @@ pub(super) enum Word {
     Program,
 }
 
-/// A label as a program has it: `O7`, `O<name>`.
+/// A label as a program has it: `O7`, `O<name>`; of a block `N100`, which no name of an O-word can be: those are in small
+/// letters.
 pub(super) fn shown(label: &str) -> String {
+    if label.starts_with('N') {
+        return label.to_owned();
+    }
     if label.bytes().all(|byte| byte.is_ascii_digit()) { format!("O{label}") } else { format!("O<{label}>") }
 }
 

@@ -3,6 +3,7 @@
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Spindle;
+use crate::gcode::dialect::reading::Turret;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
@@ -16,6 +17,9 @@ use crate::text::Text;
 impl Interpreter<'_> {
     /// T: the tool that the next change brings.
     pub(super) fn take_tool(&mut self) -> Outcome<()> {
+        if self.reading.turret != Turret::Change {
+            return self.turn_turret();
+        }
         let Some(T) = self.block.get(letter::T) else { return Ok(()) };
         let number = self.tool_number(letter::T, T)?;
         self.modal.selected = Some(number);
@@ -23,7 +27,7 @@ impl Interpreter<'_> {
     }
 
     /// The number of a tool that the table holds, if it is known; 0 is none.
-    fn tool_number(&mut self, letter: usize, value: f64) -> Outcome<u32> {
+    pub(super) fn tool_number(&mut self, letter: usize, value: f64) -> Outcome<u32> {
         let column = self.block.column(letter);
         let Some(number) = whole(value).and_then(|number| u32::try_from(number).ok()) else {
             return Err(Fault::at(
@@ -77,7 +81,7 @@ impl Interpreter<'_> {
     }
 
     /// A tool's offset; 0 and a Caution where there is no table.
-    fn offset_of(&mut self, number: u32) -> Pose {
+    pub(super) fn offset_of(&mut self, number: u32) -> Pose {
         if self.setting.tools.is_none() && number != 0 {
             let line = self.line;
             self.remarks.add(

@@ -2,10 +2,12 @@
 //!
 //! # References
 //! LinuxCNC, "Tool table format": a line for each tool, T its number, P its pocket, X to W its offsets, D its diameter, I J
-//! its angles, Q its orientation, a comment after `;`. Lengths in the machine's unit.
+//! its angles, Q its orientation, a comment after `;`. Lengths in the machine's unit. Of a tool with an orientation from 1 to
+//! 9 D is twice the nose radius.
 
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::interpreter::setting::{Tool, Tools};
+use crate::gcode::turning::nose::{Nose, Tip};
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 use crate::text::Text;
@@ -55,6 +57,7 @@ fn refused(line: usize, column: usize, word: &str, twice: bool) -> Finding {
 fn tool(words: &str, unit: LengthUnit) -> Result<(u32, Tool), (usize, String)> {
     let mut number = None;
     let mut tool = Tool::default();
+    let (mut orientation, mut below) = (None, None);
     for word in words.split_whitespace() {
         let column = word.as_ptr() as usize - words.as_ptr() as usize + 1;
         let wrong = || (column, word.to_owned());
@@ -65,14 +68,23 @@ fn tool(words: &str, unit: LengthUnit) -> Result<(u32, Tool), (usize, String)> {
         let value: f64 = digits.parse().ok().filter(|value: &f64| plain && value.is_finite()).ok_or_else(wrong)?;
         match letter {
             'T' => number = Some(digits.parse().map_err(|_| wrong())?),
-            'D' => tool.diameter = unit.to_mm(value),
-            'P' | 'I' | 'J' | 'Q' => {}
+            'D' => {
+                tool.diameter = unit.to_mm(value);
+                below = (value < 0.0).then(wrong);
+            }
+            'Q' => orientation = Some(digits.parse().ok().and_then(Tip::of_linuxcnc).ok_or_else(wrong)?),
+            'P' | 'I' | 'J' => {}
             _ => {
                 let axis = Axis::ALL.into_iter().find(|axis| axis.letter() == letter).ok_or_else(wrong)?;
                 tool.offset.set(axis, if axis.rotary() { value } else { unit.to_mm(value) });
             }
         }
     }
+    let orientation = orientation.filter(|&tip| tip != Tip::default());
+    if let (Some(_), Some(below)) = (orientation, below) {
+        return Err(below);
+    }
+    tool.nose = orientation.map(|tip| Nose { radius: tool.diameter / 2.0, tip });
     number.map(|number| (number, tool)).ok_or_else(|| (1, words.trim().to_owned()))
 }
 
@@ -90,6 +102,14 @@ mod tests {
     }
 
     #[test]
+    fn a_tool_with_an_orientation_has_a_nose_with_x_the_way_of_the_axis() {
+        let tools = parse(b"T1 Q2 D1.6\nT2 D1.6\nT3 Q0 D1.6\nT4 Q9\n", LengthUnit::Millimetre).unwrap();
+        assert_eq!(tools[&1].nose, Some(Nose { radius: 0.8, tip: Tip::new(3).unwrap() }));
+        assert_eq!((tools[&2].nose, tools[&3].nose), (None, None));
+        assert_eq!(tools[&4].nose, Some(Nose { radius: 0.0, tip: Tip::new(9).unwrap() }));
+    }
+
+    #[test]
     fn what_is_no_tool_is_refused_with_its_place() {
         for (text, place) in [
             ("T1 Z1,5", (1, 4)),
@@ -98,6 +118,9 @@ mod tests {
             ("T1 Znan", (1, 4)),
             ("T1.5", (1, 1)),
             ("T1 E5", (1, 4)),
+            ("T1 D2 Q10", (1, 7)),
+            ("T1 Q2.5", (1, 4)),
+            ("T1 D-1 Q2", (1, 4)),
         ] {
             let refusal = parse(text.as_bytes(), LengthUnit::Millimetre).unwrap_err();
             assert_eq!(refusal.findings[0].place, Place::Line { line: place.0, columns: vec![place.1] }, "{text}");

@@ -7,6 +7,18 @@
 //! A point is `[X, Z]` in program coordinates, X the *radius*, mm. Angles count from +Z towards +X, so that G3 is
 //! counter-clockwise in a drawing with Z to the right and X up.
 
+pub mod finish;
+pub mod groove;
+pub mod nose;
+pub mod pace;
+pub mod profile;
+pub mod repeat;
+pub mod rough;
+mod scan;
+pub mod thread_cycle;
+mod tool;
+pub mod trouble;
+
 use crate::gcode::motion::Thread;
 
 /// How a move goes.

@@ -1,6 +1,6 @@
 //! The cases that a new pipe-hole workbook can start from.
 
-use crate::parameter::{Case, Value, t};
+use crate::parameter::{Case, Value, t, unlisted};
 use crate::pipe::hole::parameters::SCHEMA;
 use crate::text::Language;
 
@@ -12,6 +12,7 @@ pub static CASES: [Case; 1] = [Case {
         "A 3\" branch set into a 6\" header, schedule 40, with a groove of 30°. The sizes of the torch, F and the delay are examples: check them for your equipment.",
     ),
     filled,
+    listed: unlisted,
 }];
 
 fn filled(language: Language) -> Vec<(&'static str, Value)> {

@@ -231,4 +231,5 @@ pub static FORM: Form = Form {
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
         ],
     }],
+    lists: &[],
 };

@@ -1,6 +1,6 @@
 //! The cases that a new pipe-insert workbook can start from.
 
-use crate::parameter::{Case, Value, t};
+use crate::parameter::{Case, Value, t, unlisted};
 use crate::pipe::insert::parameters::SCHEMA;
 use crate::text::Language;
 
@@ -13,6 +13,7 @@ pub static CASES: [Case; 2] = [
             "A 3\" branch on a 4\" header, schedule 40, at 90°, cut on the turning pipe. F, delay and kerf are those of a 45 A plasma in 5.5 mm steel: check them for your equipment.",
         ),
         filled: square,
+        listed: unlisted,
     },
     Case {
         name: "3on4-2023",
@@ -21,6 +22,7 @@ pub static CASES: [Case; 2] = [
             "The published case (Universidad de Guanajuato, 2023), with the values as they were typed: r = 44.45 is already the outside radius of the 3\" pipe, typed where the inside one is asked for, and the development is 5.49 mm too far out.",
         ),
         filled: published,
+        listed: unlisted,
     },
 ];
 

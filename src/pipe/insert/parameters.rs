@@ -201,4 +201,5 @@ pub static FORM: Form = Form {
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
         ],
     }],
+    lists: &[],
 };

@@ -3,9 +3,12 @@
 //! The input sheet, its cell validation, the refusals, the ranges of the property tests and the documentation all
 //! follow from it, so that a limit is written once.
 
+pub mod list;
+
 use std::collections::BTreeMap;
 
 use crate::finding::{CellPlace, Finding, Place};
+use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
 use crate::text::{Language, Text};
 
@@ -106,6 +109,14 @@ pub struct Case {
     pub note: Text,
     /// The values by key, with texts in a language.
     pub filled: fn(Language) -> Vec<(&'static str, Value)>,
+    /// The rows of its lists, likewise.
+    pub listed: fn(Language) -> Vec<Rows>,
+}
+
+/// No list has rows.
+#[must_use]
+pub const fn unlisted(_: Language) -> Vec<Rows> {
+    Vec::new()
 }
 
 impl Case {
@@ -131,6 +142,8 @@ pub struct Form {
     pub templates: &'static [&'static str],
     /// The sheets; the first is required and holds the schema cell.
     pub sheets: &'static [Sheet],
+    /// The lists that follow on sheets of their own.
+    pub lists: &'static [List],
 }
 
 impl Form {
@@ -170,6 +183,8 @@ pub struct Values {
     pub values: BTreeMap<&'static str, Value>,
     /// The value cell of every parameter whose symbol was found, filled or not.
     pub cells: BTreeMap<&'static str, CellPlace>,
+    /// The lists, in the order of their sheets; one whose sheet is missing or has no rows is absent.
+    pub lists: Vec<Rows>,
 }
 
 impl Values {
@@ -207,6 +222,12 @@ impl Values {
             Some(Value::Line(value)) => value,
             _ => "",
         }
+    }
+
+    /// The rows of a list's sheet; none where it is absent.
+    #[must_use]
+    pub fn rows(&self, list: &str) -> &[Row] {
+        self.lists.iter().find(|rows| rows.list == list).map_or(&[], |rows| &rows.rows)
     }
 
     /// The finding with its parameters turned into the cells they came from.

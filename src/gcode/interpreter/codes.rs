@@ -1,0 +1,198 @@
+//! Codes beside the motion: feed, speed, spindle, coolant, dwell, units.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, Group, M, Turning};
+use crate::gcode::control::{Control, Spindle};
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::motion::{FeedMode, Kind};
+use crate::gcode::turning::pace::Pace;
+use crate::machine::axis::Axis;
+use crate::machine::length_unit::LengthUnit;
+use crate::text::Text;
+
+impl Interpreter<'_> {
+    pub(super) fn set_speed_mode(&mut self) -> Outcome<()> {
+        match self.block.g(Group::Speed) {
+            Some(G::ConstantSurfaceSpeed) => {
+                if !self.block.has(letter::S) {
+                    self.surface_speed_missing()?;
+                }
+                self.modal.constant_surface_speed = true;
+                if self.reading.expressions {
+                    self.modal.greatest_speed = self.block.get(letter::D);
+                }
+                if self.modal.greatest_speed.is_none() {
+                    let line = self.line;
+                    self.remarks.add(
+                        Grade::Caution,
+                        line,
+                        Some(self.block.g_column(Group::Speed)),
+                        Text::fixed(
+                            "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
+                            "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
+                        ),
+                        Text::fixed("programe el límite antes de G96", "program the limit before G96"),
+                    );
+                }
+            }
+            Some(G::Rpm) => {
+                if self.reading.diameter && self.modal.constant_surface_speed {
+                    // Without S the spindle keeps the speed that it has.
+                    let pace = Pace::of(&Control { spindle: Spindle::Clockwise, ..self.modal.control() });
+                    self.modal.speed = pace.and_then(|pace| pace.speed(self.current.get(Axis::X))).unwrap_or(0.0);
+                }
+                self.modal.constant_surface_speed = false;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// G96 without S: a lathe takes the S that follows.
+    fn surface_speed_missing(&mut self) -> Outcome<()> {
+        let column = self.block.g_column(Group::Speed);
+        let what = Text::fixed("G96 sin S", "G96 without S");
+        let remedy = Text::fixed("dé la velocidad de corte con S", "give the surface speed with S");
+        if !self.reading.diameter {
+            return Err(Fault::at(&[column], what, remedy));
+        }
+        if !self.modal.constant_surface_speed {
+            self.modal.speed = 0.0;
+            let line = self.line;
+            self.remarks.add(Grade::Caution, line, Some(column), what, remedy);
+        }
+        Ok(())
+    }
+
+    pub(super) fn take_feed_and_speed(&mut self) -> Outcome<()> {
+        // They are parameters of the cycle.
+        if let Some(G::Turning(Turning::Fagor(_))) = self.block.g(Group::NonModal) {
+            return Ok(());
+        }
+        if let Some(F) = self.block.get(letter::F) {
+            self.modal.feed = match self.modal.feed_mode {
+                FeedMode::PerMinute | FeedMode::PerRevolution => self.modal.unit.to_mm(F),
+                FeedMode::InverseTime | FeedMode::Seconds => F,
+            };
+            self.modal.feed_stale = false;
+        }
+        if let Some(S) = self.block.get(letter::S) {
+            let limit = matches!(self.block.g(Group::NonModal), Some(G::SetPositionOrSpeed));
+            if !limit {
+                self.modal.speed = self.surface(S);
+            }
+        }
+        Ok(())
+    }
+
+    /// An S word in m/min or rpm: under constant surface speed feet a minute where the unit is the inch.
+    pub(super) fn surface(&self, S: f64) -> f64 {
+        let feet = self.reading.diameter && self.modal.constant_surface_speed && self.modal.unit == LengthUnit::Inch;
+        if feet { S * 0.3048 } else { S }
+    }
+
+    /// G94 and G95, G98 and G99 of a lathe: what F means.
+    pub(super) fn set_feed_mode(&mut self, mode: FeedMode) {
+        self.modal.feed_stale |= self.reading.diameter && mode != self.modal.feed_mode && self.modal.feed > 0.0;
+        self.modal.feed_mode = mode;
+        if mode != FeedMode::InverseTime && self.reading.feed_required {
+            self.modal.feed = 0.0;
+        }
+    }
+
+    pub(super) fn machine_codes(&mut self) -> Outcome<()> {
+        if let Some((M::Output, _)) = self.block.m(5) {
+            let P = self.block.get(letter::P);
+            if P.and_then(whole).is_none_or(|output| output < 0) {
+                return Err(Fault::at(
+                    &[self.block.m_column(5)],
+                    Text::fixed("salida digital sin su número P", "digital output without its number P"),
+                    Text::fixed(
+                        "P es el número de la salida, entero de 0 en adelante",
+                        "P is the output's number, whole, from 0 on",
+                    ),
+                ));
+            }
+        }
+        if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
+            self.change_tool(code)?;
+        }
+        match self.block.m(7) {
+            Some((M::Spindle(true), _)) => self.modal.spindle = Spindle::Clockwise,
+            Some((M::Spindle(false), _)) => self.modal.spindle = Spindle::CounterClockwise,
+            Some((M::SpindleOff, _)) if !self.reading.diameter => self.modal.spindle = Spindle::Stopped,
+            _ => {}
+        }
+        if let Some((M::Coolant(on), _)) = self.block.m(8)
+            && (on || !self.reading.diameter)
+        {
+            self.modal.coolant = on;
+        }
+        Ok(())
+    }
+
+    /// What a lathe does after the motion of the block: spindle and coolant off.
+    pub(super) fn machine_codes_after(&mut self) -> Outcome<()> {
+        let off = matches!(self.block.m(7), Some((M::SpindleOff, _)));
+        let dry = matches!(self.block.m(8), Some((M::Coolant(false), _)));
+        if off || dry {
+            self.finish_run()?;
+            self.modal.spindle = if off { Spindle::Stopped } else { self.modal.spindle };
+            self.modal.coolant &= !dry;
+        }
+        Ok(())
+    }
+
+    pub(super) fn dwell(&mut self) -> Outcome<()> {
+        let found =
+            self.reading.dwell.iter().find_map(|&(letter, factor)| {
+                Some((usize::from(letter), self.block.get(usize::from(letter))? * factor))
+            });
+        let column = self.block.g_column(Group::NonModal);
+        let times = self.reading.dwell.iter().filter(|(letter, _)| self.block.has(usize::from(*letter))).count();
+        if times > 1 {
+            return Err(Fault::at(
+                &[column],
+                Text::fixed("G4 con más de un tiempo", "G4 with more than one time"),
+                Text::fixed("deje uno", "leave one"),
+            ));
+        }
+        match found {
+            None => Err(Fault::at(
+                &[column],
+                Text::fixed("G4 sin tiempo", "G4 without a time"),
+                Text::fixed("dé el tiempo de espera", "give the time to wait"),
+            )),
+            Some((letter, seconds)) if seconds < 0.0 => Err(Fault::at(
+                &[self.block.column(letter)],
+                Text::fixed("tiempo de espera negativo", "negative dwell time"),
+                Text::fixed("dé un tiempo positivo", "give a positive time"),
+            )),
+            Some((letter, seconds)) => {
+                if letter != super::block::letter::P || self.reading.dwell.len() > 1 {
+                    self.block.take(letter);
+                }
+                self.emit(Kind::Dwell(seconds), self.current, Some(seconds));
+                Ok(())
+            }
+        }
+    }
+
+    pub(super) fn set_unit(&mut self, unit: LengthUnit) {
+        if unit != self.modal.unit && self.unit_said {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Note,
+                line,
+                Some(self.block.g_column(Group::Units)),
+                Text::fixed("las unidades cambian en medio del programa", "the units change in mid-program"),
+                Text::fixed("", ""),
+            );
+        }
+        self.unit_said = true;
+        self.modal.unit = unit;
+    }
+}

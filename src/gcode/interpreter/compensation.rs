@@ -1,0 +1,485 @@
+//! Nose radius compensation between the plan of a block and the motions that are handed out.
+//!
+//! Motions under G41 and G42 pass through the [stage](crate::gcode::turning::nose), which holds one of them back; their
+//! times come from the path that it makes. The stage works in machine coordinates, in which the path has no jumps when an
+//! offset changes.
+//!
+//! # What is compensated
+//! G0, G1, G2 and G3 of the program, and the contour that G70 follows. The passes of other turning cycles and of drilling cycles
+//! are made as they are, those of G90 and G94 with the cone shifted ([`Interpreter::pass_aside`]); so are moves to a reference
+//! point and to machine coordinates. The compensation ends before them and starts up again behind them; on a Fagor G53 ends it
+//! for good.
+//!
+//! # Refusals
+//! What the nose does not fit into, an arc as the first or the last motion, a thread, another plane than ZX, an offset whose nose
+//! radius is not known; each once, then the motions are those of the program until the compensation ends.
+
+use std::f64::consts::PI;
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, Group, Pass};
+use crate::gcode::control::{Compensation, Control};
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::contour::ContourBlock;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::motion::{Arc, FeedMode, Kind, Motion, Plane};
+use crate::gcode::turning::nose::{Element, MOST_STILL, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
+use crate::gcode::turning::pace::Pace;
+use crate::machine::axis::{Axis, Pose};
+use crate::number::shown;
+use crate::text::Text;
+
+/// The sharpest outer corner that a Fagor goes round straight: 300 degrees between the paths, a turn of 120.
+const FAGOR_STRAIGHT: f64 = PI * 2.0 / 3.0;
+
+/// A motion on its way through the stage.
+#[derive(Clone)]
+struct Carried {
+    motion: Motion,
+    control: Control,
+    file: Option<String>,
+    /// Tells it from its neighbours.
+    number: u64,
+}
+
+/// The compensation of an interpreter.
+pub(super) struct Compensator {
+    stage: Stage<Carried>,
+    carried: u64,
+    straight: f64,
+    /// From the programmed point to the tip, `[Z, X]`; mm.
+    aside: Point,
+    /// The compensation in force has been refused.
+    refused: bool,
+    /// On which side the move of a cycle is made, whatever is in force.
+    pub(super) cycle: Option<Compensation>,
+}
+
+impl Compensator {
+    /// Nothing compensated; `fagor` for the outer corners of a Fagor, else those of a Fanuc.
+    pub(super) const fn new(fagor: bool) -> Self {
+        let straight = if fagor { FAGOR_STRAIGHT } else { STRAIGHT };
+        Self { stage: Stage::new(straight), straight, carried: 0, aside: [0.0; 2], refused: false, cycle: None }
+    }
+
+    /// The tip's pose where the program has come to a pose.
+    pub(super) fn tip(&self, pose: &Pose) -> Pose {
+        let mut pose = *pose;
+        pose.set(Axis::Z, pose.get(Axis::Z) + self.aside[0]);
+        pose.set(Axis::X, pose.get(Axis::X) + self.aside[1]);
+        pose
+    }
+}
+
+fn point(pose: &Pose) -> Point {
+    [pose.get(Axis::Z), pose.get(Axis::X)]
+}
+
+fn place(pose: &mut Pose, [z, x]: Point) {
+    pose.set(Axis::Z, z);
+    pose.set(Axis::X, x);
+}
+
+impl Interpreter<'_> {
+    /// G40, G41 and G42.
+    pub(super) fn set_compensation(&mut self, side: Compensation) -> Outcome<()> {
+        if side != Compensation::Off && self.modal.plane != Plane::ZX {
+            return Err(Fault::at(
+                &[self.block.g_column(Group::CutterCompensation)],
+                Text::new(
+                    format!("compensación de radio en el plano {}", self.modal.plane.name()),
+                    format!("nose radius compensation in the plane {}", self.modal.plane.name()),
+                ),
+                Text::fixed("en un torno solo vale en G18", "on a lathe it works in G18 only"),
+            ));
+        }
+        if side != Compensation::Off && self.modal.offset == 0 {
+            let (line, column) = (self.line, self.block.g_column(Group::CutterCompensation));
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                Some(column),
+                Text::fixed(
+                    "G41 o G42 sin corrector en vigor: el control no compensa hasta que T dé uno",
+                    "G41 or G42 without an offset in force: the control does not compensate until T gives one",
+                ),
+                Text::fixed("llame antes al corrector de la herramienta", "call the tool's offset before it"),
+            );
+        }
+        self.modal.compensation = side;
+        Ok(())
+    }
+
+    /// How far aside of what is programmed the tip makes the cut of a pass under G90 or G94, along the axis across the cut; mm.
+    /// `slope` is the cone's rise across per mm along the cut's axis, both positive along their axes.
+    ///
+    /// The nose is kept on the side of each line that lies away from the tip, whatever G41 and G42 say: a cut along an axis with a
+    /// tip that touches it is made as programmed, and so are the moves across. On a cone of slope m, with tᵢ the shares of the
+    /// vector from the nose's centre to the tip along the cut and tₐ across it, the centre is at R √(1 + m²) from the cone along
+    /// the axis across, and the tip, tᵢ R and tₐ R from the centre, is aside by −R (m tᵢ + tₐ (√(1 + m²) − 1)). Derived here from
+    /// the rule of Fanuc Series 0i-T, operator's manual, tool nose radius compensation, canned cycles.
+    ///
+    /// # Errors
+    /// For a tip that lies neither before nor behind the cut, and without a nose in the table.
+    pub(super) fn pass_aside(&mut self, pass: Pass, slope: f64) -> Outcome<f64> {
+        if self.modal.compensation == Compensation::Off || self.modal.offset == 0 || pass == Pass::Thread {
+            return Ok(0.0);
+        }
+        let nose = self.known_nose()?;
+        let [z, x] = nose.tip.vector();
+        let (along, across) = if pass == Pass::Radial { (x, z) } else { (z, x) };
+        if across == 0.0 && nose.radius > 0.0 {
+            let (number, tip) = (pass.number(), nose.tip.number());
+            return Err(Fault::at(
+                &[self.block.g_column(Group::Motion)],
+                Text::new(
+                    format!("G{number} con G41 o G42 y orientación de punta {tip} no está implementado"),
+                    format!("G{number} with G41 or G42 and tip orientation {tip} is not supported"),
+                ),
+                Text::fixed("programe la pasada con G0 y G1, o use G40", "program the pass with G0 and G1, or use G40"),
+            ));
+        }
+        let aside = -nose.radius * (slope * along + across * ((1.0 + slope * slope).sqrt() - 1.0));
+        Ok(if slope == 0.0 || !aside.is_finite() { 0.0 } else { aside })
+    }
+
+    /// Says that the passes of a cycle are made as they are, where its block or its contour asks for compensation.
+    pub(super) fn remark_uncompensated(&mut self, blocks: &[ContourBlock]) {
+        let pass = matches!(self.modal.motion, G::Pass(Pass::Axial | Pass::Radial));
+        let asked = blocks.iter().any(|block| block.side != Compensation::Off);
+        if (self.modal.compensation == Compensation::Off && !asked) || pass {
+            return;
+        }
+        let line = self.line;
+        self.remarks.add(
+            Grade::Note,
+            line,
+            None,
+            Text::fixed(
+                "las pasadas del ciclo se hacen sin compensar el radio de punta, como en el control",
+                "the passes of the cycle are made without nose radius compensation, as the control makes them",
+            ),
+            Text::fixed(
+                "G70 sigue el contorno con la punta compensada; programe G40 antes de los demás ciclos",
+                "G70 follows the contour with the nose compensated; program G40 before other cycles",
+            ),
+        );
+    }
+
+    /// Hands a motion out, by way of the stage where a compensation is in force.
+    pub(super) fn hand_out(&mut self, motion: Motion) {
+        let mut control = self.modal.control();
+        let side = self.side(&motion);
+        control.compensation = side;
+        if side == Compensation::Off {
+            self.compensator.refused = false;
+            if self.compensator.stage.idle() {
+                self.queue.push_back(Ok((motion, control)));
+                return;
+            }
+        }
+        if self.compensator.refused {
+            self.queue.push_back(Ok((motion, control)));
+            return;
+        }
+        let nose = match self.nose(side, &motion) {
+            Ok(nose) => nose,
+            Err(mut fault) => {
+                self.flush();
+                self.compensator.refused = true;
+                self.compensator.stage = Stage::new(self.compensator.straight);
+                fault.line = motion.line;
+                fault.file.clone_from(&self.source().file);
+                self.queue.push_back(Err(fault));
+                self.queue.push_back(Ok((motion, control)));
+                return;
+            }
+        };
+        let to = point(&motion.machine);
+        let shift = [0, 1].map(|axis| to[axis] - point(&motion.to)[axis]);
+        let from = [0, 1].map(|axis| point(&motion.from)[axis] + shift[axis]);
+        let path = match motion.kind {
+            Kind::Dwell(_) => Path::Still,
+            Kind::Arc(arc, _) => {
+                Path::Arc { centre: [0, 1].map(|axis| arc.centre[axis] + shift[axis]), sweep: arc.sweep }
+            }
+            _ => Path::Line,
+        };
+        self.compensator.carried += 1;
+        let number = self.compensator.carried;
+        let tag = Carried { motion, control, file: self.source().file.clone(), number };
+        let rapid = motion.kind == Kind::Rapid;
+        let mut placed = Vec::new();
+        let step = Step { element: Element { from, to, path }, side, nose, rapid, tag };
+        let result = self.compensator.stage.push(step, &mut placed);
+        self.take_placed(placed, result);
+    }
+
+    /// Hands out what the stage still holds: the program has ended, or goes on without it.
+    pub(super) fn flush(&mut self) {
+        let mut placed = Vec::new();
+        let result = self.compensator.stage.finish(&mut placed);
+        self.take_placed(placed, result);
+    }
+
+    /// The side on which a motion is compensated.
+    fn side(&mut self, motion: &Motion) -> Compensation {
+        let at_once = self.block.groups & (1 << Group::NonModal as u16) != 0
+            && matches!(self.block.g(Group::NonModal), Some(G::Reference(_) | G::MachineCoordinates));
+        let dwell = matches!(motion.kind, Kind::Dwell(_));
+        if at_once && !dwell && !self.reading.system_a && self.modal.compensation != Compensation::Off {
+            self.modal.compensation = Compensation::Off;
+            self.remarks.add(
+                Grade::Caution,
+                motion.line,
+                None,
+                Text::fixed("G53 anula G41 y G42", "G53 cancels G41 and G42"),
+                Text::fixed("programe de nuevo G41 o G42 después", "program G41 or G42 again after it"),
+            );
+        }
+        if (at_once && !dwell) || self.modal.offset == 0 {
+            return Compensation::Off;
+        }
+        self.compensator.cycle.unwrap_or(self.modal.compensation)
+    }
+
+    /// The nose of the offset in force, for a motion on a side.
+    fn nose(&mut self, side: Compensation, motion: &Motion) -> Outcome<Nose> {
+        if side == Compensation::Off {
+            return Ok(Nose::default());
+        }
+        if let Kind::Thread(_) = motion.kind {
+            return Err(Fault::block(
+                Text::fixed("rosca con G41 o G42 en vigor", "thread with G41 or G42 in force"),
+                Text::fixed("programe G40 antes de la rosca", "program G40 before the thread"),
+            ));
+        }
+        if matches!(motion.kind, Kind::Arc(arc, _) if arc.plane != Plane::ZX) {
+            return Err(Fault::block(
+                Text::fixed(
+                    "arco de otro plano con G41 o G42 en vigor",
+                    "arc of another plane with G41 or G42 in force",
+                ),
+                Text::fixed(
+                    "en un torno la compensación solo vale en G18",
+                    "on a lathe compensation works in G18 only",
+                ),
+            ));
+        }
+        let nose = self.known_nose()?;
+        if nose.radius == 0.0 {
+            let offset = self.modal.offset;
+            self.remarks.add(
+                Grade::Note,
+                motion.line,
+                None,
+                Text::new(
+                    format!("G41 o G42 con radio de punta 0 (corrector {offset}): la punta sigue el programa"),
+                    format!("G41 or G42 with nose radius 0 (offset {offset}): the tip follows the program"),
+                ),
+                Text::fixed("", ""),
+            );
+        }
+        Ok(nose)
+    }
+
+    /// The nose that the table gives the offset in force.
+    fn known_nose(&self) -> Outcome<Nose> {
+        let offset = self.modal.offset;
+        self.tools.get(&offset).and_then(|tool| tool.nose).ok_or_else(|| {
+            Fault::block(
+                Text::new(
+                    format!("G41 o G42, y el corrector {offset} no tiene radio de punta en la tabla de herramientas"),
+                    format!("G41 or G42, and offset {offset} has no nose radius in the tool table"),
+                ),
+                Text::fixed(
+                    "dé el radio y la orientación de la punta en la tabla, o quite G41 y G42",
+                    "give the nose radius and the orientation in the table, or take G41 and G42 out",
+                ),
+            )
+        })
+    }
+
+    fn take_placed(&mut self, placed: Vec<(Element, Carried)>, result: Result<(), (Misfit, Carried)>) {
+        let mut last = 0;
+        for (element, carried) in placed {
+            let first = std::mem::replace(&mut last, carried.number) != carried.number;
+            self.compensator.aside = [0, 1].map(|axis| element.to[axis] - point(&carried.motion.machine)[axis]);
+            let motion = self.placed(&element, &carried, first);
+            self.queue.push_back(Ok((motion, carried.control)));
+        }
+        for cut in self.compensator.stage.cuts() {
+            let (radius, depth, into) = (shown(cut.radius, 4), shown(cut.depth, 3), cut.into.motion.line);
+            self.remarks.add(
+                Grade::Caution,
+                cut.along.motion.line,
+                None,
+                Text::new(
+                    format!("la punta, de radio {radius}, corta {depth} mm en el contorno de la línea {into}"),
+                    format!("the nose, of radius {radius}, cuts {depth} mm into the contour of line {into}"),
+                ),
+                Text::fixed(
+                    "el control solo mira los bloques vecinos: use una punta menor, o cambie el contorno",
+                    "a control looks at neighbouring blocks only: use a smaller nose radius, or change the contour",
+                ),
+            );
+        }
+        if let Err((misfit, carried)) = result {
+            let mut fault = refusal(&misfit);
+            (fault.line, fault.file) = (carried.motion.line, carried.file);
+            self.queue.push_back(Err(fault));
+        }
+    }
+
+    /// A motion along a piece of the compensated path; the first of its block makes the way of the other axes.
+    fn placed(&self, element: &Element, carried: &Carried, first: bool) -> Motion {
+        let programmed = carried.motion;
+        let shift = [0, 1].map(|axis| point(&programmed.to)[axis] - point(&programmed.machine)[axis]);
+        let element_in_program = element.shifted(shift);
+        if first && element_in_program.from == point(&programmed.from) && element.to == point(&programmed.machine) {
+            return programmed;
+        }
+        let mut motion = programmed;
+        if !first {
+            motion.from = motion.to;
+        }
+        place(&mut motion.from, element_in_program.from);
+        place(&mut motion.to, element_in_program.to);
+        place(&mut motion.machine, element.to);
+        motion.kind = match (programmed.kind, element_in_program.path) {
+            (Kind::Arc(arc, feed), Path::Arc { centre, sweep }) => {
+                Kind::Arc(Arc { centre, sweep, radius: radius(&motion.from, centre), ..arc }, feed)
+            }
+            (Kind::Arc(_, feed), _) => Kind::Feed(feed),
+            (Kind::Feed(feed), Path::Arc { centre, sweep }) => {
+                let turns = if sweep < 0.0 { -1 } else { 1 };
+                let radius = radius(&motion.from, centre);
+                Kind::Arc(Arc { plane: Plane::ZX, centre, turns, radius, sweep, rotation: 0.0 }, feed)
+            }
+            (kind, _) => kind,
+        };
+        motion.seconds = time(&motion, &carried.control);
+        motion
+    }
+}
+
+fn radius(from: &Pose, centre: Point) -> f64 {
+    crate::number::trig::hypot(from.get(Axis::Z) - centre[0], from.get(Axis::X) - centre[1])
+}
+
+/// The time of a motion under a control.
+fn time(motion: &Motion, control: &Control) -> Option<f64> {
+    let by = motion.to.differences(&motion.from);
+    let straight = by.iter().map(|share| share * share).sum::<f64>().sqrt();
+    let (feed, length) = match motion.kind {
+        Kind::Rapid => return None,
+        Kind::Dwell(seconds) => return Some(seconds),
+        Kind::Thread(_) => return motion.seconds,
+        Kind::Feed(feed) => (feed, straight),
+        Kind::Arc(arc, feed) => (feed, arc.length(by[Axis::Y as usize])),
+    };
+    let seconds = match feed.mode {
+        FeedMode::PerMinute => length * 60.0 / feed.value,
+        FeedMode::InverseTime => 60.0 / feed.value,
+        FeedMode::Seconds => feed.value,
+        FeedMode::PerRevolution => {
+            let pace = Pace::of(control)?;
+            let [from, to] = [&motion.from, &motion.to].map(|pose| pose.get(Axis::X));
+            match motion.kind {
+                Kind::Arc(arc, _) => pace.arc(&arc, [from, motion.from.get(Axis::Z)], feed.value)?,
+                _ => pace.straight([from, to], length, feed.value)?,
+            }
+        }
+    };
+    seconds.is_finite().then_some(seconds)
+}
+
+fn refusal(misfit: &Misfit) -> Box<Fault> {
+    let mm = |value: f64| shown(value, 4);
+    let degrees = |angle: f64| shown(angle.to_degrees(), 2);
+    let (what, remedy) = match *misfit {
+        Misfit::ArcEntry => (
+            Text::fixed("G41 o G42 empieza en un arco", "G41 or G42 begins on an arc"),
+            Text::fixed(
+                "el primer movimiento con compensación debe ser recto: G0 o G1",
+                "the first motion under compensation must be straight: G0 or G1",
+            ),
+        ),
+        Misfit::ArcExit => (
+            Text::fixed("G40 termina la compensación en un arco", "G40 ends the compensation on an arc"),
+            Text::fixed(
+                "el primer movimiento sin compensación debe ser recto: G0 o G1",
+                "the first motion without compensation must be straight: G0 or G1",
+            ),
+        ),
+        Misfit::Arc { radius, arc } => (
+            Text::new(
+                format!("el radio de punta {} no cabe en el arco de radio {}", mm(radius), mm(arc)),
+                format!("nose radius {} does not fit into the arc of radius {}", mm(radius), mm(arc)),
+            ),
+            Text::new(
+                format!("use una punta de radio {} o menor, o un arco mayor", mm(arc)),
+                format!("use a nose radius of {} or less, or a larger arc", mm(arc)),
+            ),
+        ),
+        Misfit::Corner { radius, turn } => (
+            Text::new(
+                format!(
+                    "el radio de punta {} no cabe en el rincón, donde el contorno gira {}°",
+                    mm(radius),
+                    degrees(turn)
+                ),
+                format!(
+                    "nose radius {} does not fit into the corner, where the contour turns by {}°",
+                    mm(radius),
+                    degrees(turn)
+                ),
+            ),
+            Text::fixed(
+                "use una punta menor, o cambie el contorno",
+                "use a smaller nose radius, or change the contour",
+            ),
+        ),
+        Misfit::Short { radius, length, taken } => (
+            Text::new(
+                format!(
+                    "el radio de punta {} no cabe: el tramo mide {} y los rincones de sus extremos ocupan {}",
+                    mm(radius),
+                    mm(length),
+                    mm(taken)
+                ),
+                format!(
+                    "nose radius {} does not fit: the piece is {} long and the corners at its ends take {}",
+                    mm(radius),
+                    mm(length),
+                    mm(taken)
+                ),
+            ),
+            Text::new(
+                format!("use una punta de radio {} o menor, o cambie el contorno", mm(radius * length / taken)),
+                format!("use a nose radius of {} or less, or change the contour", mm(radius * length / taken)),
+            ),
+        ),
+        Misfit::Changed => (
+            Text::fixed(
+                "la punta de la herramienta cambia con G41 o G42 en vigor",
+                "the nose of the tool changes with G41 or G42 in force",
+            ),
+            Text::fixed(
+                "programe G40 y un movimiento recto antes de cambiar de herramienta o de corrector",
+                "program G40 and a straight motion before the tool or the offset changes",
+            ),
+        ),
+        Misfit::Still => (
+            Text::new(
+                format!("más de {MOST_STILL} bloques sin movimiento en el plano con G41 o G42 en vigor"),
+                format!("more than {MOST_STILL} blocks without motion in the plane with G41 or G42 in force"),
+            ),
+            Text::fixed(
+                "el control no ve el movimiento siguiente: quite bloques o programe G40",
+                "the control does not see the next motion: take blocks out or program G40",
+            ),
+        ),
+    };
+    Fault::block(what, remedy)
+}

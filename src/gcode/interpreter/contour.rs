@@ -1,0 +1,325 @@
+//! The contour that a turning cycle names by the numbers of its first and its last block.
+//!
+//! # References
+//! Fanuc Series 0i-T operator's manual, multiple repetitive cycles: the first block of the contour has G0 or G1; its blocks call
+//! no subprogram; block numbers between P and Q stand once.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, Group, M};
+use crate::gcode::control::Compensation;
+use crate::gcode::dialect::reading::Letters;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::{AXES, Block, letter};
+use crate::gcode::interpreter::cursor::Cursor;
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::numbers::Numbered;
+use crate::gcode::interpreter::source::Position;
+use crate::gcode::turning::profile::{Element, Profile};
+use crate::machine::axis::Axis;
+use crate::text::Text;
+
+/// Most blocks of a contour.
+const MOST: usize = 10_000;
+/// Letters that a block of a contour may have.
+const LETTERS: Letters = Letters::of("FIKRSUWXZ");
+const MOVES: Letters = Letters::of("IKRUWXZ");
+
+/// A block of a contour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ContourBlock {
+    /// Its line, counted from 1.
+    pub(super) line: usize,
+    /// Its number.
+    pub(super) n: Option<u32>,
+    /// Its S.
+    pub(super) speed: Option<f64>,
+    /// The compensation in force in it.
+    pub(super) side: Compensation,
+}
+
+/// A contour as its blocks say.
+#[derive(Clone, Debug)]
+pub(super) struct Contour {
+    /// Its geometry.
+    pub(super) profile: Profile,
+    /// Its blocks, in the order of their lines.
+    pub(super) blocks: Vec<ContourBlock>,
+    /// Its first motion names both axes.
+    pub(super) both_axes: bool,
+    /// The compensation that the last block of the contour to say so puts in force.
+    pub(super) compensation: Option<Compensation>,
+    /// The line of its last block.
+    last: usize,
+    /// Where the block behind it begins.
+    behind: Position,
+}
+
+/// The first and last block of a contour, with the columns of the words that name them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ends {
+    first: Numbered,
+    last: Numbered,
+    numbers: [u32; 2],
+}
+
+impl Interpreter<'_> {
+    /// The blocks that two words of the block in hand name, P and Q of Fanuc's cycles, S and E of Fagor's.
+    pub(super) fn contour_ends(&mut self, cycle: u8, letters: [usize; 2]) -> Outcome<Ends> {
+        let mut numbers = [0; 2];
+        for (number, letter) in numbers.iter_mut().zip(letters) {
+            *number = self.number_of_block(cycle, letter)?;
+        }
+        let columns = letters.map(|letter| self.block.column(letter));
+        let [first, last] =
+            [self.block_numbered(numbers[0], columns[0], 63)?, self.block_numbered(numbers[1], columns[1], 63)?];
+        let alarm = self.alarm(63);
+        if last.line() < first.line() {
+            return Err(Fault::at(
+                &[columns[1], columns[0]],
+                Text::new(
+                    format!("{alarm}G{cycle}: N{} está delante de N{}", numbers[1], numbers[0]),
+                    format!("{alarm}G{cycle}: N{} stands before N{}", numbers[1], numbers[0]),
+                ),
+                Text::fixed(
+                    "nombre primero el primer bloque del contorno y luego el último",
+                    "name the contour's first block first and its last block last",
+                ),
+            ));
+        }
+        Ok(Ends { first, last, numbers })
+    }
+
+    fn number_of_block(&self, cycle: u8, letter: usize) -> Outcome<u32> {
+        let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
+        let Some(value) = self.block.get(letter) else {
+            let alarm = self.alarm(61);
+            return Err(Fault::at(
+                &[self.block.g_column(Group::NonModal)],
+                Text::new(
+                    format!("{alarm}falta {name} en G{cycle}: el número de un bloque del contorno"),
+                    format!("{alarm}{name} is missing in G{cycle}: the number of a block of the contour"),
+                ),
+                Text::new(format!("dé {name} en el bloque"), format!("give {name} in the block")),
+            ));
+        };
+        whole(value).and_then(|number| u32::try_from(number).ok()).ok_or_else(|| {
+            Fault::at(
+                &[self.block.column(letter)],
+                Text::new(
+                    format!("{name}{value} no es un número de bloque"),
+                    format!("{name}{value} is no block number"),
+                ),
+                Text::fixed("dé un número entero", "give a whole number"),
+            )
+        })
+    }
+
+    /// Reads the contour of a cycle from where the tool stands. The program stays where it is.
+    pub(super) fn contour(&mut self, cycle: u8, ends: Ends) -> Outcome<Contour> {
+        let back = self.source().position();
+        let (line, motion, current) = (self.line, self.modal.motion, self.current);
+        let block = std::mem::replace(&mut self.block, Block::new());
+        let read = self.read_contour(cycle, ends);
+        self.block = block;
+        (self.modal.motion, self.current) = (motion, current);
+        if read.is_ok() {
+            self.line = line;
+        }
+        self.source().go_to(back)?;
+        read
+    }
+
+    fn read_contour(&mut self, cycle: u8, ends: Ends) -> Outcome<Contour> {
+        let start = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        let mut contour = Contour {
+            profile: Profile { start, elements: Vec::new() },
+            blocks: Vec::new(),
+            both_axes: false,
+            compensation: None,
+            last: ends.last.line(),
+            behind: ends.last.at,
+        };
+        let mut feed = None;
+        let mut line = Vec::new();
+        self.source().go_to(ends.first.at)?;
+        while self.source().position().lines < ends.last.line() {
+            if !self.source().next_line(&mut line)? {
+                break;
+            }
+            self.count_line()?;
+            let Some(mut cursor) = self.open_line(&line)? else { continue };
+            if matches!(cursor.peek(), b'%' | b'o') {
+                return Err(Fault::at(
+                    &[cursor.column()],
+                    Text::new(
+                        format!("el contorno de G{cycle} no termina"),
+                        format!("the contour of G{cycle} does not end"),
+                    ),
+                    Text::fixed("ponga sus bloques seguidos", "write its blocks one after another"),
+                ));
+            }
+            self.read_words(&mut cursor)?;
+            self.contour_block(cycle, &mut contour, &mut feed)?;
+            if contour.blocks.len() > MOST {
+                return Err(Fault::block(
+                    Text::new(
+                        format!("el contorno de G{cycle} tiene más de {MOST} bloques"),
+                        format!("the contour of G{cycle} has more than {MOST} blocks"),
+                    ),
+                    Text::fixed("compruebe P y Q", "check P and Q"),
+                ));
+            }
+        }
+        contour.behind = self.source().position();
+        if contour.profile.elements.is_empty() {
+            let ([P, Q], alarm) = (ends.numbers, self.alarm(63));
+            return Err(Fault::block(
+                Text::new(
+                    format!("{alarm}G{cycle}: no hay movimiento de N{P} a N{Q}"),
+                    format!("{alarm}G{cycle}: there is no motion from N{P} to N{Q}"),
+                ),
+                Text::fixed("dé el contorno con G0, G1, G2 y G3", "give the contour with G0, G1, G2 and G3"),
+            ));
+        }
+        Ok(contour)
+    }
+
+    /// One block of a contour, in hand.
+    fn contour_block(&mut self, cycle: u8, contour: &mut Contour, feed: &mut Option<f64>) -> Outcome<()> {
+        let first = contour.profile.elements.is_empty();
+        self.contour_refuses(cycle)?;
+        if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
+            contour.compensation = Some(side);
+        }
+        let speed = self.block.get(letter::S).map(|S| self.surface(S));
+        let side = contour.compensation.unwrap_or(self.modal.compensation);
+        contour.blocks.push(ContourBlock { line: self.line, n: self.block.n, speed, side });
+        if let Some(F) = self.block.get(letter::F) {
+            *feed = Some(self.modal.unit.to_mm(F));
+        }
+        if let Some(motion) = self.block.g(Group::Motion) {
+            self.modal.motion = motion;
+        }
+        if self.block.present & MOVES.mask() == 0 {
+            return Ok(());
+        }
+        let motion = self.modal.motion;
+        if first {
+            let named = |letters: [usize; 2]| letters.into_iter().any(|letter| self.block.has(letter));
+            contour.both_axes = named([letter::X, letter::U]) && named([letter::Z, letter::W]);
+        }
+        if first && !matches!(self.block.g(Group::Motion), Some(G::Rapid | G::Linear)) {
+            let alarm = self.alarm(65);
+            return Err(Fault::block(
+                Text::new(
+                    format!("{alarm}el primer movimiento del contorno de G{cycle} no lleva G0 ni G1"),
+                    format!("{alarm}the first motion of the contour of G{cycle} has neither G0 nor G1"),
+                ),
+                Text::fixed("programe G0 o G1 en él", "program G0 or G1 in it"),
+            ));
+        }
+        let arc = match motion {
+            G::Arc(clockwise) => {
+                let (centre, to) = self.arc_geometry(clockwise)?;
+                self.current = to;
+                Some(([centre[1], centre[0]], clockwise))
+            }
+            _ => {
+                if let Some(letter) =
+                    [letter::I, letter::K, letter::R].into_iter().find(|&letter| self.block.has(letter))
+                {
+                    return Err(self.unused(1 << letter));
+                }
+                self.current = self.end_point();
+                None
+            }
+        };
+        contour.profile.elements.push(Element {
+            to: [self.current.get(Axis::X), self.current.get(Axis::Z)],
+            arc,
+            feed: *feed,
+            rapid: motion == G::Rapid,
+            line: self.line,
+        });
+        Ok(())
+    }
+
+    /// Refuses what may not stand in a contour.
+    fn contour_refuses(&self, cycle: u8) -> Outcome<()> {
+        let alarm = self.alarm(325);
+        let refuse = |column: usize, what: (String, String)| {
+            Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("{alarm}{} dentro del contorno de G{cycle}", what.0),
+                    format!("{alarm}{} inside the contour of G{cycle}", what.1),
+                ),
+                Text::fixed(
+                    "un contorno lleva G0, G1, G2, G3, sus cotas, F y S; escriba lo demás fuera",
+                    "a contour has G0, G1, G2, G3, their dimensions, F and S; write the rest outside",
+                ),
+            ))
+        };
+        let block = &self.block;
+        if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {
+            return refuse(block.m_column(4), ("llamada a un subprograma".into(), "call of a subprogram".into()));
+        }
+        if block.has(letter::T) {
+            return refuse(block.column(letter::T), ("cambio de herramienta".into(), "tool change".into()));
+        }
+        if block.machine_codes > 0 {
+            let column = (0..=10).find(|&group| block.m(group).is_some()).map_or(0, |group| block.m_column(group));
+            return refuse(column, ("código M".into(), "M code".into()));
+        }
+        let groups = block.groups & !(1 << Group::Motion as u16) & !(1 << Group::CutterCompensation as u16);
+        let odd = match block.g(Group::Motion) {
+            None | Some(G::Rapid | G::Linear | G::Arc(_)) => groups,
+            Some(_) => groups | 1 << Group::Motion as u16,
+        };
+        if odd != 0 {
+            return refuse(block.group_column(odd), ("código G".into(), "G code".into()));
+        }
+        let idle = block.present & !LETTERS.mask();
+        if idle != 0 { Err(self.unused(idle)) } else { Ok(()) }
+    }
+
+    /// Goes on behind a contour that stands behind its cycle; a contour that has been read before stays where it is, as
+    /// going on behind it would repeat the program without end.
+    pub(super) fn go_behind(&mut self, cycle: u8, contour: &Contour) -> Outcome<()> {
+        if contour.last <= self.line {
+            return Ok(());
+        }
+        let first = contour.blocks.first().map_or(contour.last, |block| block.line);
+        let mut line = Vec::new();
+        let mut skipped = 0;
+        while self.source().position().lines + 1 < first && self.source().next_line(&mut line)? {
+            let comments = self.reading.comments;
+            skipped += usize::from(Cursor::new(&line, comments).peek() != 0);
+        }
+        if skipped > 0 {
+            let at = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                at,
+                None,
+                Text::new(
+                    format!("{skipped} bloques entre G{cycle} y su contorno no se ejecutan"),
+                    format!("{skipped} blocks between G{cycle} and its contour are not executed"),
+                ),
+                Text::fixed("ponga el contorno justo detrás del ciclo", "put the contour right behind the cycle"),
+            );
+        }
+        self.source().go_to(contour.behind)
+    }
+
+    /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.
+    pub(super) fn alarm(&self, number: u16) -> String {
+        if self.reading.system_a { format!("PS{number:04}: ") } else { String::new() }
+    }
+
+    /// True where the block has an axis word.
+    pub(super) fn has_axes(&self) -> bool {
+        AXES.into_iter().any(|axis| self.block.has(axis))
+    }
+}

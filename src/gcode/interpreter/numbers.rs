@@ -1,0 +1,137 @@
+//! The block numbers and program numbers of a file, for what is called or pointed at by number.
+
+use std::collections::BTreeMap;
+
+use crate::gcode::dialect::reading::Comments;
+use crate::gcode::interpreter::cursor::Cursor;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::{Interpreter, block_number};
+use crate::text::Text;
+
+/// Most block numbers of a file that calls its blocks by number.
+const MOST: usize = 1_000_000;
+
+/// A block that has a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Numbered {
+    /// Where its line begins.
+    pub(super) at: Position,
+    /// The line of another block with the same number.
+    pub(super) again: Option<usize>,
+}
+
+impl Numbered {
+    /// Its line, counted from 1.
+    pub(super) const fn line(&self) -> usize {
+        self.at.lines + 1
+    }
+}
+
+/// The numbers of a file. Several programs may stand in one file, each with its own block numbers.
+#[derive(Debug, Default)]
+pub(super) struct Numbers {
+    /// By program, counted from 0, and number.
+    blocks: BTreeMap<(usize, u32), Numbered>,
+    /// The O numbers, in the order of the file: number, and where the line behind it begins.
+    programs: Vec<(u32, Position)>,
+}
+
+impl Numbers {
+    /// Looks through a whole file and goes back to where it was.
+    fn of(source: &mut Source<'_>, comments: Comments) -> Outcome<Self> {
+        let back = source.position();
+        let mut numbers = Self::default();
+        let mut line = Vec::new();
+        source.go_to(Position { offset: 0, lines: 0 })?;
+        loop {
+            let at = source.position();
+            if !source.next_line(&mut line)? {
+                break;
+            }
+            let mut cursor = Cursor::new(&line, comments);
+            cursor.accept(b'/');
+            if cursor.accept(b'o') {
+                // A bad number is refused when its line is executed.
+                if let Ok(number) = block_number(&mut cursor) {
+                    numbers.programs.push((number, source.position()));
+                }
+            } else if cursor.accept(b'n')
+                && let Ok(number) = block_number(&mut cursor)
+            {
+                let key = (numbers.programs.len(), number);
+                numbers
+                    .blocks
+                    .entry(key)
+                    .and_modify(|block| {
+                        block.again.get_or_insert(at.lines + 1);
+                    })
+                    .or_insert(Numbered { at, again: None });
+                if numbers.blocks.len() > MOST {
+                    return Err(Fault::limit(
+                        Text::new(
+                            format!("más de {MOST} números de bloque"),
+                            format!("more than {MOST} block numbers"),
+                        ),
+                        Text::fixed("divida el programa", "split the program"),
+                    ));
+                }
+            }
+        }
+        source.go_to(back)?;
+        Ok(numbers)
+    }
+
+    /// The block with a number in the program that a line (counted from 1) belongs to.
+    pub(super) fn block(&self, number: u32, near: usize) -> Option<Numbered> {
+        let program = self.programs.partition_point(|(_, after)| after.lines < near);
+        self.blocks.get(&(program, number)).copied()
+    }
+
+    /// The first O number of the file.
+    pub(super) fn first_program(&self) -> Option<u32> {
+        self.programs.first().map(|(number, _)| *number)
+    }
+
+    /// Where the programs with an O number begin: behind the line of the number.
+    pub(super) fn programs(&self, number: u32) -> impl Iterator<Item = Position> {
+        self.programs.iter().filter(move |(one, _)| *one == number).map(|(_, after)| *after)
+    }
+}
+
+impl Interpreter<'_> {
+    /// The numbers of the file in hand.
+    pub(super) fn numbers(&mut self) -> Outcome<&Numbers> {
+        let at = self.at;
+        if !self.numbers.contains_key(&at) {
+            let comments = self.reading.comments;
+            let numbers = Numbers::of(self.source(), comments)?;
+            self.numbers.insert(at, numbers);
+        }
+        self.numbers.get(&at).ok_or_else(|| Fault::block(Text::same("N"), Text::same("")))
+    }
+
+    /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
+    /// `alarm` what a Fanuc control raises where there is none.
+    pub(super) fn block_numbered(&mut self, number: u32, column: usize, alarm: u16) -> Outcome<Numbered> {
+        let alarm = self.alarm(alarm);
+        let line = self.line;
+        let found = self.numbers()?.block(number, line);
+        match found {
+            None => Err(Fault::at(
+                &[column],
+                Text::new(format!("{alarm}no hay bloque N{number}"), format!("{alarm}there is no block N{number}")),
+                Text::fixed("compruebe el número del bloque", "check the number of the block"),
+            )),
+            Some(Numbered { again: Some(again), at }) => Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("N{number} está dos veces: en las líneas {} y {again}", at.lines + 1),
+                    format!("N{number} stands twice: in lines {} and {again}", at.lines + 1),
+                ),
+                Text::fixed("numere de nuevo uno de los dos bloques", "renumber one of the two blocks"),
+            )),
+            Some(block) => Ok(block),
+        }
+    }
+}

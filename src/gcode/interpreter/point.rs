@@ -1,0 +1,126 @@
+//! Numbers without a decimal point in Fanuc's system A: a setting of the control says whether X100 is 100 mm or 0.1 mm.
+//!
+//! # References
+//! Fanuc Series 0i-T operator's manual, decimal point programming: pocket calculator type and usual type; addresses that take a
+//! decimal point are lengths, times and feeds; P, Q, L and others take none.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, Group, Pass, Turning};
+use crate::gcode::dialect::reading::Letters;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::cursor::Decimal;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::setting::DecimalPoint;
+use crate::gcode::motion::FeedMode;
+use crate::machine::length_unit::LengthUnit;
+use crate::text::Text;
+
+/// Addresses whose number may be scaled where it has no decimal point.
+const SCALED: Letters = Letters::of("FIKRUWXZ");
+/// Addresses that take no decimal point.
+const WHOLE: Letters = Letters::of("LPQ");
+
+impl Interpreter<'_> {
+    /// Marks a number without a decimal point, and refuses a decimal point where none may be.
+    pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Outcome<()> {
+        if number.point && WHOLE.has(index) {
+            let name = char::from(b'A' + index);
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("{name}{} lleva punto decimal, que {name} no admite", number.value),
+                    format!("{name}{} has a decimal point, which {name} does not take", number.value),
+                ),
+                Text::fixed(
+                    "escriba un número entero: P y Q van en µm o ms",
+                    "write a whole number: P and Q are in µm or ms",
+                ),
+            ));
+        }
+        if !number.point && number.value != 0.0 && SCALED.has(index) {
+            self.block.pointless |= 1 << index;
+        }
+        Ok(())
+    }
+
+    /// Gives the numbers of the block that have no decimal point their value.
+    pub(super) fn settle_points(&mut self) -> Outcome<()> {
+        if self.block.g(Group::NonModal) == Some(G::Turning(Turning::Repeat)) && !self.block.has(letter::P) {
+            // How many times.
+            self.block.pointless &= !(1 << letter::R);
+        }
+        if !self.feed_by_revolution() {
+            self.block.pointless &= !(1 << letter::F);
+        }
+        let words = self.block.pointless;
+        for index in (0..26).filter(|index| words & (1 << index) != 0) {
+            let value = self.block.get(index).unwrap_or(0.0);
+            let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
+            let column = self.block.column(index);
+            match self.setting.point {
+                None => {
+                    return Err(Fault::at(
+                        &[column],
+                        Text::new(
+                            format!("{name}{value} sin punto decimal: según el control son mm o µm"),
+                            format!("{name}{value} has no decimal point: mm or µm, depending on the control"),
+                        ),
+                        Text::new(
+                            format!("escriba {name}{value}. o diga qué hace el control: --decimal-point"),
+                            format!("write {name}{value}. or say what the control does: --decimal-point"),
+                        ),
+                    ));
+                }
+                Some(DecimalPoint::Calculator) => {}
+                Some(DecimalPoint::Micrometre) if index == letter::F => {
+                    return Err(Fault::at(
+                        &[column],
+                        Text::new(
+                            format!(
+                                "F{value} sin punto decimal: el incremento del avance por vuelta depende del control"
+                            ),
+                            format!(
+                                "F{value} has no decimal point: the increment of a feed per revolution depends on the control"
+                            ),
+                        ),
+                        Text::new(format!("escriba F{value}."), format!("write F{value}.")),
+                    ));
+                }
+                Some(DecimalPoint::Micrometre) => {
+                    let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
+                    let inch = match self.block.g(Group::Units) {
+                        Some(unit) => unit == G::Inch,
+                        None => self.modal.unit == LengthUnit::Inch,
+                    };
+                    self.block.divide(index, if inch && !dwell { 10_000.0 } else { 1_000.0 });
+                }
+            }
+            let line = self.line;
+            let (es, en) = if self.setting.point == Some(DecimalPoint::Calculator) {
+                ("leídas como mm", "read as mm")
+            } else {
+                ("leídas como incrementos mínimos (0.001 mm)", "read as least increments (0.001 mm)")
+            };
+            self.remarks.add(
+                Grade::Note,
+                line,
+                Some(column),
+                Text::new(format!("cotas sin punto decimal, {es}"), format!("dimensions without decimal point, {en}")),
+                Text::fixed("", ""),
+            );
+        }
+        Ok(())
+    }
+
+    /// True where the block's F is a length: a feed per revolution, or a lead.
+    fn feed_by_revolution(&self) -> bool {
+        let thread =
+            matches!(self.block.g(Group::Motion).unwrap_or(self.modal.motion), G::Thread(_) | G::Pass(Pass::Thread));
+        let mode = match self.block.g(Group::Feed) {
+            Some(G::Feed(mode)) => mode,
+            _ => self.modal.feed_mode,
+        };
+        thread || mode == FeedMode::PerRevolution || self.block.g(Group::NonModal) == Some(G::Turning(Turning::Thread))
+    }
+}

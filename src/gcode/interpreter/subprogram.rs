@@ -1,0 +1,251 @@
+//! Subprograms of Fanuc's system A: M97 to a block of the same program, M98 to a program of its own number.
+//!
+//! # Form
+//! `M97 P100 L3` runs the blocks from N100 to M99 three times. `M98 P30005`, or `M98 P0005 L3`, runs program O0005 three times: the
+//! last four digits of P are the number, those before them how often. It is looked for in the same file and then beside it, in a
+//! file O0005, 0005 or 5. `M99 P50` goes back to block N50 of the caller.
+//!
+//! # References
+//! The lathe simulator's description of M97 to M99; Fanuc Series 0i-T operator's manual, subprograms: four deep.
+
+use crate::gcode::code::M;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::flow::{Call, LARGEST_FILE, MOST_REPEATS};
+use crate::gcode::interpreter::source::{Position, Source};
+use crate::text::Text;
+
+impl Interpreter<'_> {
+    /// M97, M98 and M99 of the block in hand.
+    pub(super) fn call_by_number(&mut self) -> Outcome<()> {
+        match self.block.m(4) {
+            Some((M::CallBlock, _)) => self.call_block(),
+            Some((M::Call, _)) => self.call_numbered_program(),
+            _ => self.return_to_caller(),
+        }
+    }
+
+    /// P of a call, a whole number from 1 on.
+    fn called(&self, code: u8) -> Outcome<u32> {
+        let Some(P) = self.block.get(letter::P) else {
+            return Err(Fault::at(
+                &[self.block.m_column(4)],
+                Text::new(format!("M{code} sin P"), format!("M{code} without P")),
+                if code == 97 {
+                    Text::fixed("dé el número de su primer bloque con P", "give the number of its first block with P")
+                } else {
+                    Text::fixed("dé el número del subprograma con P", "give the subprogram's number with P")
+                },
+            ));
+        };
+        whole(P).and_then(|number| u32::try_from(number).ok()).filter(|&number| number > 0).ok_or_else(|| {
+            Fault::at(
+                &[self.block.column(letter::P)],
+                Text::new(format!("P{P} no es un número de subprograma"), format!("P{P} is no subprogram number")),
+                Text::fixed("dé un número entero", "give a whole number"),
+            )
+        })
+    }
+
+    /// L of a call.
+    fn repeats(&self) -> Outcome<Option<i64>> {
+        let Some(L) = self.block.get(letter::L) else { return Ok(None) };
+        let repeats = whole(L).filter(|repeats| (0..=MOST_REPEATS).contains(repeats));
+        repeats.map(Some).ok_or_else(|| {
+            Fault::at(
+                &[self.block.column(letter::L)],
+                Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
+                Text::new(format!("L va de 0 a {MOST_REPEATS}"), format!("L goes from 0 to {MOST_REPEATS}")),
+            )
+        })
+    }
+
+    fn call_block(&mut self) -> Outcome<()> {
+        let number = self.called(97)?;
+        let repeats = self.repeats()?.unwrap_or(1);
+        let block = self.block_numbered(number, self.block.column(letter::P), 78)?;
+        if repeats == 0 {
+            return Ok(());
+        }
+        let (back, source) = (self.source().position(), self.at);
+        self.enter(Call::of(format!("N{number}"), source, back, repeats, block.at))?;
+        self.go_to(block.at)
+    }
+
+    fn call_numbered_program(&mut self) -> Outcome<()> {
+        let P = self.called(98)?;
+        let L = self.repeats()?;
+        let (number, repeats) = match (L, P / 10_000) {
+            (Some(repeats), 0) => (P, repeats),
+            (None, 0) => (P, 1),
+            (None, times) => (P % 10_000, times.into()),
+            (Some(_), _) => {
+                return Err(Fault::at(
+                    &[self.block.column(letter::P), self.block.column(letter::L)],
+                    Text::new(
+                        format!("P{P} ya dice cuántas veces, y L también"),
+                        format!("P{P} says how often, and so does L"),
+                    ),
+                    Text::fixed("deje P con cuatro cifras, o quite L", "leave four digits in P, or take L out"),
+                ));
+            }
+        };
+        if !(0..=MOST_REPEATS).contains(&repeats) {
+            return Err(Fault::at(
+                &[self.block.column(letter::P)],
+                Text::new(format!("P{P}: {repeats} repeticiones"), format!("P{P}: {repeats} repeats")),
+                Text::new(format!("como mucho {MOST_REPEATS}"), format!("at most {MOST_REPEATS}")),
+            ));
+        }
+        let (back, source) = (self.source().position(), self.at);
+        let (into, start) = self.program_numbered(number)?;
+        if repeats == 0 {
+            return Ok(());
+        }
+        self.enter(Call::of(number.to_string(), source, back, repeats, start))?;
+        self.at = into;
+        self.go_to(start)
+    }
+
+    /// Where a program begins: its source, and the line behind its number.
+    fn program_numbered(&mut self, number: u32) -> Outcome<(usize, Position)> {
+        let column = self.block.column(letter::P);
+        let twice = |places: String| {
+            Fault::at(
+                &[column],
+                Text::new(
+                    format!("O{number:04} está definido dos veces: {places}"),
+                    format!("O{number:04} is defined twice: {places}"),
+                ),
+                Text::fixed("deje uno de los dos", "leave one of the two"),
+            )
+        };
+        // The file in hand, then the program's own file.
+        for at in [self.at, 0] {
+            let from = std::mem::replace(&mut self.at, at);
+            let found = self.numbers().map(|numbers| numbers.programs(number).collect::<Vec<_>>());
+            self.at = from;
+            match found?.as_slice() {
+                [] => {}
+                [one] => return Ok((at, *one)),
+                [one, two, ..] => return Err(twice(format!("{}, {}", one.lines, two.lines))),
+            }
+        }
+        let mut names =
+            vec![format!("O{number:04}"), format!("o{number:04}"), format!("{number:04}"), number.to_string()];
+        names.dedup();
+        let known =
+            self.sources.iter().position(|source| source.file.as_ref().is_some_and(|file| names.contains(file)));
+        if let Some(known) = known {
+            return Ok((known, self.beginning(known, number)?));
+        }
+        let mut found: Option<(String, Vec<u8>)> = None;
+        for name in names {
+            let bytes = self.setting.files.find(&name).map_err(|reason| {
+                Fault::at(
+                    &[column],
+                    Text::new(
+                        format!("no se puede leer el subprograma «{name}»: {reason}"),
+                        format!("cannot read subprogram '{name}': {reason}"),
+                    ),
+                    Text::fixed("compruebe el archivo", "check the file"),
+                )
+            })?;
+            match (bytes, &found) {
+                (None, _) => {}
+                (Some(bytes), None) => found = Some((name, bytes)),
+                // A file system that does not tell capitals from small letters gives the same file twice.
+                (Some(bytes), Some((first, same))) if *same == bytes && first.eq_ignore_ascii_case(&name) => {}
+                (Some(_), Some((first, _))) => return Err(twice(format!("{first}, {name}"))),
+            }
+        }
+        let Some((name, bytes)) = found else {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("PS0078: no hay subprograma O{number:04}"),
+                    format!("PS0078: there is no subprogram O{number:04}"),
+                ),
+                Text::new(
+                    format!(
+                        "póngalo junto al programa, en un archivo O{number:04}.nc, o en el mismo archivo detrás de M30"
+                    ),
+                    format!("put it beside the program, in a file O{number:04}.nc, or in the same file behind M30"),
+                ),
+            ));
+        };
+        if bytes.len() > LARGEST_FILE {
+            return Err(Fault::limit(
+                Text::new(
+                    format!("el subprograma «{name}» tiene más de 16 MiB"),
+                    format!("subprogram '{name}' has more than 16 MiB"),
+                ),
+                Text::fixed("divídalo", "split it"),
+            ));
+        }
+        self.sources.push(Source::new(Box::new(std::io::Cursor::new(bytes)), Some(name)));
+        self.structures.push(None);
+        let into = self.sources.len() - 1;
+        Ok((into, self.beginning(into, number)?))
+    }
+
+    /// Where the program of a file of its own begins: behind its number, or behind `%`, or with its first line.
+    fn beginning(&mut self, source: usize, number: u32) -> Outcome<Position> {
+        let from = std::mem::replace(&mut self.at, source);
+        let found = self.beginning_here(number);
+        self.at = from;
+        found
+    }
+
+    fn beginning_here(&mut self, number: u32) -> Outcome<Position> {
+        if let Some(first) = self.numbers()?.programs(number).next() {
+            return Ok(first);
+        }
+        if let Some(other) = self.numbers()?.first_program() {
+            let name = self.source().file.clone().unwrap_or_default();
+            return Err(Fault::at(
+                &[self.block.column(letter::P)],
+                Text::new(
+                    format!("el archivo «{name}» contiene O{other:04}, no O{number:04}"),
+                    format!("the file '{name}' holds O{other:04}, not O{number:04}"),
+                ),
+                Text::fixed("corrija el número o el nombre del archivo", "correct the number or the file's name"),
+            ));
+        }
+        let start = Position { offset: 0, lines: 0 };
+        let mut line = Vec::new();
+        self.go_to(start)?;
+        let opens = self.source().next_line(&mut line)? && line.trim_ascii() == b"%";
+        Ok(if opens { self.source().position() } else { start })
+    }
+
+    /// M99: again, or back to the caller.
+    fn return_to_caller(&mut self) -> Outcome<()> {
+        let P = if self.block.has(letter::P) { Some(self.called(99)?) } else { None };
+        match (self.flow.frames.last_mut(), P) {
+            (None, _) => Err(Fault::limit(
+                Text::fixed(
+                    "M99 en el programa principal lo repite sin fin",
+                    "M99 in the main program repeats it without end",
+                ),
+                Text::fixed("termine el programa con M30", "end the program with M30"),
+            )),
+            (Some(call), None) => match call.repeat() {
+                Some(start) => self.go_to(start),
+                None => self.leave(),
+            },
+            (Some(_), Some(number)) => {
+                let column = self.block.column(letter::P);
+                self.leave()?;
+                // The number is one of the caller's program.
+                let there = self.source().position().lines.max(1);
+                let line = std::mem::replace(&mut self.line, there);
+                let block = self.block_numbered(number, column, 78);
+                self.line = line;
+                self.go_to(block?.at)
+            }
+        }
+    }
+}

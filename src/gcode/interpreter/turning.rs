@@ -1,0 +1,257 @@
+//! Turning cycles of one call: from words to the parameters of the pure cycles, from their moves to motions.
+//!
+//! # References
+//! Fanuc Series 0i-T operator's manual, multiple repetitive cycles G70 to G76: two blocks each but for G70, the words of the first
+//! stay in force; after G70 the program goes on with the next block, after G71 to G73 behind the contour. P and Q of G74 to G76
+//! are numbers of least input increments.
+//!
+//! What the first block does not give is a parameter of the control, which is not known here: it is refused.
+
+use crate::gcode::code::{G, Group, Turning};
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::contour::Contour;
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::motion::Feed;
+use crate::gcode::turning::Move;
+use crate::gcode::turning::finish::finish;
+use crate::gcode::turning::groove::{self, Groove};
+use crate::gcode::turning::repeat::{Repeat, repeat};
+use crate::gcode::turning::rough::{self, Rough};
+use crate::gcode::turning::thread_cycle::{Threading, thread};
+use crate::gcode::turning::trouble::Trouble;
+use crate::machine::axis::Axis;
+use crate::text::Text;
+
+/// The words of the first block of a cycle of two: of each letter of [`FIRST`] that it gave, the number as programmed.
+pub(super) type First = [Option<f64>; 5];
+
+/// The letters of a first block.
+const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W];
+
+impl Interpreter<'_> {
+    /// The turning cycle of the block in hand.
+    pub(super) fn turning(&mut self, cycle: Turning) -> Outcome<()> {
+        match cycle {
+            Turning::Finish => {
+                let contour = self.named_contour(cycle)?;
+                let feed = self.feed()?;
+                let moves = self.told(finish(&contour.profile, None))?;
+                self.make_contour_moves(moves, feed, contour.blocks, true);
+                Ok(())
+            }
+            Turning::Axial | Turning::Radial | Turning::Repeat => self.roughing(cycle),
+            Turning::GrooveFace | Turning::GrooveOutside => self.grooving(cycle),
+            Turning::Thread => self.threading(cycle),
+            Turning::Fagor(number) => Err(Fault::at(
+                &[self.block.g_column(Group::NonModal)],
+                Text::new(
+                    format!("G{number} no está implementado: ciclos de torneado"),
+                    format!("G{number} is not supported: turning cycles"),
+                ),
+                Text::fixed(
+                    "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar",
+                    "take it out or replace it: a program with it cannot be verified",
+                ),
+            )),
+        }
+    }
+
+    /// G71, G72, G73.
+    fn roughing(&mut self, cycle: Turning) -> Outcome<()> {
+        if !self.block.has(letter::P) && !self.block.has(letter::Q) {
+            self.keep_first(cycle);
+            return Ok(());
+        }
+        let unit = self.modal.unit;
+        let length = |word: Option<f64>| word.map(|word| unit.to_mm(word));
+        let depth = if cycle == Turning::Radial { letter::W } else { letter::U };
+        let depth = unit.to_mm(self.first(cycle, depth)?);
+        let retract = self.first(cycle, letter::R)?;
+        let axial = if cycle == Turning::Repeat { unit.to_mm(self.first(cycle, letter::W)?) } else { 0.0 };
+        let contour = self.named_contour(cycle)?;
+        self.go_behind(cycle.number(), &contour)?;
+        let feed = self.feed()?;
+        let U = length(self.block.get(letter::U)).unwrap_or(0.0) / 2.0;
+        let W = length(self.block.get(letter::W)).unwrap_or(0.0);
+        let rough = Rough { depth, retract: unit.to_mm(retract), U, W, feed: None, both_axes: Some(contour.both_axes) };
+        let moves = match cycle {
+            Turning::Axial => rough::axial(&contour.profile, &rough),
+            Turning::Radial => rough::radial(&contour.profile, &rough),
+            _ => {
+                let passes = whole(retract).ok_or_else(|| {
+                    Fault::at(
+                        &[self.block.g_column(Group::NonModal)],
+                        Text::new(
+                            format!("R{retract} del primer bloque de G73 no es un número de pasadas"),
+                            format!("R{retract} of the first block of G73 is no number of passes"),
+                        ),
+                        Text::fixed("dé un número entero de pasadas", "give a whole number of passes"),
+                    )
+                })?;
+                let relief = [depth, axial];
+                repeat(&contour.profile, &Repeat { relief, passes, allowance: [U, W], feed: None })
+            }
+        };
+        let moves = self.told(moves)?;
+        self.make_contour_moves(moves, feed, contour.blocks, false);
+        Ok(())
+    }
+
+    /// G74 and G75.
+    fn grooving(&mut self, cycle: Turning) -> Outcome<()> {
+        if !self.has_axes() {
+            self.keep_first(cycle);
+            return Ok(());
+        }
+        let unit = self.modal.unit;
+        let retract = unit.to_mm(self.first(cycle, letter::R)?);
+        let step = [letter::P, letter::Q].map(|word| self.increments(self.block.get(word).unwrap_or(0.0)));
+        let relief = unit.to_mm(self.block.get(letter::R).unwrap_or(0.0));
+        let feed = self.feed()?;
+        let groove = Groove { retract, to: self.corner(), step, relief, feed: None };
+        let start = self.here();
+        let moves = match cycle {
+            Turning::GrooveFace => groove::face(start, &groove),
+            _ => groove::radial(start, &groove),
+        };
+        let moves = self.told(moves)?;
+        self.make_moves(moves, feed);
+        Ok(())
+    }
+
+    /// G76.
+    fn threading(&mut self, cycle: Turning) -> Outcome<()> {
+        if !self.has_axes() {
+            self.keep_first(cycle);
+            return Ok(());
+        }
+        let column = self.block.g_column(Group::NonModal);
+        let P = self.first(cycle, letter::P)?;
+        let digits = whole(P).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 999_999);
+        let Some(digits) = digits else {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("P{P} del primer bloque de G76 no son seis cifras"),
+                    format!("P{P} of the first block of G76 is not six digits"),
+                ),
+                Text::fixed(
+                    "dé P con dos cifras de pasadas de acabado, dos de salida y dos del ángulo: P020060",
+                    "give P with two digits of finishing passes, two of the pull-out and two of the angle: P020060",
+                ),
+            ));
+        };
+        let missing = |name: char| {
+            Fault::at(
+                &[column],
+                Text::new(
+                    format!("falta {name} en el segundo bloque de G76"),
+                    format!("{name} is missing in the second block of G76"),
+                ),
+                Text::new(format!("dé {name}"), format!("give {name}")),
+            )
+        };
+        let height = self.block.get(letter::P).ok_or_else(|| missing('P'))?;
+        let first = self.block.get(letter::Q).ok_or_else(|| missing('Q'))?;
+        let least = self.first(cycle, letter::Q)?;
+        let allowance = self.first(cycle, letter::R)?;
+        let threading = Threading {
+            finishing: digits / 10_000,
+            chamfer: digits / 100 % 100,
+            angle: f64::from(digits % 100),
+            least: self.increments(least),
+            allowance: self.modal.unit.to_mm(allowance),
+            to: self.corner(),
+            taper: self.modal.unit.to_mm(self.block.get(letter::R).unwrap_or(0.0)),
+            height: self.increments(height),
+            first: self.increments(first),
+            lead: self.lead()?,
+        };
+        let moves = self.told(thread(self.here(), &threading))?;
+        self.make_moves(moves, Feed { mode: self.modal.feed_mode, value: self.modal.feed });
+        Ok(())
+    }
+
+    /// True where the block has a turning cycle of one call.
+    pub(super) fn has_turning_cycle(&self) -> bool {
+        matches!(self.block.g(Group::NonModal), Some(G::Turning(_)))
+    }
+
+    /// Where the tool stands, `[X, Z]`.
+    pub(super) fn here(&self) -> [f64; 2] {
+        [self.current.get(Axis::X), self.current.get(Axis::Z)]
+    }
+
+    /// Where the axis words lead, `[X, Z]`.
+    fn corner(&mut self) -> [f64; 2] {
+        let to = self.end_point();
+        [to.get(Axis::X), to.get(Axis::Z)]
+    }
+
+    /// The moves of a cycle, or its trouble as a refusal at its place.
+    pub(super) fn told(&self, moves: Result<Vec<Move>, Trouble>) -> Outcome<Vec<Move>> {
+        moves.map_err(|trouble| {
+            let mut fault = Fault::at(&[self.block.g_column(Group::NonModal)], trouble.told(), trouble.remedy.clone());
+            fault.exit = trouble.exit;
+            if let Some(line) = trouble.line {
+                (fault.line, fault.columns) = (line, Vec::new());
+            }
+            fault
+        })
+    }
+
+    fn named_contour(&mut self, cycle: Turning) -> Outcome<Contour> {
+        let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
+        self.contour(cycle.number(), ends)
+    }
+
+    /// Keeps the words of the first block of a cycle; those that it does not give stay.
+    fn keep_first(&mut self, cycle: Turning) {
+        let given = FIRST.map(|letter| self.block.get(letter));
+        match self.modal.first.iter_mut().find(|(of, _)| *of == cycle) {
+            Some((_, kept)) => {
+                for (kept, given) in kept.iter_mut().zip(given) {
+                    *kept = given.or(*kept);
+                }
+            }
+            None => self.modal.first.push((cycle, given)),
+        }
+    }
+
+    /// A word of the first block of a cycle.
+    fn first(&self, cycle: Turning, letter: usize) -> Outcome<f64> {
+        let number = cycle.number();
+        let kept = self.modal.first.iter().find(|(of, _)| *of == cycle).map(|(_, first)| first);
+        let at = FIRST.iter().position(|one| *one == letter);
+        let found = kept.zip(at).and_then(|(kept, at)| kept.get(at).copied().flatten());
+        found.ok_or_else(|| {
+            let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
+            let (what, remedy) = if kept.is_none() {
+                (
+                    Text::new(
+                        format!("falta el primer bloque de G{number}"),
+                        format!("the first block of G{number} is missing"),
+                    ),
+                    Text::new(
+                        format!("escriba G{number} en dos bloques: sin el primero valen parámetros del control"),
+                        format!("write G{number} in two blocks: without the first the control's parameters hold"),
+                    ),
+                )
+            } else {
+                (
+                    Text::new(
+                        format!("falta {name} en el primer bloque de G{number}"),
+                        format!("{name} is missing in the first block of G{number}"),
+                    ),
+                    Text::new(
+                        format!("dé {name}: sin ella vale un parámetro del control"),
+                        format!("give {name}: without it a parameter of the control holds"),
+                    ),
+                )
+            };
+            Fault::at(&[self.block.g_column(Group::NonModal)], what, remedy)
+        })
+    }
+}

@@ -1,0 +1,87 @@
+//! The turret of a lathe: T turns it to a place, and an offset goes into force.
+//!
+//! The offset says where the tip lies against the turret's reference point: the machine stays where it is, and the program's
+//! coordinates of this place change. No motion is made; where a machine goes to its reference point to turn the turret, its
+//! program says so.
+//!
+//! # References
+//! The lathe simulator's description of T0A0B; Fanuc Series 0i-T operator's manual: the last two digits are the offset, 0 for
+//! none. Fagor 8055 T: T the tool, D the offset.
+
+use crate::gcode::dialect::reading::Turret;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::machine::axis::Pose;
+use crate::machine::work_offset::Frame;
+use crate::text::Text;
+
+impl Interpreter<'_> {
+    /// T and D of a lathe.
+    pub(super) fn turn_turret(&mut self) -> Outcome<()> {
+        let T = self.block.get(letter::T);
+        if self.reading.turret == Turret::Words {
+            let D = self.block.get(letter::D).filter(|_| !self.has_turning_cycle());
+            let place = T.map(|T| self.tool_number(letter::T, T)).transpose()?;
+            let offset = match D {
+                Some(D) => Some(self.tool_number(letter::D, D)?),
+                None => place,
+            };
+            if place.is_some() || offset.is_some() {
+                self.put_in(place.unwrap_or(self.modal.tool), offset.unwrap_or(self.modal.offset));
+            }
+            return Ok(());
+        }
+        let Some(T) = T else { return Ok(()) };
+        let column = self.block.column(letter::T);
+        let Some(digits) = whole(T).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 9999)
+        else {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("T{T} no es un puesto con su corrector"),
+                    format!("T{T} is no place with its offset"),
+                ),
+                Text::fixed("escriba T0101: puesto 01, corrector 01", "write T0101: place 01, offset 01"),
+            ));
+        };
+        let (place, offset) = (digits / 100, digits % 100);
+        if place == 0 && offset != 0 {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("T{T} no nombra ningún puesto de la torreta, solo el corrector {offset}"),
+                    format!("T{T} names no place of the turret, only offset {offset}"),
+                ),
+                Text::new(
+                    format!("escriba T{offset:02}{offset:02}: puesto y corrector con dos cifras cada uno"),
+                    format!("write T{offset:02}{offset:02}: place and offset with two digits each"),
+                ),
+            ));
+        }
+        self.known(column, place, false)?;
+        self.known(column, offset, true)?;
+        self.put_in(place, offset);
+        Ok(())
+    }
+
+    /// Refuses a place or an offset that the table does not hold.
+    fn known(&self, column: usize, number: u32, offset: bool) -> Outcome<()> {
+        if number == 0 || self.setting.tools.is_none() || self.tools.contains_key(&number) {
+            return Ok(());
+        }
+        let (es, en) = if offset { ("el corrector", "offset") } else { ("la herramienta", "tool") };
+        Err(Fault::at(
+            &[column],
+            Text::new(format!("{es} {number} no está en la tabla"), format!("{en} {number} is not in the tool table")),
+            Text::fixed("añádalo a la tabla de herramientas", "add it to the tool table"),
+        ))
+    }
+
+    fn put_in(&mut self, place: u32, offset: u32) {
+        (self.modal.selected, self.modal.tool, self.modal.offset) = (Some(place), place, offset);
+        let tool = if offset == 0 { Pose::default() } else { self.offset_of(offset) };
+        self.reframe(Frame { tool, ..self.frame });
+    }
+}

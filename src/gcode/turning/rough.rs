@@ -1,0 +1,276 @@
+//! Roughing along Z (G71) and along X (G72), Fanuc system A.
+//!
+//! # References
+//! Fanuc Series 0i-TF and 30i, operator's manual for lathe systems, multiple repetitive cycles G71 and G72, types I and II;
+//! the article on the lathe simulator, figures 17 and 18.
+//!
+//! # The passes
+//! From the starting point A the tool goes to C = A + (U, W). Each pass lies one depth of cut below the last, from the level
+//! of C on; the last goes as deep as the contour moved by (U, W). It runs parallel to the axis as far as the moved contour.
+//! In type I the tool then leaves at 45 degrees by the retraction R and returns at rapid. In type II it follows the moved
+//! contour up to the level of the pass before, leaves across the passes by R, and returns at rapid; a pocket is entered
+//! along its near wall, and is cut to its bottom before the next one. At the end the tool runs once along the moved
+//! contour, and returns to A by the level of C.
+//!
+//! # Derived here
+//! The retraction is at rapid. The last pass of a level is as deep as is left. What a pass leaves over (less than a depth of
+//! cut) falls to the pass along the contour. Between the level of C and the first point of a contour of type II the passes go
+//! no deeper than that point. The way back to A goes by the level of C, so that it crosses nothing.
+
+use crate::gcode::turning::Move;
+use crate::gcode::turning::profile::Profile;
+use crate::gcode::turning::scan::{EPS, Frame, Path, Span, moved};
+use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::trouble::Trouble;
+use crate::text::Text;
+
+/// Most passes of a cycle.
+pub const MOST_PASSES: usize = 10_000;
+/// Most work for finding them: passes by parts of the contour.
+const MOST_WORK: f64 = 5e7;
+/// What a control takes for rounding where a contour must not go back: the least input increment, mm.
+const TOLERANCE: f64 = 0.001;
+
+/// The parameters of a roughing cycle. Lengths in mm, X on the radius.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rough {
+    /// The depth of cut: U of the first block of G71, W of G72.
+    pub depth: f64,
+    /// R, the retraction after each pass.
+    pub retract: f64,
+    /// The finishing allowance along X, on the radius, signed: half of U of the second block.
+    pub U: f64,
+    /// The finishing allowance along Z, signed.
+    pub W: f64,
+    /// F of the cycle; none for the one in force.
+    pub feed: Option<f64>,
+    /// Whether the first block of the contour names both axes (type II); none where only its motion tells.
+    pub both_axes: Option<bool>,
+}
+
+/// G71: passes parallel to Z.
+///
+/// # Errors
+/// PS0062 for a depth of cut that is not above 0, PS0065 for a contour that begins with an arc, PS0322 for one that reaches
+/// beyond the starting point, PS0064 and PS0329 for one that goes back along Z or X (X: type I alone), and refusals without a
+/// number for allowances towards the metal, for a contour without extent and for more than [`MOST_PASSES`] passes.
+pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
+    expand(profile, rough, [1, 0])
+}
+
+/// G72: passes parallel to X.
+///
+/// # Errors
+/// As for [`axial`], with X and Z exchanged.
+pub fn radial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
+    expand(profile, rough, [0, 1])
+}
+
+/// The alarm for a contour that goes back along X (0) or Z (1).
+fn goes_back(axis: usize) -> Trouble {
+    Trouble::ps(if axis == 0 { 329 } else { 64 })
+}
+
+/// The drawing of a cycle: the axis of the passes and the axis of the depth as given, the signs from where the contour lies.
+fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Frame, Trouble> {
+    let plain = Frame { axes, signs: [1.0; 2] };
+    let (Some(first), Some(last)) = (profile.elements.first(), profile.elements.last()) else {
+        return Err(Trouble::ps(63));
+    };
+    let path = Path::of(profile, plain, [0.0; 2]);
+    let (start, from, to) = (plain.inward(profile.start), plain.inward(first.to), plain.inward(last.to));
+    let [_, [low, high]] = path.reach();
+    let along = to[0] - from[0];
+    if profile.elements.len() < 2 || along.abs() < EPS {
+        return Err(Trouble::plain(
+            Text::fixed(
+                "el contorno no avanza en el sentido de las pasadas",
+                "the contour does not advance in the direction of the passes",
+            ),
+            Text::fixed(
+                "el contorno lleva un bloque que llega a él y los que lo recorren",
+                "a contour has a block that leads to it and the blocks that run along it",
+            ),
+        )
+        .at(last.line));
+    }
+    let allowance = plain.inward([rough.U, rough.W])[1];
+    let height = if high <= start[1] + TOLERANCE && (low < start[1] - TOLERANCE || allowance >= 0.0) {
+        1.0
+    } else if low >= start[1] - TOLERANCE {
+        -1.0
+    } else {
+        return Err(Trouble::ps(322).at(beyond(profile, plain, start[1], from[1] <= start[1])));
+    };
+    Ok(Frame { axes, signs: [if along < 0.0 { 1.0 } else { -1.0 }, height] })
+}
+
+/// The line of the first element that passes the starting point across the passes.
+fn beyond(profile: &Profile, frame: Frame, start: f64, below: bool) -> usize {
+    let past = |p: [f64; 2]| if below { frame.inward(p)[1] > start } else { frame.inward(p)[1] < start };
+    let last = profile.elements.last().map_or(0, |element| element.line);
+    profile.elements.iter().find(|element| past(element.to)).map_or(last, |element| element.line)
+}
+
+/// A refusal for a parameter of the cycle's own block that is no number a control would take.
+pub(super) fn finite(values: &[f64]) -> Result<(), Trouble> {
+    if values.iter().all(|value| value.is_finite()) {
+        return Ok(());
+    }
+    Err(Trouble::plain(
+        Text::fixed("un parámetro del ciclo no es un número finito", "a parameter of the cycle is not a finite number"),
+        Text::fixed("dé números que el control admita", "give numbers that the control takes"),
+    ))
+}
+
+/// A way that is to be cut: at which level, under which one, between which places.
+struct Pass {
+    span: Span,
+    level: f64,
+    above: f64,
+}
+
+fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move>, Trouble> {
+    finite(&[rough.depth, rough.retract, rough.U, rough.W, rough.feed.unwrap_or(0.0)])?;
+    check(profile)?;
+    if rough.depth <= 0.0 {
+        return Err(Trouble::ps(62));
+    }
+    if rough.retract < 0.0 {
+        return Err(Trouble::plain(
+            Text::fixed("la retirada R es negativa", "the retraction R is negative"),
+            Text::fixed("dé R sin signo", "give R without a sign"),
+        ));
+    }
+    let Some(first) = profile.elements.first() else { return Err(Trouble::ps(63)) };
+    if first.arc.is_some() {
+        return Err(Trouble::ps(65).at(first.line));
+    }
+    let frame = frame(profile, rough, axes)?;
+    let shift = frame.inward([rough.U, rough.W]);
+    if shift.iter().any(|&allowance| allowance < -EPS) {
+        return Err(Trouble::plain(
+            Text::fixed(
+                "la demasía de acabado apunta hacia el metal: el desbaste cortaría la pieza",
+                "the finishing allowance points into the metal: roughing would cut the part",
+            ),
+            Text::fixed(
+                "cambie el signo de U o de W: la demasía va del contorno hacia el punto de comienzo",
+                "change the sign of U or W: the allowance goes from the contour towards the starting point",
+            ),
+        ));
+    }
+    let start = frame.inward(profile.start);
+    let top = [start[0] + shift[0], start[1] + shift[1]];
+    let path = Path::of(profile, frame, shift);
+    let line = |element: usize| profile.elements.get(element).map_or(first.line, |element| element.line);
+    let [[_, right], _] = path.reach();
+    if right > top[0] + TOLERANCE {
+        return Err(Trouble::ps(322).at(first.line));
+    }
+    if let Some(element) = path.goes_back(0, TOLERANCE) {
+        return Err(goes_back(axes[0]).at(line(element)));
+    }
+    let pockets = rough.both_axes.unwrap_or_else(|| (profile.start[axes[0]] - first.to[axes[0]]).abs() > EPS);
+    if !pockets && let Some(element) = path.goes_back(1, TOLERANCE) {
+        return Err(goes_back(axes[1]).at(line(element)));
+    }
+    let path = path.with_lead(top[0]);
+    let bottom = path.bottom(0..=path.parts.len());
+    #[expect(clippy::cast_precision_loss, reason = "a count of blocks")]
+    let (walls, parts) = (path.crests() as f64 + 1.0, path.parts.len() as f64);
+    let passes = ((top[1] - bottom) / rough.depth - EPS).ceil().max(0.0) * walls;
+    #[expect(clippy::cast_precision_loss, reason = "a small constant")]
+    let most = (MOST_WORK / parts).min(MOST_PASSES as f64).floor();
+    if passes > most {
+        return Err(Trouble::too_many(
+            passes,
+            most,
+            Text::fixed("aumente la profundidad de pasada", "make the depth of cut greater"),
+        ));
+    }
+    let mut tool = Tool::new(frame, profile.start);
+    tool.rapid(top);
+    passes_over(&path, profile, rough, pockets, top, &mut tool);
+    // To the start, and once along the contour.
+    if pockets {
+        tool.rapid([tool.at[0], top[1].max(tool.at[1])]);
+    }
+    tool.rapid([top[0], tool.at[1]]);
+    let by = [rough.U, rough.W];
+    for element in &profile.elements {
+        tool.element(&moved(element, by), rough.feed);
+    }
+    tool.rapid([tool.at[0], top[1]]);
+    tool.rapid(top);
+    tool.rapid(start);
+    Ok(tool.moves)
+}
+
+/// Refuses a contour with numbers that are none.
+pub(super) fn check(profile: &Profile) -> Result<(), Trouble> {
+    finite(&profile.start)?;
+    for element in &profile.elements {
+        let centre = element.arc.map_or([0.0; 2], |(centre, _)| centre);
+        finite(&[element.to[0], element.to[1], centre[0], centre[1]]).map_err(|trouble| trouble.at(element.line))?;
+    }
+    Ok(())
+}
+
+/// All passes, each pocket to its bottom before the next.
+fn passes_over(path: &Path, profile: &Profile, rough: &Rough, pockets: bool, top: [f64; 2], tool: &mut Tool) {
+    let Some(last) = path.parts.len().checked_sub(1) else { return };
+    let below = |range: std::ops::RangeInclusive<usize>, above: f64| -> Vec<Pass> {
+        let bottom = path.bottom(range.clone());
+        if above - bottom < EPS {
+            return Vec::new();
+        }
+        let level = (above - rough.depth).max(bottom);
+        let level = if level - bottom < EPS { bottom } else { level };
+        let mut passes: Vec<Pass> =
+            path.spans(level, range).into_iter().map(|span| Pass { span, level, above }).collect();
+        passes.reverse();
+        passes
+    };
+    let lines = &profile.elements;
+    let lead_at_rapid = lines.first().is_some_and(|first| first.rapid);
+    let mut left = below(0..=last, top[1]);
+    while let Some(Pass { span, level, above }) = left.pop() {
+        let from = span.open.map_or(top[0], |open| open.at[0]);
+        let to = span.close.map_or_else(|| path.end().map_or(from, |end| end[0]), |close| close.at[0]);
+        if from - to < EPS {
+            continue;
+        }
+        // Over what is cut already.
+        let over = if tool.at[0] < top[0] - EPS { above + rough.retract } else { above };
+        tool.rapid([tool.at[0], tool.at[1].max(over)]);
+        match span.open {
+            None => {
+                tool.rapid([top[0], tool.at[1]]);
+                if lead_at_rapid {
+                    tool.rapid([top[0], level]);
+                } else {
+                    tool.feed([top[0], level], rough.feed);
+                }
+            }
+            Some(open) => {
+                let (entry, legs) = path.fall(open, above);
+                tool.rapid([entry[0], tool.at[1]]);
+                tool.rapid([entry[0], tool.at[1].min(entry[1] + rough.retract)]);
+                tool.feed(entry, rough.feed);
+                tool.follow(&legs, lines, rough.feed);
+            }
+        }
+        tool.feed([to, level], rough.feed);
+        if pockets {
+            if let Some(close) = span.close {
+                tool.follow(&path.rise(close, above), lines, rough.feed);
+            }
+            tool.rapid([tool.at[0], tool.at[1] + rough.retract]);
+        } else {
+            tool.rapid([tool.at[0] + rough.retract, tool.at[1] + rough.retract]);
+        }
+        let range = span.open.map_or(0, |open| open.part)..=span.close.map_or(last, |close| close.part);
+        left.extend(below(range, level));
+    }
+}

@@ -1,0 +1,72 @@
+//! The moves of a cycle as they are made, one after another.
+
+use crate::gcode::turning::profile::Element;
+use crate::gcode::turning::scan::{Frame, Leg, same};
+use crate::gcode::turning::{Move, Way};
+
+/// The tool of a cycle in its drawing: where it stands, and the moves that brought it there.
+pub(super) struct Tool {
+    frame: Frame,
+    /// Where it stands, `[u, v]`.
+    pub at: [f64; 2],
+    /// The moves, in program coordinates.
+    pub moves: Vec<Move>,
+}
+
+impl Tool {
+    /// A tool that stands at a point, `[X, Z]`.
+    pub fn new(frame: Frame, at: [f64; 2]) -> Self {
+        Self { frame, at: frame.inward(at), moves: Vec::new() }
+    }
+
+    /// Goes somewhere, unless it is there.
+    fn go(&mut self, to: [f64; 2], way: Way, line: Option<usize>) {
+        if !same(self.at, to) {
+            self.moves.push(Move { way, to: self.frame.outward(to), line });
+            self.at = to;
+        }
+    }
+
+    /// At rapid.
+    pub fn rapid(&mut self, to: [f64; 2]) {
+        self.go(to, Way::Rapid, None);
+    }
+
+    /// Straight at feed.
+    pub fn feed(&mut self, to: [f64; 2], feed: Option<f64>) {
+        self.go(to, Way::Feed(feed), None);
+    }
+
+    /// Some seconds of standing still.
+    pub fn wait(&mut self, seconds: f64) {
+        if seconds > 0.0 {
+            self.moves.push(Move { way: Way::Dwell(seconds), to: self.frame.outward(self.at), line: None });
+        }
+    }
+
+    /// Along the contour.
+    pub fn follow(&mut self, legs: &[Leg], lines: &[Element], feed: Option<f64>) {
+        for leg in legs {
+            let line = lines.get(leg.element).map(|element| element.line);
+            let way = match leg.round {
+                None => Way::Feed(feed),
+                Some(round) => Way::Arc {
+                    centre: self.frame.outward(round.centre),
+                    clockwise: round.counter == self.frame.mirrors(),
+                    feed,
+                },
+            };
+            self.go(leg.to, way, line);
+        }
+    }
+
+    /// An element of a contour, in program coordinates: at its own rapid, or at a feed.
+    pub fn element(&mut self, element: &Element, feed: Option<f64>) {
+        let way = match element.arc {
+            Some((centre, clockwise)) => Way::Arc { centre, clockwise, feed },
+            None if element.rapid => Way::Rapid,
+            None => Way::Feed(feed),
+        };
+        self.go(self.frame.inward(element.to), way, Some(element.line));
+    }
+}

@@ -1,0 +1,168 @@
+//! Taking a convex polygon away from a region.
+
+use super::convex::Convex;
+use super::meeting::Meeting;
+use super::region::{NONE, Region};
+
+/// What became of the pieces of a region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cut {
+    /// Nothing was taken away.
+    Missed,
+    /// As many contours as before.
+    Whole,
+    /// Contours may have come or gone: pieces apart, or a hole.
+    Apart,
+}
+
+impl Region {
+    /// Takes away what [`Meeting::find`] found of a polygon. Costs as much as the edges near the polygon, and a walk along
+    /// the contour where the polygon cuts through it in more than one place.
+    pub fn cut(&mut self, polygon: &Convex, meeting: &Meeting) -> Cut {
+        if meeting.is_empty() {
+            return Cut::Missed;
+        }
+        // What stays of the edges that were hit: a head up to the polygon, a tail after it.
+        let mut tails = vec![NONE; meeting.hits.len()];
+        for (hit, tail) in meeting.hits.iter().zip(&mut tails) {
+            *tail = match (hit.head, hit.tail) {
+                (true, true) => {
+                    let edge = self.edges[hit.edge as usize];
+                    let slot = self.take(edge.line);
+                    self.link(slot, edge.next);
+                    slot
+                }
+                (false, true) => hit.edge,
+                _ => NONE,
+            };
+        }
+        let mut joints: Vec<(u32, u32)> = (meeting.chains.iter())
+            .map(|chain| {
+                let (inward, outward) = (meeting.gates[chain.inward].hit, meeting.gates[chain.outward].hit);
+                let (into, out) = (meeting.hits[inward], meeting.hits[outward]);
+                let before = if into.head { into.edge } else { self.edges[into.edge as usize].before };
+                let after = if out.tail { tails[outward] } else { self.edges[out.edge as usize].next };
+                (before, after)
+            })
+            .collect();
+        let mut changed = Vec::with_capacity(2 * joints.len());
+        for at in 0..joints.len() {
+            let kept = self.join(polygon, meeting, at, joints[at], &mut changed);
+            // The contour that followed on the same line is one edge with what comes before it.
+            if let Some((gone, one)) = kept {
+                for joint in &mut joints {
+                    for end in [&mut joint.0, &mut joint.1] {
+                        if *end == gone {
+                            *end = one;
+                        }
+                    }
+                }
+            }
+        }
+        for hit in &meeting.hits {
+            if !hit.head && !hit.tail {
+                self.release(hit.edge);
+            }
+        }
+        for edge in changed {
+            if self.edges[edge as usize].alive {
+                self.place(edge);
+            }
+        }
+        if meeting.hole {
+            self.add_hole(polygon);
+        }
+        match joints[..] {
+            [] => Cut::Apart,
+            [_] => Cut::Whole,
+            [(first, _), ..] => {
+                let mut met = 0;
+                let mut ring = Vec::new();
+                self.around(first, |edge| ring.push(edge));
+                ring.sort_unstable();
+                for (before, _) in &joints {
+                    met += usize::from(ring.binary_search(before).is_ok());
+                }
+                if met == joints.len() { Cut::Whole } else { Cut::Apart }
+            }
+        }
+    }
+
+    /// Draws a chain of new edges between two that stay. What is on one line becomes one edge; where that takes the second
+    /// of them, it is given back with the edge it is now part of.
+    fn join(
+        &mut self,
+        polygon: &Convex,
+        meeting: &Meeting,
+        number: usize,
+        (before, after): (u32, u32),
+        changed: &mut Vec<u32>,
+    ) -> Option<(u32, u32)> {
+        let (chain, count) = (&meeting.chains[number], polygon.len());
+        let (start, end) = (meeting.gates[chain.inward].at, meeting.gates[chain.outward].at);
+        changed.push(before);
+        let (mut last, mut from) = (before, start);
+        for step in 0..chain.count {
+            let side = (chain.first + 2 * count - step) % count;
+            let line = polygon.lines()[side].reversed();
+            if !self.edges[last as usize].line.same(line) {
+                let edge = self.take(line);
+                self.edges[edge as usize].start = from;
+                self.link(last, edge);
+                changed.push(edge);
+                last = edge;
+            }
+            from = polygon.corners()[side].mm();
+        }
+        if last != after && self.edges[last as usize].line.same(self.edges[after as usize].line) {
+            let next = self.edges[after as usize].next;
+            self.edges[last as usize].next = next;
+            // What comes next may have been joined to another chain already.
+            if self.edges[next as usize].before == after {
+                self.edges[next as usize].before = last;
+            }
+            self.release(after);
+            return Some((after, last));
+        }
+        self.edges[after as usize].start = end;
+        self.link(last, after);
+        changed.push(after);
+        None
+    }
+
+    /// Drops every piece but the one that reaches to the least z, with the holes in them; gives back the contours of the
+    /// pieces dropped.
+    pub fn keep_first(&mut self) -> Vec<super::region::Ring> {
+        let mut rings: Vec<_> = self.ring_edges().into_iter().map(|edge| (edge, self.ring(edge))).collect();
+        if rings.len() < 2 {
+            return Vec::new();
+        }
+        rings.sort_by(|one, two| one.1[0][0].total_cmp(&two.1[0][0]).then(one.1[0][1].total_cmp(&two.1[0][1])));
+        let (outer, holes): (Vec<_>, Vec<_>) =
+            rings.into_iter().partition(|(_, ring)| super::region::twice_area(ring) > 0.0);
+        let mut dropped = Vec::new();
+        for (edge, ring) in outer.into_iter().skip(1) {
+            for (hole, inner) in &holes {
+                if inner.first().is_some_and(|&point| encloses(&ring, point)) && self.edges[*hole as usize].alive {
+                    self.release_ring(*hole);
+                    dropped.push(inner.clone());
+                }
+            }
+            self.release_ring(edge);
+            dropped.push(ring);
+        }
+        dropped
+    }
+}
+
+/// True where a ring goes round a point, by the number of its edges above.
+fn encloses(ring: &[[f64; 2]], [z, r]: [f64; 2]) -> bool {
+    let edges = ring.iter().zip(ring.iter().cycle().skip(1));
+    edges
+        .filter(|(from, to)| {
+            (from[0] > z) != (to[0] > z) && r < from[1] + (to[1] - from[1]) * (z - from[0]) / (to[0] - from[0])
+        })
+        .count()
+        % 2
+        == 1
+}

@@ -1,0 +1,192 @@
+//! The drawings of a turning: the part in space, its half section in the chuck, the path of the tools.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
+use crate::figure::{Figure, Ink, Label, Stroke};
+use crate::geometry::scene::{Camera, Scene};
+use crate::number::trig::sin_cos;
+use crate::parameter::t;
+use crate::text::Text;
+
+/// A closed contour in the half section, `[z, r]` from the work zero W1, mm; the last point is joined to the first.
+pub type Contour = Vec<[f64; 2]>;
+
+/// What is drawn, all in `[z, r]` from W1.
+#[derive(Clone, Debug, Default)]
+pub struct Drawn {
+    /// The metal as it is left.
+    pub part: Vec<Contour>,
+    /// The metal as it came.
+    pub stock: Vec<Contour>,
+    /// Chuck body, jaws and tailstock.
+    pub chuck: Vec<Contour>,
+    /// The wanted profile, if there is one.
+    pub wanted: Vec<[f64; 2]>,
+    /// Where the tools went at feed and at rapid, each motion with its chords.
+    pub feed: Vec<Vec<[f64; 2]>>,
+    /// The same at rapid.
+    pub rapid: Vec<Vec<[f64; 2]>>,
+}
+
+/// Sectors of the part in space.
+const SECTORS: u16 = 72;
+/// Most points of a contour that are drawn in space.
+const MERIDIAN: usize = 400;
+/// Most motions that are drawn.
+const MOTIONS: usize = 4_000;
+
+/// All figures, by the keys that the report's templates know.
+#[must_use]
+pub fn figures(drawn: &Drawn) -> Vec<Figure> {
+    vec![cover(drawn), half_section(drawn), path(drawn)]
+}
+
+/// The contour of the part at 1:1: both halves of the section, the axis, and the wanted profile.
+#[must_use]
+pub fn contour(drawn: &Drawn) -> Figure {
+    let mut strokes: Vec<Stroke> = Vec::new();
+    for contour in &drawn.part {
+        for side in [1.0, -1.0] {
+            strokes.push(Stroke::line(Ink::Cut, closed(contour).map(|[z, r]| [z, side * r]).collect()));
+        }
+    }
+    if !drawn.wanted.is_empty() {
+        strokes.push(Stroke::line(Ink::Seam, drawn.wanted.clone()));
+    }
+    strokes.extend(axis(&drawn.part));
+    Figure {
+        key: "contour",
+        caption: t("Contorno de la pieza torneada", "Contour of the turned part"),
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+/// The points of a contour, the first one again at the end.
+fn closed(contour: &Contour) -> impl Iterator<Item = [f64; 2]> + '_ {
+    contour.iter().chain(contour.first()).copied()
+}
+
+/// The centre line of contours, a little longer than they are.
+fn axis(contours: &[Contour]) -> Option<Stroke> {
+    let z = || contours.iter().flatten().map(|point| point[0]);
+    let (least, greatest) = (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
+    let beyond = 0.06 * (greatest - least);
+    (greatest > least).then(|| Stroke::line(Ink::Centre, vec![[least - beyond, 0.0], [greatest + beyond, 0.0]]))
+}
+
+/// Every so many points of a contour, so that at most `most` are left, corners or not.
+fn thinned(contour: &Contour, most: usize) -> Vec<[f64; 2]> {
+    let step = contour.len().div_ceil(most).max(1);
+    contour.iter().copied().step_by(step).collect()
+}
+
+/// The part in space, its free end to the right.
+fn cover(drawn: &Drawn) -> Figure {
+    let mut scene = Scene::new(Camera::new(-62.0, 24.0));
+    let point = |[z, r]: [f64; 2], turn: f64| {
+        let (sin, cos) = sin_cos(turn);
+        Vector3::new(z, r * cos, r * sin)
+    };
+    for contour in &drawn.part {
+        let points = thinned(contour, MERIDIAN);
+        let anticlockwise = area(&points) > 0.0;
+        for (at, &from) in points.iter().enumerate() {
+            let to = points.get(at + 1).or(points.first()).copied().unwrap_or(from);
+            if from[1] <= 0.0 && to[1] <= 0.0 {
+                continue;
+            }
+            // Anticlockwise in (z, r) the metal lies to the left.
+            let (from, to) = if anticlockwise { (from, to) } else { (to, from) };
+            let sharp = points.len() < 200;
+            for sector in 0..SECTORS {
+                let turn = |sector: u16| TAU * f64::from(sector) / f64::from(SECTORS);
+                let (a, b) = (turn(sector), turn(sector + 1));
+                let corners = [point(from, a), point(from, b), point(to, b), point(to, a)];
+                let edges: &[usize] = if sharp { &[0, 2] } else { &[] };
+                scene.add(&corners, edges, Ink::Thin, 0.0);
+            }
+        }
+    }
+    Figure {
+        key: "cover",
+        caption: t("La pieza como queda torneada", "The part as it is turned"),
+        axes: None,
+        strokes: scene.strokes(),
+        labels: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+/// Twice the signed area of a closed contour, positive where it runs anticlockwise.
+fn area(points: &[[f64; 2]]) -> f64 {
+    let next = points.iter().skip(1).chain(points.first());
+    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum()
+}
+
+/// The part in the chuck with the stock around it.
+fn half_section(drawn: &Drawn) -> Figure {
+    let mut strokes = Vec::new();
+    for contour in &drawn.chuck {
+        strokes.push(Stroke { ink: Ink::Thin, points: contour.clone(), filled: true, arrow: false });
+        strokes.push(Stroke::line(Ink::Thin, closed(contour).collect()));
+    }
+    for contour in &drawn.part {
+        strokes.push(Stroke { ink: Ink::Blade, points: contour.clone(), filled: true, arrow: false });
+        strokes.push(Stroke::line(Ink::Blade, closed(contour).collect()));
+    }
+    for contour in &drawn.stock {
+        strokes.push(Stroke::line(Ink::Safe, closed(contour).collect()));
+    }
+    let mut legend = vec![
+        (Ink::Blade, t("pieza torneada", "turned part")),
+        (Ink::Safe, t("bruto", "stock")),
+        (Ink::Thin, t("plato, garras, contrapunto", "chuck, jaws, tailstock")),
+    ];
+    if !drawn.wanted.is_empty() {
+        strokes.push(Stroke::line(Ink::Obverse, drawn.wanted.clone()));
+        legend.push((Ink::Obverse, t("perfil deseado", "wanted profile")));
+    }
+    strokes.extend(axis(&drawn.stock));
+    Figure {
+        key: "half-section",
+        caption: t("Media sección en el plato", "Half section in the chuck"),
+        axes: None,
+        strokes,
+        labels: vec![Label { at: [0.0, -3.0], text: Text::same("W1") }],
+        legend,
+    }
+}
+
+/// The path of the tools over the part.
+fn path(drawn: &Drawn) -> Figure {
+    let mut strokes: Vec<Stroke> = drawn
+        .part
+        .iter()
+        .map(|contour| Stroke { ink: Ink::Outline, points: contour.clone(), filled: true, arrow: false })
+        .collect();
+    let some = |paths: &[Vec<[f64; 2]>], ink: Ink| {
+        let shown: Vec<Stroke> = paths.iter().take(MOTIONS).map(|points| Stroke::line(ink, points.clone())).collect();
+        shown
+    };
+    strokes.extend(some(&drawn.rapid, Ink::Safe));
+    strokes.extend(some(&drawn.feed, Ink::Obverse));
+    strokes.extend(axis(&drawn.part));
+    let all = drawn.feed.len() <= MOTIONS && drawn.rapid.len() <= MOTIONS;
+    Figure {
+        key: "path",
+        caption: if all {
+            t("Recorrido de las herramientas", "Path of the tools")
+        } else {
+            t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
+        },
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "at rapid"))],
+    }
+}

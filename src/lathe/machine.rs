@@ -1,0 +1,68 @@
+//! The lathe: what it reaches, how fast it is, and what stands about the work.
+//!
+//! # Coordinates
+//! The machine's zero M lies where the spindle's axis meets the end plane of its nose. Z runs from there to the
+//! tailstock; X away from the axis, here always as a radius.
+
+/// A lathe with a turret on two axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lathe {
+    /// Where the turret's reference point may be along X, as a radius; mm.
+    pub travel_x: [f64; 2],
+    /// Along Z, mm.
+    pub travel_z: [f64; 2],
+    /// The rapid rates of X (of the slide, so of the radius) and Z, mm/min.
+    pub rapid: [f64; 2],
+    /// At rapid each axis goes as fast as it can, so that the way has a bend; otherwise it is straight.
+    pub bent_rapid: bool,
+    /// The greatest speed of the spindle, rpm.
+    pub greatest_speed: f64,
+    /// The turret stands behind the axis, seen from the operator.
+    pub turret_behind: bool,
+    /// What holds the work.
+    pub chuck: Chuck,
+    /// What supports it on the right, where it has to be.
+    pub tailstock: Tailstock,
+}
+
+/// A three-jaw chuck, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chuck {
+    /// L1: from M to the front of its body.
+    pub body: f64,
+    /// L2: how far the jaws stand out from there.
+    pub jaws: f64,
+    /// The diameter of the body.
+    pub diameter: f64,
+    /// How far the jaws reach out from the work, in radius.
+    pub jaw_height: f64,
+}
+
+/// A tailstock's quill with a centre of 60°, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tailstock {
+    /// The quill's diameter.
+    pub diameter: f64,
+    /// How much of it stands out, from the point of the centre.
+    pub length: f64,
+    /// How deep the centre sits in the work.
+    pub depth: f64,
+    /// The work is supported where it stands out of the chuck by more than this many diameters.
+    pub beyond: f64,
+}
+
+impl Default for Lathe {
+    /// A middling lathe with a turret in front of the axis.
+    fn default() -> Self {
+        Self {
+            travel_x: [-40.0, 400.0],
+            travel_z: [0.0, 1000.0],
+            rapid: [5000.0, 10_000.0],
+            bent_rapid: true,
+            greatest_speed: 3000.0,
+            turret_behind: false,
+            chuck: Chuck { body: 100.0, jaws: 40.0, diameter: 250.0, jaw_height: 40.0 },
+            tailstock: Tailstock { diameter: 60.0, length: 200.0, depth: 3.0, beyond: 3.0 },
+        }
+    }
+}

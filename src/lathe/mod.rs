@@ -1,0 +1,21 @@
+//! The lathe: a turning program watched as it removes material.
+//!
+//! The part is taken as a body of revolution at every moment, so that it is one plane region: its half section in (z, r).
+//! What a motion takes away is exactly what the cutter's outline sweeps: for a straight motion of a convex outline the
+//! hull of its first and last place, for an arc that of its chords. See [`crate::geometry::exact`] for why passes do not
+//! drift and their order does not matter.
+//!
+//! # References
+//! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
+
+pub mod cases;
+pub mod figures;
+pub mod machine;
+pub mod outline;
+pub mod parameters;
+pub mod setup;
+pub mod stock;
+pub mod text;
+pub mod tool;
+pub mod turret;
+pub mod workpiece;

@@ -1,0 +1,530 @@
+//! The form of the lathe workbook: stock, machine, tools, program, wanted profile.
+//!
+//! Source: the lathe simulator's tables of the machine, of the stock (D, L, L1 to L5) and of the tools (φ1, φ2, the
+//! inscribed circle, the nose radius), in its symbols; what a machine needs beside them is added here.
+
+use crate::lathe::cases::CASES;
+use crate::parameter::list::{List, Naming};
+use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::table::Unit;
+use crate::text::Text;
+
+/// Name and version of the form.
+pub const SCHEMA: &str = "rodete-lathe 1";
+
+const MM: Unit = Unit::Millimetre;
+const NONE: Text = t("", "");
+
+/// The controls that turn.
+pub const DIALECTS: &[Choice] = &[
+    Choice { key: "fanuc-lathe-a", label: t("fanuc-lathe-a", "fanuc-lathe-a") },
+    Choice { key: "fagor-8055-t", label: t("fagor-8055-t", "fagor-8055-t") },
+];
+
+const POINTS: &[Choice] = &[
+    Choice { key: "calculator", label: t("calculadora (X100 = 100 mm)", "calculator (X100 = 100 mm)") },
+    Choice { key: "micrometre", label: t("micras (X100 = 0.1 mm)", "micrometre (X100 = 0.1 mm)") },
+];
+
+const YES_NO: &[Choice] = &[Choice { key: "yes", label: t("sí", "yes") }, Choice { key: "no", label: t("no", "no") }];
+
+const TAILSTOCK: &[Choice] = &[
+    Choice { key: "auto", label: t("según el voladizo", "by the overhang") },
+    Choice { key: "yes", label: t("sí", "yes") },
+    Choice { key: "no", label: t("no", "no") },
+];
+
+const TURRET: &[Choice] =
+    &[Choice { key: "front", label: t("delantera", "front") }, Choice { key: "rear", label: t("trasera", "rear") }];
+
+const PART: &[Parameter] = &[
+    other("part", "part_name", Kind::Line { max: 60 }, true, t("Nombre de la pieza", "Name of the part"), NONE),
+    other("material", "material", Kind::Line { max: 60 }, false, t("Material", "Material"), NONE),
+];
+
+const PROGRAM: &[Parameter] = &[
+    other("dialect", "dialect", Kind::Choice(DIALECTS), true, t("Control", "Control"), NONE),
+    other(
+        "point",
+        "decimal_point",
+        Kind::Choice(POINTS),
+        false,
+        t("Cotas sin punto decimal", "Dimensions without a decimal point"),
+        t(
+            "Obligatorio con fanuc-lathe-a: es un parámetro de la máquina",
+            "Required with fanuc-lathe-a: a setting of the machine",
+        ),
+    ),
+    other(
+        "block_delete",
+        "block_delete",
+        Kind::Choice(YES_NO),
+        false,
+        t("Salta los bloques con /", "Skip blocks that begin with /"),
+        t("Vacío: no", "Empty: no"),
+    ),
+    real(
+        "eps",
+        "tolerance_eps",
+        MM,
+        [0.000_01, 0.01],
+        false,
+        t("Tolerancia de los arcos", "Tolerance of arcs"),
+        t("Vacío: 0.0002", "Empty: 0.0002"),
+    ),
+];
+
+const STOCK: &[Parameter] = &[
+    real("D", "stock_D", MM, [1.0, 500.0], true, t("Diámetro del bruto D", "Diameter of the stock D"), NONE),
+    real("L", "stock_L", MM, [1.0, 500.0], true, t("Longitud del bruto L", "Length of the stock L"), NONE),
+    real(
+        "d",
+        "stock_bore_d",
+        MM,
+        [0.5, 499.0],
+        false,
+        t("Agujero del bruto d", "Bore of the stock d"),
+        t("Vacío: macizo", "Empty: solid"),
+    ),
+    real(
+        "L4",
+        "held_L4",
+        MM,
+        [0.0, 400.0],
+        true,
+        t("Longitud sujeta en las garras L4", "Length held in the jaws L4"),
+        t("El voladizo es L3 = L − L4", "The overhang is L3 = L − L4"),
+    ),
+    real(
+        "L5",
+        "facing_L5",
+        MM,
+        [0.0, 50.0],
+        true,
+        t("Sobremetal de refrentado L5", "Facing allowance L5"),
+        t("El origen W1 (G54) está L5 a la izquierda de la cara", "The zero W1 (G54) lies L5 to the left of the face"),
+    ),
+];
+
+const CHUCK: &[Parameter] = &[
+    real(
+        "L1",
+        "chuck_L1",
+        MM,
+        [0.0, 1000.0],
+        true,
+        t("Cuerpo del plato L1", "Chuck body L1"),
+        t("Desde el cero máquina M, la cara del husillo", "From machine zero M, the face of the spindle"),
+    ),
+    real(
+        "L2",
+        "jaws_L2",
+        MM,
+        [0.0, 500.0],
+        true,
+        t("Garras L2", "Jaws L2"),
+        t("Delante del cuerpo", "In front of the body"),
+    ),
+    real("D_c", "chuck_D_c", MM, [1.0, 2000.0], true, t("Diámetro del plato D_c", "Diameter of the chuck D_c"), NONE),
+    other(
+        "tailstock",
+        "tailstock",
+        Kind::Choice(TAILSTOCK),
+        true,
+        t("Contrapunto", "Tailstock"),
+        t("Según el voladizo: cuando L3 pasa de 3·D", "By the overhang: where L3 is more than 3·D"),
+    ),
+];
+
+const MACHINE: &[Parameter] = &[
+    real(
+        "X_min",
+        "travel_X_min",
+        MM,
+        [-5000.0, 5000.0],
+        false,
+        t("Recorrido X mínimo", "Least X of the travel"),
+        t(
+            "Diámetro, del punto de referencia de la torreta, desde M",
+            "Diameter, of the turret's reference point, from M",
+        ),
+    ),
+    real(
+        "X_max",
+        "travel_X_max",
+        MM,
+        [-5000.0, 5000.0],
+        false,
+        t("Recorrido X máximo", "Greatest X of the travel"),
+        NONE,
+    ),
+    real(
+        "Z_min",
+        "travel_Z_min",
+        MM,
+        [-5000.0, 5000.0],
+        false,
+        t("Recorrido Z mínimo", "Least Z of the travel"),
+        t("Del punto de referencia de la torreta, desde M", "Of the turret's reference point, from M"),
+    ),
+    real(
+        "Z_max",
+        "travel_Z_max",
+        MM,
+        [-5000.0, 5000.0],
+        false,
+        t("Recorrido Z máximo", "Greatest Z of the travel"),
+        NONE,
+    ),
+    real(
+        "G_X",
+        "rapid_G_X",
+        Unit::MillimetrePerMinute,
+        [1.0, 200_000.0],
+        true,
+        t("Avance rápido en X", "Rapid rate in X"),
+        t("Del carro, en radio", "Of the slide, on the radius"),
+    ),
+    real(
+        "G_Z",
+        "rapid_G_Z",
+        Unit::MillimetrePerMinute,
+        [1.0, 200_000.0],
+        true,
+        t("Avance rápido en Z", "Rapid rate in Z"),
+        NONE,
+    ),
+    real(
+        "S_max",
+        "spindle_S_max",
+        Unit::RevolutionPerMinute,
+        [1.0, 100_000.0],
+        true,
+        t("Giro máximo del husillo", "Greatest speed of the spindle"),
+        NONE,
+    ),
+    other(
+        "turret",
+        "turret",
+        Kind::Choice(TURRET),
+        true,
+        t("Torreta", "Turret"),
+        t(
+            "Delantera: X hacia el operario; decide qué sentido de giro corta",
+            "Front: X towards the operator; decides which way the spindle must turn",
+        ),
+    ),
+];
+
+macro_rules! zero {
+    ($key:literal, $name:literal, $es:literal, $en:literal) => {
+        real($key, $name, MM, [-5000.0, 5000.0], false, t($es, $en), NONE)
+    };
+}
+
+const ZEROS: &[Parameter] = &[
+    zero!("W2_X", "zero_W2_X", "W2 (G55), X en diámetro, desde M", "W2 (G55), X as a diameter, from M"),
+    zero!("W2_Z", "zero_W2_Z", "W2 (G55), Z", "W2 (G55), Z"),
+    zero!("W3_X", "zero_W3_X", "W3 (G56), X", "W3 (G56), X"),
+    zero!("W3_Z", "zero_W3_Z", "W3 (G56), Z", "W3 (G56), Z"),
+    zero!("W4_X", "zero_W4_X", "W4 (G57), X", "W4 (G57), X"),
+    zero!("W4_Z", "zero_W4_Z", "W4 (G57), Z", "W4 (G57), Z"),
+    zero!("W5_X", "zero_W5_X", "W5 (G58), X", "W5 (G58), X"),
+    zero!("W5_Z", "zero_W5_Z", "W5 (G58), Z", "W5 (G58), Z"),
+    zero!("W6_X", "zero_W6_X", "W6 (G59), X", "W6 (G59), X"),
+    zero!("W6_Z", "zero_W6_Z", "W6 (G59), Z", "W6 (G59), Z"),
+];
+
+const SECOND: &[Parameter] = &[real(
+    "Z_s",
+    "second_Z_s",
+    MM,
+    [-1000.0, 1000.0],
+    false,
+    t("Desplazamiento de la pieza vuelta", "Shift of the part turned round"),
+    t(
+        "Se refleja por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2",
+        "It is mirrored about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2",
+    ),
+)];
+
+const KINDS: &[Choice] = &[
+    Choice { key: "external", label: t("exterior", "external") },
+    Choice { key: "internal", label: t("interior", "internal") },
+    Choice { key: "groove", label: t("ranurar", "groove") },
+    Choice { key: "internal-groove", label: t("ranurar interior", "internal groove") },
+    Choice { key: "face-groove", label: t("ranurar frontal", "face groove") },
+    Choice { key: "thread", label: t("roscar", "thread") },
+    Choice { key: "internal-thread", label: t("roscar interior", "internal thread") },
+    Choice { key: "drill", label: t("broca", "drill") },
+    Choice { key: "centre-drill", label: t("broca de centrar", "centre drill") },
+];
+
+const SHAPES: &[Choice] = &[
+    Choice { key: "C", label: t("C", "C") },
+    Choice { key: "D", label: t("D", "D") },
+    Choice { key: "V", label: t("V", "V") },
+    Choice { key: "T", label: t("T", "T") },
+    Choice { key: "S", label: t("S", "S") },
+    Choice { key: "W", label: t("W", "W") },
+    Choice { key: "R", label: t("R", "R") },
+    Choice { key: "K", label: t("K", "K") },
+];
+
+const HANDS: &[Choice] = &[
+    Choice { key: "R", label: t("R", "R") },
+    Choice { key: "L", label: t("L", "L") },
+    Choice { key: "N", label: t("N", "N") },
+];
+
+const TOOLS: &[Parameter] = &[
+    whole("tools/T", "", Unit::Count, [1, 8], true, t("puesto de la torreta", "place in the turret"), NONE),
+    whole("tools/D", "", Unit::Count, [1, 99], false, t("corrector; vacío: T", "offset; empty: T"), NONE),
+    other("tools/name", "", Kind::Line { max: 60 }, false, t("nombre", "name"), NONE),
+    other("tools/type", "", Kind::Choice(KINDS), true, t("tipo", "type"), NONE),
+    other(
+        "tools/shape",
+        "",
+        Kind::Choice(SHAPES),
+        false,
+        t("forma de la placa, ISO 1832", "insert shape, ISO 1832"),
+        NONE,
+    ),
+    real(
+        "tools/IC",
+        "",
+        MM,
+        [1.0, 100.0],
+        false,
+        t("círculo inscrito; cuerpo de la broca de centrar", "inscribed circle; body of a centre drill"),
+        NONE,
+    ),
+    real("tools/R", "", MM, [0.0, 50.0], false, t("radio de punta", "nose radius"), NONE),
+    real("tools/phi1", "", Unit::Degree, [0.0, 180.0], false, t("ángulo principal φ1", "main angle φ1"), NONE),
+    real("tools/phi2", "", Unit::Degree, [0.0, 180.0], false, t("ángulo auxiliar φ2", "auxiliary angle φ2"), NONE),
+    real(
+        "tools/w",
+        "",
+        MM,
+        [0.1, 200.0],
+        false,
+        t("ancho de la ranuradora; diámetro de la broca", "width of a groover; diameter of a drill"),
+        NONE,
+    ),
+    real(
+        "tools/h",
+        "",
+        MM,
+        [0.1, 500.0],
+        false,
+        t("fondo de la ranura o del perfil; largo de las hélices", "depth of groove or profile; length of the flutes"),
+        NONE,
+    ),
+    real(
+        "tools/psi",
+        "",
+        Unit::Degree,
+        [10.0, 180.0],
+        false,
+        t("ángulo de la rosca o de la punta", "thread or point angle"),
+        NONE,
+    ),
+    real("tools/p_min", "", MM, [0.05, 50.0], false, t("paso menor", "least lead"), NONE),
+    real("tools/p_max", "", MM, [0.05, 50.0], false, t("paso mayor", "greatest lead"), NONE),
+    other("tools/hand", "", Kind::Choice(HANDS), false, t("mano; vacío: R", "hand; empty: R"), NONE),
+    whole(
+        "tools/tip",
+        "",
+        Unit::Count,
+        [1, 9],
+        false,
+        t("orientación de la punta; vacío: según tipo y mano", "orientation of the tip; empty: by type and hand"),
+        NONE,
+    ),
+    real(
+        "tools/b",
+        "",
+        MM,
+        [1.0, 200.0],
+        true,
+        t("ancho del mango o diámetro de la barra", "width of the shank, diameter of the bar"),
+        NONE,
+    ),
+    real(
+        "tools/l",
+        "",
+        MM,
+        [1.0, 500.0],
+        true,
+        t("largo del mango o de la barra", "length of the shank or the bar"),
+        NONE,
+    ),
+    real(
+        "tools/c",
+        "",
+        MM,
+        [0.0, 200.0],
+        false,
+        t("de la punta al eje de la barra", "from the tip to the centre of the bar"),
+        NONE,
+    ),
+    real(
+        "tools/Q_x",
+        "",
+        MM,
+        [-500.0, 500.0],
+        true,
+        t("de la punta a la torreta en X, en radio", "from the tip to the turret along X, on the radius"),
+        NONE,
+    ),
+    real(
+        "tools/Q_z",
+        "",
+        MM,
+        [-500.0, 500.0],
+        true,
+        t("de la punta a la torreta en Z", "from the tip to the turret along Z"),
+        NONE,
+    ),
+];
+
+const BLOCKS: &[Parameter] = &[
+    other("program/BLOCK", "", Kind::Line { max: 200 }, true, t("un bloque por fila", "one block a row"), NONE),
+    other("program/NOTE", "", Kind::Line { max: 200 }, false, t("no se lee", "not read"), NONE),
+];
+
+const ELEMENTS: &[Choice] = &[
+    Choice { key: "1", label: t("1", "1") },
+    Choice { key: "2", label: t("2", "2") },
+    Choice { key: "3", label: t("3", "3") },
+];
+
+const PROFILE: &[Parameter] = &[
+    other(
+        "profile/G",
+        "",
+        Kind::Choice(ELEMENTS),
+        true,
+        t("1 recta, 2 arco horario, 3 antihorario", "1 straight, 2 clockwise arc, 3 counter-clockwise"),
+        NONE,
+    ),
+    real("profile/X", "", MM, [0.0, 2000.0], true, t("diámetro", "diameter"), NONE),
+    real("profile/Z", "", MM, [-2000.0, 2000.0], true, t("desde el origen W1", "from the zero W1"), NONE),
+    real("profile/R", "", MM, [0.001, 10_000.0], false, t("radio del arco", "radius of the arc"), NONE),
+];
+
+const BLOCK_WIDTHS: &[f64] = &[52.0, 34.0];
+
+/// The list of tools.
+pub const TOOLS_KEY: &str = "tools";
+/// The list of the program's blocks.
+pub const PROGRAM_KEY: &str = "program";
+/// The list of the blocks of the second set-up's program.
+pub const SECOND_KEY: &str = "program-2";
+/// The lists of subprograms.
+pub const SUBPROGRAM_KEY: &str = "subprogram";
+/// The list of the wanted profile's points.
+pub const PROFILE_KEY: &str = "profile";
+
+/// Most blocks of a program on a sheet.
+const BLOCKS_MOST: usize = 9_900;
+
+const BLOCKS_NOTE: Text = t(
+    "Un bloque por fila en la columna BLOCK; las filas vacías se saltan. Los subprogramas externos van en hojas llamadas O y su número, como O0005.",
+    "One block a row in column BLOCK; empty rows are skipped. External subprograms go on sheets called O and their number, such as O0005.",
+);
+
+/// The lathe workbook.
+pub static FORM: Form = Form {
+    kind: "lathe",
+    schema: SCHEMA,
+    cases: &CASES,
+    programs: &["program", "program-2"],
+    templates: &["contour"],
+    sheets: &[Sheet {
+        name: t("DATOS", "DATA"),
+        title: t("Datos del torneado", "Data of the turning"),
+        optional: false,
+        sections: &[
+            Section {
+                title: t("Esquema", "Schema"),
+                parameters: &[other(
+                    "schema",
+                    "schema",
+                    Kind::Schema,
+                    true,
+                    t("Esquema y versión de este libro", "Schema and version of this workbook"),
+                    t("No se cambia", "Not to be changed"),
+                )],
+            },
+            Section { title: t("Pieza", "Part"), parameters: PART },
+            Section { title: t("Programa", "Program"), parameters: PROGRAM },
+            Section { title: t("Bruto", "Stock"), parameters: STOCK },
+            Section { title: t("Plato y contrapunto", "Chuck and tailstock"), parameters: CHUCK },
+            Section { title: t("Máquina", "Machine"), parameters: MACHINE },
+            Section { title: t("Otros orígenes, desde M", "Further zeros, from M"), parameters: ZEROS },
+            Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND },
+        ],
+    }],
+    lists: &[
+        List {
+            key: TOOLS_KEY,
+            naming: Naming::One(t("HERRAMIENTAS", "TOOLS")),
+            title: t("Herramientas de la torreta", "Tools of the turret"),
+            note: t(
+                "Una herramienta por fila, hasta ocho puestos. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control.",
+                "One tool a row, eight places at most. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control.",
+            ),
+            optional: false,
+            columns: TOOLS,
+            widths: &[
+                8.0, 9.0, 26.0, 15.0, 9.0, 11.0, 8.0, 9.0, 9.0, 12.0, 13.0, 10.0, 8.0, 8.0, 9.0, 12.0, 12.0, 11.0,
+                11.0, 13.0, 13.0,
+            ],
+            most: 99,
+        },
+        List {
+            key: PROGRAM_KEY,
+            naming: Naming::One(t("PROGRAMA", "PROGRAM")),
+            title: t("Programa", "Program"),
+            note: BLOCKS_NOTE,
+            optional: false,
+            columns: BLOCKS,
+            widths: BLOCK_WIDTHS,
+            most: BLOCKS_MOST,
+        },
+        List {
+            key: SECOND_KEY,
+            naming: Naming::One(t("PROGRAMA 2", "PROGRAM 2")),
+            title: t("Programa de la segunda colocación", "Program of the second set-up"),
+            note: BLOCKS_NOTE,
+            optional: true,
+            columns: BLOCKS,
+            widths: BLOCK_WIDTHS,
+            most: BLOCKS_MOST,
+        },
+        List {
+            key: SUBPROGRAM_KEY,
+            naming: Naming::Numbered(t("O0001 a O9999", "O0001 to O9999")),
+            title: t("Subprograma", "Subprogram"),
+            note: BLOCKS_NOTE,
+            optional: true,
+            columns: BLOCKS,
+            widths: BLOCK_WIDTHS,
+            most: BLOCKS_MOST,
+        },
+        List {
+            key: PROFILE_KEY,
+            naming: Naming::One(t("PERFIL", "PROFILE")),
+            title: t("Perfil deseado", "Wanted profile"),
+            note: t(
+                "Los puntos del contorno que debe quedar, en orden; el primero es el comienzo. Se compara con el contorno torneado.",
+                "The points of the contour that is wanted, in order; the first one is its beginning. It is held against the turned contour.",
+            ),
+            optional: true,
+            columns: PROFILE,
+            widths: &[14.0, 14.0, 14.0, 14.0],
+            most: 2_000,
+        },
+    ],
+};

@@ -1,0 +1,319 @@
+//! Turning tools by their catalogue values.
+
+use crate::gcode::control::Spindle;
+use crate::text::Text;
+
+/// The shape of an indexable insert, by its letter in ISO 1832.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Rhombus, 80°.
+    C,
+    /// Rhombus, 55°.
+    D,
+    /// Rhombus, 35°.
+    V,
+    /// Triangle, 60°.
+    T,
+    /// Square, 90°.
+    S,
+    /// Trigon, 80°.
+    W,
+    /// Round.
+    R,
+    /// Parallelogram, 55°.
+    K,
+}
+
+impl Shape {
+    /// All of them.
+    pub const ALL: [Self; 8] = [Self::C, Self::D, Self::V, Self::T, Self::S, Self::W, Self::R, Self::K];
+
+    /// The letter.
+    #[must_use]
+    pub const fn letter(self) -> char {
+        match self {
+            Self::C => 'C',
+            Self::D => 'D',
+            Self::V => 'V',
+            Self::T => 'T',
+            Self::S => 'S',
+            Self::W => 'W',
+            Self::R => 'R',
+            Self::K => 'K',
+        }
+    }
+
+    /// The shape of a letter.
+    #[must_use]
+    pub fn of(letter: char) -> Option<Self> {
+        Self::ALL.into_iter().find(|shape| shape.letter() == letter.to_ascii_uppercase())
+    }
+
+    /// The angle at the cutting corner, degrees; 0 for a round insert.
+    #[must_use]
+    pub const fn angle(self) -> f64 {
+        match self {
+            Self::C | Self::W => 80.0,
+            Self::D | Self::K => 55.0,
+            Self::V => 35.0,
+            Self::T => 60.0,
+            Self::S => 90.0,
+            Self::R => 0.0,
+        }
+    }
+}
+
+/// Which hand a tool is: seen from above with the tip towards the onlooker, a right-hand tool has its cutting edge on the
+/// right; in front of the axis with its face up it feeds towards the chuck.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Hand {
+    /// R.
+    #[default]
+    Right,
+    /// L.
+    Left,
+    /// N.
+    Neutral,
+}
+
+/// Where the tip points, seen from the nose's centre: the nine numbers that turning controls ask for.
+///
+/// The programmed point is the imaginary tip: where the tangents to the nose meet that are parallel to the axes. For 5
+/// to 8 it is on the tangent across the way the tip points, level with the nose's centre; for 9 it is that centre.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tip {
+    /// 1: to +X and +Z, boring away from the chuck.
+    InsideRight,
+    /// 2: to +X and −Z, boring towards the chuck.
+    InsideLeft,
+    /// 3: to −X and −Z, turning towards the chuck.
+    #[default]
+    OutsideLeft,
+    /// 4: to −X and +Z, turning away from the chuck.
+    OutsideRight,
+    /// 5: to +Z.
+    Right,
+    /// 6: to +X, grooves and threads inside.
+    Inside,
+    /// 7: to −Z, drills.
+    Left,
+    /// 8: to −X, grooves and threads outside.
+    Outside,
+    /// 9, also 0: the nose's centre is programmed.
+    Centre,
+}
+
+impl Tip {
+    /// All of them, by number.
+    pub const ALL: [Self; 9] = [
+        Self::InsideRight,
+        Self::InsideLeft,
+        Self::OutsideLeft,
+        Self::OutsideRight,
+        Self::Right,
+        Self::Inside,
+        Self::Left,
+        Self::Outside,
+        Self::Centre,
+    ];
+
+    /// The control's number, 1 to 9.
+    #[must_use]
+    pub const fn number(self) -> u8 {
+        self as u8 + 1
+    }
+
+    /// The tip of a number; 0 is 9.
+    #[must_use]
+    pub fn of(number: u8) -> Option<Self> {
+        if number == 0 { Some(Self::Centre) } else { Self::ALL.get(usize::from(number) - 1).copied() }
+    }
+
+    /// The signs by which `[z, r]` of a tool of tip 3 is turned into this one.
+    #[must_use]
+    pub const fn mirror(self) -> [f64; 2] {
+        match self {
+            Self::OutsideLeft | Self::Left | Self::Outside | Self::Centre => [1.0, 1.0],
+            Self::OutsideRight | Self::Right => [-1.0, 1.0],
+            Self::InsideLeft | Self::Inside => [1.0, -1.0],
+            Self::InsideRight => [-1.0, -1.0],
+        }
+    }
+
+    /// True along z and along r where the programmed point is level with the nose's centre.
+    #[must_use]
+    pub const fn level(self) -> [bool; 2] {
+        match self {
+            Self::InsideRight | Self::InsideLeft | Self::OutsideLeft | Self::OutsideRight => [false, false],
+            Self::Right | Self::Left => [false, true],
+            Self::Inside | Self::Outside => [true, false],
+            Self::Centre => [true, true],
+        }
+    }
+}
+
+/// What cuts. Lengths in mm, angles in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cutter {
+    /// An indexable insert for turning or boring.
+    Insert {
+        /// Its shape.
+        shape: Shape,
+        /// The diameter of its inscribed circle, D.
+        circle: f64,
+        /// The main angle in plan φ1, between the main edge and the feed along Z: above 90° the nose leads.
+        main: f64,
+        /// The auxiliary angle in plan φ2, between the other edge and the turned surface.
+        auxiliary: f64,
+        /// The nose radius R.
+        nose: f64,
+    },
+    /// An insert for grooving or parting. The programmed point is its corner at the side to which the tip points, the
+    /// left one for tip 3; its middle for tips 5 to 8.
+    Groover {
+        /// The width of its front edge.
+        width: f64,
+        /// How deep it reaches.
+        depth: f64,
+        /// The radius of its corners.
+        corner: f64,
+        /// It cuts along Z into a face, not along X.
+        face: bool,
+    },
+    /// An insert for threads; the programmed point is level with the middle of its tip.
+    Threader {
+        /// The angle of the profile.
+        angle: f64,
+        /// The radius of the tip.
+        nose: f64,
+        /// How deep the profile is.
+        depth: f64,
+        /// The least and the greatest lead it is made for.
+        leads: [f64; 2],
+    },
+    /// A twist drill; the programmed point is its point.
+    Drill {
+        /// The diameter.
+        diameter: f64,
+        /// The angle of the point; 180° for a flat one.
+        point: f64,
+        /// How long the flutes are, from the point.
+        length: f64,
+    },
+    /// A centre drill with a countersink of 60°.
+    CentreDrill {
+        /// The pilot's diameter.
+        pilot: f64,
+        /// The pilot's length, from the point.
+        reach: f64,
+        /// The body's diameter.
+        diameter: f64,
+        /// The length from the point to the end of the body.
+        length: f64,
+    },
+}
+
+/// What holds the cutter. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Holder {
+    /// A square shank along X.
+    Shank {
+        /// Its width along Z.
+        width: f64,
+        /// From the tip to its end.
+        length: f64,
+    },
+    /// A round bar along Z; for a drill, the chuck behind its flutes.
+    Bar {
+        /// Its diameter.
+        diameter: f64,
+        /// From the tip to its end.
+        length: f64,
+        /// From the tip to its centre line, across the axis; of no account for a drill.
+        reach: f64,
+    },
+}
+
+/// A tool as it stands in the turret.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tool {
+    /// What it is called.
+    pub name: Text,
+    /// What cuts.
+    pub cutter: Cutter,
+    /// Which hand.
+    pub hand: Hand,
+    /// Where the tip points.
+    pub tip: Tip,
+    /// What holds it.
+    pub holder: Holder,
+    /// From the programmed point to the turret's reference point along X (as a radius) and Z: what stands as the tool's
+    /// offset in the control.
+    pub overhang: [f64; 2],
+}
+
+impl Tool {
+    /// True for drills, which work on the axis.
+    #[must_use]
+    pub const fn axial(&self) -> bool {
+        matches!(self.cutter, Cutter::Drill { .. } | Cutter::CentreDrill { .. })
+    }
+
+    /// The nose radius that nose-radius compensation reckons with, mm; 0 for drills.
+    #[must_use]
+    pub const fn nose(&self) -> f64 {
+        match self.cutter {
+            Cutter::Insert { shape: Shape::R, circle, .. } => circle / 2.0,
+            Cutter::Insert { nose, .. } | Cutter::Threader { nose, .. } => nose,
+            Cutter::Groover { corner, .. } => corner,
+            Cutter::Drill { .. } | Cutter::CentreDrill { .. } => 0.0,
+        }
+    }
+
+    /// The way the spindle has to turn for the tool to cut, where the turret stands in front of the axis (towards the
+    /// operator) or behind it.
+    ///
+    /// M3 turns the work clockwise seen from behind the headstock, so that in front of the axis its surface comes down
+    /// upon a tool whose face looks up. A right-hand tool that feeds towards the chuck lies face up in front of the axis,
+    /// and behind it face down, where the surface comes up: M3 for both. A left-hand tool that feeds towards the chuck is
+    /// the mirror image: M4. Feeding away from the chuck turns each about. Boring bars follow the same rule. A neutral
+    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Derived here.
+    #[must_use]
+    pub const fn spindle(&self, behind: bool) -> Spindle {
+        if self.axial() {
+            return Spindle::Clockwise;
+        }
+        let away = matches!(self.tip, Tip::InsideRight | Tip::OutsideRight | Tip::Right);
+        let clockwise = match self.hand {
+            Hand::Right => !away,
+            Hand::Left => away,
+            Hand::Neutral => !behind,
+        };
+        if clockwise { Spindle::Clockwise } else { Spindle::CounterClockwise }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tips_have_the_numbers_of_the_controls() {
+        for (at, tip) in Tip::ALL.into_iter().enumerate() {
+            assert_eq!(usize::from(tip.number()), at + 1);
+            assert_eq!(Tip::of(tip.number()), Some(tip));
+        }
+        assert_eq!(Tip::of(0), Some(Tip::Centre));
+        assert_eq!(Tip::of(10), None);
+        assert_eq!(Tip::OutsideLeft.number(), 3);
+    }
+
+    #[test]
+    fn shapes_are_known_by_their_letters() {
+        for shape in Shape::ALL {
+            assert_eq!(Shape::of(shape.letter()), Some(shape));
+        }
+        assert_eq!(Shape::of('c'), Some(Shape::C));
+        assert_eq!(Shape::of('X'), None);
+    }
+}

@@ -1,0 +1,99 @@
+//! The part as it is at a moment, and what a cutter takes away from it.
+
+use crate::geometry::exact::convex::Convex;
+use crate::geometry::exact::cut::Cut;
+use crate::geometry::exact::grid::Point;
+use crate::geometry::exact::meeting::Meeting;
+use crate::geometry::exact::region::{Region, Ring};
+use crate::geometry::revolution::{frustum, volume};
+
+/// A piece with less than this, in mm³, is a chip and no part that falls off.
+const CHIP: f64 = 0.001;
+
+/// What a cut took away.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Removed {
+    /// Cut to chips, mm³.
+    pub volume: f64,
+    /// Cut off as pieces that are held no longer, mm³.
+    pub parted: f64,
+}
+
+/// The part: the half of its section at r ≥ 0, turned about the axis.
+#[derive(Clone, Debug, Default)]
+pub struct Workpiece {
+    region: Region,
+    meeting: Meeting,
+}
+
+impl Workpiece {
+    /// The part inside contours on the grid, counter-clockwise, holes clockwise.
+    #[must_use]
+    pub fn new(rings: &[Vec<Point>]) -> Self {
+        Self { region: Region::new(rings), meeting: Meeting::default() }
+    }
+
+    /// Its contours, mm; see [`Region::rings`].
+    #[must_use]
+    pub fn rings(&self) -> Vec<Ring> {
+        self.region.rings()
+    }
+
+    /// Its volume, mm³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.region.rings().iter().map(|ring| volume(ring)).sum()
+    }
+
+    /// How many edges its contours have.
+    #[must_use]
+    pub fn edges(&self) -> usize {
+        self.region.len()
+    }
+
+    /// Shows what a polygon and the part have in common, on either side of the axis, and takes nothing away.
+    pub fn probe(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting)) {
+        self.both_sides(polygon, |part, polygon| {
+            part.meeting.find(&part.region, polygon);
+            if !part.meeting.is_empty() {
+                seen(&part.meeting);
+            }
+        });
+    }
+
+    /// Takes away what a polygon covers while the part turns: both what lies on this side of the axis and what comes round
+    /// from the other. What is held no longer falls off: of several pieces the one that reaches farthest to the left, into
+    /// the chuck, stays.
+    pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting)) -> Removed {
+        let mut removed = Removed::default();
+        self.both_sides(polygon, |part, polygon| {
+            part.meeting.find(&part.region, polygon);
+            if part.meeting.is_empty() {
+                return;
+            }
+            seen(&part.meeting);
+            let outer: f64 = part.meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
+            let inner: f64 = part.meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
+            removed.volume += outer - inner;
+            if part.region.cut(polygon, &part.meeting) == Cut::Apart {
+                let pieces: f64 = part.region.keep_first().iter().map(|ring| volume(ring)).sum();
+                if pieces < CHIP {
+                    removed.volume += pieces;
+                } else {
+                    removed.parted += pieces;
+                }
+            }
+        });
+        removed
+    }
+
+    fn both_sides(&mut self, polygon: &Convex, mut act: impl FnMut(&mut Self, &Convex)) {
+        let (low, high) = polygon.extent();
+        if high.r > 0 {
+            act(self, polygon);
+        }
+        if low.r < 0 {
+            act(self, &polygon.mirrored());
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Sheets that hold a list: one row for each tool, block or point.
+//!
+//! As with the parameters of a form, sheet, validation, refusals and documentation follow from one table of columns.
+
+use std::collections::BTreeMap;
+
+use crate::finding::CellPlace;
+use crate::parameter::{Parameter, Value};
+use crate::text::Text;
+
+/// What a list's sheets are called.
+#[derive(Debug)]
+pub enum Naming {
+    /// One sheet of this name.
+    One(Text),
+    /// Any number of sheets, each called `O` and a number of one to four digits: subprograms. The text says so.
+    Numbered(Text),
+}
+
+/// A list of a workbook kind.
+#[derive(Debug)]
+pub struct List {
+    /// Unique in its form.
+    pub key: &'static str,
+    /// What its sheets are called.
+    pub naming: Naming,
+    /// The title in the first row.
+    pub title: Text,
+    /// How it is filled in.
+    pub note: Text,
+    /// The sheet may be missing, or present without rows, which means the same.
+    pub optional: bool,
+    /// The columns, at most 24; keys as `tools/R`. The first one's heading finds the row of headings. A column that is
+    /// required must be filled in every row that holds something.
+    pub columns: &'static [Parameter],
+    /// The widths of the columns in characters.
+    pub widths: &'static [f64],
+    /// Most rows.
+    pub most: usize,
+}
+
+/// One row: the values by the keys of their columns, and all cells of the row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Row {
+    /// The values; an empty cell has none.
+    pub values: BTreeMap<&'static str, Value>,
+    /// The cells of the columns that the sheet has.
+    pub cells: BTreeMap<&'static str, CellPlace>,
+}
+
+impl Row {
+    /// A real number; `None` where the cell is empty.
+    #[must_use]
+    pub fn real(&self, key: &str) -> Option<f64> {
+        match self.values.get(key) {
+            Some(Value::Real(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// A whole number; `None` where the cell is empty.
+    #[must_use]
+    pub fn whole(&self, key: &str) -> Option<u32> {
+        match self.values.get(key) {
+            Some(Value::Whole(value)) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// The key of a choice; `None` where the cell is empty.
+    #[must_use]
+    pub fn choice(&self, key: &str) -> Option<&'static str> {
+        match self.values.get(key) {
+            Some(Value::Choice(value)) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// A line of text; empty where the cell is empty.
+    #[must_use]
+    pub fn line(&self, key: &str) -> &str {
+        match self.values.get(key) {
+            Some(Value::Line(value)) => value,
+            _ => "",
+        }
+    }
+
+    /// The cell of a column, as the place of a finding; none where the sheet has no such column.
+    #[must_use]
+    pub fn cell(&self, key: &str) -> Vec<CellPlace> {
+        self.cells.get(key).cloned().into_iter().collect()
+    }
+}
+
+/// The rows of one sheet of a list.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rows {
+    /// The list's key.
+    pub list: &'static str,
+    /// The sheet's name as it stands in the workbook; empty for the one sheet of a list in a new workbook.
+    pub sheet: String,
+    /// The rows that hold something, in order.
+    pub rows: Vec<Row>,
+}

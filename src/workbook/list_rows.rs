@@ -1,0 +1,178 @@
+//! From the sheet of a list to its rows.
+//!
+//! The row of headings is found by the first column's heading in column A, the columns by their headings, wherever they
+//! stand; every row below that holds something is one of the list.
+
+use std::collections::BTreeSet;
+
+use crate::escape::excerpt;
+use crate::finding::{Finding, Place};
+use crate::parameter::Parameter;
+use crate::parameter::list::{List, Row, Rows};
+use crate::text::Text;
+
+use super::address;
+use super::sheet_cells::{Content, SheetCells};
+use super::unit;
+use super::value::{holds, read_at};
+use super::words::fold;
+
+/// Columns A to X.
+pub const COLUMNS: u32 = 24;
+/// Characters of a heading shown in a message.
+const SHOWN: usize = 40;
+
+/// The rows of a sheet; `None` where the list may be left out and has none. What is wrong goes to `findings`.
+pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>) -> Option<Rows> {
+    let heads = sheet.rows.keys().copied().filter(|row| is_heading(list, sheet, *row)).collect::<Vec<_>>();
+    let first = list.columns.first().map_or("", |column| column.symbol());
+    let head = match heads.as_slice() {
+        [] => {
+            findings.push(Finding::stop(
+                Place::Sheet(sheet.name.clone()),
+                say!(
+                    "falta la fila de títulos, que empieza por \"{first}\" en la columna A",
+                    "the row of headings, which begins with \"{first}\" in column A, is missing"
+                ),
+                say!(
+                    "escriba \"{first}\" en la columna A de los títulos",
+                    "write \"{first}\" in column A of the headings"
+                ),
+            ));
+            return None;
+        }
+        [head, ..] => *head,
+    };
+    let columns = columns(list, sheet, head, findings);
+    if head > 0 {
+        units(sheet, head - 1, &columns, findings);
+    }
+    let rows = filled(sheet, head, &columns);
+    if rows.is_empty() {
+        if !list.optional {
+            findings.push(Finding::stop(
+                Place::Sheet(sheet.name.clone()),
+                Text::fixed("bajo los títulos no hay ninguna fila", "there is no row below the headings"),
+                Text::fixed("escriba al menos una fila", "write one row at least"),
+            ));
+        }
+        return None;
+    }
+    if rows.len() > list.most {
+        let (count, most) = (rows.len(), list.most);
+        findings.push(Finding::stop(
+            Place::Sheet(sheet.name.clone()),
+            say!("la hoja tiene {count} filas y admite {most}", "the sheet has {count} rows, must have {most} at most"),
+            Text::fixed("reparta las filas", "spread the rows"),
+        ));
+        return None;
+    }
+    let rows = rows
+        .into_iter()
+        .map(|row| {
+            let mut read = Row::default();
+            for &(parameter, column) in &columns {
+                let at = (row, column);
+                read.cells.insert(parameter.key, sheet.place(at));
+                if let Some(value) = read_at(parameter, sheet, at, findings) {
+                    read.values.insert(parameter.key, value);
+                }
+            }
+            read
+        })
+        .collect();
+    Some(Rows { list: list.key, sheet: sheet.name.clone(), rows })
+}
+
+fn is_heading(list: &List, sheet: &SheetCells, row: u32) -> bool {
+    let is = |column: usize, symbol: &str| {
+        u32::try_from(column).is_ok_and(|at| sheet.text((row, at)).is_some_and(|text| fold(text) == fold(symbol)))
+    };
+    // A program may hold a block that reads as the first heading: the others must stand beside it.
+    let width = COLUMNS as usize;
+    list.columns.first().is_some_and(|first| is(0, first.symbol()))
+        && list.columns.iter().skip(1).all(|one| !one.required || (0..width).any(|at| is(at, one.symbol())))
+}
+
+/// The columns by where they stand.
+fn columns(
+    list: &'static List,
+    sheet: &SheetCells,
+    head: u32,
+    findings: &mut Vec<Finding>,
+) -> Vec<(&'static Parameter, u32)> {
+    let mut found: Vec<(&'static Parameter, u32)> = Vec::new();
+    for at in 0..COLUMNS {
+        let Some(text) = sheet.text((head, at)) else { continue };
+        let shown = excerpt(text, SHOWN);
+        // Capitals count where two headings differ by them alone.
+        let exact = list.columns.iter().find(|one| one.symbol() == text);
+        match exact.or_else(|| list.columns.iter().find(|one| fold(one.symbol()) == fold(text))) {
+            None => findings.push(Finding::note(
+                Place::Cells(vec![sheet.place((head, at))]),
+                say!("\"{shown}\" no se lee: no es de esta tabla", "\"{shown}\" is not read: it is not of this table"),
+            )),
+            Some(one) => match found.iter().find(|(other, _)| other.key == one.key) {
+                Some((_, first)) => findings.push(Finding::stop(
+                    Place::Cells(vec![sheet.place((head, *first)), sheet.place((head, at))]),
+                    say!("\"{shown}\" está dos veces", "\"{shown}\" is given twice"),
+                    say!("deje un solo \"{shown}\"", "leave one \"{shown}\" only"),
+                )),
+                None => found.push((one, at)),
+            },
+        }
+    }
+    for lost in list.columns.iter().filter(|one| one.required && found.iter().all(|(other, _)| other.key != one.key)) {
+        let symbol = lost.symbol();
+        findings.push(Finding::stop(
+            Place::Sheet(sheet.name.clone()),
+            say!("falta la columna \"{symbol}\"", "the column \"{symbol}\" is missing"),
+            say!("escriba \"{symbol}\" en la fila de títulos", "write \"{symbol}\" in the row of headings"),
+        ));
+    }
+    found
+}
+
+/// Compares the units above the headings with those of the columns.
+fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], findings: &mut Vec<Finding>) {
+    for &(parameter, at) in columns {
+        let Some(Content::Text(written, _)) = sheet.cell((row, at)).map(|cell| &cell.content) else { continue };
+        let written = written.trim();
+        if unit::says(parameter.unit, written) {
+            continue;
+        }
+        let (symbol, label) = (parameter.symbol(), parameter.unit.label());
+        let (shown, cell) = (excerpt(written, SHOWN), address::format((row, at)));
+        let place = Place::Cells(vec![sheet.place((row, at))]);
+        let finding = if label.is_empty() {
+            Finding::stop(
+                place,
+                say!(
+                    "{symbol} no tiene unidad y {cell} dice \"{shown}\"",
+                    "{symbol} has no unit, and {cell} says \"{shown}\""
+                ),
+                say!("vacíe la celda {cell}", "empty cell {cell}"),
+            )
+        } else {
+            Finding::stop(
+                place,
+                say!(
+                    "{symbol} se da en {label} y {cell} dice \"{shown}\"",
+                    "{symbol} is given in {label}, and {cell} says \"{shown}\""
+                ),
+                say!(
+                    "convierta los valores a {label} y escriba {label} en {cell}",
+                    "convert the values to {label} and write {label} in {cell}"
+                ),
+            )
+        };
+        findings.push(finding);
+    }
+}
+
+/// The rows below the headings that hold something in a column that is read.
+fn filled(sheet: &SheetCells, head: u32, columns: &[(&'static Parameter, u32)]) -> Vec<u32> {
+    let marked = sheet.survey.uncalculated.iter().chain(&sheet.survey.judged).map(|(row, _)| *row);
+    let rows: BTreeSet<u32> = sheet.rows.keys().copied().chain(marked).filter(|row| *row > head).collect();
+    rows.into_iter().filter(|row| columns.iter().any(|(_, column)| holds(sheet, (*row, *column)))).collect()
+}

@@ -1,0 +1,130 @@
+//! The sheet of a list: meanings, units and headings of its columns, and one row for each thing.
+
+use rust_xlsxwriter::{ColNum, IgnoreError, RowNum, Worksheet};
+
+use super::cell::{row_height, write_text};
+use super::error::WriteError;
+use super::form_sheet::label;
+use super::page::Page;
+use super::style::Styles;
+use super::validation::validation;
+use crate::parameter::list::{List, Row};
+use crate::parameter::{Kind, Value};
+use crate::text::Language;
+
+/// The rows of meanings, units and headings, and the first row of the list, counted from 0.
+const MEANINGS: RowNum = 2;
+const UNITS: RowNum = 3;
+const HEADINGS: RowNum = 4;
+const FIRST: RowNum = 5;
+
+/// Rows that stand ready to be filled in below those that are.
+const SPARE: usize = 25;
+
+/// What fills a list's sheet.
+#[derive(Clone, Copy, Debug)]
+pub struct ListSheet<'a> {
+    /// The list.
+    pub list: &'static List,
+    /// The sheet's name.
+    pub name: &'a str,
+    /// Its rows.
+    pub rows: &'a [Row],
+    /// The language of everything but the values.
+    pub language: Language,
+}
+
+impl ListSheet<'_> {
+    /// Writes the sheet. It is not protected: rows are put in and taken out.
+    ///
+    /// # Errors
+    /// For a value that is not finite, and for a list that a workbook cannot hold.
+    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, page: &Page<'_>) -> Result<(), WriteError> {
+        let language = self.language;
+        sheet.set_name(self.name)?;
+        write_text(sheet, 0, 0, self.list.title.get(language), &styles.title)?;
+        let mut last: ColNum = 0;
+        let mut across = 0.0;
+        for (column, width) in (0..).zip(self.list.widths) {
+            sheet.set_column_width(column, *width)?;
+            (last, across) = (column, across + width);
+        }
+        let note = self.list.note.get(language);
+        if last > 0 {
+            sheet.merge_range(1, 0, 1, last, "", &styles.note)?;
+        }
+        write_text(sheet, 1, 0, note, &styles.note)?;
+        sheet.set_row_height(1, row_height(&[(note, across)]))?;
+        self.write_head(sheet, styles)?;
+        let ready = (self.rows.len() + SPARE).min(self.list.most);
+        let mut end = HEADINGS;
+        for (row, at) in (FIRST..).zip(0..ready) {
+            self.write_row(sheet, styles, row, self.rows.get(at))?;
+            end = row;
+        }
+        let most = FIRST + RowNum::try_from(self.list.most).unwrap_or(RowNum::MAX - FIRST) - 1;
+        for (column, parameter) in (0..).zip(self.list.columns) {
+            // Blocks of a program are anything; a message at each would be in the way.
+            if !matches!(parameter.kind, Kind::Line { .. }) {
+                let validation = validation(parameter, true, language)?;
+                sheet.add_data_validation(FIRST, column, most, column, &validation)?;
+            }
+        }
+        sheet.ignore_error_range(FIRST, 0, most, last, IgnoreError::NumberStoredAsText)?;
+        sheet.set_freeze_panes(FIRST, 0)?;
+        sheet.set_selection(FIRST, 0, FIRST, 0)?;
+        let printed = FIRST + RowNum::try_from(self.rows.len()).unwrap_or_default();
+        sheet.set_print_area(0, 0, printed.max(HEADINGS).min(end.max(HEADINGS)), last)?;
+        Page { repeat: (MEANINGS, HEADINGS), landscape: last > 4, ..*page }.set_up(sheet, language)?;
+        Ok(())
+    }
+
+    fn write_head(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
+        let language = self.language;
+        let mut meanings = Vec::new();
+        for ((column, parameter), width) in (0..).zip(self.list.columns).zip(self.list.widths) {
+            let meaning = parameter.meaning.get(language);
+            meanings.push((meaning, *width));
+            write_text(sheet, MEANINGS, column, meaning, &styles.faint)?;
+            write_text(sheet, UNITS, column, parameter.unit.label(), &styles.unit)?;
+            write_text(sheet, HEADINGS, column, parameter.symbol(), &styles.header)?;
+        }
+        sheet.set_row_height(MEANINGS, row_height(&meanings))?;
+        Ok(())
+    }
+
+    fn write_row(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        at: RowNum,
+        row: Option<&Row>,
+    ) -> Result<(), WriteError> {
+        for (column, parameter) in (0..).zip(self.list.columns) {
+            let format = match parameter.kind {
+                Kind::Real { .. } | Kind::Whole { .. } => &styles.input_number,
+                Kind::Line { .. } => &styles.input_line,
+                _ => &styles.input_text,
+            };
+            match row.and_then(|row| row.values.get(parameter.key)) {
+                Some(Value::Real(value)) if !value.is_finite() => {
+                    return Err(WriteError::NotFinite { place: parameter.key.to_owned() });
+                }
+                Some(Value::Real(value)) => {
+                    sheet.write_number_with_format(at, column, *value, format)?;
+                }
+                Some(Value::Whole(value)) => {
+                    sheet.write_number_with_format(at, column, *value, format)?;
+                }
+                Some(Value::Choice(key)) => {
+                    write_text(sheet, at, column, label(parameter, key, self.language), format)?;
+                }
+                Some(Value::Line(text)) => write_text(sheet, at, column, text, format)?,
+                None => {
+                    sheet.write_blank(at, column, format)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}

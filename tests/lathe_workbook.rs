@@ -1,0 +1,130 @@
+//! The lathe workbook: its lists are written, read back, and refused cell by cell.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::io::Cursor;
+
+use rodete::finding::{CellPlace, Place, Refusal};
+use rodete::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
+use rodete::parameter::list::{Row, Rows};
+use rodete::parameter::{Value, Values};
+use rodete::text::Language;
+use rodete::workbook::{self, template};
+
+/// A workbook with the values of a case and lists that `change` has been at.
+fn book(case: usize, language: Language, change: impl FnOnce(&mut Vec<Rows>)) -> Vec<u8> {
+    let case = &FORM.cases[case];
+    let mut lists = (case.listed)(language);
+    change(&mut lists);
+    let mut out = Cursor::new(Vec::new());
+    template::write(&FORM, &case.values(language), &lists, &case.note, language, &mut out).unwrap();
+    out.into_inner()
+}
+
+fn read(bytes: &[u8]) -> Result<Values, Refusal> {
+    workbook::read(bytes, &[&FORM]).map(|filled| filled.values)
+}
+
+fn list<'a>(lists: &'a mut [Rows], key: &str) -> &'a mut Vec<Row> {
+    &mut lists.iter_mut().find(|rows| rows.list == key).unwrap().rows
+}
+
+/// Cell and message of every stop.
+fn stops(bytes: &[u8]) -> Vec<(String, String)> {
+    let refusal = read(bytes).unwrap_err();
+    let cells = |place: &Place| match place {
+        Place::Cells(cells) => {
+            cells.iter().map(|one| format!("{}!{}", one.sheet, one.cell)).collect::<Vec<_>>().join(" ")
+        }
+        other => format!("{other:?}"),
+    };
+    refusal.findings.iter().map(|one| (cells(&one.place), one.what.en.to_string())).collect()
+}
+
+#[test]
+fn every_row_of_every_list_comes_back_with_its_cells() {
+    for (index, case) in FORM.cases.iter().enumerate() {
+        for language in Language::ALL {
+            let values = read(&book(index, language, |_| ())).unwrap();
+            let written = (case.listed)(language);
+            assert_eq!(values.lists.len(), written.len());
+            for (read, written) in values.lists.iter().zip(&written) {
+                assert_eq!(read.list, written.list);
+                let rows: Vec<_> = read.rows.iter().map(|row| &row.values).collect();
+                assert_eq!(rows, written.rows.iter().map(|row| &row.values).collect::<Vec<_>>(), "{}", read.list);
+            }
+            let block = &values.rows(PROGRAM_KEY)[1];
+            let sheet = if language == Language::Es { "PROGRAMA" } else { "PROGRAM" };
+            assert_eq!(block.cell("program/BLOCK"), [CellPlace { sheet: sheet.to_owned(), cell: "A7".to_owned() }]);
+        }
+    }
+}
+
+#[test]
+fn rows_may_be_left_empty_between_others() {
+    let with_gaps = book(0, Language::En, |lists| {
+        let rows = list(lists, PROGRAM_KEY);
+        rows.insert(3, Row::default());
+        rows.insert(3, Row::default());
+    });
+    let without = read(&book(0, Language::En, |_| ())).unwrap();
+    let with_gaps = read(&with_gaps).unwrap();
+    let blocks = |values: &Values| -> Vec<String> {
+        values.rows(PROGRAM_KEY).iter().map(|row| row.line("program/BLOCK").to_owned()).collect()
+    };
+    assert_eq!(blocks(&with_gaps), blocks(&without));
+    assert_eq!(with_gaps.rows(PROGRAM_KEY)[3].cell("program/BLOCK")[0].cell, "A11");
+}
+
+#[test]
+fn subprograms_are_sheets_called_o_and_their_number() {
+    let bytes = book(0, Language::En, |lists| {
+        let rows = list(lists, PROGRAM_KEY).clone();
+        lists.push(Rows { list: "subprogram", sheet: "O0005".to_owned(), rows });
+    });
+    let values = read(&bytes).unwrap();
+    let found: Vec<_> = values.lists.iter().filter(|rows| rows.list == "subprogram").collect();
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].sheet, "O0005");
+    assert_eq!(found[0].rows.len(), values.rows(PROGRAM_KEY).len());
+}
+
+#[test]
+fn a_wrong_cell_of_a_list_is_refused_by_its_address() {
+    let changed = |key: &'static str, row: usize, column: &'static str, value: Option<Value>| {
+        stops(&book(1, Language::En, |lists| {
+            let values = &mut list(lists, key)[row].values;
+            match value {
+                Some(value) => values.insert(column, value),
+                None => values.remove(column),
+            };
+        }))
+    };
+    assert_eq!(
+        changed(TOOLS_KEY, 1, "tools/T", None),
+        [("TOOLS!A7".to_owned(), "T (place in the turret) is missing".to_owned())]
+    );
+    assert_eq!(
+        changed(TOOLS_KEY, 0, "tools/R", Some(Value::Real(-1.0))),
+        [("TOOLS!G6".to_owned(), "R (nose radius) is -1 mm, must be from 0 to 50 mm".to_owned())]
+    );
+    assert_eq!(
+        changed(TOOLS_KEY, 0, "tools/R", Some(Value::Line("0,8".to_owned()))),
+        [("TOOLS!G6".to_owned(), "R (nose radius) is the text \"0,8\", not a number".to_owned())]
+    );
+    assert_eq!(
+        changed(PROFILE_KEY, 1, "profile/G", Some(Value::Line("4".to_owned()))),
+        [(
+            "PROFILE!A7".to_owned(),
+            "G (1 straight, 2 clockwise arc, 3 counter-clockwise) is \"4\", must be one of: 1, 2, 3".to_owned()
+        )]
+    );
+}
+
+#[test]
+fn a_list_without_rows_is_refused_where_it_is_needed() {
+    let bytes = book(1, Language::Es, |lists| list(lists, PROGRAM_KEY).clear());
+    assert_eq!(stops(&bytes), [("Sheet(\"PROGRAMA\")".to_owned(), "there is no row below the headings".to_owned())]);
+    let values = read(&book(1, Language::Es, |lists| list(lists, PROFILE_KEY).clear())).unwrap();
+    assert!(values.rows(PROFILE_KEY).is_empty());
+}
