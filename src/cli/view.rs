@@ -95,11 +95,12 @@ fn of_program(
     let shared = Shared::new(control)?;
     let (named, dialect) = shared.dialect(input, file);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
-    let frame = if dialect.reading.diameter { Frame::Turning } else { Frame::Milling };
+    let milling = !dialect.reading.diameter;
+    let frame = if milling { Frame::Milling } else { Frame::Turning };
     let text = String::from_utf8_lossy(&bytes);
     let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);
     let setting = shared.setting(input, dialect);
-    for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| tool.diameter > 0.0) {
+    for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| milling && tool.diameter > 0.0) {
         let (r, d) = (tool.diameter / 2.0, tool.diameter);
         let name = Text::same(format!("T{number} d{d}"));
         program.tools.push(Tool {

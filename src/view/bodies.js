@@ -102,10 +102,10 @@ function toolBodies(tool, turning, size) {
   const list = (flat) => Array.from(flat, ([z, x]) => [z, x]);
   if (tool?.shape.flat) {
     const { cutting, holder } = tool.shape.flat;
-    const reach = Math.max(1, ...holder.concat(cutting).map(([z, x]) => Math.max(Math.abs(z), Math.abs(x))));
+    const reach = Math.max(1, ...holder.concat(...cutting).map(([z, x]) => Math.max(Math.abs(z), Math.abs(x))));
     return [
       { vertices: plate(list(holder), reach * 0.1), paint: "holder" },
-      { vertices: plate(list(cutting), Math.min(reach * 0.11, size * 0.05)), paint: "cutter" },
+      ...cutting.map((one) => ({ vertices: plate(list(one), reach * 0.11), paint: "cutter" })),
     ];
   }
   if (tool) return [{ vertices: revolved(tool.shape.revolved), paint: "cutter" }];

@@ -60,6 +60,10 @@ pub struct Program {
     pub tools: Vec<Tool>,
     /// What is turned.
     pub turning: Option<Turning>,
+    /// What is added to the program coordinates (X as a radius, Y, Z) of the motions to come, so that their path stands on
+    /// the part when the program shifts its coordinates; mm. The display goes on showing program coordinates.
+    #[serde(skip)]
+    pub shift: [f64; 3],
     /// The codes of feed per minute, per revolution, of inverse time and of seconds.
     feed_codes: [&'static str; 4],
     /// X is shown as a diameter.
@@ -110,7 +114,7 @@ pub struct Program {
     #[serde(skip)]
     frame: Frame,
     #[serde(skip)]
-    before: Option<Pose>,
+    before: Option<(Pose, [f64; 3])>,
 }
 
 impl Program {
@@ -131,6 +135,7 @@ impl Program {
             remarks: Vec::new(),
             tools: Vec::new(),
             turning: None,
+            shift: [0.0; 3],
             feed_codes: if fanuc { ["G98", "G99", "G98", "G98"] } else { ["G94", "G95", "G93", "G93"] },
             diameter: frame == Frame::Turning,
             plain: frame.straight(),
@@ -184,8 +189,8 @@ impl Program {
             Kind::Dwell(_) => (DWELL, 0.0),
         };
         self.columns(&from, &motion.to);
-        if self.before.is_none_or(|before| before != from) {
-            let Stand { point, axis } = self.frame.stand(&from);
+        if self.before.is_none_or(|before| before != (from, self.shift)) {
+            let Stand { point, axis } = self.stand(&from);
             self.jumps.push(whole(self.kind.len()));
             self.jump_points.push(point.into());
             self.jump_poses.push(from.0);
@@ -202,7 +207,12 @@ impl Program {
         let seconds = self.time(motion, &from);
         #[expect(clippy::cast_possible_truncation, reason = "for playing")]
         self.seconds.push(seconds as f32);
-        self.before = Some(motion.to);
+        self.before = Some((motion.to, self.shift));
+    }
+
+    fn stand(&self, pose: &Pose) -> Stand {
+        let Stand { point, axis } = self.frame.stand(pose);
+        Stand { point: point + Vector3::from(self.shift), axis }
     }
 
     fn time(&mut self, motion: &Motion, from: &Pose) -> f64 {
@@ -236,7 +246,7 @@ impl Program {
     }
 
     fn state_of(&mut self, control: &Control) -> u32 {
-        let state = State::from(control);
+        let state = State { shift: self.shift, ..State::from(control) };
         let known = self.states.iter().enumerate().rev().take(STATES).find(|(_, known)| **known == state);
         let at = known.map(|(at, _)| at).unwrap_or_else(|| {
             self.states.push(state);
@@ -254,7 +264,8 @@ impl Program {
             Kind::Arc(arc, _) if straight => {
                 let [x, y] = arc.centre;
                 self.arcs.push(whole(self.kind.len()));
-                self.arc_shapes.push([f64::from(arc.plane as u8), x, y, arc.sweep]);
+                let [first, second, _] = arc.plane.axes().map(|axis| self.shift[axis as usize]);
+                self.arc_shapes.push([f64::from(arc.plane as u8), x + first, y + second, arc.sweep]);
             }
             Kind::Arc(arc, _) => {
                 let steps = (arc.sweep.abs() / TURN).ceil().clamp(1.0, f64::from(PIECES));
@@ -272,7 +283,7 @@ impl Program {
                 Kind::Arc(arc, _) => along(&arc, from, &to, part),
                 _ => between(from, &to, part),
             };
-            let Stand { point, axis } = self.frame.stand(&pose);
+            let Stand { point, axis } = self.stand(&pose);
             self.points.push(point.into());
             if !straight {
                 self.directions.push(axis.into());
@@ -323,4 +334,77 @@ const LONGEST: usize = 400;
 
 fn block(line: &str) -> String {
     crate::escape::excerpt(&line.trim_end().replace('\t', " "), LONGEST)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::interpreter::{Interpreter, Setting};
+    use crate::machine::rotary::Rotary;
+
+    fn program(text: &str, frame: Frame, shift: [f64; 3]) -> Program {
+        let mut program = Program::new(Text::same("p"), &LINUXCNC, frame, text);
+        program.shift = shift;
+        let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
+        while let Some(motion) = interpreter.next() {
+            program.push(&motion.unwrap(), interpreter.control());
+        }
+        program
+    }
+
+    #[test]
+    fn the_first_rapid_has_no_way_and_other_motions_start_where_the_last_ended() {
+        let text = "G21 G90\nG0 X10 Y5 Z2\nG1 Z-1 F100\nG1 X40\nM2\n";
+        let program = program(text, Frame::Milling, [0.0; 3]);
+        assert_eq!(program.points, [[10.0, 5.0, 2.0], [10.0, 5.0, -1.0], [40.0, 5.0, -1.0]]);
+        assert_eq!(
+            (program.jumps.as_slice(), program.jump_points.as_slice()),
+            ([0].as_slice(), [[10.0, 5.0, 2.0]].as_slice())
+        );
+        assert_eq!(program.seconds, [0.0, 1.8, 18.0]);
+        assert_eq!(program.assumed, [false, false], "nothing was assumed");
+    }
+
+    #[test]
+    fn a_shift_moves_the_path_and_the_centres_of_arcs() {
+        let text = "G21 G90 F100\nG0 X10 Y0\nG3 X0 Y10 I-10 J0\nM2\n";
+        let program = program(text, Frame::Milling, [1.0, 2.0, 3.0]);
+        assert_eq!(program.points, [[11.0, 2.0, 3.0], [1.0, 12.0, 3.0]]);
+        assert_eq!(program.arc_shapes[0][..3], [0.0, 1.0, 2.0]);
+        assert_eq!(program.states.last().unwrap().shift, [1.0, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn an_axis_that_the_path_does_not_say_has_its_own_column_from_its_first_move_on() {
+        let text = "G21 G90 F100\nG0 X1\nG1 X2\nG1 A90\nM2\n";
+        let program = program(text, Frame::Milling, [0.0; 3]);
+        assert!(program.turns_unseen());
+        assert_eq!((program.axes[0].letter, program.axes[0].to.as_slice()), ('A', [0.0, 0.0, 90.0].as_slice()));
+    }
+
+    #[test]
+    fn a_turn_of_the_part_bends_the_path_of_the_tip_within_the_tolerance() {
+        let machine = Rotary { L: 250.0 };
+        let text = "G21 G90 G94 F100\nG0 X20 Y0 Z0 B0 C0\nG1 B60 C90\nM2\n";
+        let program = program(text, Frame::Tilting(machine), [0.0; 3]);
+        assert_eq!(program.pieces[0], 1);
+        let count = program.pieces[1];
+        assert!(count > 20, "{count} pieces");
+        // Halfway between the points that are kept, the chord is as near to the path as was asked for.
+        let pose = |part: f64| {
+            let mut pose = Pose::default();
+            pose.set(Axis::X, 20.0);
+            pose.set(Axis::B, 60.0 * part);
+            pose.set(Axis::C, 90.0 * part);
+            pose
+        };
+        for piece in 1..usize::from(count) {
+            let [one, two] = [piece, piece + 1].map(|at| Vector3::from(program.points[at]));
+            #[expect(clippy::cast_precision_loss, reason = "a small count")]
+            let part = (piece as f64 + 0.5) / f64::from(count);
+            let exact = Frame::Tilting(machine).stand(&pose(part)).point;
+            assert!(((one + two) / 2.0 - exact).norm() < 2.0 * TOLERANCE, "piece {piece}");
+        }
+    }
 }

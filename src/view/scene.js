@@ -146,7 +146,8 @@ class Run {
   /** What the display shows: letter, value in mm or degrees (X as a diameter where it is one), and whether it is an angle. */
   readout(motion, part) {
     const shown = [];
-    const point = motion < 0 ? [0, 0, 0] : this.point(motion, part);
+    const shift = motion < 0 ? [0, 0, 0] : this.states[this.state[motion]].shift;
+    const point = motion < 0 ? shift : this.point(motion, part).map((value, axis) => value - shift[axis]);
     if (this.data.diameter) shown.push(["X", 2 * point[0], false], ["Z", point[2], false]);
     else if (this.data.plain) point.forEach((value, axis) => shown.push([LETTERS[axis], value, false]));
     for (const axis of this.axes) {
@@ -162,7 +163,7 @@ class Run {
   rpm(motion, part) {
     const state = this.states[this.state[motion]];
     if (!state.surface) return state.speed;
-    const diameter = 2 * Math.abs(this.point(motion, part)[0]);
+    const diameter = 2 * Math.abs(this.point(motion, part)[0] - state.shift[0]);
     const wanted = diameter > 0 ? (1000 * state.speed) / (Math.PI * diameter) : Infinity;
     const speed = Math.min(wanted, state.greatest ?? Infinity);
     return Number.isFinite(speed) ? speed : null;

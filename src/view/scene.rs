@@ -63,6 +63,8 @@ pub struct State {
     pub inch: bool,
     /// Nose radius compensation: 40, 41 or 42.
     pub compensation: u8,
+    /// What is added to program coordinates to stand on the part, mm: see [`Program::shift`].
+    pub shift: [f64; 3],
 }
 
 impl From<&Control> for State {
@@ -96,6 +98,7 @@ impl From<&Control> for State {
                 Compensation::Left => 41,
                 Compensation::Right => 42,
             },
+            shift: [0.0; 3],
         }
     }
 }
@@ -108,8 +111,8 @@ pub enum Shape {
     Revolved(Vec<[f64; 2]>),
     /// A plate in the plane of a turning machine: outlines as (z, x) from the programmed point; mm.
     Flat {
-        /// What cuts.
-        cutting: Vec<[f64; 2]>,
+        /// What cuts, in one or more parts.
+        cutting: Vec<Vec<[f64; 2]>>,
         /// The holder and all else that must touch nothing.
         holder: Vec<[f64; 2]>,
     },

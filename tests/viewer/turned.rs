@@ -99,7 +99,7 @@ pub fn scene(repeat: usize) -> Scene {
         number: 0,
         name: Text::fixed("cuchilla", "turning tool"),
         shape: Shape::Flat {
-            cutting: vec![[0.0, 0.0], [9.0, 1.5], [10.5, 10.0], [1.5, 9.0]],
+            cutting: vec![vec![[0.0, 0.0], [9.0, 1.5], [10.5, 10.0], [1.5, 9.0]]],
             holder: vec![[1.5, 8.0], [8.0, 1.5], [22.0, 8.0], [22.0, 60.0], [2.0, 60.0]],
         },
     }];
