@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-use super::tool::{Cutter, Holder, Shape, Tool};
+use super::tool::{Cutter, Hand, Holder, Shape, Tool};
 use crate::geometry::chords;
 use crate::geometry::exact::convex::Convex;
 use crate::number::trig::{atan, atan2, hypot, sin_cos, tan};
@@ -350,6 +350,16 @@ impl Tool {
             (Holder::Shank { width, length }, Cutter::Groover { depth, width: edge, .. }) => {
                 let start = if self.tip.level()[0] { (edge - width) / 2.0 } else { 0.1 };
                 boxed([start, start + width], [depth, depth.max(length) + 1.0])
+            }
+            (Holder::Shank { width, length }, Cutter::Threader { angle, .. }) => {
+                // The insert sits at the edge of the shank, so that a thread may run up to a shoulder.
+                let left = -depth * tan((angle / 2.0).to_radians()) - SETBACK;
+                let side = match self.hand {
+                    Hand::Right => [left, left + width],
+                    Hand::Left => [-left - width, -left],
+                    Hand::Neutral => [-width / 2.0, width / 2.0],
+                };
+                boxed(side, [depth, depth.max(length) + 1.0])
             }
             (Holder::Shank { width, length }, _) => {
                 boxed([-width / 2.0, width / 2.0], [depth, depth.max(length) + 1.0])

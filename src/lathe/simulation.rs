@@ -363,7 +363,9 @@ impl Simulation {
         {
             tally.raise(Cause::NoFeed, start, None);
         }
-        if watch.begins(Cause::UnknownTool(0), ready.is_none(), control.tool) {
+        // A turret may be moved about before the first tool is called.
+        let missing = ready.is_none() && (control.tool != 0 || kind != Kind::Rapid);
+        if watch.begins(Cause::UnknownTool(0), missing, control.tool) {
             tally.raise(Cause::UnknownTool(control.tool), start, None);
         }
         if let Kind::Thread(thread) = kind {
