@@ -32,8 +32,8 @@ const MOST: usize = 50;
 pub enum Seen<'a> {
     /// A program begins, with its text and the part as it is.
     Begin(&'a Program, &'a text::Source, &'a Simulation),
-    /// A motion was made.
-    Step(&'a Step),
+    /// A motion was made, and this is what it left.
+    Step(&'a Step, &'a Simulation),
     /// The findings of the program that has ended.
     End(&'a [Finding]),
 }
@@ -55,10 +55,10 @@ struct Followed {
 /// # Errors
 /// A refusal with every contradiction between values.
 pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
-    watched(form, values, source, &mut |_| ())
+    watched(form, values, source, None, &mut |_| ())
 }
 
-/// The same; `watch` is shown everything as it happens, the contour's changes among it.
+/// The same; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
@@ -66,10 +66,11 @@ pub fn watched(
     form: &'static Form,
     values: Values,
     source: Source,
+    program: Option<text::Source>,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
     let given = Given::of(&values).map_err(refused)?;
-    let first = text::Source::of(&values, PROGRAM_KEY).unwrap_or_default();
+    let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
@@ -109,7 +110,7 @@ fn follow(
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
-    let simulation = Simulation::new(Setup { record: true, ..setup })?;
+    let simulation = Simulation::new(setup)?;
     watch(Seen::Begin(&program, source, &simulation));
     let stock = simulation.contours();
     let mut one = Followed {
@@ -126,16 +127,18 @@ fn follow(
     while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) => {
-                let step = one.simulation.take(&motion, interpreter.control());
+                let control = *interpreter.control();
+                let file = interpreter.file(control.file);
+                let step = one.simulation.take(&motion, &control);
                 for alarm in &step.alarms {
-                    one.alarms.push((*alarm, source.place(None, alarm.line, Vec::new())));
+                    one.alarms.push((*alarm, source.place(file, alarm.line, Vec::new())));
                 }
                 let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
                 if step.way.len() > 1 {
                     paths.push(step.way.clone());
                 }
-                one.rows.push(&step, &source.main);
-                watch(Seen::Step(&step));
+                one.rows.push(&step, source.text(file).unwrap_or(&source.main));
+                watch(Seen::Step(&step, &one.simulation));
             }
             Err(fault) => {
                 one.broken = true;

@@ -31,9 +31,10 @@ pub struct Rows {
     volume: Vec<f64>,
     rate: Vec<f64>,
     alarms: Vec<Text>,
-    /// The lines of the program, split once, and the line whose block was given last.
-    last: Option<(usize, Text)>,
-    starts: Vec<usize>,
+    /// The line and file whose block was given last, with the block.
+    last: Option<(usize, usize, Text)>,
+    /// Where the lines of each file begin.
+    starts: Vec<Vec<usize>>,
 }
 
 fn count(value: usize) -> f64 {
@@ -72,18 +73,23 @@ impl Rows {
     /// Adds the row of a motion.
     pub fn push(&mut self, step: &Step, lines: &Lines) {
         let motion = &step.motion;
-        if self.starts.is_empty() {
-            self.starts =
+        let file = step.control.file;
+        if self.starts.len() <= file {
+            self.starts.resize(file + 1, Vec::new());
+        }
+        let starts = &mut self.starts[file];
+        if starts.is_empty() {
+            *starts =
                 std::iter::once(0).chain(memchr::memchr_iter(b'\n', lines.text.as_bytes()).map(|at| at + 1)).collect();
         }
         let block = match &self.last {
-            Some((line, block)) if *line == motion.line => block.clone(),
+            Some((line, in_file, block)) if (*line, *in_file) == (motion.line, file) => block.clone(),
             _ => {
                 let from =
-                    motion.line.checked_sub(1).and_then(|at| self.starts.get(at)).copied().unwrap_or(lines.text.len());
+                    motion.line.checked_sub(1).and_then(|at| starts.get(at)).copied().unwrap_or(lines.text.len());
                 let block = lines.text.get(from..).and_then(|rest| rest.lines().next()).unwrap_or_default();
                 let block = Text::same(block);
-                self.last = Some((motion.line, block.clone()));
+                self.last = Some((motion.line, file, block.clone()));
                 block
             }
         };

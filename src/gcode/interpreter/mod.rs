@@ -73,7 +73,7 @@ use self::modal::Modal;
 use self::moves::Run;
 use self::numbers::Numbers;
 use self::parameters::Parameters;
-pub use self::setting::{Start, Budget, DecimalPoint, Files, NoFiles, Setting, Tool, Tools};
+pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
 use self::structure::Structure;
@@ -174,7 +174,11 @@ impl<'a> Interpreter<'a> {
             buffer: Vec::new(),
             line: 0,
             block: Block::new(),
-            modal: Modal { tool: setting.start.tool, offset: setting.start.offset, ..Modal::new(reading, setting.unit, system) },
+            modal: Modal {
+                tool: setting.start.tool,
+                offset: setting.start.offset,
+                ..Modal::new(reading, setting.unit, system)
+            },
             control: Control::default(),
             current: frame.to_program(&setting.start.machine),
             frame,
@@ -205,6 +209,12 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub const fn control(&self) -> &Control {
         &self.control
+    }
+
+    /// The name of a subprogram's own file by its number in [`Control::file`]; `None` for the program itself.
+    #[must_use]
+    pub fn file(&self, number: usize) -> Option<&str> {
+        self.sources.get(number)?.file.as_deref()
     }
 
     /// The position reached, in program and machine coordinates.
