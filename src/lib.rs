@@ -23,7 +23,7 @@
 //! | 4 | [`impeller`], [`blank`], [`pipe`], [`lathe`] | the methods, one formula family a file |
 //! | 5 | [`verify`] | judging programs, what they come to |
 //! | 6 | [`job`] | the pure whole of a workbook kind |
-//! | 7 | [`workbook`], [`report`], [`drawing`], [`store`], [`cli`] | the outside world, one wall each |
+//! | 7 | [`workbook`], [`report`], [`drawing`], [`view`], [`store`], [`cli`] | the outside world, one wall each |
 //!
 //! Nothing below floor 7 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
 //! machine.
@@ -68,4 +68,5 @@ pub mod store;
 pub mod table;
 pub mod text;
 pub mod verify;
+pub mod view;
 pub mod workbook;

@@ -30,6 +30,7 @@ const FLOORS: [(&str, u8); 20] = [
     ("workbook", 7),
     ("report", 7),
     ("drawing", 7),
+    ("view", 7),
     ("store", 7),
 ];
 /// Above all of them: the commands, and what is linked into the binary alone.

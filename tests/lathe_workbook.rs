@@ -106,11 +106,11 @@ fn a_wrong_cell_of_a_list_is_refused_by_its_address() {
     );
     assert_eq!(
         changed(TOOLS_KEY, 0, "tools/R", Some(Value::Real(-1.0))),
-        [("TOOLS!F6".to_owned(), "R (nose radius) is -1 mm, must be from 0 to 50 mm".to_owned())]
+        [("TOOLS!G6".to_owned(), "R (nose radius) is -1 mm, must be from 0 to 50 mm".to_owned())]
     );
     assert_eq!(
         changed(TOOLS_KEY, 0, "tools/R", Some(Value::Line("0,8".to_owned()))),
-        [("TOOLS!F6".to_owned(), "R (nose radius) is the text \"0,8\", not a number".to_owned())]
+        [("TOOLS!G6".to_owned(), "R (nose radius) is the text \"0,8\", not a number".to_owned())]
     );
     assert_eq!(
         changed(PROFILE_KEY, 1, "profile/G", Some(Value::Line("4".to_owned()))),

@@ -22,6 +22,7 @@ How to work with it:
   rodete check impeller.xlsx    says what would stop a build, and the limits
   rodete build impeller.xlsx    writes tables, programs and report into impeller-out
   rodete verify program.nc      reads a program as the control would and says what it comes to
+  rodete view impeller.xlsx     writes impeller.html: part and programs, to be played in a browser
   rodete offsets linuxcnc.var   shows the work offsets of a LinuxCNC machine
 
 Exit codes:
@@ -61,6 +62,12 @@ pub(super) enum Command {
     /// program is refused, 7 where a loop does not end. Lengths in millimetres, angles in degrees, whatever the program's
     /// unit.
     Verify(Verify),
+    /// Write one HTML file that shows a program, or a workbook's part and programs
+    ///
+    /// The file opens in any browser, without a network: part, tool and path in three dimensions, the blocks, the machine's
+    /// display and the alarms, played in machine time. A program that is refused is shown as far as it can be read, with its
+    /// faults, and the exit code is still 3.
+    View(View),
     /// Show and edit the work offsets in LinuxCNC's parameter file
     ///
     /// Without options: G54 to G59.3, G92, G28 and G30 as the file holds them, and the blocks that give a control the
@@ -124,12 +131,9 @@ pub(super) struct Build {
     pub(super) json: bool,
 }
 
-/// Arguments of `verify`.
+/// How programs are read.
 #[derive(Debug, Args)]
-pub(super) struct Verify {
-    /// Programs to read
-    #[arg(required = true, value_name = "PROGRAM")]
-    pub(super) programs: Vec<PathBuf>,
+pub(super) struct Control {
     /// Dialect of the programs [default: told from the program]
     #[arg(long, value_parser = PossibleValuesParser::new(ALL.map(|dialect| dialect.name)))]
     pub(super) dialect: Option<String>,
@@ -139,9 +143,6 @@ pub(super) struct Verify {
     /// LinuxCNC's tool table: tool lengths
     #[arg(long, value_name = "FILE")]
     pub(super) tools: Option<PathBuf>,
-    /// Print one JSON object for each canonical motion
-    #[arg(long, conflicts_with = "json")]
-    pub(super) canon: bool,
     /// Skip blocks that begin with /
     #[arg(long)]
     pub(super) block_delete: bool,
@@ -154,12 +155,43 @@ pub(super) struct Verify {
     /// The machine counts in inches: var file, tool table, and programs that do not say their unit
     #[arg(long)]
     pub(super) inch: bool,
+}
+
+/// Arguments of `verify`.
+#[derive(Debug, Args)]
+pub(super) struct Verify {
+    /// Programs to read
+    #[arg(required = true, value_name = "PROGRAM")]
+    pub(super) programs: Vec<PathBuf>,
+    /// How they are read.
+    #[command(flatten)]
+    pub(super) control: Control,
+    /// Print one JSON object for each canonical motion
+    #[arg(long, conflicts_with = "json")]
+    pub(super) canon: bool,
     /// Language of the messages [default: en]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
     /// Print one JSON document instead of text
     #[arg(long)]
     pub(super) json: bool,
+}
+
+/// Arguments of `view`.
+#[derive(Debug, Args)]
+pub(super) struct View {
+    /// Program or workbook to show
+    #[arg(value_name = "PROGRAM|WORKBOOK")]
+    pub(super) input: PathBuf,
+    /// File to write [default: <stem>.html beside the input]
+    #[arg(short, long, value_name = "FILE.html")]
+    pub(super) output: Option<PathBuf>,
+    /// How a program is read; a workbook says itself what its programs are.
+    #[command(flatten)]
+    pub(super) control: Control,
+    /// Language that the page begins in, and of the messages [default: the workbook's, else en; messages in English]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
 }
 
 /// Arguments of `offsets`.

@@ -15,6 +15,7 @@ mod new;
 mod offsets;
 mod offsets_view;
 mod plan;
+mod program;
 mod quantity;
 mod reading;
 mod show;
@@ -22,6 +23,7 @@ mod side_by_side;
 mod terminal;
 mod verdict;
 mod verify;
+mod view;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -72,6 +74,7 @@ fn command(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termina
         Command::Check(arguments) => check(&arguments, terminal),
         Command::Build(arguments) => build::run(&arguments, terminal),
         Command::Verify(arguments) => verify::run(&arguments, terminal),
+        Command::View(arguments) => view::run(&arguments, terminal),
         Command::Offsets(arguments) => offsets::run(&arguments, terminal),
     }
 }

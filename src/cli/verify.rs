@@ -1,56 +1,28 @@
 //! The command `verify`: reads programs as the control would and says what they come to.
 
-use std::io::BufRead;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
 use super::args::Verify;
+use super::program::{Shared, told_from};
 use super::terminal::Terminal;
 use super::verdict::{Verdict, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::told;
-use crate::gcode::interpreter::tool_table;
-use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting, Tools, findings};
+use crate::gcode::interpreter::{Fault, Interpreter, findings};
 use crate::gcode::motion::{FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::length_unit::LengthUnit;
-use crate::machine::var_file::VarFile;
 use crate::number::shown;
-use crate::text::{Language, Text};
+use crate::text::Language;
 use crate::verify::account::{Account, Extents, drift};
-use crate::workbook::{self, Input};
+use crate::workbook;
 
 /// Most refusals of a program that are listed.
 const MOST: usize = 50;
 /// Bytes of output that are gathered before they are printed.
 const CHUNK: usize = 1 << 16;
-
-/// Subprograms that stand beside the program.
-struct Beside(PathBuf);
-
-impl Files for Beside {
-    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        for ending in [".ngc", ".nc", ""] {
-            let path = self.0.join(format!("{name}{ending}"));
-            if path.is_file() {
-                return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
-                    refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
-                });
-            }
-        }
-        Ok(None)
-    }
-}
-
-/// What all programs of one command share.
-struct Shared {
-    var_file: VarFile,
-    tools: Option<Tools>,
-    unit: LengthUnit,
-}
 
 /// What came of one program.
 struct Read {
@@ -64,7 +36,7 @@ struct Read {
 /// Reads every program and prints what it comes to.
 pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
     let language = arguments.lang.unwrap_or_default();
-    let shared = plan::twice(&arguments.programs).and_then(|()| shared(arguments));
+    let shared = plan::twice(&arguments.programs).and_then(|()| Shared::new(&arguments.control));
     let shared = match shared {
         Ok(shared) => shared,
         Err(refusal) => return refused(&refusal, language, terminal),
@@ -94,15 +66,7 @@ pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
     exit
 }
 
-fn shared(arguments: &Verify) -> Result<Shared, Refusal> {
-    let unit = if arguments.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
-    let bytes = |input, path: &Option<PathBuf>| path.as_deref().map(|path| workbook::open_as(input, path)).transpose();
-    let var_file = bytes(Input::VarFile, &arguments.var)?.map(|bytes| VarFile::parse(&bytes)).transpose()?;
-    let tools = bytes(Input::ToolTable, &arguments.tools)?.map(|bytes| tool_table::parse(&bytes, unit)).transpose()?;
-    Ok(Shared { var_file: var_file.unwrap_or_default(), tools, unit })
-}
-
-fn read(path: &Path, arguments: &Verify, shared: &Shared, terminal: &mut Terminal) -> Read {
+fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Terminal) -> Read {
     let mut read = Read {
         verdict: Verdict::new(path.to_owned()),
         dialect: None,
@@ -119,24 +83,14 @@ fn read(path: &Path, arguments: &Verify, shared: &Shared, terminal: &mut Termina
 fn follow(
     path: &Path,
     arguments: &Verify,
-    shared: &Shared,
+    shared: &Shared<'_>,
     read: &mut Read,
     terminal: &mut Terminal,
 ) -> Result<(), Refusal> {
     let mut file = workbook::open_program(path)?;
-    let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-    let named = arguments.dialect.as_deref().and_then(Dialect::named);
-    // What cannot be read is refused in its turn.
-    let dialect = named.unwrap_or_else(|| told(file.fill_buf().unwrap_or_default(), &ending));
+    let (named, dialect) = shared.dialect(path, &mut file);
     read.dialect = Some(dialect);
-    let mut setting = Setting::new(dialect);
-    setting.unit = shared.unit;
-    setting.var_file = shared.var_file.clone();
-    setting.tools = shared.tools.clone();
-    setting.point = arguments.decimal_point;
-    setting.block_delete = arguments.block_delete;
-    setting.keep_g92 = !arguments.no_g92_persistence;
-    setting.files = Box::new(Beside(path.parent().unwrap_or(Path::new("")).to_owned()));
+    let setting = shared.setting(path, dialect);
     let mut interpreter = Interpreter::new(Box::new(file), setting);
     let start = interpreter.position().1;
     let mut before = start;
@@ -170,14 +124,8 @@ fn follow(
     read.lines = interpreter.lines();
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();
     remarks.extend(interpreter.remarks());
-    if named.is_none() {
-        remarks.push(Finding::note(
-            Place::File,
-            Text::new(
-                format!("dialecto no indicado: leído como {}", dialect.name),
-                format!("dialect not named: read as {}", dialect.name),
-            ),
-        ));
+    if !named {
+        remarks.push(told_from(dialect));
     }
     read.verdict.findings = findings(faults, total, remarks);
     Ok(())

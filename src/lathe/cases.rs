@@ -46,6 +46,7 @@ fn machine() -> Vec<(&'static str, Value)> {
         ("G_X", Value::Real(8000.0)),
         ("G_Z", Value::Real(10_000.0)),
         ("S_max", Value::Real(3000.0)),
+        ("rapid", Value::Choice("bent")),
         ("turret", Value::Choice("front")),
     ]
 }
@@ -81,134 +82,82 @@ fn blank(language: Language) -> Vec<(&'static str, Value)> {
     values
 }
 
-/// What a tool of the example turret is.
+/// A tool of the example turret: its name in both languages, its choices, its numbers.
 struct Sample {
-    T: u32,
-    kind: &'static str,
-    shape: Option<&'static str>,
-    IC: Option<f64>,
-    R: Option<f64>,
-    phi1: Option<f64>,
-    phi2: Option<f64>,
-    w: Option<f64>,
-    psi: Option<f64>,
-    hand: &'static str,
-    b: f64,
-    l: f64,
-    Q: [f64; 2],
     name: [&'static str; 2],
+    choices: &'static [(&'static str, &'static str)],
+    numbers: &'static [(&'static str, f64)],
 }
 
-const EXTERNAL: Sample = Sample {
-    T: 1,
-    kind: "external",
-    shape: Some("C"),
-    IC: Some(12.7),
-    R: Some(0.8),
-    phi1: Some(95.0),
-    phi2: Some(5.0),
-    w: None,
-    psi: None,
-    hand: "R",
-    b: 25.0,
-    l: 100.0,
-    Q: [60.0, 40.0],
-    name: ["Desbaste CNMG 120408", "Roughing CNMG 120408"],
-};
+const SHANK: [(&str, f64); 4] = [("tools/b", 25.0), ("tools/l", 150.0), ("tools/Q_x", 60.0), ("tools/Q_z", 40.0)];
 
-fn row(sample: &Sample, language: Language) -> Row {
+const TURRET: [Sample; 6] = [
+    Sample {
+        name: ["Desbaste CNMG 120408", "Roughing CNMG 120408"],
+        choices: &[("tools/type", "external"), ("tools/shape", "C")],
+        numbers: &[("tools/IC", 12.7), ("tools/R", 0.8), ("tools/phi1", 95.0), ("tools/phi2", 5.0)],
+    },
+    Sample {
+        name: ["Acabado VBMT 160404", "Finishing VBMT 160404"],
+        choices: &[("tools/type", "external"), ("tools/shape", "V")],
+        numbers: &[("tools/IC", 9.525), ("tools/R", 0.4), ("tools/phi1", 93.0), ("tools/phi2", 52.0)],
+    },
+    Sample {
+        name: ["Ranurar 3 mm", "Grooving 3 mm"],
+        choices: &[("tools/type", "groove")],
+        numbers: &[("tools/R", 0.2), ("tools/w", 3.0), ("tools/h", 14.0)],
+    },
+    Sample {
+        name: ["Roscar 60°, 1 a 3 mm", "Threading 60°, 1 to 3 mm"],
+        choices: &[("tools/type", "thread")],
+        numbers: &[("tools/R", 0.1), ("tools/h", 2.5), ("tools/psi", 60.0), ("tools/p_min", 1.0), ("tools/p_max", 3.0)],
+    },
+    Sample {
+        name: ["Broca de 10", "Drill of 10"],
+        choices: &[("tools/type", "drill")],
+        numbers: &[
+            ("tools/w", 10.0),
+            ("tools/h", 60.0),
+            ("tools/psi", 118.0),
+            ("tools/b", 25.0),
+            ("tools/l", 100.0),
+            ("tools/Q_x", 0.0),
+            ("tools/Q_z", 120.0),
+        ],
+    },
+    Sample {
+        name: ["Mandrinar CCMT 060204", "Boring CCMT 060204"],
+        choices: &[("tools/type", "internal"), ("tools/shape", "C")],
+        numbers: &[
+            ("tools/IC", 6.35),
+            ("tools/R", 0.4),
+            ("tools/phi1", 95.0),
+            ("tools/phi2", 5.0),
+            ("tools/b", 6.0),
+            ("tools/l", 60.0),
+            ("tools/c", 4.5),
+            ("tools/Q_x", 0.0),
+            ("tools/Q_z", 100.0),
+        ],
+    },
+];
+
+fn row(T: u32, sample: &Sample, language: Language) -> Row {
     let mut values = BTreeMap::from([
-        ("tools/T", Value::Whole(sample.T)),
-        ("tools/type", Value::Choice(sample.kind)),
-        ("tools/hand", Value::Choice(sample.hand)),
-        ("tools/b", Value::Real(sample.b)),
-        ("tools/l", Value::Real(sample.l)),
-        ("tools/Q_x", Value::Real(sample.Q[0])),
-        ("tools/Q_z", Value::Real(sample.Q[1])),
+        ("tools/T", Value::Whole(T)),
+        ("tools/hand", Value::Choice("R")),
         ("tools/name", line(language, sample.name[0], sample.name[1])),
     ]);
-    values.extend(sample.shape.map(|shape| ("tools/shape", Value::Choice(shape))));
-    let numbers = [
-        ("tools/IC", sample.IC),
-        ("tools/R", sample.R),
-        ("tools/phi1", sample.phi1),
-        ("tools/phi2", sample.phi2),
-        ("tools/w", sample.w),
-        ("tools/psi", sample.psi),
-    ];
-    values.extend(numbers.into_iter().filter_map(|(key, value)| Some((key, Value::Real(value?)))));
+    values.extend(sample.choices.iter().map(|&(key, choice)| (key, Value::Choice(choice))));
+    values.extend(SHANK.iter().chain(sample.numbers).map(|&(key, number)| (key, Value::Real(number))));
     Row { values, cells: BTreeMap::new() }
 }
 
 /// The example turret.
-fn turret(language: Language) -> Rows {
-    let samples = [
-        EXTERNAL,
-        Sample {
-            T: 2,
-            shape: Some("D"),
-            R: Some(0.4),
-            phi1: Some(93.0),
-            phi2: Some(32.0),
-            name: ["Acabado DNMG 110404", "Finishing DNMG 110404"],
-            IC: Some(9.525),
-            ..EXTERNAL
-        },
-        Sample {
-            T: 3,
-            kind: "groove",
-            shape: None,
-            IC: None,
-            R: Some(0.2),
-            phi1: None,
-            phi2: None,
-            w: Some(3.0),
-            name: ["Ranurar 3 mm", "Grooving 3 mm"],
-            ..EXTERNAL
-        },
-        Sample {
-            T: 4,
-            kind: "thread",
-            shape: None,
-            IC: None,
-            R: Some(0.1),
-            phi1: None,
-            phi2: None,
-            w: Some(3.0),
-            psi: Some(60.0),
-            name: ["Roscar 60°", "Threading 60°"],
-            ..EXTERNAL
-        },
-        Sample {
-            T: 5,
-            kind: "drill",
-            shape: None,
-            IC: None,
-            R: None,
-            phi1: None,
-            phi2: None,
-            w: Some(10.0),
-            psi: Some(118.0),
-            b: 25.0,
-            l: 80.0,
-            Q: [0.0, 110.0],
-            name: ["Broca de 10", "Drill of 10"],
-            ..EXTERNAL
-        },
-        Sample {
-            T: 6,
-            kind: "internal",
-            shape: Some("C"),
-            IC: Some(6.35),
-            R: Some(0.4),
-            b: 8.0,
-            l: 60.0,
-            Q: [5.0, 100.0],
-            name: ["Mandrinar CCMT 060204", "Boring CCMT 060204"],
-            ..EXTERNAL
-        },
-    ];
-    Rows { list: TOOLS_KEY, sheet: String::new(), rows: samples.iter().map(|sample| row(sample, language)).collect() }
+#[must_use]
+pub fn turret(language: Language) -> Rows {
+    let rows = (1..).zip(&TURRET).map(|(T, sample)| row(T, sample, language)).collect();
+    Rows { list: TOOLS_KEY, sheet: String::new(), rows }
 }
 
 fn blocks(lines: &[&str]) -> Rows {
@@ -227,7 +176,7 @@ const SHAFT: &[&str] = &[
     "N5 G21 G40 G97 G99",
     "N10 G50 S2500",
     "N15 T0101",
-    "N20 G96 S180 M4",
+    "N20 G96 S180 M3",
     "N25 G0 X54. Z0. M8",
     "N30 G1 X-1.6 F0.15",
     "N35 G0 Z2.",
@@ -258,13 +207,13 @@ const SHAFT: &[&str] = &[
     "N160 G0 X34.",
     "N165 G0 X100. Z50.",
     "N170 T0404",
-    "N175 G97 S600 M3",
+    "N175 G97 S600",
     "N180 G0 X24. Z6.",
     "N185 G76 P020060 Q50 R0.05",
     "N190 G76 X18.16 Z-28. P920 Q250 F1.5",
     "N195 G0 X100. Z50.",
     "N200 T0505",
-    "N205 G97 S1200 M3",
+    "N205 G97 S1200",
     "N210 G0 X0. Z5.",
     "N215 G83 X0. Z-25. R2. Q6000 F0.12",
     "N220 G80",
@@ -279,7 +228,7 @@ fn shaft_lists(language: Language) -> Vec<Rows> {
 
 const BLANK: &[&str] = &[
     "N5 G92 S2500",
-    "N10 G0 G71 G90 G95 G96 S300 X80 Z50 M4",
+    "N10 G0 G71 G90 G95 G96 S300 X80 Z50 M3",
     "N20 T1 D1",
     "N25 M8",
     "N30 X55 Z0",

@@ -37,6 +37,11 @@ const TAILSTOCK: &[Choice] = &[
 const TURRET: &[Choice] =
     &[Choice { key: "front", label: t("delantera", "front") }, Choice { key: "rear", label: t("trasera", "rear") }];
 
+const RAPIDS: &[Choice] = &[
+    Choice { key: "straight", label: t("recto", "straight") },
+    Choice { key: "bent", label: t("cada eje a su ritmo", "each axis at its rate") },
+];
+
 const PART: &[Parameter] = &[
     other("part", "part_name", Kind::Line { max: 60 }, true, t("Nombre de la pieza", "Name of the part"), NONE),
     other("material", "material", Kind::Line { max: 60 }, false, t("Material", "Material"), NONE),
@@ -90,7 +95,7 @@ const STOCK: &[Parameter] = &[
         "L4",
         "held_L4",
         MM,
-        [0.0, 500.0],
+        [0.0, 400.0],
         true,
         t("Longitud sujeta en las garras L4", "Length held in the jaws L4"),
         t("El voladizo es L3 = L − L4", "The overhang is L3 = L − L4"),
@@ -204,6 +209,14 @@ const MACHINE: &[Parameter] = &[
         NONE,
     ),
     other(
+        "rapid",
+        "rapid_path",
+        Kind::Choice(RAPIDS),
+        true,
+        t("Recorrido de G0", "Way of G0"),
+        t("Lo decide un parámetro del control", "A setting of the control decides"),
+    ),
+    other(
         "turret",
         "turret",
         Kind::Choice(TURRET),
@@ -251,13 +264,13 @@ const SECOND: &[Parameter] = &[real(
 const KINDS: &[Choice] = &[
     Choice { key: "external", label: t("exterior", "external") },
     Choice { key: "internal", label: t("interior", "internal") },
-    Choice { key: "face", label: t("frontal", "face") },
     Choice { key: "groove", label: t("ranurar", "groove") },
     Choice { key: "internal-groove", label: t("ranurar interior", "internal groove") },
     Choice { key: "face-groove", label: t("ranurar frontal", "face groove") },
     Choice { key: "thread", label: t("roscar", "thread") },
     Choice { key: "internal-thread", label: t("roscar interior", "internal thread") },
     Choice { key: "drill", label: t("broca", "drill") },
+    Choice { key: "centre-drill", label: t("broca de centrar", "centre drill") },
 ];
 
 const SHAPES: &[Choice] = &[
@@ -280,6 +293,7 @@ const HANDS: &[Choice] = &[
 const TOOLS: &[Parameter] = &[
     whole("tools/T", "", Unit::Count, [1, 8], true, t("puesto de la torreta", "place in the turret"), NONE),
     whole("tools/D", "", Unit::Count, [1, 99], false, t("corrector; vacío: T", "offset; empty: T"), NONE),
+    other("tools/name", "", Kind::Line { max: 60 }, false, t("nombre", "name"), NONE),
     other("tools/type", "", Kind::Choice(KINDS), true, t("tipo", "type"), NONE),
     other(
         "tools/shape",
@@ -289,7 +303,15 @@ const TOOLS: &[Parameter] = &[
         t("forma de la placa, ISO 1832", "insert shape, ISO 1832"),
         NONE,
     ),
-    real("tools/IC", "", MM, [1.0, 100.0], false, t("círculo inscrito", "inscribed circle"), NONE),
+    real(
+        "tools/IC",
+        "",
+        MM,
+        [1.0, 100.0],
+        false,
+        t("círculo inscrito; cuerpo de la broca de centrar", "inscribed circle; body of a centre drill"),
+        NONE,
+    ),
     real("tools/R", "", MM, [0.0, 50.0], false, t("radio de punta", "nose radius"), NONE),
     real("tools/phi1", "", Unit::Degree, [0.0, 180.0], false, t("ángulo principal φ1", "main angle φ1"), NONE),
     real("tools/phi2", "", Unit::Degree, [0.0, 180.0], false, t("ángulo auxiliar φ2", "auxiliary angle φ2"), NONE),
@@ -299,10 +321,16 @@ const TOOLS: &[Parameter] = &[
         MM,
         [0.1, 200.0],
         false,
-        t(
-            "ancho de la placa, diámetro de la broca, paso mayor de la rosca",
-            "width of the insert, diameter of the drill, greatest lead of the thread",
-        ),
+        t("ancho de la ranuradora; diámetro de la broca", "width of a groover; diameter of a drill"),
+        NONE,
+    ),
+    real(
+        "tools/h",
+        "",
+        MM,
+        [0.1, 500.0],
+        false,
+        t("fondo de la ranura o del perfil; largo de las hélices", "depth of groove or profile; length of the flutes"),
         NONE,
     ),
     real(
@@ -314,13 +342,24 @@ const TOOLS: &[Parameter] = &[
         t("ángulo de la rosca o de la punta", "thread or point angle"),
         NONE,
     ),
-    other("tools/hand", "", Kind::Choice(HANDS), false, t("mano", "hand"), NONE),
+    real("tools/p_min", "", MM, [0.05, 50.0], false, t("paso menor", "least lead"), NONE),
+    real("tools/p_max", "", MM, [0.05, 50.0], false, t("paso mayor", "greatest lead"), NONE),
+    other("tools/hand", "", Kind::Choice(HANDS), false, t("mano; vacío: R", "hand; empty: R"), NONE),
+    whole(
+        "tools/tip",
+        "",
+        Unit::Count,
+        [1, 9],
+        false,
+        t("orientación de la punta; vacío: según tipo y mano", "orientation of the tip; empty: by type and hand"),
+        NONE,
+    ),
     real(
         "tools/b",
         "",
         MM,
         [1.0, 200.0],
-        false,
+        true,
         t("ancho del mango o diámetro de la barra", "width of the shank, diameter of the bar"),
         NONE,
     ),
@@ -329,8 +368,17 @@ const TOOLS: &[Parameter] = &[
         "",
         MM,
         [1.0, 500.0],
+        true,
+        t("largo del mango o de la barra", "length of the shank or the bar"),
+        NONE,
+    ),
+    real(
+        "tools/c",
+        "",
+        MM,
+        [0.0, 200.0],
         false,
-        t("largo del mango o de la broca", "length of the shank or the drill"),
+        t("de la punta al eje de la barra", "from the tip to the centre of the bar"),
         NONE,
     ),
     real(
@@ -339,11 +387,18 @@ const TOOLS: &[Parameter] = &[
         MM,
         [-500.0, 500.0],
         true,
-        t("voladizo en X, en radio", "overhang in X, on the radius"),
+        t("de la punta a la torreta en X, en radio", "from the tip to the turret along X, on the radius"),
         NONE,
     ),
-    real("tools/Q_z", "", MM, [-500.0, 500.0], true, t("voladizo en Z", "overhang in Z"), NONE),
-    other("tools/name", "", Kind::Line { max: 60 }, false, t("nombre", "name"), NONE),
+    real(
+        "tools/Q_z",
+        "",
+        MM,
+        [-500.0, 500.0],
+        true,
+        t("de la punta a la torreta en Z", "from the tip to the turret along Z"),
+        NONE,
+    ),
 ];
 
 const BLOCKS: &[Parameter] = &[
@@ -430,12 +485,15 @@ pub static FORM: Form = Form {
             naming: Naming::One(t("HERRAMIENTAS", "TOOLS")),
             title: t("Herramientas de la torreta", "Tools of the turret"),
             note: t(
-                "Una herramienta por fila, hasta ocho puestos. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Los voladizos van del punto de referencia de la torreta a ese punto.",
-                "One tool a row, eight places at most. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Overhangs go from the turret's reference point to that point.",
+                "Una herramienta por fila, hasta ocho puestos. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control.",
+                "One tool a row, eight places at most. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control.",
             ),
             optional: false,
             columns: TOOLS,
-            widths: &[8.0, 9.0, 15.0, 9.0, 9.0, 8.0, 9.0, 9.0, 15.0, 10.0, 7.0, 13.0, 13.0, 11.0, 10.0, 28.0],
+            widths: &[
+                8.0, 9.0, 26.0, 15.0, 9.0, 11.0, 8.0, 9.0, 9.0, 12.0, 13.0, 10.0, 8.0, 8.0, 9.0, 12.0, 12.0, 11.0,
+                11.0, 13.0, 13.0,
+            ],
             most: 99,
         },
         List {

@@ -30,7 +30,7 @@ pub struct List {
     pub note: Text,
     /// The sheet may be missing, or present without rows, which means the same.
     pub optional: bool,
-    /// The columns, at most 16; keys as `tools/R`. The first one's heading finds the row of headings. A column that is
+    /// The columns, at most 24; keys as `tools/R`. The first one's heading finds the row of headings. A column that is
     /// required must be filled in every row that holds something.
     pub columns: &'static [Parameter],
     /// The widths of the columns in characters.

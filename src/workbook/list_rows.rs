@@ -17,8 +17,8 @@ use super::unit;
 use super::value::{holds, read_at};
 use super::words::fold;
 
-/// Columns A to P.
-pub const COLUMNS: u32 = 16;
+/// Columns A to X.
+pub const COLUMNS: u32 = 24;
 /// Characters of a heading shown in a message.
 const SHOWN: usize = 40;
 

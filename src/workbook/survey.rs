@@ -19,7 +19,7 @@ use super::xml::{self, damaged, raw};
 /// Columns A to E: all that is read of a form's sheet.
 pub const COLUMNS: u32 = 5;
 /// The most columns that are read of any sheet, from A on: the bits of one mark.
-const MARKS: u32 = u16::BITS;
+const MARKS: u32 = u32::BITS;
 /// Cells beyond this column or row are so far out that they are mentioned.
 const FAR: Position = (10_000, 26);
 /// Findings after which a sheet is given up.
@@ -113,7 +113,7 @@ struct Walk<'s> {
     column: u32,
     cell: Open,
     /// One bit for each column that is read, by row.
-    seen: Vec<u16>,
+    seen: Vec<u32>,
     far: Option<Position>,
 }
 
@@ -264,7 +264,7 @@ impl Walk<'_> {
         if self.seen.len() <= index {
             self.seen.resize(index + 1, 0);
         }
-        let bit = 1_u16 << column;
+        let bit = 1_u32 << column;
         if let Some(bits) = self.seen.get_mut(index) {
             let twice = *bits & bit != 0;
             *bits |= bit;

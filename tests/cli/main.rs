@@ -8,4 +8,5 @@ mod faults;
 mod offsets;
 mod usage;
 mod verify;
+mod view;
 mod work;

@@ -60,12 +60,22 @@ fn the_published_splitter_program_shifts_the_part_by_3_998_mm_in_y() {
 }
 
 #[test]
-fn a_turning_cycle_is_refused_by_name() {
+fn the_published_turning_program_is_followed_through_its_cycle() {
     rodete(&golden("lathe-g85-as-printed.nc"))
         .args(["verify", "program.nc", "--dialect", "fagor-8055-t"])
         .assert()
+        .code(0)
+        .stdout(predicate::str::contains("8 lines, 66 motions"))
+        .stdout(predicate::str::contains("Z  -15 … 80  program"));
+}
+
+#[test]
+fn a_turning_cycle_that_is_not_followed_is_refused_by_name() {
+    rodete(&with_program("program.nc", b"G68 X0 Z0 C5 S20 E30\nM30\n"))
+        .args(["verify", "program.nc", "--dialect", "fagor-8055-t"])
+        .assert()
         .code(3)
-        .stderr(predicate::str::contains("G85 is not supported: turning cycles"));
+        .stderr(predicate::str::contains("G68 is not supported: turning cycles"));
 }
 
 #[test]

@@ -34,6 +34,7 @@ mod cursor;
 mod cycle;
 mod execute;
 mod expression;
+mod fagor;
 mod fault;
 mod flow;
 mod hole;

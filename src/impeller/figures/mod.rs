@@ -7,6 +7,8 @@ mod graphs;
 mod machine;
 mod solid;
 
+pub use solid::{blade_halves, sections, splitter_halves};
+
 use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;

@@ -27,7 +27,7 @@ pub(super) fn cover(design: &Design, blade: &Blade, splitter: Option<&Splitter>)
     hub(&mut scene, design);
     for number in 0..design.N {
         let turn = TAU * f64::from(number) / f64::from(design.N);
-        wall(&mut scene, design, blade, turn, |_| [design.e / 2.0; 2]);
+        wall(&mut scene, design, blade, turn, |_| blade_halves(design));
         if let Some(splitter) = splitter {
             let half = |v: f64| splitter_halves(design, blade, splitter, v);
             wall(&mut scene, design, blade, turn - PI / f64::from(design.N), half);
@@ -81,24 +81,42 @@ fn hub(scene: &mut Scene, design: &Design) {
     }
 }
 
+/// What a blade's thickness leaves towards +b and towards −b.
+#[must_use]
+pub fn blade_halves(design: &Design) -> [f64; 2] {
+    [design.e / 2.0; 2]
+}
+
 /// What the tool leaves of a splitter at v between its two paths: how far towards +b and towards −b.
-fn splitter_halves(design: &Design, blade: &Blade, splitter: &Splitter, v: f64) -> [f64; 2] {
+#[must_use]
+pub fn splitter_halves(design: &Design, blade: &Blade, splitter: &Splitter, v: f64) -> [f64; 2] {
     let last = blade.points().saturating_sub(1);
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     let position = (v - PI) / FRAC_PI_2 * last as f64;
-    // Between the first point and m the fraction is a power of a straight line: the nearest point serves a drawing.
+    let position = position.clamp(0.0, last as f64);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to the last index")]
-    let nearest = position.clamp(0.0, last as f64).round() as usize;
+    let below = position as usize;
+    #[expect(clippy::cast_precision_loss, reason = "an index of a point")]
+    let part = position - below as f64;
+    // Between two points the fraction is a power of a straight line: a straight line serves a drawing.
     [&splitter.back, &splitter.out].map(|side| {
-        let fraction = side.fraction.get(nearest).copied().unwrap_or(1.0);
+        let at = |index: usize| side.fraction.get(index).copied().unwrap_or(1.0);
+        let fraction = at(below) + (at(below + 1) - at(below)) * part;
         design.w() * fraction - design.d_t / 2.0
     })
 }
 
-/// A blade that reaches so far towards +b and −b, turned about the axis: both flanks, the top and the ends.
-fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, halves: impl Fn(f64) -> [f64; 2]) {
+/// Sections of a blade that reaches so far towards +b and −b, at `along` + 1 places from its entry on, turned about the
+/// axis; where nothing is left of it there is none. Each has four corners: at the top towards +b and −b, on the floor of the
+/// channel towards −b and +b; mm.
+pub fn sections(
+    design: &Design,
+    blade: &Blade,
+    turn: f64,
+    along: u16,
+    halves: impl Fn(f64) -> [f64; 2],
+) -> Vec<[Vector3<f64>; 4]> {
     let circle = blade.circle;
-    let along = if design.N > MANY { ALONG_MANY } else { ALONG };
     let section = |v: f64| -> Option<[Vector3<f64>; 4]> {
         let [plus, minus] = halves(v);
         if plus + minus <= 0.0 {
@@ -111,7 +129,13 @@ fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, halves: im
         let depth = frame.N * design.a_p;
         Some([plus, minus, minus - depth, plus - depth].map(|at| about_axis(&at, turn)))
     };
-    let sections: Vec<[Vector3<f64>; 4]> = steps(PI, PI + FRAC_PI_2, along).filter_map(section).collect();
+    steps(PI, PI + FRAC_PI_2, along).filter_map(section).collect()
+}
+
+/// A blade that reaches so far towards +b and −b, turned about the axis: both flanks, the top and the ends.
+fn wall(scene: &mut Scene, design: &Design, blade: &Blade, turn: f64, halves: impl Fn(f64) -> [f64; 2]) {
+    let along = if design.N > MANY { ALONG_MANY } else { ALONG };
+    let sections = sections(design, blade, turn, along, halves);
     let nearer = 0.5 * design.a_p;
     for (number, pair) in sections.windows(2).enumerate() {
         let ([a, b, c, d], [e, f, g, h]) = (pair[0], pair[1]);

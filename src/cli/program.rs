@@ -1,0 +1,89 @@
+//! How the commands read a program's file: dialect, machine, and what stands beside it.
+
+use std::io::BufRead;
+use std::path::{Path, PathBuf};
+
+use super::args::Control;
+use crate::finding::{Finding, Place, Refusal};
+use crate::gcode::dialect::Dialect;
+use crate::gcode::dialect::told::told;
+use crate::gcode::interpreter::tool_table;
+use crate::gcode::interpreter::{Files, Setting, Tools};
+use crate::machine::length_unit::LengthUnit;
+use crate::machine::var_file::VarFile;
+use crate::text::Text;
+use crate::workbook::{self, Input};
+
+/// Subprograms that stand beside the program.
+struct Beside(PathBuf);
+
+impl Files for Beside {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+        for ending in [".ngc", ".nc", ""] {
+            let path = self.0.join(format!("{name}{ending}"));
+            if path.is_file() {
+                return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
+                    refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
+                });
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// What all programs of one command share.
+pub(super) struct Shared<'a> {
+    control: &'a Control,
+    var_file: VarFile,
+    tools: Option<Tools>,
+    unit: LengthUnit,
+}
+
+impl<'a> Shared<'a> {
+    /// The parameter file and the tool table that were named.
+    ///
+    /// # Errors
+    /// Where one of them cannot be read.
+    pub(super) fn new(control: &'a Control) -> Result<Self, Refusal> {
+        let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
+        let bytes =
+            |input, path: &Option<PathBuf>| path.as_deref().map(|path| workbook::open_as(input, path)).transpose();
+        let var_file = bytes(Input::VarFile, &control.var)?.map(|bytes| VarFile::parse(&bytes)).transpose()?;
+        let tools =
+            bytes(Input::ToolTable, &control.tools)?.map(|bytes| tool_table::parse(&bytes, unit)).transpose()?;
+        Ok(Self { control, var_file: var_file.unwrap_or_default(), tools, unit })
+    }
+
+    /// The dialect of a program: as named (true), or told from its beginning. What cannot be read is refused in its turn.
+    pub(super) fn dialect(&self, path: &Path, file: &mut dyn BufRead) -> (bool, &'static Dialect) {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+        match self.control.dialect.as_deref().and_then(Dialect::named) {
+            Some(dialect) => (true, dialect),
+            None => (false, told(file.fill_buf().unwrap_or_default(), &ending)),
+        }
+    }
+
+    /// What a program is read with.
+    pub(super) fn setting(&self, path: &Path, dialect: &'static Dialect) -> Setting {
+        let mut setting = Setting::new(dialect);
+        setting.unit = self.unit;
+        setting.var_file = self.var_file.clone();
+        setting.tools = self.tools.clone();
+        setting.point = self.control.decimal_point;
+        setting.block_delete = self.control.block_delete;
+        setting.keep_g92 = !self.control.no_g92_persistence;
+        setting.files = Box::new(Beside(path.parent().unwrap_or(Path::new("")).to_owned()));
+        setting
+    }
+}
+
+/// The note on a dialect that nobody named.
+pub(super) fn told_from(dialect: &Dialect) -> Finding {
+    Finding::note(
+        Place::File,
+        Text::new(
+            format!("dialecto no indicado: leído como {}", dialect.name),
+            format!("dialect not named: read as {}", dialect.name),
+        ),
+    )
+}

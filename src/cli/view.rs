@@ -1,0 +1,146 @@
+//! The command `view`: one HTML file that shows a program, or a workbook's part and programs.
+
+use std::ffi::OsString;
+use std::io::BufRead;
+use std::path::Path;
+
+use super::args::View;
+use super::program::{Shared, told_from};
+use super::terminal::Terminal;
+use super::verdict::{Verdict, gravest};
+use super::{finding, interrupt, plan, reading, refused, show};
+use crate::escape::{printable, printable_path};
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::interpreter::Interpreter;
+use crate::store::{self, Existing, Folder, Set, Written};
+use crate::text::{Language, Text};
+use crate::view::{self, Frame, Program, Remark, Scene, Shape, Tool};
+use crate::workbook;
+
+/// How the file of a workbook begins: it is a package.
+const PACKAGE: &[u8] = b"PK\x03\x04";
+
+/// Writes the file and says where it is.
+pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
+    let language = arguments.lang.unwrap_or_default();
+    interrupt::listen();
+    let mut verdict = Verdict::new(arguments.input.clone());
+    let written = match shown(arguments, &mut verdict) {
+        Ok(written) => written,
+        Err(refusal) if verdict.findings.is_empty() => return refused(&refusal, language, terminal),
+        Err(refusal) => {
+            verdict.refuse(refusal);
+            Vec::new()
+        }
+    };
+    let (name, width) = (printable_path(&arguments.input), terminal.width);
+    terminal.err(&finding::list(&verdict.findings, |grade| grade > Grade::Note, &name, language, width));
+    for file in &written {
+        let path = show::path(&file.path);
+        let text = Text::new(
+            format!("{path} está listo: ábralo en un navegador\n"),
+            format!("{path} is ready: open it in a browser\n"),
+        );
+        terminal.out(text.get(language));
+    }
+    verdict.exit
+}
+
+fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusal> {
+    let input = &arguments.input;
+    let output = match &arguments.output {
+        Some(output) => output.clone(),
+        None => input.with_file_name(store::file_name(&store::stem(input), ".html")),
+    };
+    let name = page_name(&output)?;
+    let folder = Folder::open(output.parent().unwrap_or(Path::new("")))?;
+    let control = &arguments.control;
+    let inputs: Vec<&Path> =
+        [Some(input), control.var.as_ref(), control.tools.as_ref()].into_iter().flatten().map(AsRef::as_ref).collect();
+    let mut set = Set::new(&folder, &inputs, Existing::Replace);
+    set.check(&name)?;
+    let mut file = workbook::open_program(input)?;
+    let package = file.fill_buf().is_ok_and(|head| head.starts_with(PACKAGE));
+    let title = printable(&input.file_name().unwrap_or_default().to_string_lossy());
+    let scene = if package {
+        drop(file);
+        of_workbook(arguments, title, verdict)?
+    } else {
+        Some(of_program(arguments, title, &mut file, verdict)?)
+    };
+    let Some(scene) = scene else { return Ok(Vec::new()) };
+    set.write(&name, |out| view::write(&scene, out))?;
+    set.commit()
+}
+
+/// The scene of a workbook; `None` where a finding stops its programs.
+fn of_workbook(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Option<Scene>, Refusal> {
+    plan::twice(std::slice::from_ref(&arguments.input))?;
+    let (_, filled) = reading::read(&arguments.input, verdict)?;
+    let language = arguments.lang.unwrap_or(filled.values.language);
+    let outcome = reading::compute(&arguments.input, filled, verdict)?;
+    if outcome.stopped() {
+        return Ok(None);
+    }
+    view::outcome(&outcome, title, language).map(Some)
+}
+
+fn of_program(
+    arguments: &View,
+    title: String,
+    file: &mut impl BufRead,
+    verdict: &mut Verdict,
+) -> Result<Scene, Refusal> {
+    let (input, control) = (&arguments.input, &arguments.control);
+    let shared = Shared::new(control)?;
+    let (named, dialect) = shared.dialect(input, file);
+    let bytes = workbook::open_as(workbook::Input::Program, input)?;
+    let milling = !dialect.reading.diameter;
+    let frame = if milling { Frame::Milling } else { Frame::Turning };
+    let text = String::from_utf8_lossy(&bytes);
+    let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);
+    let setting = shared.setting(input, dialect);
+    for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| milling && tool.diameter > 0.0) {
+        let (r, d) = (tool.diameter / 2.0, tool.diameter);
+        let name = Text::same(format!("T{number} d{d}"));
+        program.tools.push(Tool {
+            number: *number,
+            name,
+            shape: Shape::Revolved(vec![[0.0, 0.0], [r, 0.0], [r, 4.0 * d]]),
+        });
+    }
+    let (exit, findings) = view::following(&mut program, &mut Interpreter::over(&bytes, setting))?;
+    verdict.exit = gravest(verdict.exit, exit);
+    verdict.findings.extend(findings);
+    if !named {
+        let note = told_from(dialect);
+        program.remarks.push(Remark::from(&note));
+        verdict.findings.push(note);
+    }
+    let language = arguments.lang.unwrap_or(Language::En);
+    Ok(Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: vec![program] })
+}
+
+/// The name of the file to write.
+///
+/// # Errors
+/// Exit 2 where it does not end in `.html`: no browser would take it for a page.
+fn page_name(file: &Path) -> Result<OsString, Refusal> {
+    match (file.file_name(), file.extension()) {
+        (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("html") => Ok(name.to_owned()),
+        _ => {
+            let shown = show::path(file);
+            Err(Refusal::new(
+                Exit::CommandLine,
+                Finding::stop(
+                    Place::File,
+                    Text::new(
+                        format!("{shown} no es el nombre de una página .html"),
+                        format!("{shown} is not the name of an .html page"),
+                    ),
+                    Text::fixed("dé un nombre como rodete.html", "give a name like impeller.html"),
+                ),
+            ))
+        }
+    }
+}

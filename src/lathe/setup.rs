@@ -1,0 +1,360 @@
+//! From the sheets to the machine as it stands before the program starts: lathe, stock, turret, zeros, control.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::finding::{CellPlace, Finding, Place};
+use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
+use crate::gcode::interpreter::{DecimalPoint, Setting, Tool as Offset, Tools};
+use crate::gcode::turning::nose::{Nose, Tip as Orientation};
+use crate::lathe::machine::{Chuck, Lathe};
+use crate::lathe::parameters::TOOLS_KEY;
+use crate::lathe::simulation::Setup;
+use crate::lathe::stock::{Stock, Support};
+use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
+use crate::lathe::turret::Turret;
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::var_file::VarFile;
+use crate::machine::work_offset::System;
+use crate::number::shown;
+use crate::parameter::Values;
+use crate::parameter::list::Row;
+use crate::text::Text;
+
+/// Tolerance of arcs where the form gives none, mm.
+const EPS: f64 = 0.0002;
+
+/// What a filled-in form gives: the lathe before the program starts, and its control.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// Lathe, stock, turret, tolerance.
+    pub setup: Setup,
+    /// The control's dialect.
+    pub dialect: &'static Dialect,
+    /// What a dimension without a point is.
+    pub point: Option<DecimalPoint>,
+    /// Blocks with `/` are skipped.
+    pub block_delete: bool,
+    /// The shift of the part that was turned about for the second set-up, mm.
+    pub second: f64,
+    /// The tool offsets of the control, by their numbers.
+    offsets: Tools,
+    /// The zeros W2 to W6, `[X as a radius, Z]` from M, where they are given.
+    zeros: [[f64; 2]; 5],
+}
+
+impl Given {
+    /// The set-up of a filled-in form.
+    ///
+    /// # Errors
+    /// Every contradiction, each with its cells.
+    pub fn of(values: &Values) -> Result<Self, Vec<Finding>> {
+        let mut findings = Vec::new();
+        let real = |key| values.real(key).unwrap_or_default();
+        let (D, L, L4) = (real("D"), real("L"), real("L4"));
+        let mut stop = |keys: &[&'static str], what: Text, remedy: Text| {
+            findings.push(values.locate(Finding::stop(Place::Parameters(keys.to_vec()), what, remedy)));
+        };
+        if L4 >= L {
+            stop(
+                &["L4", "L"],
+                Text::new(
+                    format!("L4 es {} mm y debe ser menor que L = {} mm", shown(L4, 3), shown(L, 3)),
+                    format!("L4 is {} mm, must be less than L = {} mm", shown(L4, 3), shown(L, 3)),
+                ),
+                Text::fixed("sujete menos, o un bruto más largo", "hold less, or take a longer stock"),
+            );
+        }
+        if real("L5") >= (L - L4).max(0.0) {
+            stop(
+                &["L5", "L", "L4"],
+                Text::new(
+                    format!(
+                        "L5 es {} mm y debe ser menor que el voladizo de {} mm",
+                        shown(real("L5"), 3),
+                        shown(L - L4, 3)
+                    ),
+                    format!(
+                        "L5 is {} mm, must be less than the overhang of {} mm",
+                        shown(real("L5"), 3),
+                        shown(L - L4, 3)
+                    ),
+                ),
+                Text::fixed("un refrentado menor", "a smaller facing allowance"),
+            );
+        }
+        if values.real("d").is_some_and(|d| d >= D) {
+            stop(
+                &["d", "D"],
+                Text::new(
+                    format!("el agujero d es {} mm y debe ser menor que D = {} mm", shown(real("d"), 3), shown(D, 3)),
+                    format!("the bore d is {} mm, must be less than D = {} mm", shown(real("d"), 3), shown(D, 3)),
+                ),
+                Text::fixed("corrija d o D", "correct d or D"),
+            );
+        }
+        for keys in [["X_min", "X_max"], ["Z_min", "Z_max"]] {
+            if let [Some(least), Some(greatest)] = keys.map(|key| values.real(key))
+                && least >= greatest
+            {
+                stop(
+                    &keys,
+                    Text::new(
+                        format!(
+                            "{} es {} y debe ser menor que {} = {}",
+                            keys[0],
+                            shown(least, 3),
+                            keys[1],
+                            shown(greatest, 3)
+                        ),
+                        format!(
+                            "{} is {}, must be less than {} = {}",
+                            keys[0],
+                            shown(least, 3),
+                            keys[1],
+                            shown(greatest, 3)
+                        ),
+                    ),
+                    Text::fixed("corrija el recorrido", "correct the travel"),
+                );
+            }
+        }
+        let dialect = Dialect::named(values.choice("dialect").unwrap_or_default()).unwrap_or(&FANUC_LATHE_A);
+        let point = match values.choice("point") {
+            Some("calculator") => Some(DecimalPoint::Calculator),
+            Some("micrometre") => Some(DecimalPoint::Micrometre),
+            _ => None,
+        };
+        if point.is_none() && *dialect == FANUC_LATHE_A {
+            stop(
+                &["point"],
+                Text::fixed(
+                    "falta decir qué es una cota sin punto decimal: depende de un parámetro del control",
+                    "it must be said what a dimension without a decimal point is: a setting of the control decides",
+                ),
+                Text::fixed(
+                    "escriba calculadora o micras, según el parámetro DPI de su control",
+                    "write calculator or micrometre, by the parameter DPI of your control",
+                ),
+            );
+        }
+        let tolerance = values.real("eps").unwrap_or(EPS);
+        let (tools, offsets) = turret(values.rows(TOOLS_KEY), tolerance, &mut findings);
+        let between = |least, greatest, scale: f64| {
+            let bound = |key, beyond: f64| values.real(key).map_or(beyond, |value: f64| value * scale);
+            [bound(least, -5000.0), bound(greatest, 5000.0)]
+        };
+        let default = Lathe::default();
+        let support = match values.choice("tailstock") {
+            Some("yes") => Support::Always,
+            Some("no") => Support::Never,
+            _ => Support::ByOverhang,
+        };
+        let lathe = Lathe {
+            travel_x: between("X_min", "X_max", 0.5),
+            travel_z: between("Z_min", "Z_max", 1.0),
+            rapid: [real("G_X"), real("G_Z")],
+            bent_rapid: values.choice("rapid") == Some("bent"),
+            greatest_speed: real("S_max"),
+            turret_behind: values.choice("turret") == Some("rear"),
+            chuck: Chuck { body: real("L1"), jaws: real("L2"), diameter: real("D_c"), ..default.chuck },
+            tailstock: default.tailstock,
+        };
+        let stock = Stock {
+            diameter: D,
+            length: L,
+            bore: values.real("d").unwrap_or_default(),
+            overhang: L - L4,
+            facing: real("L5"),
+            support,
+        };
+        if !findings.is_empty() {
+            return Err(findings);
+        }
+        let faults = stock.faults();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let zeros = [["W2_X", "W2_Z"], ["W3_X", "W3_Z"], ["W4_X", "W4_Z"], ["W5_X", "W5_Z"], ["W6_X", "W6_Z"]]
+            .map(|[X, Z]| [real(X) / 2.0, real(Z)]);
+        Ok(Self {
+            setup: Setup { lathe, stock, turret: Turret { tools, body: None }, tolerance, part: None, record: false },
+            dialect,
+            point,
+            block_delete: values.choice("block_delete") == Some("yes"),
+            second: real("Z_s"),
+            offsets,
+            zeros,
+        })
+    }
+
+    /// What the program is read with: W1 at the stock, W2 to W6 as given, the turret's offsets.
+    #[must_use]
+    pub fn setting(&self) -> Setting {
+        let mut setting = Setting::new(self.dialect);
+        let mut file = VarFile::default();
+        file.complete();
+        let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
+        for (system, [X, Z]) in System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros)) {
+            // The form's limits are far within what the file holds.
+            let _ = file.set(system.first_parameter() + Axis::X as u32, X);
+            let _ = file.set(system.first_parameter() + Axis::Z as u32, Z);
+        }
+        setting.var_file = file;
+        setting.tools = Some(self.offsets.clone());
+        setting.point = self.point;
+        setting.block_delete = self.block_delete;
+        setting
+    }
+}
+
+/// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
+fn turret(rows: &[Row], tolerance: f64, findings: &mut Vec<Finding>) -> (BTreeMap<u32, Tool>, Tools) {
+    let mut tools = BTreeMap::new();
+    let mut offsets = Tools::new();
+    let mut places: BTreeSet<u32> = BTreeSet::new();
+    for row in rows {
+        let Some(T) = row.whole("tools/T") else { continue };
+        if !places.insert(T) {
+            findings.push(Finding::stop(
+                Place::Cells(row.cell("tools/T")),
+                Text::new(
+                    format!("el puesto {T} de la torreta está dos veces"),
+                    format!("place {T} of the turret is given twice"),
+                ),
+                Text::fixed("una herramienta por puesto", "one tool for each place"),
+            ));
+            continue;
+        }
+        let D = row.whole("tools/D").unwrap_or(T);
+        let tool = match tool(row) {
+            Ok(tool) => tool,
+            Err(lost) => {
+                findings.push(lost);
+                continue;
+            }
+        };
+        if let Err(why) = tool.outline(tolerance) {
+            findings.push(Finding::stop(
+                Place::Cells(cells(
+                    row,
+                    &["tools/type", "tools/shape", "tools/IC", "tools/R", "tools/phi1", "tools/phi2"],
+                )),
+                Text::new(format!("herramienta {T}: {}", why.es), format!("tool {T}: {}", why.en)),
+                Text::fixed("compruebe las medidas de la herramienta", "check the sizes of the tool"),
+            ));
+            continue;
+        }
+        let mut offset = Pose::default();
+        offset.set(Axis::X, tool.overhang[0]);
+        offset.set(Axis::Z, tool.overhang[1]);
+        let nose = Orientation::new(tool.tip.number()).map(|tip| Nose { radius: tool.nose(), tip });
+        if offsets.insert(D, Offset { offset, nose, ..Offset::default() }).is_some() {
+            findings.push(Finding::stop(
+                Place::Cells(cells(row, &["tools/D", "tools/T"])),
+                Text::new(format!("el corrector {D} está dos veces"), format!("offset {D} is given twice")),
+                Text::fixed("un corrector por herramienta", "one offset for each tool"),
+            ));
+        }
+        tools.insert(T, tool);
+    }
+    (tools, offsets)
+}
+
+fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
+    keys.iter().flat_map(|key| row.cell(key)).collect()
+}
+
+/// The tool of a row.
+///
+/// # Errors
+/// The first value that its type needs and that is missing.
+fn tool(row: &Row) -> Result<Tool, Finding> {
+    let kind = row.choice("tools/type").unwrap_or_default();
+    let need = |key: &'static str| {
+        row.real(key).ok_or_else(|| {
+            let symbol = key.rsplit('/').next().unwrap_or(key);
+            Finding::stop(
+                Place::Cells(row.cell(key)),
+                Text::new(
+                    format!("la herramienta {} necesita {symbol}", row.whole("tools/T").unwrap_or_default()),
+                    format!("tool {} needs {symbol}", row.whole("tools/T").unwrap_or_default()),
+                ),
+                Text::fixed("rellene la celda", "fill the cell in"),
+            )
+        })
+    };
+    let hand = match row.choice("tools/hand") {
+        Some("L") => Hand::Left,
+        Some("N") => Hand::Neutral,
+        _ => Hand::Right,
+    };
+    let internal = matches!(kind, "internal" | "internal-groove" | "internal-thread");
+    let cutter = match kind {
+        "external" | "internal" => {
+            let letter = row.choice("tools/shape").and_then(|shape| shape.chars().next());
+            let shape = letter.and_then(Shape::of).ok_or_else(|| {
+                Finding::stop(
+                    Place::Cells(row.cell("tools/shape")),
+                    Text::new(
+                        format!(
+                            "la herramienta {} necesita la forma de su placa",
+                            row.whole("tools/T").unwrap_or_default()
+                        ),
+                        format!("tool {} needs the shape of its insert", row.whole("tools/T").unwrap_or_default()),
+                    ),
+                    Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832"),
+                )
+            })?;
+            let circle = need("tools/IC")?;
+            if shape == Shape::R {
+                Cutter::Insert { shape, circle, main: 90.0, auxiliary: 90.0, nose: circle / 2.0 }
+            } else {
+                let (main, auxiliary) = (need("tools/phi1")?, need("tools/phi2")?);
+                Cutter::Insert { shape, circle, main, auxiliary, nose: need("tools/R")? }
+            }
+        }
+        "thread" | "internal-thread" => Cutter::Threader {
+            angle: need("tools/psi")?,
+            nose: row.real("tools/R").unwrap_or_default(),
+            depth: need("tools/h")?,
+            leads: [row.real("tools/p_min").unwrap_or_default(), need("tools/p_max")?],
+        },
+        "drill" => Cutter::Drill { diameter: need("tools/w")?, point: need("tools/psi")?, length: need("tools/h")? },
+        "centre-drill" => Cutter::CentreDrill {
+            pilot: need("tools/w")?,
+            reach: need("tools/h")?,
+            diameter: need("tools/IC")?,
+            length: need("tools/l")?,
+        },
+        _ => Cutter::Groover {
+            width: need("tools/w")?,
+            depth: need("tools/h")?,
+            corner: row.real("tools/R").unwrap_or_default(),
+            face: kind == "face-groove",
+        },
+    };
+    let usual = match (kind, hand) {
+        ("external", Hand::Right) | ("groove" | "face-groove", _) => Tip::OutsideLeft,
+        ("external", Hand::Left) => Tip::OutsideRight,
+        ("internal", Hand::Right) | ("internal-groove", _) => Tip::InsideLeft,
+        ("internal", Hand::Left) => Tip::InsideRight,
+        ("internal" | "internal-thread", _) => Tip::Inside,
+        ("drill" | "centre-drill", _) => Tip::Left,
+        _ => Tip::Outside,
+    };
+    let number = row.whole("tools/tip").and_then(|number| u8::try_from(number).ok());
+    let (width, length) = (need("tools/b")?, need("tools/l")?);
+    let holder = if internal || matches!(kind, "drill" | "centre-drill") {
+        Holder::Bar { diameter: width, length, reach: row.real("tools/c").unwrap_or_default() }
+    } else {
+        Holder::Shank { width, length }
+    };
+    Ok(Tool {
+        name: Text::same(row.line("tools/name")),
+        cutter,
+        hand,
+        tip: number.and_then(Tip::of).unwrap_or(usual),
+        holder,
+        overhang: [need("tools/Q_x")?, need("tools/Q_z")?],
+    })
+}

@@ -1,0 +1,108 @@
+//! Scenes of programs and of workbooks.
+
+use super::frame::Frame;
+use super::program::Program;
+use super::scene::{Remark, Scene};
+use super::{impeller, pipe};
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::interpreter::{Fault, Interpreter, findings};
+use crate::job::Outcome;
+use crate::text::{Language, Text};
+
+/// Most motions of a program, and most lines, that are shown.
+pub const MOST_MOTIONS: usize = 1_000_000;
+/// Most refusals of a program that are listed.
+const MOST_REMARKS: usize = 200;
+
+/// Follows a program to its end and keeps what it does. What it says wrong becomes remarks; what the worst of it is, is
+/// given back with all of it.
+///
+/// # Errors
+/// Exit 7 for more motions than [`MOST_MOTIONS`].
+pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(Exit, Vec<Finding>), Refusal> {
+    let (mut faults, mut total, mut exit): (Vec<Fault>, usize, Exit) = (Vec::new(), 0, Exit::Done);
+    while let Some(item) = text.next() {
+        match item {
+            Ok(motion) if program.motions() < MOST_MOTIONS => program.push(&motion, text.control()),
+            Ok(_) => return Err(too_many(&program.title)),
+            Err(fault) => {
+                total += 1;
+                if exit != Exit::Limit {
+                    exit = fault.exit;
+                }
+                if faults.len() < MOST_REMARKS {
+                    faults.push(*fault);
+                }
+            }
+        }
+    }
+    let found = findings(faults, total, text.remarks());
+    program.remarks.extend(found.iter().map(Remark::from));
+    if program.turns_unseen() {
+        program.notes.push(Text::fixed(
+            "los ejes giratorios no se aplican: se dibujan X, Y y Z tal como están escritos; con el libro se ve la pieza",
+            "rotary axes are not applied: X, Y and Z are drawn as they are written; with the workbook the part is shown",
+        ));
+    }
+    Ok((exit, found))
+}
+
+fn too_many(title: &Text) -> Refusal {
+    let most = MOST_MOTIONS;
+    Refusal::new(
+        Exit::Limit,
+        Finding::stop(
+            Place::File,
+            Text::new(
+                format!("{} tiene más de {most} líneas o movimientos, demasiados para mostrarlos", title.es),
+                format!("{} has more than {most} lines or motions, too many to be shown", title.en),
+            ),
+            Text::fixed("divida el programa", "split the program"),
+        ),
+    )
+}
+
+/// The scene of a workbook's outcome: its part, and every program on it.
+///
+/// # Errors
+/// Exit 7 for a program with more lines or motions than [`MOST_MOTIONS`].
+pub fn outcome(outcome: &Outcome, title: String, language: Language) -> Result<Scene, Refusal> {
+    let mut scene = Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: Vec::new() };
+    let most = u64::try_from(MOST_MOTIONS).unwrap_or(u64::MAX);
+    let part = match outcome.form.kind {
+        "impeller" => impeller::part(&outcome.values),
+        "pipe-hole" => pipe::hole(&outcome.values),
+        "pipe-insert" => pipe::insert(&outcome.values),
+        _ => None,
+    };
+    for program in &outcome.programs {
+        if program.blocks() > most {
+            return Err(too_many(&program.title));
+        }
+        let turning = program.dialect.reading.diameter;
+        let frame = match &part {
+            Some(part) if !turning => part.frame,
+            _ if turning => Frame::Turning,
+            _ => Frame::Milling,
+        };
+        let mut shown = Program::new(program.title.clone(), program.dialect, frame, &program.text());
+        shown.tools.extend(part.iter().filter(|_| !turning).map(|part| part.tool.clone()));
+        shown.remarks.extend(outcome.findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
+        following(&mut shown, &mut program.read_back())?;
+        shown.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
+        scene.programs.push(shown);
+    }
+    if let Some(part) = part {
+        scene.meshes = part.meshes;
+        scene.curves = part.curves;
+    }
+    Ok(scene)
+}
+
+/// True for a finding about a program, or one about the whole that a person must judge.
+fn belongs(finding: &Finding, key: &str) -> bool {
+    match finding.place {
+        Place::Block { program, .. } => program == key,
+        _ => finding.grade > Grade::Note,
+    }
+}

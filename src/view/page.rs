@@ -1,0 +1,124 @@
+//! The file: page, style and scripts put together with the scene.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+use serde_json::ser::{Formatter, Serializer};
+
+use super::scene::Scene;
+use crate::text::Language;
+
+const PAGE: &str = include_str!("page.html");
+const STYLE: &str = include_str!("style.css");
+/// In this order: each uses those before.
+const SCRIPTS: [&str; 11] = [
+    include_str!("words.js"),
+    include_str!("scene.js"),
+    include_str!("metal.js"),
+    include_str!("camera.js"),
+    include_str!("bodies.js"),
+    include_str!("gl.js"),
+    include_str!("flat.js"),
+    include_str!("list.js"),
+    include_str!("panel.js"),
+    include_str!("pointer.js"),
+    include_str!("main.js"),
+];
+
+/// JSON that stays inside of a script element: `<` is written as an escape, so that no text ends the element.
+struct Inside;
+
+impl Formatter for Inside {
+    fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
+        let mut parts = fragment.split('<');
+        writer.write_all(parts.next().unwrap_or_default().as_bytes())?;
+        parts.try_for_each(|part| {
+            writer.write_all(b"\\u003c")?;
+            writer.write_all(part.as_bytes())
+        })
+    }
+}
+
+/// Writes the file that shows a scene.
+///
+/// # Errors
+/// Passes on the error of `out`.
+pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
+    let language = if scene.language == Language::Es { "es" } else { "en" };
+    // Each mark stands once in the page, in this order.
+    let mut rest = PAGE;
+    for mark in ["{{language}}", "{{title}}", "{{style}}", "{{scene}}", "{{script}}"] {
+        let (before, after) = rest.split_once(mark).unwrap_or((rest, ""));
+        out.write_all(before.as_bytes())?;
+        rest = after;
+        match mark {
+            "{{language}}" => out.write_all(language.as_bytes())?,
+            "{{title}}" => out.write_all(element_text(&scene.title).as_bytes())?,
+            "{{style}}" => out.write_all(STYLE.as_bytes())?,
+            "{{scene}}" => scene.serialize(&mut Serializer::with_formatter(&mut *out, Inside))?,
+            _ => SCRIPTS.iter().try_for_each(|script| out.write_all(script.as_bytes()))?,
+        }
+    }
+    out.write_all(rest.as_bytes())
+}
+
+/// The file that shows a scene.
+#[must_use]
+pub fn html(scene: &Scene) -> String {
+    let mut bytes = Vec::new();
+    // A Vec takes every write.
+    let _ = write(scene, &mut bytes);
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+fn element_text(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::dialect::LINUXCNC;
+    use crate::text::Text;
+    use crate::view::{Frame, Program};
+
+    fn scene(title: &str, block: &str) -> Scene {
+        Scene {
+            title: title.to_owned(),
+            language: Language::En,
+            meshes: Vec::new(),
+            curves: Vec::new(),
+            programs: vec![Program::new(Text::same("p"), &LINUXCNC, Frame::Milling, block)],
+        }
+    }
+
+    #[test]
+    fn no_text_of_a_user_ends_an_element() {
+        let page = html(&scene("</title><script>alert(1)", "(</script><script>alert(2)</script>\u{2028}{{script}})"));
+        let plain = html(&scene("a", "b"));
+        for mark in ["<script", "</script", "</title", "<!--"] {
+            assert_eq!(page.matches(mark).count(), plain.matches(mark).count(), "{mark}");
+        }
+        assert!(page.contains("&lt;script&gt;alert(1)") && page.contains("\\u003cscript>alert(2)"));
+    }
+
+    #[test]
+    fn the_page_is_whole_and_names_no_other_place() {
+        let page = html(&scene("a", "b"));
+        assert!(!page.contains("{{") && page.ends_with("</html>\n"));
+        assert!(
+            page.contains("default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:")
+        );
+        for outside in ["http:", "https:", "//cdn", "@import", "url("] {
+            assert!(!page.contains(outside), "{outside}");
+        }
+        assert_eq!(page, html(&scene("a", "b")));
+    }
+
+    #[test]
+    fn every_script_is_short_enough_to_be_read() {
+        for script in SCRIPTS.iter().chain([&PAGE, &STYLE]) {
+            assert!(script.lines().count() <= 600, "{}", script.lines().next().unwrap_or_default());
+        }
+    }
+}

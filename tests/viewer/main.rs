@@ -1,0 +1,393 @@
+//! The viewer in Chromium: it draws, plays, goes to blocks, speaks both languages, and asks nobody for anything.
+
+mod browser;
+mod turned;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use self::browser::{Browser, chromium};
+
+/// The stage in a picture of 1280 by 800: x, y, width, height as shares.
+const STAGE: [f64; 4] = [0.0, 0.15, 0.6, 0.7];
+
+fn folder() -> TempDir {
+    tempfile::tempdir().expect("a temporary folder")
+}
+
+/// Where pictures are left for whoever wants to look.
+fn picture(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("viewer-{name}.png"))
+}
+
+fn rodete(folder: &Path, arguments: &[&str]) {
+    let mut command = Command::cargo_bin("rodete").expect("the binary");
+    command.current_dir(folder).args(arguments).assert().success();
+}
+
+/// The page of a new workbook of a kind.
+fn page_of(folder: &Path, kind: &str) -> PathBuf {
+    rodete(folder, &["new", kind]);
+    rodete(folder, &["view", &format!("{kind}.xlsx")]);
+    folder.join(format!("{kind}.html"))
+}
+
+fn turned(folder: &Path, repeat: usize) -> PathBuf {
+    let file = folder.join("turned.html");
+    fs::write(&file, rodete::view::html(&turned::scene(repeat))).expect("a page");
+    file
+}
+
+fn real(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// Fails on anything on the console and on any request.
+fn quiet(browser: &Browser) {
+    assert_eq!(browser.console(), Vec::<String>::new());
+    let asked = browser.run("return performance.getEntriesByType('resource').map((one) => one.name)");
+    assert_eq!(asked, json!([]), "the page asks for nothing");
+}
+
+/// Where the bodies of a page reach along X, Y and Z, mm, by their names.
+fn reaches(browser: &Browser, name: &str) -> Vec<f64> {
+    let script = format!(
+        "const points = bodies.find((body) => body.name.en === '{name}').vertices, reach = [];
+         for (let axis = 0; axis < 3; axis++) {{
+           const along = points.filter((_, at) => at % 6 === axis);
+           reach.push(along.reduce((a, b) => Math.min(a, b)), along.reduce((a, b) => Math.max(a, b)));
+         }}
+         return reach;"
+    );
+    browser.run(&script).as_array().into_iter().flatten().map(|one| (real(one) * 1000.0).round() / 1000.0).collect()
+}
+
+/// Fails on a picture of one colour.
+fn drawn(browser: &Browser, name: &str) {
+    let counts = browser.picture(&picture(name), STAGE);
+    let (all, most) = (counts.iter().map(|(_, count)| count).sum::<u64>(), counts[0].1);
+    assert!(counts.len() > 12 && all - most > all / 40, "{name}: {:?}", &counts[..counts.len().min(5)]);
+}
+
+#[test]
+fn a_page_names_no_other_place() {
+    let folder = folder();
+    for kind in ["impeller", "pipe-insert"] {
+        let text = fs::read_to_string(page_of(folder.path(), kind)).expect("a page");
+        for outside in ["://", "fetch(", "XMLHttp", "import(", "@import", "src=\"", "url("] {
+            assert!(!text.contains(outside), "{kind}: {outside}");
+        }
+        assert!(text.contains("default-src 'none'"));
+    }
+}
+
+#[test]
+fn parts_and_programs_are_drawn_and_played() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let browser = Browser::start(true);
+    for kind in ["impeller", "pipe-insert", "pipe-hole"] {
+        let page = page_of(folder.path(), kind);
+        let status = browser.open(&page, "");
+        assert_eq!(status["renderer"], "webgl2", "{kind}");
+        assert!(real(&status["triangles"]) > 1000.0, "{kind}: {status}");
+        let end = browser.open(&page, &format!("step={}", real(&status["motions"]) / 2.0));
+        drawn(&browser, kind);
+        assert_eq!(real(&end["cursor"]), (real(&status["motions"]) / 2.0).min(real(&status["motions"])));
+        let began = browser.open(&page, "play");
+        let later = browser.until("time moves on", |now| real(&now["time"]) > real(&began["time"]) + 0.2);
+        assert!(real(&later["cursor"]) > 0.0, "{later}");
+        quiet(&browser);
+    }
+}
+
+#[test]
+fn the_torch_runs_along_the_edge_of_the_pipe_that_it_cuts() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let page = page_of(folder.path(), "pipe-insert");
+    let browser = Browser::start(true);
+    let status = browser.open(&page, "view=section");
+    let reach = reaches(&browser, "Part");
+    // From the edge X0 along X, 88.9 mm across.
+    assert_eq!((reach[0], &reach[2..]), (0.0, &[-44.45, 44.45, -44.45, 44.45][..]), "{reach:?}");
+    drawn(&browser, "pipe-insert-section");
+    // Every point of the cut is half a kerf from the nearest point of the part's edge.
+    let off = browser.run(
+        "const edge = bodies.find((body) => body.name.en === 'Part').vertices, far = [];
+         for (let motion = 6; motion < run.count - 3; motion += 4) {
+           const point = run.point(motion, 1);
+           let least = Infinity;
+           for (let at = 0; at < edge.length; at += 6) {
+             least = Math.min(least, Math.hypot(edge[at] - point[0], edge[at + 1] - point[1], edge[at + 2] - point[2]));
+           }
+           far.push(least);
+         }
+         return Math.max(...far);",
+    );
+    // Points of the edge stand every two degrees: 1.55 mm apart.
+    assert!(real(&off) < 2.0, "{off} {status}");
+    quiet(&browser);
+}
+
+#[test]
+fn a_named_block_is_gone_to_and_its_coordinates_are_those_of_the_program() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let page = page_of(folder.path(), "impeller");
+    let browser = Browser::start(true);
+    rodete(folder.path(), &["build", "impeller.xlsx", "--no-report"]);
+    let text = fs::read_to_string(folder.path().join("impeller-out/impeller-blade.nc")).expect("the program");
+    let mut seen = 0;
+    for n in [400, 640, 800] {
+        let line = text.lines().find(|line| line.starts_with(&format!("N{n} "))).expect("the block");
+        let said = &browser.open(&page, &format!("goto=N{n}"))["said"];
+        for word in line.split_whitespace().filter(|word| word.starts_with(['X', 'Y', 'Z', 'B', 'C'])) {
+            let (letter, number) = word.split_at(1);
+            let shown: f64 = said[letter].as_str().expect("an axis").parse().expect("a number");
+            assert_eq!(shown, number.parse::<f64>().expect("a number"), "N{n} {word}");
+            seen += 1;
+        }
+    }
+    assert!(seen >= 15, "all five axes were looked at");
+    // The same by typing into the search field.
+    browser.open(&page, "");
+    browser.click("#wanted");
+    browser.keys(&["N", "6", "4", "0", "\u{E007}"]);
+    assert_eq!(browser.status()["said"]["X"], "-82.189");
+    quiet(&browser);
+}
+
+#[test]
+fn keys_play_step_and_switch() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let page = turned(folder.path(), 1);
+    let browser = Browser::start(true);
+    browser.open(&page, "");
+    assert_eq!(real(&browser.keys(&["\u{E014}", "\u{E014}"])["cursor"]), 2.0, "right arrow twice");
+    assert_eq!(real(&browser.keys(&["\u{E012}"])["cursor"]), 1.0, "left arrow");
+    let end = browser.keys(&["\u{E010}"]);
+    assert_eq!(end["cursor"], end["motions"], "End");
+    assert_eq!(real(&browser.keys(&["\u{E011}"])["cursor"]), 0.0, "Home");
+    assert_eq!(browser.keys(&["\u{E015}"])["said"]["X"], "52.000", "down to the first block that moves");
+    assert_eq!(browser.keys(&["l"])["language"], "en");
+    let speed = real(&browser.status()["speed"]);
+    assert!(real(&browser.keys(&["+"])["speed"]) > speed && real(&browser.keys(&["-"])["speed"]) == speed);
+    assert_eq!(browser.keys(&["s"])["section"], true);
+    assert_eq!(browser.keys(&["s"])["section"], false);
+    assert_eq!(browser.keys(&["3"])["preset"], "plan");
+    assert_eq!(browser.keys(&[" "])["playing"], true);
+    browser.until("it has played to the end", |now| real(&now["cursor"]) > 3.0);
+    assert_eq!(browser.keys(&[" "])["playing"], false);
+    quiet(&browser);
+}
+
+#[test]
+fn both_languages_are_spoken() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let page = turned(folder.path(), 1);
+    let browser = Browser::start(true);
+    browser.open(&page, "");
+    let words =
+        "return document.body.innerText + [...document.querySelectorAll('[aria-label]')].map((one) => one.ariaLabel)";
+    let spanish = browser.run(words).to_string();
+    for word in ["Bloques", "Alarmas", "Velocidad", "Capas", "Herramienta", "Rejilla", "Pantalla de la máquina"] {
+        assert!(spanish.contains(word), "{word}: {spanish}");
+    }
+    browser.click("#language");
+    browser.click("#tab-remarks");
+    let english = browser.run(words).to_string();
+    for word in ["Blocks", "Alarms", "Speed", "Layers", "Tool", "Machine display", "2101", "the tool meets the jaw"] {
+        assert!(english.contains(word), "{word}: {english}");
+    }
+    assert!(!english.contains("Bloques"));
+    let nameless = browser.run(
+        "return [...document.querySelectorAll('button, select, input')].filter((one) => !(one.ariaLabel || one.innerText || \
+         one.closest('label'))).map((one) => one.outerHTML)",
+    );
+    assert_eq!(nameless, json!([]), "everything that can be pressed has a name");
+    // An alarm leads to its block.
+    let status = browser.click("#remarks button");
+    assert_eq!((&status["line"], &status["said"]["Z"]), (&json!(20), &json!("-55.000")));
+    quiet(&browser);
+}
+
+#[test]
+fn metal_is_turned_away_as_the_program_goes_on() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let page = turned(folder.path(), 1);
+    let browser = Browser::start(true);
+    let status = browser.open(&page, "goto=N40&view=section");
+    assert_eq!(status["said"]["X"], "44.000");
+    assert!(status["said"]["cells"].as_str().expect("cells").starts_with("M3 M8"), "{status}");
+    drawn(&browser, "turning-section");
+    // The radius of the metal halfway along the bar, from the pieces that are drawn: before, while and after it is cut.
+    let radius = |motion: usize, part: f64, z: f64| {
+        real(&browser.run(&format!(
+            "const pieces = run.metal.pieces({motion}, {part}, run.point({motion}, {part}), run.heading({motion}, {part}));
+             let most = 0;
+             for (let at = 0; at < pieces.length; at += 8) {{
+               const [z0, r0, z1, r1] = pieces.subarray(at, at + 4);
+               if (z0 !== z1 && Math.min(z0, z1) <= {z} && {z} <= Math.max(z0, z1)) most = Math.max(most, r0 + (r1 - r0) * ({z} - z0) / (z1 - z0));
+             }}
+             return most;"
+        )))
+    };
+    let cut = 2;
+    assert_eq!([radius(cut, 0.0, -30.0), radius(cut, 1.0, -30.0)], [25.0, 22.0]);
+    // N40 goes from z = 2 to −60: at a half it stands at −29.
+    assert_eq!([radius(cut, 0.5, -28.0), radius(cut, 0.5, -30.0)], [22.0, 25.0]);
+    let all = real(&status["motions"]);
+    for (fragment, name) in [
+        ("time=40&view=plan".to_owned(), "turning"),
+        (format!("step={}&view=iso", all - 1.0), "turning-iso"),
+        ("goto=N170&view=free&lang=en".to_owned(), "turning-groove"),
+    ] {
+        browser.open(&page, &fragment);
+        drawn(&browser, name);
+    }
+    // Parted off, nothing is left between the part and the stub.
+    assert_eq!(radius(18, 1.0, -56.0), 0.0);
+    // Going back gives the bar again.
+    assert_eq!(real(&browser.keys(&["\u{E011}"])["cursor"]), 0.0);
+    assert_eq!(radius(0, 0.0, -30.0), 25.0);
+    quiet(&browser);
+}
+
+#[test]
+fn the_page_fits_a_phone_and_the_dark() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let browser = Browser::start(true);
+    let turned = turned(folder.path(), 1);
+    let impeller = page_of(folder.path(), "impeller");
+    for (page, name, fragment) in [(&turned, "phone-turning", "time=40"), (&impeller, "phone-impeller", "step=60")] {
+        browser.resize(360, 740);
+        browser.open(page, fragment);
+        let wide = browser.run("return [document.documentElement.scrollWidth, innerWidth]");
+        assert_eq!(wide, json!([360, 360]), "nothing hangs over");
+        let small = browser.run(
+            "return ['view', 'list', 'play', 'scrub', 'readout'].filter((id) => {
+               const box = document.getElementById(id).getBoundingClientRect();
+               return box.width < 30 || box.height < 20 || box.right > innerWidth || box.bottom > innerHeight;
+             })",
+        );
+        assert_eq!(small, json!([]), "all that matters is in view");
+        browser.picture(&picture(name), STAGE);
+    }
+    // Two fingers that part make it larger.
+    let half = real(&browser.run("return camera.half"));
+    let touch = |kind: &str, apart: f64| {
+        let points = if kind == "touchEnd" {
+            json!([])
+        } else {
+            json!([{ "x": 180.0 - apart, "y": 180, "id": 0 }, { "x": 180.0 + apart, "y": 180, "id": 1 }])
+        };
+        browser.developer("Input.dispatchTouchEvent", &json!({ "type": kind, "touchPoints": points }));
+    };
+    touch("touchStart", 30.0);
+    touch("touchMove", 60.0);
+    touch("touchEnd", 0.0);
+    browser.status();
+    let zoomed = real(&browser.run("return camera.half"));
+    assert!((zoomed * 2.0 / half - 1.0).abs() < 0.2, "{half} {zoomed}");
+    let media = json!({ "features": [{ "name": "prefers-color-scheme", "value": "dark" }] });
+    browser.developer("Emulation.setEmulatedMedia", &media);
+    browser.resize(1280, 800);
+    browser.open(&turned, "time=60&view=iso");
+    let shape = browser.run("const view = document.getElementById('view'); return view.width * view.clientHeight - view.height * view.clientWidth");
+    assert_eq!(shape, json!(0), "a round part stays round when the window changes");
+    let dark = browser.picture(&picture("dark-turning"), STAGE);
+    let light = |name: &str| dark.iter().filter(|(colour, _)| colour == name).map(|(_, count)| count).sum::<u64>();
+    assert!(light("111") > 10_000 && light("fff") + light("eff") < 1000, "a dark ground: {:?}", &dark[..3]);
+    quiet(&browser);
+}
+
+#[test]
+fn without_webgl_a_plain_drawing_takes_its_place() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let browser = Browser::start(false);
+    for (page, name) in
+        [(turned(folder.path(), 1), "plain-turning"), (page_of(folder.path(), "impeller"), "plain-impeller")]
+    {
+        let status = browser.open(&page, "step=9");
+        assert_eq!(status["renderer"], "2d");
+        drawn(&browser, name);
+        let errors: Vec<_> = browser.console().into_iter().filter(|line| !line.contains("WebGL")).collect();
+        assert_eq!(errors, Vec::<String>::new());
+    }
+}
+
+#[test]
+fn a_hundred_thousand_motions_are_gone_through_without_waiting() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let mut program = String::from("G21 G90 G94 F1200\n");
+    for at in 0..100_000_u32 {
+        let (x, y) = (at % 317, at / 317);
+        program.push_str(&format!("N{} G1 X{}.{:03} Y{}.5 Z-{}.25\n", at + 1, x, at % 1000, y, at % 7));
+    }
+    program.push_str("M2\n");
+    fs::write(folder.path().join("milled.ngc"), program).expect("a program");
+    rodete(folder.path(), &["view", "milled.ngc"]);
+    let browser = Browser::start(true);
+    for page in [turned(folder.path(), 5300), folder.path().join("milled.html")] {
+        let status = browser.open(&page, "");
+        assert!(real(&status["motions"]) >= 100_000.0, "{status}");
+        assert!(real(&status["loaded"]) < 15_000.0, "{status}");
+        // To the end, into the middle, and back: each within the time of a few frames.
+        let seeks = browser.run(
+            "return [1, 0.5, 0.51, 0.9, 0.1, 0].map((share) => {
+               const began = performance.now();
+               goTo(Math.floor(run.count * share));
+               draw();
+               return Math.round((performance.now() - began) * 10) / 10;
+             });",
+        );
+        assert!(seeks.as_array().into_iter().flatten().all(|time| real(time) < 1500.0), "{seeks}");
+        // What the page itself takes for a frame; the rest is the work of the graphics, here of software.
+        let frames: Vec<f64> = (0..12_u32)
+            .map(|at| {
+                browser.run(&format!("goTo({})", 5000.4 + 0.37 * f64::from(at)));
+                real(&browser.status()["frame"])
+            })
+            .collect();
+        let mut sorted = frames.clone();
+        sorted.sort_by(f64::total_cmp);
+        assert!(sorted[6] < 100.0, "{frames:?}");
+        // The last line is shown and can be clicked.
+        let last = browser.open(&page, "goto=100000");
+        let seen = browser.run("return [...document.querySelectorAll('.row.now')].map((row) => row.textContent)");
+        if real(&last["lines"]) > 100_000.0 {
+            assert!(seen[0].as_str().expect("a row").starts_with("100000N99999 G1"), "{seen}");
+        }
+        let (bytes, name) = (fs::metadata(&page).expect("a page").len(), page.file_name().expect("a name").display());
+        println!("{name}: {bytes} bytes, loaded in {} ms, seeks {seeks} ms, frames {frames:?} ms", status["loaded"]);
+    }
+}
