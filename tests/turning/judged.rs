@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use rodete::gcode::motion::{self, Motion};
 use rodete::machine::axis::Axis;
+use rodete::number::trig::hypot;
 
 use crate::common::rs274::{self, HALF, Kind};
 use crate::lines::read;
@@ -15,7 +16,7 @@ use crate::lines::read;
 fn same(ours: &[Motion], theirs: &[rs274::Motion]) -> Result<(), String> {
     let place = |motion: &Motion| [motion.to.get(Axis::X), motion.to.get(Axis::Z)];
     let ours: Vec<_> = ours.iter().filter(|motion| !matches!(motion.kind, motion::Kind::Dwell(_))).collect();
-    let moves = |from: [f64; 2], to: [f64; 2]| (from[0] - to[0]).hypot(from[1] - to[1]) > 1e-9;
+    let moves = |from: [f64; 2], to: [f64; 2]| hypot(from[0] - to[0], from[1] - to[1]) > 1e-9;
     let mut at = [0.0; 2];
     let ours: Vec<_> = ours
         .into_iter()
@@ -138,7 +139,7 @@ fn both(moves: &[Plain]) -> [String; 2] {
             }
         }
         if code > 1 {
-            let half = by[0].hypot(by[1]) / 2000.0;
+            let half = hypot(by[0], by[1]) / 2000.0;
             let radius = half * 1.01 + f64::from(bulge.abs()) / 1000.0;
             let radius = if bulge < 0 { -radius } else { radius };
             for text in [&mut fanuc, &mut linuxcnc] {
