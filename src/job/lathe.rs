@@ -10,7 +10,7 @@ use crate::gcode::program::{Part, Program};
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
 use crate::job::lathe_tables::{Rows, contour_table, tools_table, turret_table};
-use crate::job::{Outcome, Source, Template};
+use crate::job::{Outcome, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SECOND_KEY};
@@ -27,14 +27,17 @@ use crate::text::Text;
 /// Most findings of one program; the rest is counted. The table of alarms has them all.
 const MOST: usize = 50;
 
+/// How far the facets of the solid may be from the round part, mm.
+const TOLERANCE: f64 = 0.01;
+
 /// One thing seen while a program is followed.
 #[derive(Debug)]
 pub enum Seen<'a> {
     /// A program begins, with its text and the part as it is.
     Begin(&'a Program, &'a text::Source, &'a Simulation),
-    /// A motion was made, and this is what it left.
-    Step(&'a Step, &'a Simulation),
-    /// The findings of the program that has ended.
+    /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
+    Step(&'a Step, &'a Simulation, Option<&'a str>),
+    /// What the interpreter found in the program that has ended; its alarms were seen with their motions.
     End(&'a [Finding]),
 }
 
@@ -138,7 +141,7 @@ fn follow(
                     paths.push(step.way.clone());
                 }
                 one.rows.push(&step, source.text(file).unwrap_or(&source.main));
-                watch(Seen::Step(&step, &one.simulation));
+                watch(Seen::Step(&step, &one.simulation, file));
             }
             Err(fault) => {
                 one.broken = true;
@@ -163,9 +166,9 @@ fn follow(
         }
         one.findings.push(remark);
     }
+    watch(Seen::End(&one.findings));
     one.findings.extend(alarms(&one.alarms));
     one.drawn.part = one.simulation.contours();
-    watch(Seen::End(&one.findings));
     Ok(one)
 }
 
@@ -235,6 +238,7 @@ fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, m
         drawn.wanted = wanted(&values);
     }
     let contour = figures::contour(&drawn);
+    let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE });
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
     Outcome {
         form,
@@ -249,6 +253,7 @@ fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, m
         }],
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn))),
         programs: if stopped { Vec::new() } else { programs },
+        turned,
         findings,
         values,
         source,

@@ -73,6 +73,15 @@ pub struct Template {
     pub paper: Option<Paper>,
 }
 
+/// A part turned on a lathe.
+#[derive(Clone, Debug)]
+pub struct Turned {
+    /// The contours of its half section, `[z, r]` in mm, counter-clockwise, holes clockwise.
+    pub contours: Vec<Vec<[f64; 2]>>,
+    /// How far the facets of its solid may be from it, mm.
+    pub tolerance: f64,
+}
+
 /// What came of a design.
 #[derive(Debug)]
 pub struct Outcome {
@@ -94,6 +103,8 @@ pub struct Outcome {
     pub figures: Figures,
     /// Drawings at 1:1 with files of their own.
     pub templates: Vec<Template>,
+    /// The turned part, of a turning.
+    pub turned: Option<Turned>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
 }

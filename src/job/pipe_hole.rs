@@ -97,6 +97,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
                 series: vec![series(Text::same("D"), "D"), series(Text::same("g"), "g")],
             },
         ],
+        turned: None,
         templates: vec![Template {
             key: "template",
             title: t("Plantilla del agujero", "Template of the hole"),

@@ -79,6 +79,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
             equal: false,
             series: vec![Series { name: t("curva", "curve"), x: ("template", "x"), y: ("template", "y") }],
         }],
+        turned: None,
         templates: vec![Template {
             key: "template",
             title: t("Plantilla del injerto", "Template of the branch"),

@@ -14,6 +14,7 @@ pub mod catalogue;
 pub mod contact;
 pub mod figures;
 pub mod machine;
+pub mod mesh;
 pub mod outline;
 pub mod parameters;
 pub mod path;

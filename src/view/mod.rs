@@ -11,6 +11,7 @@ mod column;
 mod frame;
 pub mod impeller;
 mod kept;
+pub mod lathe;
 mod mesh;
 mod page;
 pub mod pipe;
