@@ -327,7 +327,9 @@ impl Tool {
                 let [left, right] = if self.tip.level()[0] || round {
                     [middle - width / 2.0, middle + width / 2.0]
                 } else {
-                    [SETBACK, SETBACK + width]
+                    // Behind the main edge all the way up.
+                    let lean = depth * tan((main - 90.0).max(0.0).to_radians());
+                    [SETBACK + lean, SETBACK + lean + width]
                 };
                 let clear = |angle: f64, away: f64| {
                     if round || angle <= RELIEF || angle >= 89.0 || away <= 0.0 {

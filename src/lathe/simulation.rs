@@ -79,9 +79,21 @@ pub struct Simulation {
     totals: Totals,
     steps: usize,
     contour: Ring,
+    /// The thread that the last motion cut.
+    led: Option<Led>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
+}
+
+/// Where a thread's pass has come to.
+#[derive(Clone, Copy, Debug)]
+struct Led {
+    tool: u32,
+    /// On the grid, `[z, r]`.
+    at: [f64; 2],
+    /// What is left of the revolution that has begun, as a share.
+    left: f64,
 }
 
 /// What one motion has come to so far.
@@ -178,6 +190,7 @@ impl Simulation {
             totals: Totals::default(),
             steps: 0,
             contour: Ring::new(),
+            led: None,
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -250,7 +263,8 @@ impl Simulation {
         let start = pieces.first().map_or(to, |piece| piece[0]);
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
-        let cutting_speed = if contact.real { cutting_speed(control, &contact, speed) } else { 0.0 };
+        let cuts = contact.real && motion.kind != Kind::Rapid;
+        let cutting_speed = if cuts { cutting_speed(control, &contact, speed) } else { 0.0 };
         let rate = match seconds {
             Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
             _ => None,
@@ -266,7 +280,7 @@ impl Simulation {
             seconds,
             speed,
             cutting_speed,
-            depth: if contact.real { contact.across } else { 0.0 },
+            depth: if cuts { contact.across } else { 0.0 },
             removed,
             rate,
             alarms: tally.alarms,
@@ -293,25 +307,40 @@ impl Simulation {
             removed.volume += more.volume;
             removed.parted += more.parted;
         };
+        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex| {
+            let Some(at) = Point::near(at) else { return };
+            for cutter in &ready.outline.cutter {
+                if cutter.polygon.sweep(at, at, swept) {
+                    add(part.cut(swept, |meeting, mirrored| {
+                        contact.add_rib(meeting, &Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored });
+                    }));
+                }
+            }
+        };
+        if let Kind::Thread(thread) = tally.motion.kind {
+            for &piece in pieces {
+                // Blocks of a thread that follow one another go on in its revolution; a new pass begins with one.
+                let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
+                let left = goes_on.map_or(0.0, |led| led.left);
+                ribs(thread, piece, left).for_each(|at| ring(at, part, swept));
+                let length = extent(piece);
+                let turned = revolutions(thread, length).unwrap_or(0.0) - left;
+                let left = if thread.lead > 0.0 { turned.ceil() - turned } else { 0.0 };
+                self.led = Some(Led { tool: control.tool, at: piece[1], left });
+            }
+        } else if let Some(led) = self.led.take()
+            && led.tool == control.tool
+            && let Some(&[from, _]) = pieces.first()
+            && near(led.at, from)
+        {
+            // Where the thread ends in metal, the spindle turns on while the tool stands: there it cuts a ring.
+            ring(from, part, swept);
+        }
         for &piece in pieces {
             let [from, to] = piece;
             let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
             let long = hypot(to[0] - from[0], to[1] - from[1]);
             let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
-            if let Kind::Thread(thread) = tally.motion.kind {
-                for at in ribs(thread, piece) {
-                    let Some(at) = Point::near(at) else { continue };
-                    for cutter in &ready.outline.cutter {
-                        if cutter.polygon.sweep(at, at, swept) {
-                            add(part.cut(swept, |meeting, mirrored| {
-                                // Across the thread, along X: how deep its profile is.
-                                let ride = Ride { part: cutter, from: at.mm(), way: [way[0].signum(), 0.0], mirrored };
-                                contact.add_rib(meeting, &ride);
-                            }));
-                        }
-                    }
-                }
-            }
             for cutter in &ready.outline.cutter {
                 if !cutter.polygon.sweep(first, last, swept) {
                     continue;
@@ -424,8 +453,7 @@ fn watch_thread(
     cuts: bool,
     tally: &mut Tally,
 ) {
-    let length = (end[0] - start[0]).abs().max((end[1] - start[1]).abs());
-    if revolutions(thread, length).is_none() {
+    if revolutions(thread, extent([start, end])).is_none() {
         tally.raise(Cause::NoLead, start, None);
         return;
     }
@@ -449,16 +477,26 @@ fn watch_thread(
     }
 }
 
-/// Where a thread's tool stands each time the same side of the work comes past it: at the start, and a lead on after each
-/// revolution, `[z, r]`. The whole revolutions alone: the last, begun one, ends in the run-out.
-fn ribs(thread: Thread, [from, to]: Piece) -> impl Iterator<Item = [f64; 2]> {
+fn near(one: [f64; 2], two: [f64; 2]) -> bool {
+    hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
+}
+
+/// How far a piece goes along the axis that moves more, mm.
+fn extent([from, to]: Piece) -> f64 {
+    (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
+}
+
+/// Where a thread's tool stands each time the same side of the work comes past it: once the revolution that had begun is
+/// over, of which `left` is left as a share, and then a lead on after each one; `[z, r]`.
+fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2]> {
+    let ([from, to], length) = (piece, extent(piece));
     let step = [to[0] - from[0], to[1] - from[1]];
-    let length = step[0].abs().max(step[1].abs());
-    let turns = revolutions(thread, length).filter(|_| length > 0.0).map_or(0.0, |turns| (turns + 1e-9).floor());
+    let turns =
+        revolutions(thread, length).filter(|_| length > 0.0).map_or(-1.0, |turns| (turns - left + 1e-9).floor());
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
-    let count = if length > 0.0 && thread.lead > 0.0 { turns.min(f64::from(RIBS)) as u32 + 1 } else { 0 };
+    let count = (turns + 1.0).clamp(0.0, f64::from(RIBS)) as u32;
     (0..count).map(move |turn| {
-        let k = f64::from(turn);
+        let k = f64::from(turn) + left;
         let part = (thread.lead * k + thread.change * k * k / 2.0) / length;
         [from[0] + step[0] * part, from[1] + step[1] * part]
     })
