@@ -36,6 +36,10 @@ pub enum Unit {
     RevolutionPerMinute,
     /// Seconds.
     Second,
+    /// Cubic millimetres.
+    CubicMillimetre,
+    /// Cubic centimetres a minute.
+    CubicCentimetrePerMinute,
 }
 
 impl Unit {
@@ -53,6 +57,8 @@ impl Unit {
             Self::MetrePerMinute => "m/min",
             Self::RevolutionPerMinute => "rpm",
             Self::Second => "s",
+            Self::CubicMillimetre => "mm³",
+            Self::CubicCentimetrePerMinute => "cm³/min",
         }
     }
 }

@@ -4,4 +4,6 @@
 
 mod removal {
     mod exact;
+    mod lathe;
+    mod volumes;
 }

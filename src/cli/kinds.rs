@@ -1,12 +1,17 @@
 //! The workbook kinds that the commands know.
 
 use crate::impeller;
+use crate::lathe;
 use crate::parameter::{Case, Form, Kind};
 use crate::pipe;
 
 /// Every form, the usual one first.
-pub(super) static FORMS: [&Form; 3] =
-    [&impeller::parameters::FORM, &pipe::insert::parameters::FORM, &pipe::hole::parameters::FORM];
+pub(super) static FORMS: [&Form; 4] = [
+    &impeller::parameters::FORM,
+    &pipe::insert::parameters::FORM,
+    &pipe::hole::parameters::FORM,
+    &lathe::parameters::FORM,
+];
 
 /// The kinds' names.
 pub(super) fn names() -> Vec<&'static str> {

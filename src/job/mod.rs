@@ -4,6 +4,8 @@ pub mod charts;
 pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
+pub mod lathe;
+mod lathe_tables;
 pub mod pipe_hole;
 pub mod pipe_insert;
 
@@ -146,6 +148,7 @@ fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Finding {
 pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
     match form.kind {
         "impeller" => impeller::run(form, values, source),
+        "lathe" => lathe::run(form, values, source),
         "pipe-hole" => pipe_hole::run(form, values, source),
         "pipe-insert" => pipe_insert::run(form, values, source),
         _ => Err(Refusal::new(

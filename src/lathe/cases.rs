@@ -46,6 +46,7 @@ fn machine() -> Vec<(&'static str, Value)> {
         ("G_X", Value::Real(8000.0)),
         ("G_Z", Value::Real(10_000.0)),
         ("S_max", Value::Real(3000.0)),
+        ("rapid", Value::Choice("bent")),
         ("turret", Value::Choice("front")),
     ]
 }

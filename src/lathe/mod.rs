@@ -8,14 +8,22 @@
 //! # References
 //! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
 
+pub mod alarm;
 pub mod cases;
+pub mod catalogue;
+pub mod contact;
 pub mod figures;
 pub mod machine;
 pub mod outline;
 pub mod parameters;
+pub mod path;
 pub mod setup;
+pub mod simulation;
+pub mod spindle;
+pub mod step;
 pub mod stock;
 pub mod text;
 pub mod tool;
 pub mod turret;
+mod watch;
 pub mod workpiece;

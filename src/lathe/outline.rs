@@ -1,11 +1,11 @@
 //! From a tool's catalogue values to what of it is metal and what of that cuts.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-use super::tool::{Cutter, Holder, Shape, Tool};
+use super::tool::{Cutter, Hand, Holder, Shape, Tool};
 use crate::geometry::chords;
 use crate::geometry::exact::convex::Convex;
-use crate::number::trig::{atan2, hypot, sin_cos, tan};
+use crate::number::trig::{atan, atan2, hypot, sin_cos, tan};
 use crate::text::Text;
 
 /// What an edge of a cutter's outline is for.
@@ -244,9 +244,11 @@ impl Tool {
                 one(points.into_iter().map(moved).collect(), marks)
             }
             Cutter::Groover { width, depth, corner, face } => {
-                // Sides drawn in by a degree's worth, never to nothing.
-                let relief = (0.0175 * depth).min(0.2 * width);
-                let corners = [[0.0, 0.0], [width, 0.0], [width - relief, depth], [relief, depth]];
+                // Sides drawn in by a degree, never to nothing; the rounded corners reach out to the full width.
+                let relief = tan(1_f64.to_radians()).min(0.2 * width / depth);
+                let out = corner * (1.0 / tan(FRAC_PI_4 - atan(relief) / 2.0) - 1.0);
+                let (left, right, drawn) = (-out, width + out, relief * depth);
+                let corners = [[left, 0.0], [right, 0.0], [right - drawn, depth], [left + drawn, depth]];
                 let (points, _) = rounded_front(&corners, corner, tolerance).ok_or_else(large)?;
                 let turn = |[z, r]: [f64; 2]| if face { [r, z] } else { [z, r] };
                 let marks = vec![
@@ -348,6 +350,16 @@ impl Tool {
             (Holder::Shank { width, length }, Cutter::Groover { depth, width: edge, .. }) => {
                 let start = if self.tip.level()[0] { (edge - width) / 2.0 } else { 0.1 };
                 boxed([start, start + width], [depth, depth.max(length) + 1.0])
+            }
+            (Holder::Shank { width, length }, Cutter::Threader { angle, .. }) => {
+                // The insert sits at the edge of the shank, so that a thread may run up to a shoulder.
+                let left = -depth * tan((angle / 2.0).to_radians()) - SETBACK;
+                let side = match self.hand {
+                    Hand::Right => [left, left + width],
+                    Hand::Left => [-left - width, -left],
+                    Hand::Neutral => [-width / 2.0, width / 2.0],
+                };
+                boxed(side, [depth, depth.max(length) + 1.0])
             }
             (Holder::Shank { width, length }, _) => {
                 boxed([-width / 2.0, width / 2.0], [depth, depth.max(length) + 1.0])

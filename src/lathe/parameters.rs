@@ -37,6 +37,11 @@ const TAILSTOCK: &[Choice] = &[
 const TURRET: &[Choice] =
     &[Choice { key: "front", label: t("delantera", "front") }, Choice { key: "rear", label: t("trasera", "rear") }];
 
+const RAPIDS: &[Choice] = &[
+    Choice { key: "straight", label: t("recto", "straight") },
+    Choice { key: "bent", label: t("cada eje a su ritmo", "each axis at its rate") },
+];
+
 const PART: &[Parameter] = &[
     other("part", "part_name", Kind::Line { max: 60 }, true, t("Nombre de la pieza", "Name of the part"), NONE),
     other("material", "material", Kind::Line { max: 60 }, false, t("Material", "Material"), NONE),
@@ -75,13 +80,13 @@ const PROGRAM: &[Parameter] = &[
 ];
 
 const STOCK: &[Parameter] = &[
-    real("D", "stock_D", MM, [1.0, 500.0], true, t("Diámetro del bruto D", "Diameter of the stock D"), NONE),
-    real("L", "stock_L", MM, [1.0, 500.0], true, t("Longitud del bruto L", "Length of the stock L"), NONE),
+    real("D", "stock_D", MM, [1.0, 1000.0], true, t("Diámetro del bruto D", "Diameter of the stock D"), NONE),
+    real("L", "stock_L", MM, [1.0, 1000.0], true, t("Longitud del bruto L", "Length of the stock L"), NONE),
     real(
         "d",
         "stock_bore_d",
         MM,
-        [0.5, 499.0],
+        [0.5, 999.0],
         false,
         t("Agujero del bruto d", "Bore of the stock d"),
         t("Vacío: macizo", "Empty: solid"),
@@ -202,6 +207,14 @@ const MACHINE: &[Parameter] = &[
         true,
         t("Giro máximo del husillo", "Greatest speed of the spindle"),
         NONE,
+    ),
+    other(
+        "rapid",
+        "rapid_path",
+        Kind::Choice(RAPIDS),
+        true,
+        t("Recorrido de G0", "Way of G0"),
+        t("Lo decide un parámetro del control", "A setting of the control decides"),
     ),
     other(
         "turret",

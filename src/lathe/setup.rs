@@ -6,14 +6,15 @@ use crate::finding::{CellPlace, Finding, Place};
 use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
 use crate::gcode::interpreter::{DecimalPoint, Setting, Tool as Offset, Tools};
 use crate::gcode::turning::nose::{Nose, Tip as Orientation};
-use crate::lathe::machine::{Chuck, Lathe, Tailstock};
+use crate::lathe::machine::{Chuck, Lathe};
 use crate::lathe::parameters::TOOLS_KEY;
-use crate::lathe::stock::Stock;
+use crate::lathe::simulation::Setup;
+use crate::lathe::stock::{Stock, Support};
 use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
 use crate::lathe::turret::Turret;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
-use crate::machine::work_offset::System;
+use crate::machine::work_offset::{G28_FIRST, System};
 use crate::number::shown;
 use crate::parameter::Values;
 use crate::parameter::list::Row;
@@ -22,32 +23,31 @@ use crate::text::Text;
 /// Tolerance of arcs where the form gives none, mm.
 const EPS: f64 = 0.0002;
 
-/// The machine before the program starts.
+/// Z′ and X′ of the source: how far the longest tools stand off the stock at the reference point, mm.
+const MARGIN: f64 = 30.0;
+
+/// What a filled-in form gives: the lathe before the program starts, and its control.
 #[derive(Clone, Debug)]
-pub struct Setup {
-    /// The lathe.
-    pub lathe: Lathe,
-    /// The stock in its chuck.
-    pub stock: Stock,
-    /// The turret.
-    pub turret: Turret,
+pub struct Given {
+    /// Lathe, stock, turret, tolerance.
+    pub setup: Setup,
     /// The control's dialect.
     pub dialect: &'static Dialect,
     /// What a dimension without a point is.
     pub point: Option<DecimalPoint>,
     /// Blocks with `/` are skipped.
     pub block_delete: bool,
-    /// The chords' tolerance, mm.
-    pub tolerance: f64,
     /// The shift of the part that was turned about for the second set-up, mm.
     pub second: f64,
     /// The tool offsets of the control, by their numbers.
     offsets: Tools,
+    /// The offset of the tool in the first place.
+    first_offset: u32,
     /// The zeros W2 to W6, `[X as a radius, Z]` from M, where they are given.
     zeros: [[f64; 2]; 5],
 }
 
-impl Setup {
+impl Given {
     /// The set-up of a filled-in form.
     ///
     /// # Errors
@@ -144,25 +144,27 @@ impl Setup {
         }
         let tolerance = values.real("eps").unwrap_or(EPS);
         let (tools, offsets) = turret(values.rows(TOOLS_KEY), tolerance, &mut findings);
+        let first = values.rows(TOOLS_KEY).iter().min_by_key(|row| row.whole("tools/T"));
+        let first_offset = first.and_then(|row| row.whole("tools/D").or(row.whole("tools/T"))).unwrap_or_default();
         let between = |least, greatest, scale: f64| {
             let bound = |key, beyond: f64| values.real(key).map_or(beyond, |value: f64| value * scale);
             [bound(least, -5000.0), bound(greatest, 5000.0)]
         };
         let default = Lathe::default();
-        let beyond = match values.choice("tailstock") {
-            Some("yes") => -1.0,
-            Some("no") => f64::INFINITY,
-            _ => default.tailstock.beyond,
+        let support = match values.choice("tailstock") {
+            Some("yes") => Support::Always,
+            Some("no") => Support::Never,
+            _ => Support::ByOverhang,
         };
         let lathe = Lathe {
             travel_x: between("X_min", "X_max", 0.5),
             travel_z: between("Z_min", "Z_max", 1.0),
             rapid: [real("G_X"), real("G_Z")],
-            bent_rapid: false,
+            bent_rapid: values.choice("rapid") == Some("bent"),
             greatest_speed: real("S_max"),
             turret_behind: values.choice("turret") == Some("rear"),
             chuck: Chuck { body: real("L1"), jaws: real("L2"), diameter: real("D_c"), ..default.chuck },
-            tailstock: Tailstock { beyond, ..default.tailstock },
+            tailstock: default.tailstock,
         };
         let stock = Stock {
             diameter: D,
@@ -170,6 +172,7 @@ impl Setup {
             bore: values.real("d").unwrap_or_default(),
             overhang: L - L4,
             facing: real("L5"),
+            support,
         };
         if !findings.is_empty() {
             return Err(findings);
@@ -181,17 +184,27 @@ impl Setup {
         let zeros = [["W2_X", "W2_Z"], ["W3_X", "W3_Z"], ["W4_X", "W4_Z"], ["W5_X", "W5_Z"], ["W6_X", "W6_Z"]]
             .map(|[X, Z]| [real(X) / 2.0, real(Z)]);
         Ok(Self {
-            lathe,
-            stock,
-            turret: Turret { tools, body: None },
+            setup: Setup { lathe, stock, turret: Turret { tools, body: None }, tolerance, part: None, record: false },
             dialect,
             point,
             block_delete: values.choice("block_delete") == Some("yes"),
-            tolerance,
             second: real("Z_s"),
             offsets,
+            first_offset,
             zeros,
         })
+    }
+
+    /// The reference point, where the turret stands at the start and to which G28 goes, `[X as a radius, Z]` from M: 30 mm
+    /// beyond the stock's right end and surface with the longest tools, as the source has it.
+    #[must_use]
+    pub fn reference(&self) -> [f64; 2] {
+        let Setup { lathe, stock, turret, .. } = &self.setup;
+        let longest = |axis: usize| turret.tools.values().map(|tool| tool.overhang[axis]).fold(0.0, f64::max);
+        let [_, right] = stock.ends();
+        let X = stock.diameter / 2.0 + MARGIN + longest(0);
+        let Z = stock.zero(lathe) + right + MARGIN + longest(1);
+        [X.clamp(lathe.travel_x[0], lathe.travel_x[1]), Z.clamp(lathe.travel_z[0], lathe.travel_z[1])]
     }
 
     /// What the program is read with: W1 at the stock, W2 to W6 as given, the turret's offsets.
@@ -200,13 +213,26 @@ impl Setup {
         let mut setting = Setting::new(self.dialect);
         let mut file = VarFile::default();
         file.complete();
-        let first = [0.0, self.stock.zero(&self.lathe)];
+        let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
         for (system, [X, Z]) in System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros)) {
             // The form's limits are far within what the file holds.
             let _ = file.set(system.first_parameter() + Axis::X as u32, X);
             let _ = file.set(system.first_parameter() + Axis::Z as u32, Z);
         }
+        let reference = self.reference();
+        for (axis, at) in [(Axis::X, reference[0]), (Axis::Z, reference[1])] {
+            let _ = file.set(G28_FIRST + axis as u32, at);
+        }
         setting.var_file = file;
+        setting.start.machine.set(Axis::X, reference[0]);
+        setting.start.machine.set(Axis::Z, reference[1]);
+        // A Fagor keeps tool and offset over the end of a program; a Fanuc starts without an offset.
+        if let Some((&place, _)) = self.setup.turret.tools.iter().next() {
+            setting.start.tool = place;
+            if *self.dialect != FANUC_LATHE_A {
+                setting.start.offset = self.first_offset;
+            }
+        }
         setting.tools = Some(self.offsets.clone());
         setting.point = self.point;
         setting.block_delete = self.block_delete;

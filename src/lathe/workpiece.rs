@@ -8,7 +8,7 @@ use crate::geometry::exact::region::{Region, Ring};
 use crate::geometry::revolution::{frustum, volume};
 
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
-const CHIP: f64 = 0.001;
+const CHIP: f64 = 1.0;
 
 /// What a cut took away.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -51,12 +51,13 @@ impl Workpiece {
         self.region.len()
     }
 
-    /// Shows what a polygon and the part have in common, on either side of the axis, and takes nothing away.
-    pub fn probe(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting)) {
-        self.both_sides(polygon, |part, polygon| {
+    /// Shows what a polygon and the part have in common, on either side of the axis, and takes nothing away. What comes
+    /// from the other side is shown as mirrored, with `true`.
+    pub fn probe(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool)) {
+        self.both_sides(polygon, |part, polygon, mirrored| {
             part.meeting.find(&part.region, polygon);
             if !part.meeting.is_empty() {
-                seen(&part.meeting);
+                seen(&part.meeting, mirrored);
             }
         });
     }
@@ -64,14 +65,14 @@ impl Workpiece {
     /// Takes away what a polygon covers while the part turns: both what lies on this side of the axis and what comes round
     /// from the other. What is held no longer falls off: of several pieces the one that reaches farthest to the left, into
     /// the chuck, stays.
-    pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting)) -> Removed {
+    pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool)) -> Removed {
         let mut removed = Removed::default();
-        self.both_sides(polygon, |part, polygon| {
+        self.both_sides(polygon, |part, polygon, mirrored| {
             part.meeting.find(&part.region, polygon);
             if part.meeting.is_empty() {
                 return;
             }
-            seen(&part.meeting);
+            seen(&part.meeting, mirrored);
             let outer: f64 = part.meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
             let inner: f64 = part.meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
             removed.volume += outer - inner;
@@ -87,13 +88,13 @@ impl Workpiece {
         removed
     }
 
-    fn both_sides(&mut self, polygon: &Convex, mut act: impl FnMut(&mut Self, &Convex)) {
+    fn both_sides(&mut self, polygon: &Convex, mut act: impl FnMut(&mut Self, &Convex, bool)) {
         let (low, high) = polygon.extent();
         if high.r > 0 {
-            act(self, polygon);
+            act(self, polygon, false);
         }
         if low.r < 0 {
-            act(self, &polygon.mirrored());
+            act(self, &polygon.mirrored(), true);
         }
     }
 }

@@ -44,6 +44,7 @@ pub(super) const fn decimals(unit: Unit) -> usize {
         Unit::One | Unit::Radian => 8,
         Unit::Degree => 7,
         Unit::Millimetre => 5,
+        Unit::CubicMillimetre | Unit::CubicCentimetrePerMinute => 2,
         _ => 4,
     }
 }

@@ -21,6 +21,8 @@ pub fn says(unit: Unit, cell: &str) -> bool {
         Unit::MetrePerMinute => &["m/min"],
         Unit::RevolutionPerMinute => &["rpm", "rev/min", "r/min", "1/min", "min-1"],
         Unit::Second => &["s"],
+        Unit::CubicMillimetre => &["mm3"],
+        Unit::CubicCentimetrePerMinute => &["cm3/min"],
     };
     cell.is_empty() || cell == unit.label() || spellings.contains(&cell)
 }

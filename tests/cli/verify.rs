@@ -60,12 +60,44 @@ fn the_published_splitter_program_shifts_the_part_by_3_998_mm_in_y() {
 }
 
 #[test]
-fn a_turning_cycle_is_refused_by_name() {
+fn the_published_turning_program_is_followed_through_its_cycle() {
     rodete(&golden("lathe-g85-as-printed.nc"))
         .args(["verify", "program.nc", "--dialect", "fagor-8055-t"])
         .assert()
+        .code(0)
+        .stdout(predicate::str::contains("8 lines, 66 motions"))
+        .stdout(predicate::str::contains("Z  -15 … 80  program"));
+}
+
+#[test]
+fn a_turning_cycle_that_is_not_followed_is_refused_by_name() {
+    rodete(&with_program("program.nc", b"G68 X0 Z0 C5 S20 E30\nM30\n"))
+        .args(["verify", "program.nc", "--dialect", "fagor-8055-t"])
+        .assert()
         .code(3)
-        .stderr(predicate::str::contains("G85 is not supported: turning cycles"));
+        .stderr(predicate::str::contains("G68 is not supported: turning cycles"));
+}
+
+#[test]
+fn a_lathe_program_is_followed_with_its_subprogram_and_the_rule_for_numbers_without_a_point() {
+    let folder = with_program("part.nc", b"O0001\nS500 M3\nG0 X50 Z5\nM98 P20005\nM30\n");
+    fs::write(folder.path().join("O0005.nc"), "O0005\nG0 W-2\nM99\n").expect("a subprogram");
+    let lathe = ["part.nc", "--dialect", "fanuc-lathe-a", "--decimal-point"];
+    for (rule, z) in [("calculator", [1.0, 5.0]), ("micrometre", [0.0, 0.005])] {
+        let (program, exit) = document(&folder, &[&lathe[..], &[rule]].concat());
+        assert_eq!(exit, 0, "{rule}");
+        assert_eq!(program["motions"], 3);
+        let extents = &program["extents"]["program"]["Z"];
+        assert!((extents[1].as_f64().expect("a number") - z[1]).abs() < 1e-12, "{rule}: {extents}");
+        let end = program["end"]["program"]["Z"].as_f64().expect("a number");
+        assert!((end - if rule == "calculator" { z[0] } else { 0.001 }).abs() < 1e-12, "{rule}: {end}");
+    }
+    rodete(&folder)
+        .args(["verify", "part.nc", "--dialect", "fanuc-lathe-a"])
+        .assert()
+        .code(3)
+        .stderr(predicate::str::contains("X50 has no decimal point"))
+        .stderr(predicate::str::contains("--decimal-point"));
 }
 
 #[test]

@@ -348,3 +348,44 @@ fn a_long_contour_is_handed_out_as_it_is_read() {
     }
     assert_eq!(last, 20_007);
 }
+
+const CONTOUR: &str = "N10 G42 G0 X0.\nN20 G1 Z0.\nN30 X16.\nN40 X20. Z-2.\nN50 Z-20.\nN60 G2 X30. Z-25. R5.\nN70 G1 X38.\nN80 G40 X44.\n";
+
+/// G70 makes the same motions as the contour's blocks would, then goes back; the passes of G71 are those without compensation, and
+/// that is said.
+#[test]
+fn g70_follows_the_contour_with_the_nose_and_g71_does_not() {
+    let head = "O1\nG21 G98 G97\nT0101\nM3 S500\nG0 X44. Z2.\n";
+    let plain = clean(&FANUC_LATHE_A, &format!("{head}F120.\n{CONTOUR}M30\n"));
+    let cycle = |contour: &str| {
+        clean(&FANUC_LATHE_A, &format!("{head}G71 U2. R0.5\nG71 P10 Q80 U0. W0. F120.\n{contour}G70 P10 Q80\nM30\n"))
+    };
+    let run = cycle(CONTOUR);
+    let finishing = run.motions.len() - 9;
+    for ((one, own), (other, control)) in run.motions[finishing..].iter().zip(&plain.motions[1..]) {
+        near(end(one), end(other));
+        assert_eq!((one.n, own.compensation), (other.n, control.compensation));
+        assert!(one.seconds.is_none() == other.seconds.is_none());
+        assert!((one.seconds.unwrap_or(0.0) - other.seconds.unwrap_or(0.0)).abs() < 1e-9);
+    }
+    near(end(&run.motions.last().unwrap().0), [2.0, 22.0]);
+    assert!(
+        run.remarks
+            .iter()
+            .any(|(grade, what)| *grade == Grade::Note && what.contains("without nose radius compensation"))
+    );
+    let bare = cycle(&CONTOUR.replace("G42 ", "").replace("G40 ", ""));
+    let roughing = |run: &Run| run.motions.iter().map(|(motion, _)| *motion).take(finishing).collect::<Vec<_>>();
+    assert_eq!(roughing(&run), roughing(&bare));
+    assert!(finishing > 20);
+    assert!(!bare.remarks.iter().any(|(_, what)| what.contains("compensation")));
+}
+
+/// What does not fit in the contour is refused at its block, not at the cycle.
+#[test]
+fn g70_refuses_at_the_block_of_the_contour() {
+    let contour = CONTOUR.replace("G2 X30. Z-25. R5.", "G2 X21. Z-20.5 R0.5");
+    let text = format!("O1\nG21 G98 G97\nT0101\nM3 S500 F120.\nG0 X44. Z2.\nG70 P10 Q80\nM30\n{contour}");
+    let fault = refused(&text);
+    assert_eq!((fault.line, fault.what.en.as_ref()), (13, "nose radius 0.8 does not fit into the arc of radius 0.5"));
+}

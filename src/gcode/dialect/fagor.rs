@@ -3,7 +3,7 @@
 //! # References
 //! Fagor Automation, CNC 8055 M and CNC 8055 T programming manuals, CNC 8070 programming manual: lists of G functions.
 
-use crate::gcode::code::{G, Group, M, Name};
+use crate::gcode::code::{G, Group, M, Name, Turning};
 use crate::gcode::control::Compensation;
 use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
@@ -187,15 +187,15 @@ const OWN_8055_T: [(usize, G); 34] = [
     (690, G::Refused(Group::Motion, &TURNING_CYCLE)),
     (750, G::Refused(Group::NonModal, &PROBE)),
     (760, G::Refused(Group::NonModal, &PROBE)),
-    (810, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (820, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (830, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (840, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (850, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (860, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (870, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (880, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (890, G::Refused(Group::Motion, &TURNING_CYCLE)),
+    (810, G::Turning(Turning::Fagor(81))),
+    (820, G::Turning(Turning::Fagor(82))),
+    (830, G::Turning(Turning::Fagor(83))),
+    (840, G::Turning(Turning::Fagor(84))),
+    (850, G::Turning(Turning::Fagor(85))),
+    (860, G::Turning(Turning::Fagor(86))),
+    (870, G::Turning(Turning::Fagor(87))),
+    (880, G::Turning(Turning::Fagor(88))),
+    (890, G::Turning(Turning::Fagor(89))),
     (920, G::SetPositionOrSpeed),
     (930, G::Refused(Group::Other, &POLAR)),
     (950, G::Feed(FeedMode::PerRevolution)),

@@ -1,8 +1,14 @@
 //! Fanuc, turning, G-code system A: U and W are the increments, G90, G92 and G94 are cycles, G98 and G99 say what F
 //! means.
 //!
+//! # Comments and block delete
+//! `( )`, and text behind `;`, as the simulator takes it; on the screen of a Fanuc `;` ends the block, so that what reads as
+//! another block behind it is refused. The simulator takes text behind `/` for a comment too; on a Fanuc `/` at the start of a
+//! block is block delete, and so it is here; elsewhere it is refused.
+//!
 //! # References
-//! The lathe simulator's list of codes; Fanuc Series 0i-T operator's manual, G-code system A.
+//! The lathe simulator's list of codes: these are followed. Fanuc Series 0i-T operator's manual, G-code system A: the others are
+//! refused by their names. Letters that only options of the control take (C, A, B and others) are refused.
 
 use crate::gcode::code::{Cycle, G, Group, M, Name, Pass, Turning};
 use crate::gcode::control::Compensation;
@@ -32,6 +38,19 @@ pub static LATHE_A: Reading = Reading {
 };
 
 const MACRO: Name = ("macros", "macros");
+
+const SETTING: Name = ("ajuste de datos por programa", "data setting by program");
+const POLAR: Name = ("interpolación polar y cilíndrica", "polar and cylindrical interpolation");
+const PLANE: Name = ("planos XY e YZ", "planes XY and YZ");
+const WATCH: Name = ("vigilancia de carrera y de giro", "stroke check and spindle watch");
+const REFERENCE: Name =
+    ("comprobación del punto de referencia y retorno desde él", "check of the reference point and return from it");
+const PROBE: Name = ("salto por señal y corrector automático", "skip and automatic tool offset");
+const LOCAL: Name = ("origen local", "local offset");
+const PATH: Name = ("parada exacta y control de la trayectoria", "exact stop and path control");
+const TURRETS: Name = ("torretas opuestas y corte equilibrado", "double turrets and balanced cutting");
+const TAPPING: Name =
+    ("roscado con macho, mandrinado y taladrado lateral", "tapping, boring and drilling from the side");
 
 static CODES: Codes = Codes::new(&[
     (0, G::Rapid),
@@ -76,6 +95,37 @@ static CODES: Codes = Codes::new(&[
     (970, G::Rpm),
     (980, G::Feed(FeedMode::PerMinute)),
     (990, G::Feed(FeedMode::PerRevolution)),
+    (71, G::Refused(Group::Other, &POLAR)),
+    (90, G::Refused(Group::Other, &PATH)),
+    (100, G::Refused(Group::NonModal, &SETTING)),
+    (110, G::Refused(Group::NonModal, &SETTING)),
+    (121, G::Refused(Group::Other, &POLAR)),
+    (131, G::Refused(Group::Other, &POLAR)),
+    (170, G::Refused(Group::Plane, &PLANE)),
+    (190, G::Refused(Group::Plane, &PLANE)),
+    (220, G::Refused(Group::Other, &WATCH)),
+    (230, G::Refused(Group::Other, &WATCH)),
+    (250, G::Refused(Group::Other, &WATCH)),
+    (260, G::Refused(Group::Other, &WATCH)),
+    (270, G::Refused(Group::NonModal, &REFERENCE)),
+    (290, G::Refused(Group::NonModal, &REFERENCE)),
+    (310, G::Refused(Group::NonModal, &PROBE)),
+    (360, G::Refused(Group::NonModal, &PROBE)),
+    (370, G::Refused(Group::NonModal, &PROBE)),
+    (520, G::Refused(Group::NonModal, &LOCAL)),
+    (610, G::Refused(Group::Path, &PATH)),
+    (630, G::Refused(Group::Path, &PATH)),
+    (640, G::Refused(Group::Path, &PATH)),
+    (660, G::Refused(Group::NonModal, &MACRO)),
+    (670, G::Refused(Group::NonModal, &MACRO)),
+    (680, G::Refused(Group::Other, &TURRETS)),
+    (690, G::Refused(Group::Other, &TURRETS)),
+    (840, G::Refused(Group::Motion, &TAPPING)),
+    (850, G::Refused(Group::Motion, &TAPPING)),
+    (860, G::Refused(Group::Motion, &TAPPING)),
+    (870, G::Refused(Group::Motion, &TAPPING)),
+    (880, G::Refused(Group::Motion, &TAPPING)),
+    (890, G::Refused(Group::Motion, &TAPPING)),
 ]);
 
 fn machine_code(number: u32) -> Option<M> {

@@ -1,5 +1,8 @@
 //! Nose radius compensation between the plan of a block and the motions that are handed out.
 //!
+//! A control looks a few blocks ahead and overcuts a corner behind which more blocks without motion stand; the stage looks on until
+//! the next motion, over dwells and over any number of blocks that only change a mode.
+//!
 //! Motions under G41 and G42 pass through the [stage](crate::gcode::turning::nose), which holds one of them back; their
 //! times come from the path that it makes. The stage works in machine coordinates, in which the path has no jumps when an
 //! offset changes.
@@ -168,7 +171,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = self.modal.control();
+        let mut control = Control { file: self.at, ..self.modal.control() };
         let side = self.side(&motion);
         control.compensation = side;
         if side == Compensation::Off {
@@ -292,10 +295,17 @@ impl Interpreter<'_> {
                     format!("G41 o G42, y el corrector {offset} no tiene radio de punta en la tabla de herramientas"),
                     format!("G41 or G42, and offset {offset} has no nose radius in the tool table"),
                 ),
-                Text::fixed(
-                    "dé el radio y la orientación de la punta en la tabla, o quite G41 y G42",
-                    "give the nose radius and the orientation in the table, or take G41 and G42 out",
-                ),
+                if self.setting.tools.is_some() {
+                    Text::fixed(
+                        "dé el radio y la orientación de la punta en la tabla, o quite G41 y G42",
+                        "give the nose radius and the orientation in the table, or take G41 and G42 out",
+                    )
+                } else {
+                    Text::fixed(
+                        "indique con --tools una tabla con el radio y la orientación de la punta",
+                        "name a table with nose radius and orientation with --tools",
+                    )
+                },
             )
         })
     }

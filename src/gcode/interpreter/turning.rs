@@ -38,23 +38,16 @@ impl Interpreter<'_> {
                 let contour = self.named_contour(cycle)?;
                 let feed = self.feed()?;
                 let moves = self.told(finish(&contour.profile, None))?;
+                if let Some(side) = contour.compensation {
+                    self.modal.compensation = side;
+                }
                 self.make_contour_moves(moves, feed, contour.blocks, true);
                 Ok(())
             }
             Turning::Axial | Turning::Radial | Turning::Repeat => self.roughing(cycle),
             Turning::GrooveFace | Turning::GrooveOutside => self.grooving(cycle),
             Turning::Thread => self.threading(cycle),
-            Turning::Fagor(number) => Err(Fault::at(
-                &[self.block.g_column(Group::NonModal)],
-                Text::new(
-                    format!("G{number} no está implementado: ciclos de torneado"),
-                    format!("G{number} is not supported: turning cycles"),
-                ),
-                Text::fixed(
-                    "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar",
-                    "take it out or replace it: a program with it cannot be verified",
-                ),
-            )),
+            Turning::Fagor(number) => self.fagor(number),
         }
     }
 

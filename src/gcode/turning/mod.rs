@@ -7,6 +7,7 @@
 //! A point is `[X, Z]` in program coordinates, X the *radius*, mm. Angles count from +Z towards +X, so that G3 is
 //! counter-clockwise in a drawing with Z to the right and X up.
 
+pub mod fagor;
 pub mod finish;
 pub mod groove;
 pub mod nose;

@@ -77,6 +77,9 @@ impl Pace {
     /// The time of a straight line of a length in mm between two radii in mm, at a feed in mm a revolution; s.
     #[must_use]
     pub fn straight(&self, radii: [f64; 2], length: f64, feed: f64) -> Option<f64> {
+        if self.constant() {
+            return self.time(length / feed);
+        }
         let [from, to] = radii;
         let parts = self.corners().map(|corner| (corner - from) / (to - from));
         let mean = over(parts, |start, end| {

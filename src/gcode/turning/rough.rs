@@ -28,7 +28,7 @@ use crate::text::Text;
 pub const MOST_PASSES: usize = 10_000;
 /// Most work for finding them: passes by parts of the contour.
 const MOST_WORK: f64 = 5e7;
-/// What a control takes for rounding where a contour must not go back: the least input increment, mm.
+/// The least input increment of a control, mm: by so much a contour may go back, and no pass is shorter.
 const TOLERANCE: f64 = 0.001;
 
 /// The parameters of a roughing cycle. Lengths in mm, X on the radius.
@@ -238,7 +238,7 @@ fn passes_over(path: &Path, profile: &Profile, rough: &Rough, pockets: bool, top
     while let Some(Pass { span, level, above }) = left.pop() {
         let from = span.open.map_or(top[0], |open| open.at[0]);
         let to = span.close.map_or_else(|| path.end().map_or(from, |end| end[0]), |close| close.at[0]);
-        if from - to < EPS {
+        if from - to < TOLERANCE {
             continue;
         }
         // Over what is cut already.
@@ -256,7 +256,8 @@ fn passes_over(path: &Path, profile: &Profile, rough: &Rough, pockets: bool, top
             Some(open) => {
                 let (entry, legs) = path.fall(open, above);
                 tool.rapid([entry[0], tool.at[1]]);
-                tool.rapid([entry[0], tool.at[1].min(entry[1] + rough.retract)]);
+                // At feed from there: under a brim that lies lower, metal stands beside the way.
+                tool.rapid([entry[0], tool.at[1].min(above + rough.retract)]);
                 tool.feed(entry, rough.feed);
                 tool.follow(&legs, lines, rough.feed);
             }

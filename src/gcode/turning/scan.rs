@@ -180,6 +180,22 @@ impl Path {
         self
     }
 
+    /// The contour with a straight way across the passes behind it, up to a v.
+    pub fn with_wall(mut self, v: f64) -> Self {
+        if let Some(last) = self.parts.last()
+            && v - last.to[1] > EPS
+        {
+            let wall = Part { from: last.to, to: [last.to[0], v], round: None, element: last.element };
+            self.parts.push(wall);
+        }
+        self
+    }
+
+    /// All of the contour.
+    pub fn whole(&self) -> Vec<Leg> {
+        self.parts.iter().map(|part| Leg { to: part.to, round: part.round, element: part.element }).collect()
+    }
+
     /// The last point.
     pub fn end(&self) -> Option<[f64; 2]> {
         self.parts.last().map(|part| part.to)

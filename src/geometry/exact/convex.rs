@@ -1,6 +1,7 @@
 //! Convex polygons on the grid, and what they sweep.
 
-use super::grid::{Line, Point};
+use super::grid::{Line, Point, UNITS};
+use crate::number::trig::hypot;
 
 /// What made an edge of a swept polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,6 +106,28 @@ impl Convex {
         (Point { z: low(|p| p.z), r: low(|p| p.r) }, Point { z: high(|p| p.z), r: high(|p| p.r) })
     }
 
+    /// How deep this polygon and another are in each other, mm: how far one has to move, straight across one of the edges of
+    /// either, until they only touch; `None` where they do not overlap.
+    ///
+    /// Two convex polygons are apart if and only if an edge of one of them has the other on its outer side.
+    #[must_use]
+    pub fn overlap(&self, other: &Self) -> Option<f64> {
+        let mut least = f64::INFINITY;
+        for (one, two) in [(self, other), (other, self)] {
+            for line in &one.lines {
+                let deepest = two.corners.iter().map(|&corner| line.at(corner)).max()?;
+                if deepest <= 0 {
+                    return None;
+                }
+                let Point { z, r } = line.direction();
+                #[expect(clippy::cast_precision_loss, reason = "a depth to show, and to hold against a micrometre")]
+                let deep = deepest as f64 / hypot(z as f64, r as f64) / UNITS;
+                least = least.min(deep);
+            }
+        }
+        least.is_finite().then_some(least)
+    }
+
     /// The polygon's mirror image across the axis r = 0.
     #[must_use]
     pub fn mirrored(&self) -> Self {
@@ -203,6 +226,19 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn polygons_that_touch_do_not_overlap() {
+        let at = |z: i64, r: i64| {
+            let corners: Vec<_> = square().corners().iter().map(|corner| corner.plus(Point { z, r })).collect();
+            Convex::hull(&corners).unwrap()
+        };
+        assert_eq!(square().overlap(&at(4, 1)), None, "side by side");
+        assert_eq!(square().overlap(&at(4, 4)), None, "corner to corner");
+        assert_eq!(square().overlap(&at(9, 0)), None, "apart");
+        assert!((square().overlap(&at(3, 1)).unwrap() - 1e-6).abs() < 1e-15);
+        assert!((square().overlap(&at(-2, 1)).unwrap() - 2e-6).abs() < 1e-15);
     }
 
     #[test]

@@ -1,0 +1,213 @@
+//! Turning cycles of the Fagor 8055 T, G81 to G89: from words to the parameters of the pure cycles.
+//!
+//! # References
+//! Fagor Automation, CNC 8055 T programming manual, G81 to G89: X, Z, Q and R are absolute coordinates, X and Q (of G82, G85,
+//! G87 and G89 too) as the axis is programmed, on the diameter; all distances on the radius; K of G83, G88 and G89 in
+//! hundredths of a second. The cycles are not modal, and F in their blocks is theirs alone.
+
+use crate::finding::Grade;
+use crate::gcode::code::Group;
+use crate::gcode::dialect::reading::Letters;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::turning::Move;
+use crate::gcode::turning::fagor::Along;
+use crate::gcode::turning::fagor::drill::{Drill, drill};
+use crate::gcode::turning::fagor::groove::{Groove, groove};
+use crate::gcode::turning::fagor::section::{Section, section};
+use crate::gcode::turning::fagor::thread::{Threading, thread};
+use crate::machine::axis::Axis;
+use crate::text::Text;
+
+/// The angle of a thread's flank where A does not give it, degrees.
+const FLANK: f64 = 30.0;
+
+/// The letters that a cycle must have, and those that it may have.
+const fn letters(number: u8) -> (Letters, Letters) {
+    match number {
+        81 | 82 => (Letters::of("CQRXZ"), Letters::of("DFHLM")),
+        83 => (Letters::of("BIXZ"), Letters::of("CDHKLR")),
+        84 | 85 => (Letters::of("CIKQRXZ"), Letters::of("DFHLM")),
+        86 | 87 => (Letters::of("BCDIQRXZ"), Letters::of("AEJL")),
+        _ => (Letters::of("CQRXZ"), Letters::of("DK")),
+    }
+}
+
+impl Interpreter<'_> {
+    /// A cycle of the block in hand.
+    pub(super) fn fagor(&mut self, number: u8) -> Outcome<()> {
+        self.fagor_letters(number)?;
+        let along = if matches!(number, 81 | 84 | 86 | 88) { Along::Cylinder } else { Along::Face };
+        let moves = match number {
+            81 | 82 | 84 | 85 => self.fagor_section(number, along)?,
+            83 => self.fagor_drill()?,
+            86 | 87 => self.fagor_thread(along)?,
+            _ => self.fagor_groove(number, along)?,
+        };
+        // F of the block is not the feed of the passes.
+        self.block.take(letter::F);
+        let feed = self.feed()?;
+        self.make_moves(moves, feed);
+        Ok(())
+    }
+
+    /// Refuses a cycle that lacks a word, or has one that is not followed.
+    fn fagor_letters(&self, number: u8) -> Outcome<()> {
+        let (needed, may) = letters(number);
+        let name = |index: u8| char::from(b'A' + index);
+        for index in 0..26_u8 {
+            let at = usize::from(index);
+            if needed.has(index) && !self.block.has(at) {
+                let letter = name(index);
+                let remedy = if matches!(number, 88 | 89) && letter == 'C' {
+                    Text::fixed(
+                        "dé C: sin ella vale el ancho de la cuchilla, que el programa no dice",
+                        "give C: without it the width of the cutter holds, which the program does not say",
+                    )
+                } else {
+                    Text::new(format!("dé {letter} en el bloque"), format!("give {letter} in the block"))
+                };
+                return Err(Fault::at(
+                    &[self.block.g_column(Group::NonModal)],
+                    Text::new(format!("falta {letter} en G{number}"), format!("{letter} is missing in G{number}")),
+                    remedy,
+                ));
+            }
+            let parameter = crate::gcode::code::Turning::Fagor(number).letters().has(index);
+            if parameter && self.block.has(at) && !needed.has(index) && !may.has(index) {
+                let letter = name(index);
+                return Err(Fault::at(
+                    &[self.block.column(at)],
+                    Text::new(
+                        format!("{letter} en G{number} no está implementado"),
+                        format!("{letter} in G{number} is not supported"),
+                    ),
+                    Text::new(
+                        format!("quite {letter}, o escriba los movimientos sin el ciclo"),
+                        format!("take {letter} out, or write the motions without the cycle"),
+                    ),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// A length of the block, mm; 0 where it is not given.
+    fn length(&self, letter: usize) -> f64 {
+        self.length_given(letter).unwrap_or(0.0)
+    }
+
+    fn length_given(&self, letter: usize) -> Option<f64> {
+        self.block.get(letter).map(|word| self.modal.unit.to_mm(word))
+    }
+
+    /// The initial point (X, Z), X the radius.
+    fn initial(&self) -> [f64; 2] {
+        [Axis::X, Axis::Z].map(|axis| self.axis_word(axis).unwrap_or(0.0))
+    }
+
+    /// The final point (Q, R), Q a diameter as X is.
+    fn last_point(&self) -> [f64; 2] {
+        let Q = self.length(letter::Q);
+        [if self.reading.diameter { Q / 2.0 } else { Q }, self.length(letter::R)]
+    }
+
+    fn hundredths(&self, letter: usize) -> f64 {
+        self.block.get(letter).unwrap_or(0.0) * 0.01
+    }
+
+    /// G81, G82, G84, G85.
+    fn fagor_section(&self, number: u8, along: Along) -> Outcome<Vec<Move>> {
+        let round = matches!(number, 84 | 85);
+        let parameters = Section {
+            from: self.initial(),
+            to: self.last_point(),
+            centre: round.then(|| [self.length(letter::I), self.length(letter::K)]),
+            step: self.length(letter::C),
+            back: self.length_given(letter::D),
+            stock: [self.length(letter::L), self.length(letter::M)],
+            roughing: self.length_given(letter::F),
+            finishing: self.length_given(letter::H),
+        };
+        self.told(section(self.here(), along, &parameters))
+    }
+
+    /// G83.
+    fn fagor_drill(&self) -> Outcome<Vec<Move>> {
+        let step = self.length(letter::B);
+        let tapping_words = [letter::C, letter::H, letter::L, letter::R];
+        if step == 0.0
+            && let Some(&word) = tapping_words.iter().find(|&&word| self.block.has(word))
+        {
+            let name = char::from(b'A' + u8::try_from(word).unwrap_or(0));
+            // Written with 0, as the examples of the control do, they say nothing.
+            if name == 'R' || self.length(word) != 0.0 && name != 'C' {
+                return Err(Fault::at(
+                    &[self.block.column(word)],
+                    Text::new(
+                        format!("{name} en G83 con B0 (roscado con macho) no está implementado"),
+                        format!("{name} in G83 with B0 (tapping) is not supported"),
+                    ),
+                    Text::new(format!("quite {name}"), format!("take {name} out")),
+                ));
+            }
+        }
+        let parameters = Drill {
+            at: self.initial(),
+            depth: self.length(letter::I),
+            step,
+            safety: self.length(letter::D),
+            dwell: self.hundredths(letter::K),
+            back: self.length_given(letter::H),
+            near: self.length_given(letter::C),
+            least: self.length(letter::L),
+            factor: self.block.get(letter::R).unwrap_or(1.0),
+        };
+        self.told(drill(self.here(), &parameters))
+    }
+
+    /// G86, G87.
+    fn fagor_thread(&self, along: Along) -> Outcome<Vec<Move>> {
+        let parameters = Threading {
+            from: self.initial(),
+            to: self.last_point(),
+            depth: self.length(letter::I),
+            step: self.length(letter::B),
+            least: self.length(letter::E),
+            safety: self.length(letter::D),
+            finishing: self.length(letter::L),
+            lead: self.length(letter::C),
+            exit: self.length(letter::J),
+            angle: self.block.get(letter::A).unwrap_or(FLANK),
+        };
+        self.told(thread(self.here(), along, &parameters))
+    }
+
+    /// G88, G89.
+    fn fagor_groove(&mut self, number: u8, along: Along) -> Outcome<Vec<Move>> {
+        let parameters = Groove {
+            from: self.initial(),
+            to: self.last_point(),
+            step: self.length(letter::C),
+            safety: self.length(letter::D),
+            dwell: self.hundredths(letter::K),
+        };
+        let moves = self.told(groove(self.here(), along, &parameters))?;
+        let (line, column) = (self.line, self.block.g_column(Group::NonModal));
+        self.remarks.add(
+            Grade::Caution,
+            line,
+            Some(column),
+            Text::new(
+                format!("G{number}: la ranura se recorre con la punta programada; el control le resta el ancho de la cuchilla"),
+                format!("G{number}: the groove is run with the programmed point; the control takes the width of the cutter off"),
+            ),
+            Text::fixed(
+                "compruebe el ancho de la cuchilla (NOSEW) en la tabla del control",
+                "check the width of the cutter (NOSEW) in the control's table",
+            ),
+        );
+        Ok(moves)
+    }
+}

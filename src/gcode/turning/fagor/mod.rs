@@ -1,0 +1,65 @@
+//! Turning cycles of the Fagor CNC 8055 T.
+//!
+//! # References
+//! Fagor Automation, CNC 8055 T programming manual, canned cycles G81 to G89. What the manual leaves open, or what could not
+//! be checked against its text, is named under "Derived here" in each cycle.
+
+pub mod drill;
+pub mod groove;
+pub mod section;
+pub mod thread;
+
+use crate::gcode::turning::scan::Frame;
+use crate::gcode::turning::trouble::Trouble;
+use crate::text::Text;
+
+/// Which way a cycle works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// Passes or threads along Z, grooves along X into the cylinder: G81, G84, G86, G88.
+    Cylinder,
+    /// Passes or threads along X, grooves along Z into the face: G82, G85, G87, G89.
+    Face,
+}
+
+impl Along {
+    /// Which of `[X, Z]` run along the surface, and across it.
+    const fn axes(self) -> [usize; 2] {
+        match self {
+            Self::Cylinder => [1, 0],
+            Self::Face => [0, 1],
+        }
+    }
+
+    /// The drawing in which the surface runs towards −u and the metal lies at small v.
+    const fn frame(self, signs: [f64; 2]) -> Frame {
+        Frame { axes: self.axes(), signs }
+    }
+}
+
+/// A sign: −1 for a negative way, else 1.
+fn sign(way: f64) -> f64 {
+    if way < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// A refusal for C, B or another step that is not above 0.
+fn no_step(letter: char) -> Trouble {
+    Trouble::plain(
+        Text::new(format!("el paso {letter} no es mayor que 0"), format!("the step {letter} is not above 0")),
+        Text::new(format!("dé {letter} mayor que 0"), format!("give {letter} above 0")),
+    )
+}
+
+/// A refusal for a start from which the cycle cannot be made.
+const fn wrong_start() -> Trouble {
+    Trouble::plain(
+        Text::fixed(
+            "la posición de la herramienta no vale para el ciclo: está dentro de la zona que se mecaniza",
+            "the tool stands where the cycle cannot start: within what is to be cut",
+        ),
+        Text::fixed(
+            "llame al ciclo desde fuera del bruto, más allá de los dos puntos del perfil y de la demasía",
+            "call the cycle from outside the stock, beyond both points of the profile and the stock to leave",
+        ),
+    )
+}

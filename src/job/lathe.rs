@@ -1,0 +1,329 @@
+//! The lathe as a whole: a turning program followed over its stock, with what it removes, how long it takes, and its alarms.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::interpreter::Fault;
+use crate::gcode::motion::Kind;
+use crate::gcode::program::{Part, Program};
+use crate::gcode::word::NumberFormat;
+use crate::geometry::exact::region::Ring;
+use crate::job::lathe_tables::{Rows, contour_table, tools_table, turret_table};
+use crate::job::{Outcome, Source, Template};
+use crate::lathe::alarm::Alarm;
+use crate::lathe::figures::{self, Drawn};
+use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SECOND_KEY};
+use crate::lathe::setup::Given;
+use crate::lathe::simulation::{Setup, Simulation};
+use crate::lathe::step::Step;
+use crate::lathe::stock::turned_about;
+use crate::lathe::text;
+use crate::machine::axis::Position;
+use crate::parameter::{Form, Values, t};
+use crate::table::{Quantity, Unit};
+use crate::text::Text;
+
+/// Most findings of one program; the rest is counted. The table of alarms has them all.
+const MOST: usize = 50;
+
+/// One thing seen while a program is followed.
+#[derive(Debug)]
+pub enum Seen<'a> {
+    /// A program begins, with its text and the part as it is.
+    Begin(&'a Program, &'a text::Source, &'a Simulation),
+    /// A motion was made, and this is what it left.
+    Step(&'a Step, &'a Simulation),
+    /// The findings of the program that has ended.
+    End(&'a [Finding]),
+}
+
+/// A program followed to its end.
+struct Followed {
+    program: Program,
+    simulation: Simulation,
+    rows: Rows,
+    alarms: Vec<(Alarm, Place)>,
+    findings: Vec<Finding>,
+    /// The program could not be read to its end.
+    broken: bool,
+    drawn: Drawn,
+}
+
+/// Follows the programs of a filled-in form.
+///
+/// # Errors
+/// A refusal with every contradiction between values.
+pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
+    watched(form, values, source, None, &mut |_| ())
+}
+
+/// The same; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
+///
+/// # Errors
+/// A refusal with every contradiction between values.
+pub fn watched(
+    form: &'static Form,
+    values: Values,
+    source: Source,
+    program: Option<text::Source>,
+    watch: &mut dyn FnMut(Seen<'_>),
+) -> Result<Outcome, Refusal> {
+    let given = Given::of(&values).map_err(refused)?;
+    let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
+    let title = t("Programa", "Program");
+    let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
+    if let Some(second) = text::Source::of(&values, SECOND_KEY) {
+        let left = followed.first().map(|one| one.simulation.contours()).unwrap_or_default();
+        let part = turned_about(&left, &given.setup.stock, given.second);
+        let setup = Setup { part: Some(part), ..given.setup.clone() };
+        let title = t("Programa de la segunda colocación", "Program of the second set-up");
+        followed.push(follow("program-2", title, &second, &given, setup, watch)?);
+    }
+    Ok(outcome(form, values, source, &given, followed))
+}
+
+fn refused(findings: Vec<Finding>) -> Refusal {
+    Refusal { exit: Exit::Refused, findings }
+}
+
+/// The program as it stands on its sheet.
+fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) -> Program {
+    Program {
+        key,
+        title,
+        dialect: given.dialect,
+        format: NumberFormat::Fixed,
+        block_step: None,
+        start: Position::default(),
+        parts: source.main.text.lines().map(|line| Part::Line(line.to_owned())).collect(),
+    }
+}
+
+/// Follows one program.
+fn follow(
+    key: &'static str,
+    title: Text,
+    source: &text::Source,
+    given: &Given,
+    setup: Setup,
+    watch: &mut dyn FnMut(Seen<'_>),
+) -> Result<Followed, Refusal> {
+    let program = listed(key, title, source, given);
+    let simulation = Simulation::new(setup)?;
+    watch(Seen::Begin(&program, source, &simulation));
+    let stock = simulation.contours();
+    let mut one = Followed {
+        program,
+        simulation,
+        rows: Rows::default(),
+        alarms: Vec::new(),
+        findings: Vec::new(),
+        broken: false,
+        drawn: Drawn { stock, ..Drawn::default() },
+    };
+    let mut interpreter = source.read(given.setting());
+    let (mut faults, mut total) = (Vec::new(), 0);
+    while let Some(item) = interpreter.next() {
+        match item {
+            Ok(motion) => {
+                let control = *interpreter.control();
+                let file = interpreter.file(control.file);
+                let step = one.simulation.take(&motion, &control);
+                for alarm in &step.alarms {
+                    one.alarms.push((*alarm, source.place(file, alarm.line, Vec::new())));
+                }
+                let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
+                if step.way.len() > 1 {
+                    paths.push(step.way.clone());
+                }
+                one.rows.push(&step, source.text(file).unwrap_or(&source.main));
+                watch(Seen::Step(&step, &one.simulation));
+            }
+            Err(fault) => {
+                one.broken = true;
+                total += 1;
+                if faults.len() < MOST {
+                    faults.push(refusal_of(&fault, source));
+                }
+            }
+        }
+    }
+    if total > faults.len() {
+        let more = total - faults.len();
+        faults.push(Finding::note(
+            Place::File,
+            Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
+        ));
+    }
+    one.findings = faults;
+    for mut remark in interpreter.remarks() {
+        if let Place::Line { line, columns } = remark.place {
+            remark.place = source.place(None, line, columns);
+        }
+        one.findings.push(remark);
+    }
+    one.findings.extend(alarms(&one.alarms));
+    one.drawn.part = one.simulation.contours();
+    watch(Seen::End(&one.findings));
+    Ok(one)
+}
+
+/// A block that the control does not take, in its cell.
+fn refusal_of(fault: &Fault, source: &text::Source) -> Finding {
+    let mut finding = Finding::from(fault.clone());
+    if let Place::Line { line, columns } = finding.place {
+        finding.place = source.place(fault.file.as_deref(), line, columns);
+    }
+    finding
+}
+
+/// The alarms as findings: of one number on one line the deepest, the gravest first, at most so many.
+fn alarms(alarms: &[(Alarm, Place)]) -> Vec<Finding> {
+    let mut worst: BTreeMap<(usize, u16), (usize, &Alarm, &Place)> = BTreeMap::new();
+    for (alarm, place) in alarms {
+        let known = worst.entry((alarm.line, alarm.cause.number())).or_insert((0, alarm, place));
+        known.0 += 1;
+        if alarm.depth > known.1.depth {
+            (known.1, known.2) = (alarm, place);
+        }
+    }
+    let mut found: Vec<Finding> = worst
+        .into_values()
+        .map(|(count, alarm, place)| {
+            let mut finding = Finding { place: place.clone(), ..alarm.finding() };
+            if count > 1 {
+                let Text { es, en } = &finding.what;
+                finding.what = Text::new(
+                    format!("{es}, y otras {} veces en la línea", count - 1),
+                    format!("{en}, and {} more times on the line", count - 1),
+                );
+            }
+            finding
+        })
+        .collect();
+    found.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let more = found.len().saturating_sub(MOST);
+    found.truncate(MOST);
+    if more > 0 {
+        found.push(Finding::note(
+            Place::File,
+            Text::new(
+                format!("y {more} alarmas más: están en la tabla de alarmas"),
+                format!("and {more} more alarms: they are in the table of alarms"),
+            ),
+        ));
+    }
+    found
+}
+
+fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, mut followed: Vec<Followed>) -> Outcome {
+    let several = followed.len() > 1;
+    let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    let quantities = quantities(given, &followed);
+    let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
+    tables.push(crate::job::lathe_tables::alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
+    tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
+    tables.push(turret_table(&given.setup.turret));
+    let last = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
+    tables.push(contour_table(&last.part));
+    let mut drawn = last;
+    drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
+    if !several {
+        drawn.wanted = wanted(&values);
+    }
+    let contour = figures::contour(&drawn);
+    let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
+    Outcome {
+        form,
+        quantities,
+        tables,
+        charts: Vec::new(),
+        templates: vec![Template {
+            key: "contour",
+            title: t("Contorno de la pieza", "Contour of the part"),
+            figure: contour,
+            paper: None,
+        }],
+        figures: LazyLock::new(Box::new(move || figures::figures(&drawn))),
+        programs: if stopped { Vec::new() } else { programs },
+        findings,
+        values,
+        source,
+    }
+}
+
+/// The wanted profile's corners, `[z, r]`; arcs are drawn by their chords.
+fn wanted(values: &Values) -> Ring {
+    values
+        .rows(PROFILE_KEY)
+        .iter()
+        .filter_map(|row| Some([row.real("profile/Z")?, row.real("profile/X")? / 2.0]))
+        .collect()
+}
+
+/// What the programs come to.
+fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let sum = |of: fn(&crate::lathe::step::Total) -> f64| {
+        followed.iter().map(|one| of(&one.simulation.totals().all)).sum::<f64>()
+    };
+    let most = |of: fn(&crate::lathe::step::Total) -> f64| {
+        followed.iter().map(|one| of(&one.simulation.totals().all)).fold(0.0, f64::max)
+    };
+    let count = |grade: Option<Grade>| {
+        let alarms = followed.iter().flat_map(|one| &one.alarms);
+        let counted = alarms.filter(|(alarm, _)| grade.is_none_or(|grade| alarm.cause.grade() == grade)).count();
+        f64::from(u32::try_from(counted).unwrap_or(u32::MAX))
+    };
+    let none = || t("", "");
+    let left = followed.last().map_or(0.0, |one| one.simulation.volume());
+    let mm3 = Unit::CubicMillimetre;
+    vec![
+        quantity("L3", t("Voladizo", "Overhang"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
+        quantity(
+            "Z_W1",
+            t("Origen W1, desde M", "Zero W1, from M"),
+            given.setup.stock.zero(&given.setup.lathe),
+            Unit::Millimetre,
+            t("L1 + L2 + L3 − L5", "L1 + L2 + L3 − L5"),
+        ),
+        quantity("t", t("Duración", "Time"), sum(|all| all.seconds), Unit::Second, t("programa leído", "program read")),
+        quantity("t_c", t("de ella, cortando", "of it, cutting"), sum(|all| all.cutting_seconds), Unit::Second, none()),
+        quantity(
+            "t_G0",
+            t("de ella, en rápido", "of it, at rapid"),
+            sum(|all| all.rapid_seconds),
+            Unit::Second,
+            none(),
+        ),
+        quantity("V_r", t("Volumen arrancado", "Volume removed"), sum(|all| all.volume), mm3, none()),
+        quantity("V_t", t("Volumen tronzado", "Volume parted off"), sum(|all| all.parted), mm3, none()),
+        quantity("V", t("Volumen de la pieza", "Volume of the part"), left, mm3, none()),
+        quantity(
+            "a_p",
+            t("Mayor profundidad de corte", "Greatest depth of cut"),
+            most(|all| all.depth),
+            Unit::Millimetre,
+            none(),
+        ),
+        quantity(
+            "V_c",
+            t("Mayor velocidad de corte", "Greatest cutting speed"),
+            most(|all| all.cutting_speed),
+            Unit::MetrePerMinute,
+            none(),
+        ),
+        quantity(
+            "Q",
+            t("Mayor caudal de viruta", "Greatest removal rate"),
+            most(|all| all.rate),
+            Unit::CubicCentimetrePerMinute,
+            none(),
+        ),
+        quantity("alarms", t("Alarmas", "Alarms"), count(None), Unit::Count, none()),
+        quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
+    ]
+}

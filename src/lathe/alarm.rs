@@ -1,0 +1,310 @@
+//! What goes wrong while a program turns: numbered, with cause, place and depth.
+
+use super::stock::Fixture;
+use crate::finding::{Finding, Grade, Place};
+use crate::machine::axis::Axis;
+use crate::number::shown;
+use crate::text::Text;
+
+/// Depths up to this are contact and no collision, mm.
+pub const TOUCH: f64 = 0.001;
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moving {
+    /// The cutter.
+    Cutter,
+    /// The holder.
+    Holder,
+    /// The turret's body.
+    Turret,
+}
+
+/// Why an alarm is raised. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cause {
+    /// A rapid motion goes through metal.
+    RapidInMetal,
+    /// An edge of the cutter that does not cut runs into metal.
+    BackInMetal,
+    /// The holder or the turret runs into metal.
+    BodyInMetal(Moving),
+    /// Something that moves runs into something that stands.
+    Collision(Moving, Fixture),
+    /// The turret's reference point leaves the travel of an axis.
+    Travel(Axis),
+    /// The cut is deeper than the cutting edge is long across the motion.
+    DepthOfCut {
+        /// The depth of cut.
+        depth: f64,
+        /// What the edge has.
+        edge: f64,
+    },
+    /// The far end of the auxiliary edge leaves its mark on the part: the nose is not what makes the surface.
+    BackCutting,
+    /// A thread without a lead.
+    NoLead,
+    /// The lead is none that the insert is made for.
+    Lead {
+        /// The lead programmed.
+        lead: f64,
+        /// The least and the greatest of the insert.
+        leads: [f64; 2],
+    },
+    /// A pass of a thread with another lead than the passes before.
+    LeadDiffers {
+        /// The lead of this pass.
+        lead: f64,
+        /// The lead of the earlier ones.
+        before: f64,
+    },
+    /// A thread is cut with a tool for something else.
+    NoThreader,
+    /// A constant surface speed without a greatest speed asks for more than the spindle can.
+    NoGreatestSpeed {
+        /// The speed asked for, rpm; infinite on the axis.
+        asked: f64,
+        /// The machine's greatest, rpm.
+        most: f64,
+    },
+    /// S is more than the spindle can.
+    TooFast {
+        /// The speed asked for, rpm.
+        asked: f64,
+        /// The machine's greatest, rpm.
+        most: f64,
+    },
+    /// The spindle stands still in the cut.
+    SpindleStopped,
+    /// The spindle turns the way in which the tool does not cut.
+    SpindleWrongWay,
+    /// No coolant in the cut.
+    NoCoolant,
+    /// A feed of 0.
+    NoFeed,
+    /// The turret has no tool in this place.
+    UnknownTool(u32),
+    /// A drill works beside the axis.
+    OffAxis,
+    /// A piece is cut off, mm³.
+    PartedOff(f64),
+}
+
+/// An alarm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Alarm {
+    /// Why.
+    pub cause: Cause,
+    /// The number of the motion, from 0.
+    pub motion: usize,
+    /// The line of the program's file, from 1.
+    pub line: usize,
+    /// The block number.
+    pub n: Option<u32>,
+    /// Where, in program coordinates: X as a diameter, and Z; mm.
+    pub place: [f64; 2],
+    /// How deep, mm, where that has a meaning: into metal, into a fixture, past the travel.
+    pub depth: Option<f64>,
+}
+
+impl Moving {
+    const fn name(self) -> [&'static str; 2] {
+        match self {
+            Self::Cutter => ["la plaquita o broca", "the insert or drill"],
+            Self::Holder => ["el portaherramientas", "the holder"],
+            Self::Turret => ["la torreta", "the turret"],
+        }
+    }
+}
+
+impl Fixture {
+    const fn name(self) -> [&'static str; 2] {
+        match self {
+            Self::Chuck => ["el plato", "the chuck"],
+            Self::Jaws => ["las garras", "the jaws"],
+            Self::Tailstock => ["el contrapunto", "the tailstock"],
+        }
+    }
+}
+
+impl Cause {
+    /// The alarm's number.
+    #[must_use]
+    pub const fn number(self) -> u16 {
+        match self {
+            Self::RapidInMetal => 101,
+            Self::BackInMetal => 102,
+            Self::BodyInMetal(Moving::Turret) => 104,
+            Self::BodyInMetal(_) => 103,
+            Self::Collision(moving, fixture) => 111 + 3 * moving as u16 + fixture as u16,
+            Self::Travel(_) => 121,
+            Self::DepthOfCut { .. } => 131,
+            Self::BackCutting => 132,
+            Self::NoLead => 141,
+            Self::Lead { .. } => 142,
+            Self::LeadDiffers { .. } => 143,
+            Self::NoThreader => 144,
+            Self::NoGreatestSpeed { .. } => 151,
+            Self::TooFast { .. } => 152,
+            Self::SpindleStopped => 153,
+            Self::SpindleWrongWay => 154,
+            Self::NoCoolant => 161,
+            Self::NoFeed => 171,
+            Self::UnknownTool(_) => 181,
+            Self::OffAxis => 182,
+            Self::PartedOff(_) => 191,
+        }
+    }
+
+    /// How grave it is.
+    #[must_use]
+    pub const fn grade(self) -> Grade {
+        match self {
+            Self::NoCoolant | Self::PartedOff(_) => Grade::Note,
+            Self::BackCutting
+            | Self::Lead { .. }
+            | Self::LeadDiffers { .. }
+            | Self::NoThreader
+            | Self::NoGreatestSpeed { .. }
+            | Self::TooFast { .. } => Grade::Caution,
+            _ => Grade::Stop,
+        }
+    }
+
+    /// What happens, as a sentence without a full stop.
+    #[must_use]
+    pub fn text(self) -> Text {
+        let t = Text::fixed;
+        match self {
+            Self::RapidInMetal => t("Avance rápido a través del material", "Rapid motion through metal"),
+            Self::BackInMetal => t(
+                "Un lado sin filo de la plaquita entra en el material",
+                "A side of the insert that does not cut runs into metal",
+            ),
+            Self::BodyInMetal(moving) => {
+                let [es, en] = moving.name();
+                sentence(format!("{es} entra en el material"), format!("{en} runs into metal"))
+            }
+            Self::Collision(moving, fixture) => {
+                let ([es, en], [es_in, en_in]) = (moving.name(), fixture.name());
+                sentence(format!("{es} choca con {es_in}"), format!("{en} hits {en_in}"))
+            }
+            Self::Travel(axis) => Text::new(
+                format!("El eje {} sale de su recorrido", axis.letter()),
+                format!("Axis {} leaves its travel", axis.letter()),
+            ),
+            Self::DepthOfCut { .. } => {
+                t("La profundidad de corte es mayor que el filo", "The depth of cut is greater than the cutting edge")
+            }
+            Self::BackCutting => t(
+                "El perfil queda fuera del alcance: corta el extremo del filo auxiliar, no la punta",
+                "The profile is out of reach: the end of the auxiliary edge cuts, not the nose",
+            ),
+            Self::NoLead => t("Rosca sin paso", "Thread without a lead"),
+            Self::Lead { .. } => {
+                t("El paso no es de los de la plaquita de roscar", "The lead is none of the threading insert's")
+            }
+            Self::LeadDiffers { .. } => t(
+                "El avance de la rosca no es el paso de las pasadas anteriores",
+                "The feed in the thread is not the lead of the earlier passes",
+            ),
+            Self::NoThreader => t(
+                "Se rosca con una herramienta que no es de roscar",
+                "A thread is cut with a tool that is not for threads",
+            ),
+            Self::NoGreatestSpeed { .. } => t(
+                "Velocidad de corte constante sin giro máximo: cerca del eje el husillo llega a su límite",
+                "Constant surface speed without a greatest speed: near the axis the spindle runs up to its limit",
+            ),
+            Self::TooFast { .. } => {
+                t("S es mayor que el giro máximo del husillo", "S is more than the spindle's greatest speed")
+            }
+            Self::SpindleStopped => t("Corte con el husillo parado", "Cutting with the spindle stopped"),
+            Self::SpindleWrongWay => {
+                t("El husillo gira al revés para esta herramienta", "The spindle turns the wrong way for this tool")
+            }
+            Self::NoCoolant => t("Corte sin refrigerante", "Cutting without coolant"),
+            Self::NoFeed => t("Movimiento de trabajo con avance 0", "Motion at feed with a feed of 0"),
+            Self::UnknownTool(place) => Text::new(
+                format!("No hay herramienta en el puesto {place} de la torreta"),
+                format!("There is no tool in place {place} of the turret"),
+            ),
+            Self::OffAxis => t("La broca trabaja fuera del eje", "The drill works beside the axis"),
+            Self::PartedOff(_) => t("Se desprende una pieza", "A piece is cut off"),
+        }
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub const fn remedy(self) -> Text {
+        let t = Text::fixed;
+        match self {
+            Self::RapidInMetal => t(
+                "Aleje el punto de partida o haga este movimiento con avance de trabajo",
+                "Start farther away, or make this motion at feed",
+            ),
+            Self::BackInMetal | Self::BackCutting => t(
+                "Elija una herramienta de otra mano o con más ángulo libre, o cambie el sentido de la pasada",
+                "Choose a tool of the other hand or with more clearance, or turn the pass about",
+            ),
+            Self::BodyInMetal(_) => {
+                t("Elija una herramienta más larga o más estrecha", "Choose a longer or a narrower tool")
+            }
+            Self::Collision(..) => t(
+                "Sujete la pieza más afuera o limite el movimiento",
+                "Clamp the work farther out, or keep the motion away",
+            ),
+            Self::Travel(_) => {
+                t("Revise ceros y correctores, o acerque la pieza", "Check zeros and offsets, or bring the work nearer")
+            }
+            Self::DepthOfCut { .. } => t("Reparta el corte en más pasadas", "Divide the cut into more passes"),
+            Self::NoLead => t("Escriba el paso con F", "Write the lead with F"),
+            Self::Lead { .. } => t("Cambie de plaquita o corrija F", "Change the insert or correct F"),
+            Self::LeadDiffers { .. } => t("Use el mismo paso en todas las pasadas", "Use the same lead in all passes"),
+            Self::NoThreader => t("Llame a la herramienta de roscar", "Call the threading tool"),
+            Self::NoGreatestSpeed { .. } => t("Limite el giro con G50 S (G92 S)", "Limit the speed with G50 S (G92 S)"),
+            Self::TooFast { .. } => t("Reduzca S", "Reduce S"),
+            Self::SpindleStopped => {
+                t("Programe M3 o M4 con S antes del corte", "Program M3 or M4 with S before the cut")
+            }
+            Self::SpindleWrongWay => t("Cambie M3 por M4 o al revés", "Change M3 to M4 or the other way"),
+            Self::NoCoolant => t("Programe M8 si el material lo pide", "Program M8 if the material asks for it"),
+            Self::NoFeed => t("Programe F", "Program F"),
+            Self::UnknownTool(_) => t("Monte la herramienta o corrija T", "Mount the tool or correct T"),
+            Self::OffAxis => t("Lleve la broca a X0", "Bring the drill to X0"),
+            Self::PartedOff(_) => t("", ""),
+        }
+    }
+}
+
+fn sentence(es: String, en: String) -> Text {
+    let capital = |text: String| {
+        let mut letters = text.chars();
+        letters.next().map(|first| first.to_uppercase().collect::<String>() + letters.as_str()).unwrap_or_default()
+    };
+    Text::new(capital(es), capital(en))
+}
+
+impl Alarm {
+    /// The alarm as a finding at a line of the program's file.
+    #[must_use]
+    pub fn finding(&self) -> Finding {
+        let [x, z] = self.place.map(|at| shown(at, 3));
+        let what = self.cause.text();
+        let number = self.cause.number();
+        let at = |text: &str| format!("{number} {text}, X{x} Z{z}");
+        let what = Text::new(at(&what.es), at(&what.en));
+        let mm = |value: f64| format!("{} mm", shown(value, 3));
+        let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
+        let (value, limit) = match self.cause {
+            Cause::DepthOfCut { depth, edge } => (mm(depth), mm(edge)),
+            Cause::Lead { lead, leads: [low, high] } => (mm(lead), format!("{} – {}", shown(low, 3), mm(high))),
+            Cause::LeadDiffers { lead, before } => (mm(lead), mm(before)),
+            Cause::NoGreatestSpeed { asked, most } | Cause::TooFast { asked, most } => (rpm(asked), rpm(most)),
+            Cause::PartedOff(volume) => (format!("{} mm³", shown(volume, 1)), String::new()),
+            _ => (self.depth.map(mm).unwrap_or_default(), String::new()),
+        };
+        let place = Place::Line { line: self.line, columns: Vec::new() };
+        Finding::new(self.cause.grade(), place, what, self.cause.remedy()).with(value, limit)
+    }
+}

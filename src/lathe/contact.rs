@@ -1,0 +1,263 @@
+//! What a swept part of a cutter had in common with the metal, judged: how deep, over which edges, and what made the
+//! surface that is left.
+
+use super::alarm::TOUCH;
+use super::outline::{Part, Role, beside};
+use crate::geometry::exact::convex::Origin;
+use crate::geometry::exact::meeting::{Meeting, Stretch};
+use crate::number::trig::hypot;
+
+/// A cutting edge faces a way where more than this of its normal is along it: 10°. Below it rubs.
+const FACES: f64 = 0.17;
+
+/// What is known of the contact during one motion.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Contact {
+    /// Metal was met, more than touched.
+    pub real: bool,
+    /// How far the cut reached across the motion, mm.
+    pub across: f64,
+    /// How far the cutting edges that look forward reach across it, where an edge that does not cut came into metal
+    /// beside them: the depth of cut is too great.
+    pub edge: Option<f64>,
+    /// An edge that does not cut ran into metal ahead of it: how deep.
+    pub back: Option<f64>,
+    /// The end of the auxiliary edge left its mark: how far behind the nose's.
+    pub dragged: Option<f64>,
+    /// Where, `[z, r]`.
+    pub place: [f64; 2],
+    /// The greatest radius at which metal was met.
+    pub radius: f64,
+}
+
+/// How deep a polygon was in the metal, mm, and where: the greatest distance of the outline taken away from the new one or
+/// of the new one from it, at the ends and middles of their stretches.
+#[must_use]
+pub fn depth(meeting: &Meeting) -> (f64, [f64; 2]) {
+    let mut deepest = (0.0, [0.0; 2]);
+    let new = || meeting.inserted.iter().map(|(stretch, _)| *stretch);
+    let old = || meeting.removed.iter().copied();
+    let mut look = |stretch: Stretch, off: &dyn Fn([f64; 2]) -> f64| {
+        for point in [stretch.from, middle(stretch), stretch.to] {
+            let far = off(point);
+            if far > deepest.0 {
+                deepest = (far, point);
+            }
+        }
+    };
+    // A piece that is covered as a whole leaves no new outline: how deep is how wide it was.
+    if meeting.inserted.is_empty() {
+        if let Some(first) = meeting.removed.first() {
+            old().for_each(|stretch| look(stretch, &|[z, r]| hypot(z - first.from[0], r - first.from[1])));
+        }
+        return deepest;
+    }
+    if meeting.removed.is_empty() {
+        if let Some((first, _)) = meeting.inserted.first() {
+            new().for_each(|stretch| look(stretch, &|[z, r]| hypot(z - first.from[0], r - first.from[1])));
+        }
+        return deepest;
+    }
+    new().for_each(|stretch| look(stretch, &|point| off(point, old())));
+    old().for_each(|stretch| look(stretch, &|point| off(point, new())));
+    deepest
+}
+
+fn middle(stretch: Stretch) -> [f64; 2] {
+    [f64::midpoint(stretch.from[0], stretch.to[0]), f64::midpoint(stretch.from[1], stretch.to[1])]
+}
+
+fn off(point: [f64; 2], stretches: impl Iterator<Item = Stretch>) -> f64 {
+    stretches.map(|stretch| beside(point, stretch.from, stretch.to)).fold(f64::INFINITY, f64::min)
+}
+
+/// Twice the area by the length of the outline: for a thin film its thickness.
+fn film(meeting: &Meeting) -> f64 {
+    let (mut area, mut length) = (0.0, 0.0);
+    let Some(first) = meeting.removed.first().or(meeting.inserted.first().map(|(stretch, _)| stretch)) else {
+        return 0.0;
+    };
+    let [z0, r0] = first.from;
+    let mut add = |stretch: &Stretch, sign: f64| {
+        let ([z1, r1], [z2, r2]) = (stretch.from, stretch.to);
+        area += sign * ((z1 - z0) * (r2 - r0) - (z2 - z0) * (r1 - r0)) / 2.0;
+        length += hypot(z2 - z1, r2 - r1);
+    };
+    meeting.removed.iter().for_each(|stretch| add(stretch, 1.0));
+    meeting.inserted.iter().for_each(|(stretch, _)| add(stretch, -1.0));
+    if length > 0.0 { 2.0 * area.abs() / length } else { 0.0 }
+}
+
+/// A part of a cutter on a straight way.
+#[derive(Clone, Copy, Debug)]
+pub struct Ride<'a> {
+    /// The part.
+    pub part: &'a Part,
+    /// Where its programmed point starts, `[z, r]`.
+    pub from: [f64; 2],
+    /// The direction `[dz, dr]`, of length 1.
+    pub way: [f64; 2],
+    /// What it met is shown mirrored across the axis.
+    pub mirrored: bool,
+}
+
+impl Ride<'_> {
+    /// How far a place is to the left of the way.
+    fn aside(&self, [z, r]: [f64; 2]) -> f64 {
+        self.way[0] * (r - self.from[1]) - self.way[1] * (z - self.from[0])
+    }
+
+    fn flip(&self, [z, r]: [f64; 2]) -> [f64; 2] {
+        if self.mirrored { [z, -r] } else { [z, r] }
+    }
+
+    /// Between which distances to the left of the way a stretch of what was met lies, from its start to its end.
+    fn span(&self, stretch: Stretch) -> [f64; 2] {
+        [stretch.from, stretch.to].map(|end| self.aside(self.flip(end)))
+    }
+
+    /// A corner of the part where the way starts.
+    fn corner(&self, at: usize) -> [f64; 2] {
+        let corners = self.part.polygon.corners();
+        let [z, r] = corners[at % corners.len()].mm();
+        [self.from[0] + z, self.from[1] + r]
+    }
+
+    /// The edges that look forward: their number, between which distances to the left of the way they lie, and how much of
+    /// their outward normal is along the way.
+    fn forward(&self) -> impl Iterator<Item = (usize, [f64; 2], f64)> {
+        (0..self.part.roles.len()).filter_map(|at| {
+            let (from, to) = (self.corner(at), self.corner(at + 1));
+            let [dz, dr] = [to[0] - from[0], to[1] - from[1]];
+            let ahead = (self.way[0] * dr - self.way[1] * dz) / hypot(dz, dr);
+            (ahead > 1e-9).then(|| (at, ordered([self.aside(from), self.aside(to)]), ahead))
+        })
+    }
+
+    /// How much metal lay in a strip along the way, as the greatest distance of the outline that was from the one that is;
+    /// `None` for a film.
+    fn metal(&self, meeting: &Meeting, [low, high]: [f64; 2]) -> Option<f64> {
+        let new = || meeting.inserted.iter().map(|(stretch, _)| *stretch);
+        let deepest = (meeting.removed.iter())
+            .filter_map(|&stretch| {
+                let [one, two] = self.span(stretch);
+                let [from, to] = ordered([one, two]);
+                // A stretch along the way is in the strip or not; of another one, what is in the strip.
+                let part = if to - from <= TOUCH {
+                    (from >= low && to <= high).then_some(0.5)
+                } else {
+                    let shared = [low.max(from), high.min(to)];
+                    (shared[1] - shared[0] > TOUCH).then(|| (f64::midpoint(shared[0], shared[1]) - one) / (two - one))
+                };
+                part.map(|part| [0, 1].map(|axis| stretch.from[axis] + (stretch.to[axis] - stretch.from[axis]) * part))
+            })
+            .map(|point| if meeting.inserted.is_empty() { f64::INFINITY } else { off(point, new()) })
+            .fold(0.0, f64::max);
+        (deepest > TOUCH).then_some(deepest)
+    }
+}
+
+fn ordered([one, two]: [f64; 2]) -> [f64; 2] {
+    [one.min(two), one.max(two)]
+}
+
+impl Contact {
+    /// Adds what a part of a cutter met on its way.
+    pub fn add(&mut self, meeting: &Meeting, ride: &Ride) {
+        let most = |most: f64, one: &Stretch| most.max(one.from[1]).max(one.to[1]);
+        self.radius = meeting.removed.iter().fold(self.radius, most);
+        if film(meeting) < TOUCH / 2.0 {
+            return;
+        }
+        let mut cut = [f64::INFINITY, f64::NEG_INFINITY];
+        for stretch in meeting.removed.iter().chain(meeting.inserted.iter().map(|(stretch, _)| stretch)) {
+            let [low, high] = ordered(ride.span(*stretch));
+            cut = [cut[0].min(low), cut[1].max(high)];
+        }
+        if !self.real || cut[1] - cut[0] > self.across {
+            self.place = meeting.removed.first().map_or(self.place, |one| ride.flip(one.from));
+            self.across = cut[1] - cut[0];
+        }
+        self.real = true;
+        self.judge_backs(meeting, ride, cut);
+        self.judge_surface(meeting, ride);
+    }
+
+    /// Adds what a threading cutter met in one place of a thread: how deep, against its profile.
+    pub fn add_rib(&mut self, meeting: &Meeting, ride: &Ride) {
+        if film(meeting) < TOUCH / 2.0 {
+            return;
+        }
+        let most = |most: f64, one: &Stretch| most.max(one.from[1]).max(one.to[1]);
+        self.radius = meeting.removed.iter().fold(self.radius, most);
+        let place = meeting.removed.first().map_or(self.place, |one| ride.flip(one.from));
+        // From the tip, in the direction of the profile.
+        let all = meeting.removed.iter().flat_map(|one| [one.from, one.to]).map(|end| ride.flip(end)[1] - ride.from[1]);
+        let deep = all.fold(0.0, |deep: f64, off| deep.max(off.abs()));
+        if !self.real || deep > self.across {
+            (self.across, self.place) = (deep, place);
+        }
+        self.real = true;
+        let roles = ride.part.roles.iter().enumerate().filter(|(_, role)| **role != Role::Back);
+        let profile = roles.flat_map(|(at, _)| [ride.corner(at), ride.corner(at + 1)]);
+        let profile = profile.fold(0.0, |high: f64, corner| high.max((corner[1] - ride.from[1]).abs()));
+        if deep > profile + TOUCH {
+            self.edge = Some(profile);
+        }
+    }
+
+    /// Edges without a cutting edge that look forward, and metal ahead of them. Where a cutting edge beside them faces the
+    /// way and cuts, the cut is too deep for it; elsewhere the tool goes with its back first.
+    fn judge_backs(&mut self, meeting: &Meeting, ride: &Ride, cut: [f64; 2]) {
+        let (mut edges, mut back) = ([f64::INFINITY, f64::NEG_INFINITY], None::<f64>);
+        let mut faces = false;
+        for (at, [low, high], ahead) in ride.forward() {
+            let shared = [low.max(cut[0]), high.min(cut[1])];
+            let met = shared[1] - shared[0] > TOUCH;
+            if ride.part.roles[at] != Role::Back {
+                edges = [edges[0].min(low), edges[1].max(high)];
+                faces |= met && ahead > FACES;
+            } else if met && let Some(deep) = ride.metal(meeting, shared) {
+                back = Some(back.map_or(deep, |other| other.max(deep)));
+            }
+        }
+        match back {
+            Some(_) if faces => self.edge = Some(self.edge.unwrap_or(f64::INFINITY).min(edges[1] - edges[0])),
+            Some(deep) => self.back = Some(self.back.map_or(deep, |other| other.max(deep))),
+            None => {}
+        }
+    }
+
+    /// A surface left by a corner on its way is right where it is the nose's, or the outer end of a main edge. One that the
+    /// far end of the auxiliary edge left is behind the nose's: the profile programmed is not made.
+    fn judge_surface(&mut self, meeting: &Meeting, ride: &Ride) {
+        let (roles, count) = (&ride.part.roles, ride.part.roles.len());
+        for (stretch, origin) in &meeting.inserted {
+            let Origin::Corner(corner) = *origin else { continue };
+            let beside = [roles[(corner + count - 1) % count], roles[corner % count]];
+            if !matches!(beside, [Role::Auxiliary | Role::Back, Role::Back] | [Role::Back, Role::Auxiliary]) {
+                continue;
+            }
+            let [dz, dr] = [stretch.to[0] - stretch.from[0], stretch.to[1] - stretch.from[1]];
+            if hypot(dz, dr) <= TOUCH || off(middle(*stretch), meeting.removed.iter().copied()) <= TOUCH {
+                continue;
+            }
+            let here = ride.aside(ride.corner(corner));
+            // The nose, or the corner where both edges meet if it is sharp.
+            let noses = (0..count).filter(|&at| {
+                let pair = [roles[(at + count - 1) % count], roles[at]];
+                pair.contains(&Role::Nose)
+                    || pair == [Role::Main, Role::Auxiliary]
+                    || pair == [Role::Auxiliary, Role::Main]
+            });
+            let nose = noses
+                .map(|at| ride.aside(ride.corner(at)))
+                .min_by(|one, two| (one - here).abs().total_cmp(&(two - here).abs()));
+            let behind = nose.map_or(0.0, |nose| (nose - here).abs());
+            if behind > TOUCH && self.dragged.is_none_or(|other| behind > other) {
+                self.dragged = Some(behind);
+                self.place = ride.flip(middle(*stretch));
+            }
+        }
+    }
+}

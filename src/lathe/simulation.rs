@@ -1,0 +1,508 @@
+//! A turning program, motion by motion: what each takes away from the part, how long it takes, and what goes wrong.
+
+use std::collections::BTreeMap;
+
+use super::alarm::{Alarm, Cause, Moving, TOUCH};
+use super::contact::{Contact, Ride, depth};
+use super::machine::Lathe;
+use super::outline::Outline;
+use super::path::{self, Piece};
+use super::spindle::{Turning, revolutions};
+use super::step::{Edit, Step, Totals};
+use super::stock::{Fixture, Stock};
+use super::tool::{Cutter, Tool};
+use super::turret::Turret;
+use super::watch::Watch;
+use super::workpiece::{Removed, Workpiece};
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::gcode::control::{Control, Speed};
+use crate::gcode::motion::{Feed, Kind, Motion, Thread};
+use crate::geometry::exact::convex::Convex;
+use crate::geometry::exact::grid::Point;
+use crate::geometry::exact::region::Ring;
+use crate::machine::axis::Axis;
+use crate::number::trig::hypot;
+use crate::text::Text;
+
+/// What a simulation starts from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// The machine.
+    pub lathe: Lathe,
+    /// The blank.
+    pub stock: Stock,
+    /// The turret.
+    pub turret: Turret,
+    /// How far chords may be from arcs, mm.
+    pub tolerance: f64,
+    /// The part to begin with instead of the blank, contours from W1 in mm, as for a second set-up; see
+    /// [`super::stock::turned_about`].
+    pub part: Option<Vec<Ring>>,
+    /// Each step tells how the contour changed.
+    pub record: bool,
+}
+
+impl Setup {
+    /// A blank in a lathe with a turret, with the usual tolerance of 0.0002 mm.
+    #[must_use]
+    pub const fn new(lathe: Lathe, stock: Stock, turret: Turret) -> Self {
+        Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false }
+    }
+}
+
+/// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
+/// grid, and past it no tool reaches the blank.
+const WITHIN: f64 = 780.0;
+/// The most a tool's outline may reach from its programmed point to stay on the grid with that.
+const REACH: f64 = 290.0;
+/// The most ribs of a thread's pass.
+const RIBS: u32 = 100_000;
+
+/// A tool made ready.
+#[derive(Debug)]
+struct Ready {
+    tool: Tool,
+    outline: Outline,
+    body: Option<Convex>,
+}
+
+/// A simulation under way.
+#[derive(Debug)]
+pub struct Simulation {
+    setup: Setup,
+    tools: BTreeMap<u32, Ready>,
+    fixtures: Vec<(Fixture, Convex)>,
+    part: Workpiece,
+    /// What the grid's origin is along z from W1, mm.
+    middle: f64,
+    watch: Watch,
+    totals: Totals,
+    steps: usize,
+    contour: Ring,
+    // Kept so as not to allocate for each motion.
+    pieces: Vec<Piece>,
+    swept: Convex,
+}
+
+/// What one motion has come to so far.
+struct Tally<'a> {
+    motion: &'a Motion,
+    index: usize,
+    /// From `[z, r]` on the grid to program coordinates.
+    shift: [f64; 2],
+    alarms: Vec<Alarm>,
+}
+
+impl Tally<'_> {
+    fn raise(&mut self, cause: Cause, [z, r]: [f64; 2], depth: Option<f64>) {
+        let place = [2.0 * (r + self.shift[1]), z + self.shift[0]];
+        // Of one cause in one motion, the deepest.
+        if let Some(other) = self.alarms.iter_mut().find(|other| other.cause.number() == cause.number()) {
+            if depth > other.depth {
+                (other.cause, other.place, other.depth) = (cause, place, depth);
+            }
+            return;
+        }
+        let Motion { line, n, .. } = *self.motion;
+        self.alarms.push(Alarm { cause, motion: self.index, line, n, place, depth });
+    }
+}
+
+impl Simulation {
+    /// Makes everything ready. Refused, with all reasons: a blank or a tool that cannot be, a tolerance out of 10 nm to
+    /// 0.1 mm, a part beyond the grid.
+    pub fn new(setup: Setup) -> Result<Self, Refusal> {
+        let mut faults = setup.stock.faults();
+        let mut stop = |es: String, en: String, remedy: Text| {
+            faults.push(Finding::stop(Place::File, Text::new(es, en), remedy));
+        };
+        if !(1e-5..=0.1).contains(&setup.tolerance) {
+            let remedy = Text::fixed("elija una entre 0.00001 y 0.1 mm", "choose one between 0.00001 and 0.1 mm");
+            stop(
+                "la tolerancia de los arcos no es posible".into(),
+                "the tolerance of arcs is not possible".into(),
+                remedy,
+            );
+        }
+        let tolerance = setup.tolerance.clamp(1e-5, 0.1);
+        let mut tools = BTreeMap::new();
+        for (&place, tool) in &setup.turret.tools {
+            let remedy = || Text::fixed("corrija la herramienta", "correct the tool");
+            match tool.outline(tolerance) {
+                Ok(outline) => {
+                    let body = setup.turret.body.and_then(|[low, high]| {
+                        let [x, z] = tool.overhang;
+                        let r = [low[1] + x, (high[1] + x).min(REACH)];
+                        let z = [low[0] + z, (high[0] + z).min(REACH)];
+                        Convex::hull_mm(&[[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]])
+                    });
+                    tools.insert(place, Ready { tool: tool.clone(), outline, body });
+                }
+                Err(why) => {
+                    stop(format!("herramienta {place}: {}", why.es), format!("tool {place}: {}", why.en), remedy())
+                }
+            }
+        }
+        let middle = ((setup.stock.ends()[0] + setup.stock.ends()[1]) / 2.0).round();
+        let grid = |rings: &[Ring]| -> Option<Vec<Vec<Point>>> {
+            let place = |&[z, r]: &[f64; 2]| Point::near([z - middle, r]);
+            rings.iter().map(|ring| ring.iter().map(place).collect()).collect()
+        };
+        let part = grid(setup.part.as_deref().unwrap_or(&[setup.stock.contour()]));
+        if part.is_none() {
+            let remedy = Text::fixed("use una pieza menor de 1 m", "use a part of less than 1 m");
+            stop(
+                "la pieza no cabe en el espacio de cálculo".into(),
+                "the part is too large to work out".into(),
+                remedy,
+            );
+        }
+        let (Some(part), true) = (part, faults.is_empty()) else {
+            return Err(Refusal { exit: Exit::Refused, findings: faults });
+        };
+        let fixtures = (setup.stock.fixtures(&setup.lathe).into_iter())
+            .filter_map(|(fixture, ring)| {
+                let near = |at: f64| at.clamp(-1070.0, 1070.0);
+                let ring: Vec<_> = ring.iter().map(|&[z, r]| [near(z - middle), near(r)]).collect();
+                Some((fixture, Convex::hull_mm(&ring)?))
+            })
+            .collect();
+        let part = Workpiece::new(&part);
+        let mut made = Self {
+            setup,
+            tools,
+            fixtures,
+            part,
+            middle,
+            watch: Watch::default(),
+            totals: Totals::default(),
+            steps: 0,
+            contour: Ring::new(),
+            pieces: Vec::new(),
+            swept: Convex::default(),
+        };
+        made.contour = made.contours().into_iter().next().unwrap_or_default();
+        Ok(made)
+    }
+
+    /// What it started from.
+    #[must_use]
+    pub const fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// The part's contours as they are, `[z, r]` from W1 in mm: counter-clockwise, holes clockwise.
+    #[must_use]
+    pub fn contours(&self) -> Vec<Ring> {
+        let mut rings = self.part.rings();
+        rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
+        rings
+    }
+
+    /// The part's outer contour when the simulation started, or where the last recorded edit has left it.
+    #[must_use]
+    pub const fn contour(&self) -> &Ring {
+        &self.contour
+    }
+
+    /// The part's volume, mm³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.part.volume()
+    }
+
+    /// The sums so far.
+    #[must_use]
+    pub const fn totals(&self) -> &Totals {
+        &self.totals
+    }
+
+    /// Makes one motion.
+    pub fn take(&mut self, motion: &Motion, control: &Control) -> Step {
+        let ready = self.tools.get(&control.tool);
+        let [over_x, over_z] = ready.map_or([0.0, 0.0], |ready| ready.tool.overhang);
+        let zero = self.setup.stock.zero(&self.setup.lathe);
+        let reference = [motion.machine.get(Axis::Z), motion.machine.get(Axis::X)];
+        // Where the programmed point ends on the grid.
+        let to = [reference[0] - over_z - zero - self.middle, reference[1] - over_x];
+        let shift = [motion.to.get(Axis::Z) - to[0], motion.to.get(Axis::X) - to[1]];
+        let lathe = &self.setup.lathe;
+        let mut pieces = std::mem::take(&mut self.pieces);
+        path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
+
+        let mut tally = Tally { motion, index: self.steps, shift, alarms: Vec::new() };
+        let turning = Turning::new(control, lathe);
+        let seconds = match motion.kind {
+            Kind::Rapid => None,
+            _ => motion.seconds,
+        };
+        let seconds = seconds.or_else(|| turning.seconds(motion, &pieces, lathe));
+        travel(&mut tally, &pieces, [reference[0] - to[0], reference[1] - to[1]], lathe);
+
+        let mut contact = Contact::default();
+        let removed =
+            if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
+        self.judge(control, &pieces, &contact, &mut tally);
+        if removed.parted > 0.0 {
+            tally.raise(Cause::PartedOff(removed.parted), to, None);
+        }
+
+        let start = pieces.first().map_or(to, |piece| piece[0]);
+        let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
+        let speed = [turning.at(program_start), turning.at(program_end)];
+        let cutting_speed = if contact.real { cutting_speed(control, &contact, speed) } else { 0.0 };
+        let rate = match seconds {
+            Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
+            _ => None,
+        };
+        let mut way: Vec<_> = pieces.first().map(|piece| piece[0]).into_iter().collect();
+        way.extend(pieces.iter().map(|piece| piece[1]));
+        way.iter_mut().for_each(|point| point[0] += self.middle);
+        let mut step = Step {
+            index: self.steps,
+            motion: *motion,
+            control: *control,
+            way,
+            seconds,
+            speed,
+            cutting_speed,
+            depth: if contact.real { contact.across } else { 0.0 },
+            removed,
+            rate,
+            alarms: tally.alarms,
+            edit: None,
+        };
+        if self.setup.record && removed != Removed::default() {
+            let after = self.contours().into_iter().next().unwrap_or_default();
+            step.edit = Edit::between(&self.contour, &after);
+            self.contour = after;
+        }
+        self.pieces = pieces;
+        self.steps += 1;
+        self.totals.add(&step);
+        step
+    }
+
+    /// Takes away what the tool sweeps, and looks where the rest of it goes.
+    fn cut(&mut self, pieces: &[Piece], control: &Control, contact: &mut Contact, tally: &mut Tally) -> Removed {
+        let mut removed = Removed::default();
+        let Some(ready) = self.tools.get(&control.tool) else { return removed };
+        let (part, swept) = (&mut self.part, &mut self.swept);
+        let rapid = tally.motion.kind == Kind::Rapid;
+        let mut add = |more: Removed| {
+            removed.volume += more.volume;
+            removed.parted += more.parted;
+        };
+        for &piece in pieces {
+            let [from, to] = piece;
+            let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
+            let long = hypot(to[0] - from[0], to[1] - from[1]);
+            let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
+            if let Kind::Thread(thread) = tally.motion.kind {
+                for at in ribs(thread, piece) {
+                    let Some(at) = Point::near(at) else { continue };
+                    for cutter in &ready.outline.cutter {
+                        if cutter.polygon.sweep(at, at, swept) {
+                            add(part.cut(swept, |meeting, mirrored| {
+                                // Across the thread, along X: how deep its profile is.
+                                let ride = Ride { part: cutter, from: at.mm(), way: [way[0].signum(), 0.0], mirrored };
+                                contact.add_rib(meeting, &ride);
+                            }));
+                        }
+                    }
+                }
+            }
+            for cutter in &ready.outline.cutter {
+                if !cutter.polygon.sweep(first, last, swept) {
+                    continue;
+                }
+                collide(&self.fixtures, swept, Moving::Cutter, first.mm(), tally);
+                if matches!(tally.motion.kind, Kind::Thread(_)) {
+                    continue;
+                }
+                add(part.cut(swept, |meeting, mirrored| {
+                    if rapid {
+                        let (deep, place) = depth(meeting);
+                        if deep > TOUCH {
+                            let place = if mirrored { [place[0], -place[1]] } else { place };
+                            tally.raise(Cause::RapidInMetal, place, Some(deep));
+                        }
+                    } else {
+                        contact.add(meeting, &Ride { part: cutter, from: first.mm(), way, mirrored });
+                    }
+                }));
+            }
+            let bodies = [(Moving::Holder, Some(&ready.outline.holder)), (Moving::Turret, ready.body.as_ref())];
+            for (moving, body) in bodies.into_iter().filter_map(|(moving, body)| Some((moving, body?))) {
+                if !body.sweep(first, last, swept) {
+                    continue;
+                }
+                collide(&self.fixtures, swept, moving, first.mm(), tally);
+                part.probe(swept, |meeting, _| {
+                    let (deep, place) = depth(meeting);
+                    if deep > TOUCH {
+                        tally.raise(Cause::BodyInMetal(moving), place, Some(deep));
+                    }
+                });
+            }
+        }
+        removed
+    }
+
+    /// What the motion's contact with metal, and what is in force, give rise to.
+    fn judge(&mut self, control: &Control, pieces: &[Piece], contact: &Contact, tally: &mut Tally) {
+        let Some(&[start, end]) = pieces.last() else { return };
+        let start = pieces.first().map_or(start, |piece| piece[0]);
+        let kind = tally.motion.kind;
+        let ready = self.tools.get(&control.tool);
+        let lathe = &self.setup.lathe;
+        let cuts = contact.real && kind != Kind::Rapid;
+        let watch = &mut self.watch;
+        if let Kind::Feed(Feed { value, .. }) | Kind::Arc(_, Feed { value, .. }) = kind
+            && value <= 0.0
+        {
+            tally.raise(Cause::NoFeed, start, None);
+        }
+        // A turret may be moved about before the first tool is called.
+        let missing = ready.is_none() && (control.tool != 0 || kind != Kind::Rapid);
+        if watch.begins(Cause::UnknownTool(0), missing, control.tool) {
+            tally.raise(Cause::UnknownTool(control.tool), start, None);
+        }
+        if let Kind::Thread(thread) = kind {
+            watch_thread(watch, thread, [start, end], (control, ready), cuts, tally);
+        }
+        let turning = Turning::new(control, lathe);
+        let asked = [start, end].map(|at| turning.asked(at[1] + tally.shift[1])).into_iter().fold(0.0, f64::max);
+        let most = lathe.greatest_speed;
+        match control.speed {
+            Speed::Surface(_) => {
+                let races = control.greatest_speed.is_none() && asked > most;
+                if watch.begins(Cause::NoGreatestSpeed { asked, most }, races, control.tool) {
+                    tally.raise(Cause::NoGreatestSpeed { asked, most }, end, None);
+                }
+            }
+            Speed::Revolutions(_) => {
+                if watch.begins(Cause::TooFast { asked, most }, asked > most, control.tool) {
+                    tally.raise(Cause::TooFast { asked, most }, end, None);
+                }
+            }
+        }
+        let Some(ready) = ready else { return };
+        if !cuts {
+            return;
+        }
+        let stopped = turning.at(start[1] + tally.shift[1]) <= 0.0;
+        let right = ready.tool.spindle(lathe.turret_behind);
+        for (cause, holds) in [
+            (Cause::SpindleStopped, stopped),
+            (Cause::SpindleWrongWay, !stopped && control.spindle != right),
+            (Cause::NoCoolant, !control.coolant),
+            (Cause::OffAxis, ready.tool.axial() && start[1].abs().max(end[1].abs()) > TOUCH),
+        ] {
+            if watch.begins(cause, holds, control.tool) {
+                tally.raise(cause, contact.place, None);
+            }
+        }
+        if let Some(edge) = contact.edge {
+            tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
+        }
+        if let Some(deep) = contact.back {
+            tally.raise(Cause::BackInMetal, contact.place, Some(deep));
+        }
+        if let Some(behind) = contact.dragged {
+            tally.raise(Cause::BackCutting, contact.place, Some(behind));
+        }
+    }
+}
+
+/// What is wrong with a thread's pass as it is programmed.
+fn watch_thread(
+    watch: &mut Watch,
+    thread: Thread,
+    [start, end]: Piece,
+    (control, ready): (&Control, Option<&Ready>),
+    cuts: bool,
+    tally: &mut Tally,
+) {
+    let length = (end[0] - start[0]).abs().max((end[1] - start[1]).abs());
+    if revolutions(thread, length).is_none() {
+        tally.raise(Cause::NoLead, start, None);
+        return;
+    }
+    let Some(ready) = ready else { return };
+    let lead = thread.lead;
+    match ready.tool.cutter {
+        Cutter::Threader { leads, .. } => {
+            let other = lead < leads[0] - 1e-9 || lead > leads[1] + 1e-9;
+            if watch.begins(Cause::Lead { lead, leads }, other, control.tool) {
+                tally.raise(Cause::Lead { lead, leads }, start, None);
+            }
+        }
+        _ => {
+            if watch.begins(Cause::NoThreader, cuts, control.tool) {
+                tally.raise(Cause::NoThreader, start, None);
+            }
+        }
+    }
+    if cuts && let Some(before) = watch.lead([start, end], lead) {
+        tally.raise(Cause::LeadDiffers { lead, before }, start, None);
+    }
+}
+
+/// Where a thread's tool stands each time the same side of the work comes past it: at the start, and a lead on after each
+/// revolution, `[z, r]`. The whole revolutions alone: the last, begun one, ends in the run-out.
+fn ribs(thread: Thread, [from, to]: Piece) -> impl Iterator<Item = [f64; 2]> {
+    let step = [to[0] - from[0], to[1] - from[1]];
+    let length = step[0].abs().max(step[1].abs());
+    let turns = revolutions(thread, length).filter(|_| length > 0.0).map_or(0.0, |turns| (turns + 1e-9).floor());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
+    let count = if length > 0.0 && thread.lead > 0.0 { turns.min(f64::from(RIBS)) as u32 + 1 } else { 0 };
+    (0..count).map(move |turn| {
+        let k = f64::from(turn);
+        let part = (thread.lead * k + thread.change * k * k / 2.0) / length;
+        [from[0] + step[0] * part, from[1] + step[1] * part]
+    })
+}
+
+/// Raises what runs into something that stands.
+fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, place: [f64; 2], tally: &mut Tally) {
+    let (low, high) = swept.extent();
+    for (fixture, polygon) in fixtures {
+        let (from, to) = polygon.extent();
+        if low.z >= to.z || from.z >= high.z || low.r >= to.r || from.r >= high.r {
+            continue;
+        }
+        if let Some(deep) = swept.overlap(polygon)
+            && deep > TOUCH
+        {
+            tally.raise(Cause::Collision(moving, *fixture), place, Some(deep));
+        }
+    }
+}
+
+/// Raises where the turret's reference point leaves the travel; `to_reference` leads there from the programmed point.
+fn travel(tally: &mut Tally, pieces: &[Piece], to_reference: [f64; 2], lathe: &Lathe) {
+    for point in pieces.iter().flatten() {
+        for (axis, at, [low, high]) in [
+            (Axis::Z, point[0] + to_reference[0], lathe.travel_z),
+            (Axis::X, point[1] + to_reference[1], lathe.travel_x),
+        ] {
+            let over = (low - at).max(at - high);
+            if over > TOUCH {
+                tally.raise(Cause::Travel(axis), *point, Some(over));
+            }
+        }
+    }
+}
+
+/// The greatest cutting speed, m/min: π d n at the greatest diameter met, with the speed of the spindle there. At a
+/// constant surface speed that speed belongs to the programmed point's diameter, and falls off as the diameter grows.
+fn cutting_speed(control: &Control, contact: &Contact, speed: [f64; 2]) -> f64 {
+    let at_rim = |n: f64| 2.0 * std::f64::consts::PI * contact.radius * n / 1000.0;
+    let [low, high] = [speed[0].min(speed[1]), speed[0].max(speed[1])];
+    match control.speed {
+        Speed::Revolutions(_) => at_rim(high),
+        // While the diameter changes, the rim is where the spindle is slowest.
+        Speed::Surface(_) => at_rim(low),
+    }
+}

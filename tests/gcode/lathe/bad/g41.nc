@@ -1,0 +1,5 @@
+(expected: 4 G41 or G42, and offset 1 has no nose radius)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G41 G0 X1.
+M30

@@ -1,0 +1,8 @@
+(expected: 4:1 PS0061: P is missing in G70)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G70 Q20
+N10 G0 X30.
+G1 Z-10.
+N20 X50.
+M30

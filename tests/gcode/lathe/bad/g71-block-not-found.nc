@@ -1,0 +1,9 @@
+(expected: 5:9 PS0063: there is no block N30)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G71 U2. R1.
+G71 P10 Q30
+N10 G0 X30.
+G1 Z-10.
+N20 X50.
+M30

@@ -1,0 +1,8 @@
+(expected: 4:1 the first block of G71 is missing)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G71 P10 Q20
+N10 G0 X30.
+G1 Z-10.
+N20 X50.
+M30

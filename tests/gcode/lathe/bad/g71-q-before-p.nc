@@ -1,0 +1,9 @@
+(expected: 5:9 PS0063: G71: N10 stands before N20)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G71 U2. R1.
+G71 P20 Q10
+N10 G0 X30.
+G1 Z-10.
+N20 X50.
+M30

@@ -1,0 +1,6 @@
+(expected: 5:26 thread with lead 0)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G76 P010060 Q50 R.1
+G76 X28. Z-20.P1000 Q300 F0
+M30

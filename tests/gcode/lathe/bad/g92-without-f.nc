@@ -1,0 +1,5 @@
+(expected: 4 thread without F, its lead)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G92 X40. Z-20.
+M30

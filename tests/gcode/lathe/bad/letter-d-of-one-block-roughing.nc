@@ -1,0 +1,5 @@
+(expected: 4:11 letter D is not supported)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G71 P1 Q2 D2.
+M30

@@ -1,0 +1,120 @@
+//! A program of motions on a lathe, as the interpreter would give them.
+
+use rodete::gcode::control::{Control, Speed, Spindle};
+use rodete::gcode::motion::{Arc, Feed, FeedMode, Kind, Motion, Plane, Thread};
+use rodete::lathe::machine::Lathe;
+use rodete::lathe::simulation::{Setup, Simulation};
+use rodete::lathe::step::Step;
+use rodete::lathe::stock::Stock;
+use rodete::lathe::tool::{Cutter, Shape, Tool};
+use rodete::lathe::{catalogue, turret::Turret};
+use rodete::machine::axis::{Axis, Pose};
+
+/// A bar of D 50 that stands 100 mm out of the jaws, W1 on its face.
+pub fn bar() -> Stock {
+    Stock { overhang: 100.0, ..Stock::bar(50.0, 150.0) }
+}
+
+/// A turning tool with a sharp tip.
+pub fn sharp() -> Tool {
+    let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 93.0, auxiliary: 52.0, nose: 0.0 };
+    Tool { cutter, ..catalogue::copier() }
+}
+
+/// The usual turret with the tools at hand in front: T9 has a sharp tip.
+pub fn turret() -> Turret {
+    let mut turret = catalogue::turret();
+    turret.tools.insert(9, sharp());
+    turret
+}
+
+pub struct Run {
+    pub simulation: Simulation,
+    pub control: Control,
+    pub steps: Vec<Step>,
+    /// Program coordinates, X as a radius.
+    pub at: [f64; 2],
+    pub feed: f64,
+}
+
+impl Run {
+    pub fn on(setup: Setup) -> Self {
+        let control = Control {
+            tool: 1,
+            offset: 1,
+            spindle: Spindle::Clockwise,
+            speed: Speed::Revolutions(1000.0),
+            coolant: true,
+            system: 1,
+            ..Control::default()
+        };
+        let simulation = Simulation::new(setup).unwrap();
+        Self { simulation, control, steps: Vec::new(), at: [100.0, 50.0], feed: 0.2 }
+    }
+
+    pub fn new(stock: Stock) -> Self {
+        Self::on(Setup::new(Lathe::default(), stock, turret()))
+    }
+
+    pub fn tool(mut self, place: u32) -> Self {
+        self.control.tool = place;
+        self
+    }
+
+    fn go(mut self, kind: Kind, [x, z]: [f64; 2]) -> Self {
+        let to = [x / 2.0, z];
+        let pose = |[x, z]: [f64; 2]| {
+            let mut pose = Pose::default();
+            pose.set(Axis::X, x);
+            pose.set(Axis::Z, z);
+            pose
+        };
+        let setup = self.simulation.setup();
+        let over = setup.turret.tools.get(&self.control.tool).map_or([0.0, 0.0], |tool| tool.overhang);
+        let machine = pose([to[0] + over[0], to[1] + over[1] + setup.stock.zero(&setup.lathe)]);
+        let line = self.steps.len() + 1;
+        let motion = Motion { line, n: None, kind, from: pose(self.at), to: pose(to), machine, seconds: None };
+        let step = self.simulation.take(&motion, &self.control);
+        self.steps.push(step);
+        self.at = to;
+        self
+    }
+
+    fn feed(&self) -> Feed {
+        Feed { mode: FeedMode::PerRevolution, value: self.feed }
+    }
+
+    /// To X (diameter) and Z at rapid.
+    pub fn rapid(self, x: f64, z: f64) -> Self {
+        self.go(Kind::Rapid, [x, z])
+    }
+
+    /// At feed.
+    pub fn cut(self, x: f64, z: f64) -> Self {
+        let feed = self.feed();
+        self.go(Kind::Feed(feed), [x, z])
+    }
+
+    /// Along an arc about a centre (X as a diameter), by an angle from +Z towards +X in degrees.
+    pub fn arc(self, x: f64, z: f64, centre: [f64; 2], sweep: f64) -> Self {
+        let feed = self.feed();
+        let centre = [centre[1], centre[0] / 2.0];
+        let radius = ((self.at[1] - centre[0]).powi(2) + (self.at[0] - centre[1]).powi(2)).sqrt();
+        let turns = if sweep < 0.0 { -1 } else { 1 };
+        let arc = Arc { plane: Plane::ZX, centre, turns, radius, sweep: sweep.to_radians(), rotation: 0.0 };
+        self.go(Kind::Arc(arc, feed), [x, z])
+    }
+
+    pub fn thread(self, x: f64, z: f64, lead: f64) -> Self {
+        self.go(Kind::Thread(Thread { lead, change: 0.0 }), [x, z])
+    }
+
+    pub fn last(&self) -> &Step {
+        self.steps.last().unwrap()
+    }
+
+    /// The numbers of all alarms.
+    pub fn alarms(&self) -> Vec<u16> {
+        self.steps.iter().flat_map(|step| &step.alarms).map(|alarm| alarm.cause.number()).collect()
+    }
+}
