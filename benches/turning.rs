@@ -46,15 +46,14 @@ fn setup() -> Setup {
     Setup::new(Lathe::default(), stock, catalogue::turret())
 }
 
-/// Passes along a bar, each 5 µm or so deeper, with approach and return: one in four motions cuts.
+/// Passes along a bar, ever so little deeper each, with approach and return, to twenty shoulders: one in two motions cuts.
 fn passes(count: u32) -> Vec<Motion> {
     let mut program = Program::new(&setup());
     let each = 45.0 / f64::from(count / 4);
     for pass in 1..=count / 4 {
         let x = 50.0 - each * f64::from(pass);
         program.go(Kind::Rapid, x, 2.0);
-        // Steps in the length, so that the contour has shoulders.
-        program.go(FEED, x, -80.0 + 70.0 * f64::from(pass) / f64::from(count / 4));
+        program.go(FEED, x, -80.0 + 3.5 * f64::from(20 * pass / (count / 4)));
         program.go(FEED, x + each, program.at.get(Axis::Z) + each);
         program.go(Kind::Rapid, x + each, 2.0);
     }

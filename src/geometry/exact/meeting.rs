@@ -102,7 +102,19 @@ impl Meeting {
         self.hit_of.resize(region.edges.len().max(self.hit_of.len()), NONE);
         let (low, high) = polygon.extent();
         let (hits, around) = (&mut self.hits, &mut self.around);
-        region.near(low, high, |edge| hits.extend(hit(region, polygon, edge, around)));
+        // Most edges near a polygon lie beyond one of its edges, and neighbours beyond the same one.
+        let mut beyond = 0;
+        region.near(low, high, |edge| {
+            let (low, high) = region.bounds(edge);
+            if polygon.lines()[beyond].has_right(low, high) {
+                return;
+            }
+            let found = hit(region, polygon, edge, around);
+            if found.is_none() {
+                beyond = polygon.lines().iter().position(|line| line.has_right(low, high)).unwrap_or(beyond);
+            }
+            hits.extend(found);
+        });
         for (at, hit) in self.hits.iter().enumerate() {
             self.hit_of[hit.edge as usize] = u32::try_from(at).unwrap_or(NONE);
         }

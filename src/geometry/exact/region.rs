@@ -192,6 +192,12 @@ impl Region {
         [at.start, self.edges[at.next as usize].start]
     }
 
+    /// The least and the greatest coordinates of an edge, in grid units, rounded outwards.
+    pub(super) fn bounds(&self, edge: u32) -> (Point, Point) {
+        let at = &self.edges[edge as usize];
+        (at.low, at.high)
+    }
+
     /// Visits every edge whose bounds meet a box.
     pub(super) fn near(&self, low: Point, high: Point, mut visit: impl FnMut(u32)) {
         if high.z < self.first {
