@@ -1,4 +1,4 @@
-(stock D20xL120)
+(stock D20xL70)
 O0017
 T0303
 G97 S800 M3
