@@ -446,7 +446,8 @@ impl Simulation {
                 tally.raise(cause, contact.place, None);
             }
         }
-        if let Some(edge) = contact.edge {
+        // An edge that does not cut may also have come into metal behind the auxiliary edge: that is another alarm.
+        if let Some(edge) = contact.edge.filter(|edge| contact.across > *edge) {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }
         if let Some(deep) = contact.back {
