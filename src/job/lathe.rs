@@ -12,6 +12,7 @@ use crate::geometry::exact::region::Ring;
 use crate::job::lathe_tables::{Rows, contour_table, tools_table, turret_table};
 use crate::job::{Outcome, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
+use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SECOND_KEY};
 use crate::lathe::setup::Given;
@@ -20,6 +21,8 @@ use crate::lathe::step::Step;
 use crate::lathe::stock::turned_about;
 use crate::lathe::text;
 use crate::machine::axis::Position;
+use crate::number::shown;
+use crate::parameter::list::Row;
 use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
@@ -73,6 +76,7 @@ pub fn watched(
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
     let given = Given::of(&values).map_err(refused)?;
+    let profile = wanted(&values).map_err(|finding| refused(vec![finding]))?;
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
@@ -83,7 +87,7 @@ pub fn watched(
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
         followed.push(follow("program-2", title, &second, &given, setup, watch)?);
     }
-    Ok(outcome(form, values, source, &given, followed))
+    Ok(outcome(form, values, source, &given, followed, profile))
 }
 
 fn refused(findings: Vec<Finding>) -> Refusal {
@@ -220,12 +224,18 @@ fn alarms(alarms: &[(Alarm, Place)]) -> Vec<Finding> {
     found
 }
 
-fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, mut followed: Vec<Followed>) -> Outcome {
-    let several = followed.len() > 1;
+fn outcome(
+    form: &'static Form,
+    values: Values,
+    source: Source,
+    given: &Given,
+    mut followed: Vec<Followed>,
+    profile: Option<Profile>,
+) -> Outcome {
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
-    let quantities = quantities(given, &followed);
+    let mut quantities = quantities(given, &followed);
     let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
     tables.push(crate::job::lathe_tables::alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
     tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
@@ -234,8 +244,9 @@ fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, m
     tables.push(contour_table(&last.part));
     let mut drawn = last;
     drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
-    if !several {
-        drawn.wanted = wanted(&values);
+    if let Some(profile) = profile {
+        findings.extend(compared(&drawn.part, &profile, &mut quantities));
+        drawn.wanted = profile.points().unwrap_or_default();
     }
     let contour = figures::contour(&drawn);
     let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE });
@@ -260,13 +271,67 @@ fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, m
     }
 }
 
-/// The wanted profile's corners, `[z, r]`; arcs are drawn by their chords.
-fn wanted(values: &Values) -> Ring {
-    values
-        .rows(PROFILE_KEY)
-        .iter()
-        .filter_map(|row| Some([row.real("profile/Z")?, row.real("profile/X")? / 2.0]))
-        .collect()
+/// The wanted profile of the sheet; `None` where there is none.
+///
+/// # Errors
+/// The cells of an arc without a radius, or one that does not reach its end.
+fn wanted(values: &Values) -> Result<Option<Profile>, Finding> {
+    let rows = values.rows(PROFILE_KEY);
+    let point =
+        |row: &Row| [row.real("profile/Z").unwrap_or_default(), row.real("profile/X").unwrap_or_default() / 2.0];
+    let Some((first, rest)) = rows.split_first() else { return Ok(None) };
+    let mut profile = Profile { start: point(first), spans: Vec::new() };
+    for row in rest {
+        let to = point(row);
+        let clockwise = match row.choice("profile/G") {
+            Some("2") => true,
+            Some("3") => false,
+            _ => {
+                profile.spans.push(Span::Line(to));
+                continue;
+            }
+        };
+        let span = row.real("profile/R").map(|radius| Span::Arc { to, radius, clockwise });
+        profile.spans.extend(span);
+        if span.is_none() || profile.points().is_none() {
+            return Err(Finding::stop(
+                Place::Cells(row.cell("profile/R")),
+                t(
+                    "el arco del perfil no llega a su final con este radio",
+                    "the arc of the profile does not reach its end with this radius",
+                ),
+                t("dé un radio de al menos media cuerda", "give a radius of at least half the chord"),
+            ));
+        }
+    }
+    Ok(Some(profile))
+}
+
+/// How the part compares with the wanted profile, as quantities and a finding.
+fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Vec<Quantity>) -> Option<Finding> {
+    let found = deviation(contours, profile)?;
+    let [over, under] = [found.over, found.under].map(|one| one.map_or(0.0, |(by, _)| by));
+    for (symbol, meaning, value) in [
+        ("dev_plus", t("Material de más sobre el perfil", "Metal left on the profile"), over),
+        ("dev_minus", t("Material de menos en el perfil", "Metal missing from the profile"), under),
+    ] {
+        let source = t("contorno contra la hoja del perfil", "contour against the sheet of the profile");
+        quantities.push(Quantity { symbol, meaning, value, unit: Unit::Millimetre, source });
+    }
+    let place = |one: Option<(f64, [f64; 2])>| {
+        one.map_or(String::new(), |(_, [z, r])| format!(" (X{} Z{})", shown(2.0 * r, 3), shown(z, 3)))
+    };
+    let (plus, minus) = (place(found.over), place(found.under));
+    let (over, under) = (shown(over, 4), shown(under, 4));
+    Some(Finding::note(
+        Place::File,
+        Text::new(
+            format!("frente al perfil deseado sobran hasta {over} mm{plus} y faltan hasta {under} mm{minus}"),
+            format!(
+                "against the wanted profile up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
+            ),
+        ),
+    ))
 }
 
 /// What the programs come to.

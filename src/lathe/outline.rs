@@ -353,9 +353,11 @@ impl Tool {
                 let start = if self.tip.level()[0] { (edge - width) / 2.0 } else { 0.1 };
                 boxed([start, start + width], [depth, depth.max(length) + 1.0])
             }
-            (Holder::Shank { width, length }, Cutter::Threader { angle, .. }) => {
+            (Holder::Shank { width, length }, Cutter::Threader { angle, nose, depth: profile, .. }) => {
                 // The insert sits at the edge of the shank, so that a thread may run up to a shoulder.
-                let left = -depth * tan((angle / 2.0).to_radians()) - SETBACK;
+                let half = angle.to_radians() / 2.0;
+                let (sin, _) = sin_cos(half);
+                let left = -(profile + nose * (1.0 / sin - 1.0)) * tan(half) - SETBACK;
                 let side = match self.hand {
                     Hand::Right => [left, left + width],
                     Hand::Left => [-left - width, -left],

@@ -78,6 +78,8 @@ pub struct Simulation {
     watch: Watch,
     totals: Totals,
     steps: usize,
+    /// The motion before was a thread's pass: its groove goes on at the angle where the tool leaves it.
+    in_groove: bool,
     contour: Ring,
     /// The thread that the last motion cut.
     led: Option<Led>,
@@ -189,6 +191,7 @@ impl Simulation {
             watch: Watch::default(),
             totals: Totals::default(),
             steps: 0,
+            in_groove: false,
             contour: Ring::new(),
             led: None,
             pieces: Vec::new(),
@@ -253,8 +256,19 @@ impl Simulation {
         travel(&mut tally, &pieces, [reference[0] - to[0], reference[1] - to[1]], lathe);
 
         let mut contact = Contact::default();
-        let removed =
-            if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
+        // Straight out of the end of a thread the tool follows the groove that it has just cut, between two of the ribs.
+        let leaves_groove = self.in_groove
+            && motion.kind == Kind::Rapid
+            && motion.from.get(Axis::Z) == motion.to.get(Axis::Z)
+            && motion.to.get(Axis::X).abs() != motion.from.get(Axis::X).abs();
+        self.in_groove = matches!(motion.kind, Kind::Thread(_));
+        let removed = if leaves_groove {
+            Removed::default()
+        } else if pieces.is_empty() {
+            Removed::default()
+        } else {
+            self.cut(&pieces, control, &mut contact, &mut tally)
+        };
         self.judge(control, &pieces, &contact, &mut tally);
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
@@ -432,7 +446,8 @@ impl Simulation {
                 tally.raise(cause, contact.place, None);
             }
         }
-        if let Some(edge) = contact.edge {
+        // An edge that does not cut may also have come into metal behind the auxiliary edge: that is another alarm.
+        if let Some(edge) = contact.edge.filter(|edge| contact.across > *edge) {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }
         if let Some(deep) = contact.back {

@@ -39,6 +39,7 @@ mod fault;
 mod flow;
 mod hole;
 mod lathe;
+mod line;
 mod modal;
 mod moves;
 mod numbers;
@@ -61,9 +62,9 @@ use std::collections::{BTreeMap, VecDeque};
 use std::io::Cursor as Memory;
 
 pub use self::arc::radii_tolerance;
-use self::block::{Block, Parameter};
+use self::block::Block;
 use self::compensation::Compensator;
-use self::cursor::{Cursor, comments};
+use self::cursor::Cursor;
 pub use self::expression::DEEPEST;
 use self::fault::Outcome;
 use self::fault::Remarks;
@@ -79,7 +80,7 @@ pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
 use self::structure::Structure;
 use crate::finding::{Exit, Finding, Grade, Place};
 use crate::gcode::control::Control;
-use crate::gcode::dialect::reading::{Comments, Reading};
+use crate::gcode::dialect::reading::Reading;
 use crate::gcode::motion::Motion;
 use crate::machine::axis::Pose;
 use crate::machine::var_file::{VarFile, required};
@@ -288,178 +289,6 @@ impl<'a> Interpreter<'a> {
             );
         }
         self.execute_line(line)
-    }
-
-    /// Counts the line that has just been read.
-    fn count_line(&mut self) -> Outcome<()> {
-        let source = self.source();
-        let number = source.position().lines;
-        let again = !source.first_time(number);
-        self.line = number;
-        if again {
-            self.repeated += 1;
-            if self.repeated > self.setting.budget.repeated_blocks {
-                return Err(self.endless());
-            }
-        } else {
-            self.lines += 1;
-        }
-        Ok(())
-    }
-
-    /// The beginning of a line's words, its block number read; at `%` where the line begins with it. `None` where there is
-    /// nothing to execute.
-    fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
-        if line.len() > self.reading.longest_line {
-            let most = self.reading.longest_line;
-            return Err(Fault::at(
-                &[most],
-                Text::new(
-                    format!("la línea tiene más de {most} caracteres"),
-                    format!("the line has more than {most} characters"),
-                ),
-                Text::fixed("divida el bloque", "split the block"),
-            ));
-        }
-        if memchr::memchr3(b'(', b')', b';', line).is_some() {
-            self.see_comments(line)?;
-        }
-        let mut cursor = Cursor::new(line, self.reading.comments);
-        let first = cursor.peek();
-        if first == 0 {
-            return Ok(None);
-        }
-        self.block.clear();
-        if first == b'/' {
-            if self.setting.block_delete {
-                return Ok(None);
-            }
-            cursor.pass();
-        }
-        if cursor.accept(b'n') {
-            self.block.n = Some(block_number(&mut cursor)?);
-        }
-        Ok(Some(cursor))
-    }
-
-    fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
-        let Some(mut cursor) = self.open_line(line)? else { return Ok(()) };
-        if cursor.peek() == b'%' && self.block.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
-            return self.percent_line(&mut cursor);
-        }
-        let opening = self.stage == Stage::Opening;
-        self.stage = Stage::Running;
-        if cursor.peek() == b'o' {
-            return if self.reading.expressions {
-                self.o_word(&mut cursor)
-            } else {
-                self.program_number(&mut cursor, opening)
-            };
-        }
-        self.read_words(&mut cursor)?;
-        if let Some(column) = cursor.parted {
-            let line = self.line;
-            self.remarks.add(
-                Grade::Note,
-                line,
-                Some(column),
-                Text::fixed("número con blancos en medio", "number with blanks inside"),
-                Text::fixed("escríbalo sin blancos", "write it without blanks"),
-            );
-        }
-        for (parameter, value) in std::mem::take(&mut self.block.settings) {
-            match parameter {
-                Parameter::Number(number) => self.parameters.set(number, value),
-                Parameter::Name(name) => self.parameters.set_named(name, value),
-            }
-        }
-        self.execute()
-    }
-
-    /// `%` begins and ends a program; a Fagor program begins with `%` and its name.
-    fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
-        let opening = self.stage == Stage::Opening && !self.percent;
-        cursor.pass();
-        if self.reading.comments == Comments::Semicolon {
-            if opening {
-                self.percent = true;
-                return Ok(());
-            }
-        } else if cursor.peek() == 0 {
-            if opening {
-                self.percent = true;
-                return Ok(());
-            }
-            if self.percent || self.at != 0 {
-                return if self.stage == Stage::Opening || self.at != 0 { self.end_of_file() } else { self.end() };
-            }
-        }
-        Err(Fault::at(
-            &[cursor.column().saturating_sub(1)],
-            Text::fixed("«%» no puede estar aquí", "'%' cannot stand here"),
-            Text::fixed(
-                "«%» va solo, en la primera y la última línea",
-                "'%' stands alone, in the first and the last line",
-            ),
-        ))
-    }
-
-    /// The number and name of a program without O-words.
-    fn program_number(&mut self, cursor: &mut Cursor<'_>, opening: bool) -> Outcome<()> {
-        let column = cursor.column();
-        cursor.pass();
-        block_number(cursor)?;
-        if opening && cursor.peek() == 0 {
-            return Ok(());
-        }
-        if self.reading.system_a && cursor.peek() == 0 {
-            // What follows is another program.
-            return self.end_of_file().map_err(Fault::fatal);
-        }
-        Err(Fault::at(
-            &[column],
-            Text::fixed(
-                "un número de programa solo puede estar al principio",
-                "a program number can only stand at the beginning",
-            ),
-            Text::fixed("guarde cada programa en su archivo", "keep each program in its own file"),
-        ))
-    }
-
-    /// Shows the comments that a control would obey; none is executed.
-    fn see_comments(&mut self, line: &[u8]) -> Outcome<()> {
-        const ACTIVE: [&str; 11] = [
-            "MSG,",
-            "DEBUG,",
-            "PRINT,",
-            "LOG,",
-            "LOGOPEN,",
-            "LOGAPPEND,",
-            "LOGCLOSE",
-            "PROBEOPEN",
-            "PROBECLOSE",
-            "PY,",
-            "PYRUN,",
-        ];
-        for (column, text) in comments(line, self.reading.comments)? {
-            let text = String::from_utf8_lossy(text);
-            let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
-            if self.reading.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
-                let at = self.line;
-                let shown = text.trim();
-                self.remarks.add(
-                    Grade::Note,
-                    at,
-                    Some(column),
-                    Text::new(
-                        format!("comentario activo, no ejecutado: {shown}"),
-                        format!("active comment, not executed: {shown}"),
-                    ),
-                    Text::fixed("", ""),
-                );
-            }
-        }
-        Ok(())
     }
 
     fn end_of_file(&mut self) -> Outcome<()> {
