@@ -42,20 +42,21 @@ impl Program {
 }
 
 fn setup() -> Setup {
-    let stock = Stock { overhang: 100.0, ..Stock::bar(100.0, 150.0) };
+    let stock = Stock { overhang: 500.0, ..Stock::bar(100.0, 550.0) };
     Setup::new(Lathe::default(), stock, catalogue::turret())
 }
 
-/// Passes along a bar, ever so little deeper each, with approach and return, to twenty shoulders: one in two motions cuts.
+/// Roughing in zones of 15 mm, one after the other from the right, in passes of 0.05 mm with approach and return: one in two
+/// motions cuts.
 fn passes(count: u32) -> Vec<Motion> {
     let mut program = Program::new(&setup());
-    let each = 45.0 / f64::from(count / 4);
-    for pass in 1..=count / 4 {
-        let x = 50.0 - each * f64::from(pass);
-        program.go(Kind::Rapid, x, 2.0);
-        program.go(FEED, x, -80.0 + 3.5 * f64::from(20 * pass / (count / 4)));
-        program.go(FEED, x + each, program.at.get(Axis::Z) + each);
-        program.go(Kind::Rapid, x + each, 2.0);
+    for pass in 0..count / 4 {
+        let (zone, deep) = (f64::from(pass / 900), 0.05 * f64::from(pass % 900 + 1));
+        let x = 50.0 - deep;
+        program.go(Kind::Rapid, x, 2.0 - 15.0 * zone);
+        program.go(FEED, x, -15.0 * (zone + 1.0));
+        program.go(FEED, x + 0.05, -15.0 * (zone + 1.0) + 0.05);
+        program.go(Kind::Rapid, x + 0.05, 2.0 - 15.0 * zone);
     }
     program.motions
 }

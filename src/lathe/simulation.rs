@@ -446,11 +446,11 @@ impl Simulation {
                 tally.raise(cause, contact.place, None);
             }
         }
-        // An edge that does not cut may also have come into metal behind the auxiliary edge: that is another alarm.
-        if let Some(edge) = contact.edge.filter(|edge| contact.across > *edge) {
+        if let Some(edge) = contact.edge {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }
-        if let Some(deep) = contact.back {
+        // Where the auxiliary edge's far end left the surface, the back beside it has been in metal with it.
+        if let Some(deep) = contact.back.or(contact.beside.filter(|_| contact.dragged.is_none())) {
             tally.raise(Cause::BackInMetal, contact.place, Some(deep));
         }
         if let Some(behind) = contact.dragged {
