@@ -9,7 +9,7 @@ use crate::gcode::motion::Kind;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
-use crate::job::lathe_tables::{Rows, contour_table, tools_table, turret_table};
+use crate::job::lathe_tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
 use crate::lathe::deviation::{Profile, Span, deviation};
@@ -237,7 +237,8 @@ fn outcome(
     let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
     let mut quantities = quantities(given, &followed);
     let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
-    tables.push(crate::job::lathe_tables::alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
+    tables.push(lines_table(&tables));
+    tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
     tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
     tables.push(turret_table(&given.setup.turret));
     let last = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
