@@ -76,7 +76,7 @@ pub fn watched(
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
     let given = Given::of(&values).map_err(refused)?;
-    let profile = wanted(&values).map_err(|finding| refused(vec![finding]))?;
+    let profile = wanted(&values).map_err(|finding| refused(vec![*finding]))?;
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
@@ -276,7 +276,7 @@ fn outcome(
 ///
 /// # Errors
 /// The cells of an arc without a radius, or one that does not reach its end.
-fn wanted(values: &Values) -> Result<Option<Profile>, Finding> {
+fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
     let rows = values.rows(PROFILE_KEY);
     let point =
         |row: &Row| [row.real("profile/Z").unwrap_or_default(), row.real("profile/X").unwrap_or_default() / 2.0];
@@ -295,14 +295,14 @@ fn wanted(values: &Values) -> Result<Option<Profile>, Finding> {
         let span = row.real("profile/R").map(|radius| Span::Arc { to, radius, clockwise });
         profile.spans.extend(span);
         if span.is_none() || profile.points().is_none() {
-            return Err(Finding::stop(
+            return Err(Box::new(Finding::stop(
                 Place::Cells(row.cell("profile/R")),
                 t(
                     "el arco del perfil no llega a su final con este radio",
                     "the arc of the profile does not reach its end with this radius",
                 ),
                 t("dé un radio de al menos media cuerda", "give a radius of at least half the chord"),
-            ));
+            )));
         }
     }
     Ok(Some(profile))
