@@ -61,6 +61,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
                 legend: vec![(Ink::Safe, Text::fixed("v", "v"))],
             }]
         })),
+        turned: None,
         templates: Vec::new(),
         findings: vec![
             Finding::new(Grade::Caution, Place::File, Text::same("a caution"), Text::same("look")).with("1 mm", "2 mm"),

@@ -9,7 +9,7 @@ use crate::gcode::motion::Kind;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
-use crate::job::lathe_tables::{Rows, contour_table, tools_table, turret_table};
+use crate::job::lathe_tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
 use crate::lathe::deviation::{Profile, Span, deviation};
@@ -76,7 +76,7 @@ pub fn watched(
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
     let given = Given::of(&values).map_err(refused)?;
-    let profile = wanted(&values).map_err(|finding| refused(vec![finding]))?;
+    let profile = wanted(&values).map_err(|finding| refused(vec![*finding]))?;
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
@@ -237,7 +237,8 @@ fn outcome(
     let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
     let mut quantities = quantities(given, &followed);
     let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
-    tables.push(crate::job::lathe_tables::alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
+    tables.push(lines_table(&tables));
+    tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
     tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
     tables.push(turret_table(&given.setup.turret));
     let last = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
@@ -275,7 +276,7 @@ fn outcome(
 ///
 /// # Errors
 /// The cells of an arc without a radius, or one that does not reach its end.
-fn wanted(values: &Values) -> Result<Option<Profile>, Finding> {
+fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
     let rows = values.rows(PROFILE_KEY);
     let point =
         |row: &Row| [row.real("profile/Z").unwrap_or_default(), row.real("profile/X").unwrap_or_default() / 2.0];
@@ -294,14 +295,14 @@ fn wanted(values: &Values) -> Result<Option<Profile>, Finding> {
         let span = row.real("profile/R").map(|radius| Span::Arc { to, radius, clockwise });
         profile.spans.extend(span);
         if span.is_none() || profile.points().is_none() {
-            return Err(Finding::stop(
+            return Err(Box::new(Finding::stop(
                 Place::Cells(row.cell("profile/R")),
                 t(
                     "el arco del perfil no llega a su final con este radio",
                     "the arc of the profile does not reach its end with this radius",
                 ),
                 t("dé un radio de al menos media cuerda", "give a radius of at least half the chord"),
-            ));
+            )));
         }
     }
     Ok(Some(profile))

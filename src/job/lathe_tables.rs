@@ -148,6 +148,83 @@ impl Rows {
     }
 }
 
+/// What each line of the programs did: motions, time, volume, alarms. A line of a subprogram's file stands under its own.
+#[must_use]
+pub fn lines_table(motions: &[Table]) -> Table {
+    struct Line {
+        program: usize,
+        line: f64,
+        block: Text,
+        sums: [f64; 7],
+        alarms: Vec<String>,
+    }
+    let mut lines: Vec<Line> = Vec::new();
+    let mut known: std::collections::BTreeMap<(usize, u64, String), usize> = std::collections::BTreeMap::new();
+    for (program, table) in motions.iter().enumerate() {
+        let number = |symbol: &str, row: usize| match table.column(symbol).map(|column| column.values.get(row)) {
+            Some(crate::table::Entry::Number(value)) => value,
+            _ => 0.0,
+        };
+        let text = |symbol: &str, row: usize| match table.column(symbol).map(|column| column.values.get(row)) {
+            Some(crate::table::Entry::Text(text)) => text.clone(),
+            _ => Text::same(""),
+        };
+        for row in 0..table.rows() {
+            let (line, block) = (number("line", row), text("block", row));
+            let at = *known.entry((program, line.to_bits(), block.en.to_string())).or_insert_with(|| {
+                lines.push(Line { program: program + 1, line, block, sums: [0.0; 7], alarms: Vec::new() });
+                lines.len() - 1
+            });
+            let Some(one) = lines.get_mut(at) else { continue };
+            let cutting = if number("V", row) > 0.0 { number("t", row) } else { 0.0 };
+            for (sum, more) in one.sums.iter_mut().zip([1.0, number("t", row), cutting, number("V", row)]) {
+                *sum += more;
+            }
+            for (most, symbol) in one.sums.iter_mut().skip(4).zip(["a_p", "V_c", "Q"]) {
+                *most = most.max(number(symbol, row));
+            }
+            let raised = text("alarms", row);
+            for alarm in raised.en.split(", ").filter(|alarm| !alarm.is_empty()) {
+                if one.alarms.iter().all(|other| other != alarm) {
+                    one.alarms.push(alarm.to_owned());
+                }
+            }
+        }
+    }
+    let sum = |at: usize| lines.iter().map(|line| line.sums[at]).collect::<Vec<f64>>();
+    Table {
+        key: "lines",
+        name: t("Por bloque", "By block"),
+        title: t("Lo que hace cada bloque", "What each block does"),
+        source: t("Sumas sobre los movimientos de cada línea", "Sums over the motions of each line"),
+        index: Index::None,
+        columns: vec![
+            Column::numbers(
+                "program",
+                Unit::Count,
+                "",
+                lines.iter().map(|line| count(line.program)).collect::<Vec<f64>>(),
+            )
+            .named(t("prog.", "program")),
+            Column::numbers("line", Unit::Count, "", lines.iter().map(|line| line.line).collect::<Vec<f64>>())
+                .named(t("línea", "line")),
+            Column::texts(t("bloque", "block"), "", lines.iter().map(|line| line.block.clone()).collect()),
+            Column::numbers("motions", Unit::Count, "", sum(0)).named(t("mov.", "motions")),
+            Column::numbers("t", Unit::Second, "", sum(1)),
+            Column::numbers("t_c", Unit::Second, "", sum(2)),
+            Column::numbers("V", Unit::CubicMillimetre, "", sum(3)),
+            Column::numbers("a_p", Unit::Millimetre, "", sum(4)),
+            Column::numbers("V_c", Unit::MetrePerMinute, "", sum(5)),
+            Column::numbers("Q", Unit::CubicCentimetrePerMinute, "", sum(6)),
+            Column::texts(
+                t("alarmas", "alarms"),
+                "",
+                lines.iter().map(|line| Text::same(line.alarms.join(", "))).collect(),
+            ),
+        ],
+    }
+}
+
 /// Every alarm: number, grade, text, remedy, place, depth.
 #[must_use]
 pub fn alarms_table<'a>(alarms: impl Iterator<Item = &'a (Alarm, Place)>) -> Table {

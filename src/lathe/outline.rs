@@ -49,6 +49,9 @@ enum Mark {
     Circle([f64; 2], f64),
 }
 
+/// A part of a cutter before it is a polygon: its corners, and what its edges are.
+type Marked = (Vec<[f64; 2]>, Vec<Mark>);
+
 /// How close to a mark the middle of an edge must be, mm: half the corners' rounding and the chords' tolerance.
 const CLOSE: f64 = 0.002;
 /// Corners that do not cut are chords within this, mm.
@@ -216,7 +219,7 @@ impl Tool {
 
     /// The cutter's parts as for tip 3: the tip at the origin, the body towards +z and +r; for a drill the point at the
     /// origin and the body along +z.
-    fn parts(&self, tolerance: f64) -> Result<Vec<(Vec<[f64; 2]>, Vec<Mark>)>, Text> {
+    fn parts(&self, tolerance: f64) -> Result<Vec<Marked>, Text> {
         let large = || {
             refuse(
                 "el radio de punta es demasiado grande para la plaquita",

@@ -262,7 +262,7 @@ fn turret(rows: &[Row], tolerance: f64, findings: &mut Vec<Finding>) -> (BTreeMa
         let tool = match tool(row) {
             Ok(tool) => tool,
             Err(lost) => {
-                findings.push(lost);
+                findings.push(*lost);
                 continue;
             }
         };
@@ -301,19 +301,19 @@ fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
 ///
 /// # Errors
 /// The first value that its type needs and that is missing.
-fn tool(row: &Row) -> Result<Tool, Finding> {
+fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
     let kind = row.choice("tools/type").unwrap_or_default();
     let need = |key: &'static str| {
         row.real(key).ok_or_else(|| {
             let symbol = key.rsplit('/').next().unwrap_or(key);
-            Finding::stop(
+            Box::new(Finding::stop(
                 Place::Cells(row.cell(key)),
                 Text::new(
                     format!("la herramienta {} necesita {symbol}", row.whole("tools/T").unwrap_or_default()),
                     format!("tool {} needs {symbol}", row.whole("tools/T").unwrap_or_default()),
                 ),
                 Text::fixed("rellene la celda", "fill the cell in"),
-            )
+            ))
         })
     };
     let hand = match row.choice("tools/hand") {
@@ -326,7 +326,7 @@ fn tool(row: &Row) -> Result<Tool, Finding> {
         "external" | "internal" => {
             let letter = row.choice("tools/shape").and_then(|shape| shape.chars().next());
             let shape = letter.and_then(Shape::of).ok_or_else(|| {
-                Finding::stop(
+                Box::new(Finding::stop(
                     Place::Cells(row.cell("tools/shape")),
                     Text::new(
                         format!(
@@ -336,7 +336,7 @@ fn tool(row: &Row) -> Result<Tool, Finding> {
                         format!("tool {} needs the shape of its insert", row.whole("tools/T").unwrap_or_default()),
                     ),
                     Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832"),
-                )
+                ))
             })?;
             let circle = need("tools/IC")?;
             if shape == Shape::R {

@@ -262,9 +262,7 @@ impl Simulation {
             && motion.from.get(Axis::Z) == motion.to.get(Axis::Z)
             && motion.to.get(Axis::X).abs() != motion.from.get(Axis::X).abs();
         self.in_groove = matches!(motion.kind, Kind::Thread(_));
-        let removed = if leaves_groove {
-            Removed::default()
-        } else if pieces.is_empty() {
+        let removed = if leaves_groove || pieces.is_empty() {
             Removed::default()
         } else {
             self.cut(&pieces, control, &mut contact, &mut tally)

@@ -76,7 +76,7 @@ pub(super) fn write(
         tables: outcome
             .tables
             .iter()
-            .filter(|table| !matches!(table.key, "checks" | "views"))
+            .filter(|table| !matches!(table.key, "checks" | "views" | "blocks" | "blocks-2") && table.rows() > 0)
             .map(|one| sheet(one, &mut words))
             .collect(),
         figures,
@@ -229,7 +229,11 @@ fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Resu
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);
     }
-    let summary = summary(program);
+    let mut summary = summary(program);
+    if summary.blocks == 0 {
+        // A program that stands on a sheet line by line.
+        summary.blocks = program.parts.len() as u64;
+    }
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),

@@ -78,7 +78,8 @@ impl Watching {
     fn step(&mut self, step: &Step, simulation: &Simulation, file: Option<&str>) {
         let before = file.and_then(|name| self.before.get(name)).copied().unwrap_or_default();
         let Some(program) = self.programs.last_mut() else { return };
-        let motion = Motion { line: step.motion.line + before, ..step.motion };
+        // Rapid moves take what the machine of the simulation needs.
+        let motion = Motion { line: step.motion.line + before, seconds: step.seconds, ..step.motion };
         if let Some([z, r]) = step.way.last() {
             program.shift = [r - motion.to.get(Axis::X), 0.0, z - motion.to.get(Axis::Z)];
         }

@@ -160,7 +160,7 @@ impl Line {
         ];
         let sum: f64 = products.iter().map(|(plus, minus)| plus - minus).sum();
         let size: f64 = products.iter().map(|(plus, minus)| plus.abs() + minus.abs()).sum();
-        (sum.abs() > 2e-15 * size).then(|| if sum > 0.0 { Ordering::Greater } else { Ordering::Less })
+        (sum.abs() > 2e-15 * size).then_some(if sum > 0.0 { Ordering::Greater } else { Ordering::Less })
     }
 
     const fn wide(self) -> [i128; 3] {
