@@ -34,6 +34,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             sha256: "0123456789abcdef".repeat(4),
             version: "0.1.0",
         },
+        endless: false,
         quantities: vec![Quantity {
             symbol: "L",
             meaning: Text::fixed("Longitud de pivote", "Pivot length"),

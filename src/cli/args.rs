@@ -148,7 +148,7 @@ pub(super) struct Control {
     /// LinuxCNC's parameter file: work offsets and parameters at the start
     #[arg(long, value_name = "FILE")]
     pub(super) var: Option<PathBuf>,
-    /// LinuxCNC's tool table: tool lengths
+    /// LinuxCNC's tool table: tool lengths; to view a turning program, a lathe workbook
     #[arg(long, value_name = "FILE")]
     pub(super) tools: Option<PathBuf>,
     /// Skip blocks that begin with /
@@ -194,6 +194,10 @@ pub(super) struct View {
     /// File to write [default: <stem>.html beside the input]
     #[arg(short, long, value_name = "FILE.html")]
     pub(super) output: Option<PathBuf>,
+    /// Diameter, length and bore of a turning program's stock, in mm: D50xL100, D50xL100xd20 [default: the lathe
+    /// workbook's, or what encloses the path]
+    #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
+    pub(super) stock: Option<Stock>,
     /// How a program is read; a workbook says itself what its programs are.
     #[command(flatten)]
     pub(super) control: Control,

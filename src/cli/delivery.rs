@@ -13,8 +13,8 @@ use crate::job::Outcome;
 use crate::lathe::mesh;
 use crate::store::{self, Set};
 use crate::text::{Language, Text};
+use crate::view;
 use crate::view::lathe::Watching;
-use crate::view::{self, Scene};
 use crate::workbook::results;
 
 /// The ending of the results.
@@ -66,7 +66,7 @@ impl Delivery<'_> {
         }
         if let Some(watching) = watching {
             let title = outcome.values.line("part").to_owned();
-            let scene = Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: watching.programs };
+            let scene = watching.scene(title, language);
             set.write(&store::file_name(&item.stem, VIEWER), |out| view::write(&scene, out))?;
         }
         Ok(())

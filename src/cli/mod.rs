@@ -24,6 +24,7 @@ mod side_by_side;
 mod simulate;
 mod stock;
 mod terminal;
+mod turning;
 mod verdict;
 mod verify;
 mod view;

@@ -6,7 +6,7 @@ use super::fault;
 use super::kinds::FORMS;
 use super::verdict::Verdict;
 use crate::escape::printable;
-use crate::finding::{Exit, Refusal};
+use crate::finding::Refusal;
 use crate::job::{self, Outcome, Source};
 use crate::store;
 use crate::view::lathe::Watching;
@@ -79,8 +79,6 @@ pub(super) fn watch(
     outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     verdict.findings.clone_from(&outcome.findings);
     verdict.quantities.clone_from(&outcome.quantities);
-    if outcome.stopped() {
-        verdict.exit = Exit::Refused;
-    }
+    verdict.exit = outcome.exit();
     Ok(outcome)
 }

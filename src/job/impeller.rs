@@ -93,6 +93,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         tables,
         programs: if stopped { Vec::new() } else { made.programs },
         findings,
+        endless: false,
         values,
         source,
     })

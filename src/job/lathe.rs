@@ -51,8 +51,8 @@ struct Followed {
     rows: Rows,
     alarms: Vec<(Alarm, Place)>,
     findings: Vec<Finding>,
-    /// The program could not be read to its end.
-    broken: bool,
+    /// A budget ended before the program did.
+    endless: bool,
     drawn: Drawn,
 }
 
@@ -126,7 +126,7 @@ fn follow(
         rows: Rows::default(),
         alarms: Vec::new(),
         findings: Vec::new(),
-        broken: false,
+        endless: false,
         drawn: Drawn { stock, ..Drawn::default() },
     };
     let mut interpreter = source.read(given.setting());
@@ -148,7 +148,7 @@ fn follow(
                 watch(Seen::Step(&step, &one.simulation, file));
             }
             Err(fault) => {
-                one.broken = true;
+                one.endless |= fault.exit == Exit::Limit;
                 total += 1;
                 if faults.len() < MOST {
                     faults.push(refusal_of(&fault, source));
@@ -251,6 +251,7 @@ fn outcome(
     }
     let contour = figures::contour(&drawn);
     let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE });
+    let endless = followed.iter().any(|one| one.endless);
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
     Outcome {
         form,
@@ -267,6 +268,7 @@ fn outcome(
         programs: if stopped { Vec::new() } else { programs },
         turned,
         findings,
+        endless,
         values,
         source,
     }

@@ -107,6 +107,8 @@ pub struct Outcome {
     pub turned: Option<Turned>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
+    /// A program was not read to its end, for it has none: a budget ended.
+    pub endless: bool,
 }
 
 impl Outcome {
@@ -114,6 +116,16 @@ impl Outcome {
     #[must_use]
     pub fn stopped(&self) -> bool {
         self.findings.iter().any(|finding| finding.grade == Grade::Stop)
+    }
+
+    /// How the work ends, once what there is has been delivered.
+    #[must_use]
+    pub fn exit(&self) -> Exit {
+        match (self.stopped(), self.endless) {
+            (false, _) => Exit::Done,
+            (true, false) => Exit::Refused,
+            (true, true) => Exit::Limit,
+        }
     }
 
     /// The table with a key.

@@ -98,6 +98,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
             },
         ],
         turned: None,
+        endless: false,
         templates: vec![Template {
             key: "template",
             title: t("Plantilla del agujero", "Template of the hole"),

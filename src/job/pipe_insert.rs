@@ -90,6 +90,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         tables,
         programs: if stopped { Vec::new() } else { programs },
         findings,
+        endless: false,
         values,
         source,
     })

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::frame::Frame;
 use super::program::Program;
-use super::scene::{Remark, Shape, Tool};
+use super::scene::{Remark, Scene, Shape, Tool};
 use super::turning::{Fixture, Turning};
 use crate::gcode::motion::Motion;
 use crate::job::lathe::Seen;
@@ -14,7 +14,7 @@ use crate::lathe::step::Step;
 use crate::lathe::stock::Fixture as Standing;
 use crate::lathe::text::Source;
 use crate::machine::axis::Axis;
-use crate::text::Text;
+use crate::text::{Language, Text};
 
 /// Most alarms of a program that are listed.
 const MOST: usize = 500;
@@ -45,6 +45,12 @@ impl Watching {
                 }
             }
         }
+    }
+
+    /// The scene of what was seen.
+    #[must_use]
+    pub fn scene(self, title: String, language: Language) -> Scene {
+        Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: self.programs }
     }
 
     fn begin(
