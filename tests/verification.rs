@@ -2,6 +2,9 @@
 
 mod common;
 
+#[path = "verification/blank.rs"]
+mod blank;
+
 use std::collections::BTreeMap;
 
 use proptest::prelude::*;

@@ -82,15 +82,6 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
                 Text::fixed("el programa del rodete completo lo hace todo de una vez", "the program of the whole impeller does it all in one run"),
             ));
         }
-    } else if design.blank.S_m.is_none() {
-        findings.push(Finding::caution(
-            at(&["S_m"]),
-            Text::fixed(
-                "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar se acelera hasta el máximo del cabezal",
-                "the lathe runs at constant surface speed without a limit: facing speeds the spindle up to its greatest",
-            ),
-            Text::fixed("escriba S_m", "fill in S_m"),
-        ));
     }
     let unchecked: Vec<&'static str> =
         [("X_min", 0, 0), ("X_max", 0, 1), ("Y_min", 1, 0), ("Y_max", 1, 1), ("Z_min", 2, 0), ("Z_max", 2, 1)]

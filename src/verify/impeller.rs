@@ -10,6 +10,7 @@ use crate::number::grid::Milli;
 use crate::text::Text;
 use crate::verify::agreement::{Agreement, Passes};
 use crate::verify::arcs::Arcs;
+use crate::verify::blank;
 use crate::verify::check::Check;
 use crate::verify::closure::{Closure, Turn};
 use crate::verify::cutting::{Cutting, Known};
@@ -39,7 +40,7 @@ pub fn verify(geometry: Geometry<'_>, programs: &[Program]) -> (Verification, Ve
     let mut verification = Verification::default();
     for program in programs {
         let checks = if program.key == "blank" {
-            Vec::new()
+            blank::judge(geometry.design, program, &mut program.read_back_with(blank::setting(geometry.design)))
         } else {
             judge(geometry, program, &mut program.read_back(), &mut known)
         };

@@ -17,10 +17,12 @@
 //! | [`stock`] | does it keep clear of the stock where it does not cut |
 //! | [`text`] | are characters, numbers and lines such as the control takes them |
 //! | [`arcs`] | how well do the radii of an arc agree |
+//! | [`blank`] | does the turning program leave the torus, cut at the speeds and feeds asked for, and nowhere at rapid |
 
 pub mod account;
 pub mod agreement;
 pub mod arcs;
+pub mod blank;
 pub mod check;
 pub mod closure;
 pub mod cutting;

@@ -1,7 +1,7 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::interpreter::{Fault, Interpreter, NO_FEED};
+use crate::gcode::interpreter::{Fault, Interpreter, NO_FEED, NO_SPEED_LIMIT};
 use crate::gcode::program::Program;
 use crate::gcode::word::Word;
 use crate::table::{Column, Index, Table};
@@ -34,8 +34,10 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>)
         let remedy = if fault.remedy.is_empty() { FAULT } else { fault.remedy.clone() };
         return check.at(Some(at)).found(Verdict::Stop, what, remedy);
     }
-    // Of feeds the judge of feeds speaks.
-    match text.remarks().into_iter().find(|remark| remark.grade >= Grade::Caution && remark.what != NO_FEED) {
+    // Of feeds and of the limit of the speed their judges speak.
+    let theirs = [NO_FEED, NO_SPEED_LIMIT];
+    let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.contains(&remark.what);
+    match text.remarks().into_iter().find(own) {
         None => check,
         Some(remark) => check.found(
             Verdict::Caution,

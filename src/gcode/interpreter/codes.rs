@@ -6,7 +6,7 @@ use crate::gcode::control::{Control, Spindle};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::fault::{Fault, NO_SPEED_LIMIT, Outcome};
 use crate::gcode::motion::{FeedMode, Kind};
 use crate::gcode::turning::pace::Pace;
 use crate::machine::axis::Axis;
@@ -30,10 +30,7 @@ impl Interpreter<'_> {
                         Grade::Caution,
                         line,
                         Some(self.block.g_column(Group::Speed)),
-                        Text::fixed(
-                            "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
-                            "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
-                        ),
+                        NO_SPEED_LIMIT,
                         Text::fixed("programe el límite antes de G96", "program the limit before G96"),
                     );
                 }

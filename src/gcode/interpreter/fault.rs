@@ -75,6 +75,12 @@ pub const NO_FEED: Text = Text::fixed(
     "feed move without F: the control takes the feed it has",
 );
 
+/// The remark on a constant surface speed without a limit.
+pub const NO_SPEED_LIMIT: Text = Text::fixed(
+    "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
+    "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
+);
+
 /// Most remarks that are kept.
 const MOST: usize = 100;
 

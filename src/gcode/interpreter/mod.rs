@@ -68,7 +68,7 @@ use self::cursor::Cursor;
 pub use self::expression::DEEPEST;
 use self::fault::Outcome;
 use self::fault::Remarks;
-pub use self::fault::{Fault, NO_FEED};
+pub use self::fault::{Fault, NO_FEED, NO_SPEED_LIMIT};
 use self::flow::Flow;
 use self::modal::Modal;
 use self::moves::Run;
