@@ -101,8 +101,8 @@ fn a_wrong_cell_of_a_list_is_refused_by_its_address() {
         }))
     };
     assert_eq!(
-        changed(TOOLS_KEY, 1, "tools/T", None),
-        [("TOOLS!A7".to_owned(), "T (place in the turret) is missing".to_owned())]
+        changed(TOOLS_KEY, 0, "tools/T", None),
+        [("TOOLS!A6".to_owned(), "T (place in the turret) is missing".to_owned())]
     );
     assert_eq!(
         changed(TOOLS_KEY, 0, "tools/R", Some(Value::Real(-1.0))),

@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod removal {
+    mod alarms;
     mod exact;
     mod lathe;
+    mod part;
     mod volumes;
 }

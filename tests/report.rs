@@ -34,6 +34,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             sha256: "0123456789abcdef".repeat(4),
             version: "0.1.0",
         },
+        endless: false,
         quantities: vec![Quantity {
             symbol: "L",
             meaning: Text::fixed("Longitud de pivote", "Pivot length"),
@@ -61,6 +62,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
                 legend: vec![(Ink::Safe, Text::fixed("v", "v"))],
             }]
         })),
+        turned: None,
         templates: Vec::new(),
         findings: vec![
             Finding::new(Grade::Caution, Place::File, Text::same("a caution"), Text::same("look")).with("1 mm", "2 mm"),

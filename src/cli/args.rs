@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use super::kinds;
+use super::stock::Stock;
 use crate::gcode::dialect::ALL;
 use crate::gcode::interpreter::DecimalPoint;
 use crate::machine::work_offset::System;
@@ -68,6 +69,13 @@ pub(super) enum Command {
     /// display and the alarms, played in machine time. A program that is refused is shown as far as it can be read, with its
     /// faults, and the exit code is still 3.
     View(View),
+    /// Follow a turning program over its stock: material removed, times, alarms
+    ///
+    /// The stock, the machine and the turret come from a lathe workbook (--tools), or the stock from --stock and the rest
+    /// from the example of `rodete new lathe`. Results, viewer (HTML), solid (STL) and contour (DXF, SVG) go to the folder
+    /// of -o; without it nothing is written. Exit 3 where the program is refused or an alarm stops it; the files are then
+    /// written all the same, for they show why.
+    Simulate(Simulate),
     /// Show and edit the work offsets in LinuxCNC's parameter file
     ///
     /// Without options: G54 to G59.3, G92, G28 and G30 as the file holds them, and the blocks that give a control the
@@ -140,7 +148,7 @@ pub(super) struct Control {
     /// LinuxCNC's parameter file: work offsets and parameters at the start
     #[arg(long, value_name = "FILE")]
     pub(super) var: Option<PathBuf>,
-    /// LinuxCNC's tool table: tool lengths
+    /// LinuxCNC's tool table: tool lengths; to view a turning program, a lathe workbook
     #[arg(long, value_name = "FILE")]
     pub(super) tools: Option<PathBuf>,
     /// Skip blocks that begin with /
@@ -186,12 +194,47 @@ pub(super) struct View {
     /// File to write [default: <stem>.html beside the input]
     #[arg(short, long, value_name = "FILE.html")]
     pub(super) output: Option<PathBuf>,
+    /// Diameter, length and bore of a turning program's stock, in mm: D50xL100, D50xL100xd20 [default: the lathe
+    /// workbook's, or what encloses the path]
+    #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
+    pub(super) stock: Option<Stock>,
     /// How a program is read; a workbook says itself what its programs are.
     #[command(flatten)]
     pub(super) control: Control,
     /// Language that the page begins in, and of the messages [default: the workbook's, else en; messages in English]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
+}
+
+/// Arguments of `simulate`.
+#[derive(Debug, Args)]
+pub(super) struct Simulate {
+    /// Turning program
+    pub(super) program: PathBuf,
+    /// Dialect of the program [default: told from the program]
+    #[arg(long, value_parser = PossibleValuesParser::new(["fanuc-lathe-a", "fagor-8055-t"]))]
+    pub(super) dialect: Option<String>,
+    /// Diameter, length and bore of the stock, in mm: D50xL100, D50xL100xd20 [default: the workbook's, or what encloses the path]
+    #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
+    pub(super) stock: Option<Stock>,
+    /// Lathe workbook with machine, stock and tools
+    #[arg(long, value_name = "FILE.xlsx")]
+    pub(super) tools: Option<PathBuf>,
+    /// Folder for the outputs
+    #[arg(short, long, value_name = "DIR")]
+    pub(super) output: Option<PathBuf>,
+    /// What a Fanuc lathe makes of a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
+    #[arg(long, value_name = "RULE", value_parser = decimal_point())]
+    pub(super) decimal_point: Option<DecimalPoint>,
+    /// Skip blocks that begin with /
+    #[arg(long)]
+    pub(super) block_delete: bool,
+    /// Language of the outputs and messages [default: en]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
+    /// Print one JSON document instead of text: totals, findings, files
+    #[arg(long)]
+    pub(super) json: bool,
 }
 
 /// Arguments of `offsets`.

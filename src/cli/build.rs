@@ -1,37 +1,26 @@
 //! The command `build`: tables, programs, drawings and report of each workbook, all or nothing.
 
-use std::collections::BTreeSet;
 use std::env;
-use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::args::Build;
+use super::delivery::{Delivery, REPORT, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
-use super::kinds::FORMS;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Verdict;
-use super::{BUILD, Sink, drawings, reading, refused, show, side_by_side};
+use super::{BUILD, Sink, drawings, reading, refused, side_by_side};
 use crate::escape::printable;
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
-use crate::gcode::program::Program;
+use crate::finding::{Exit, Finding, Refusal};
 use crate::job::Outcome;
+use crate::lathe::parameters as lathe;
 use crate::report::{self, Attachment, Content, Role, Typst};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, Text};
-use crate::workbook::results;
-
-/// Endings of every file that a build may write; one that is not of this build may be left from an earlier one.
-fn endings() -> BTreeSet<String> {
-    let programs = FORMS.iter().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
-    ["-results.xlsx", REPORT].into_iter().map(str::to_owned).chain(programs).chain(drawings::endings()).collect()
-}
-
-/// The ending of the report.
-pub(super) const REPORT: &str = "-report.pdf";
+use crate::view::lathe::Watching;
 
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";
@@ -93,15 +82,12 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
         set.check(&store::file_name(&item.stem, &ending))?;
     }
     let language = settings.language.unwrap_or(filled.values.language);
-    let outcome = reading::compute(&item.workbook, filled, verdict)?;
+    let mut watching = (filled.form.kind == lathe::FORM.kind).then(Watching::default);
+    let outcome = reading::watch(&item.workbook, filled, verdict, watching.as_mut())?;
     if outcome.stopped() {
         return Ok(());
     }
-    set.write(&store::file_name(&item.stem, "-results.xlsx"), |out| results::write(&outcome, language, out))?;
-    for program in &outcome.programs {
-        set.write(&program_name(item, program), |out| program.write(out))?;
-    }
-    drawings::write(item, &outcome, language, &mut set)?;
+    Delivery { item, outcome: &outcome, language }.write(watching, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
         let at_work = AtWork::begin();
@@ -116,10 +102,6 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
         verdict.refuse(Refusal { exit: Exit::ReportFailed, findings: failed });
     }
     Ok(())
-}
-
-fn program_name(item: &Item, program: &Program) -> OsString {
-    store::file_name(&item.stem, &format!("-{}.nc", program.key))
 }
 
 /// Adds the report to the set; gives the finding where it fails, which keeps nothing else from being delivered.
@@ -166,28 +148,4 @@ fn typeset(
         }
         Err(failure) => Ok(Some(failure.finding())),
     }
-}
-
-/// A caution for each file in the folder that bears the name of an output and is not of this build: a program of an
-/// earlier one must not be taken for one of this.
-fn leftovers(item: &Item, verdict: &Verdict) -> Vec<Finding> {
-    endings()
-        .into_iter()
-        .map(|ending| store::file_name(&item.stem, &ending))
-        .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
-        .map(|name| item.folder.join(name))
-        .filter(|path| path.symlink_metadata().is_ok())
-        .map(|path| {
-            let path = show::path(&path);
-            Finding::new(
-                Grade::Caution,
-                Place::File,
-                Text::new(
-                    format!("{path} queda de una construcción anterior y no pertenece a este conjunto"),
-                    format!("{path} is left from an earlier build and does not belong to this set"),
-                ),
-                Text::fixed("no lo use; bórrelo o apártelo", "do not use it; delete it or move it away"),
-            )
-        })
-        .collect()
 }

@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod delivery;
 mod drawings;
 mod fault;
 mod finding;
@@ -20,7 +21,10 @@ mod quantity;
 mod reading;
 mod show;
 mod side_by_side;
+mod simulate;
+mod stock;
 mod terminal;
+mod turning;
 mod verdict;
 mod verify;
 mod view;
@@ -73,6 +77,7 @@ fn command(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termina
         Command::New(new) => new::run(&new, terminal),
         Command::Check(arguments) => check(&arguments, terminal),
         Command::Build(arguments) => build::run(&arguments, terminal),
+        Command::Simulate(arguments) => simulate::run(&arguments, terminal),
         Command::Verify(arguments) => verify::run(&arguments, terminal),
         Command::View(arguments) => view::run(&arguments, terminal),
         Command::Offsets(arguments) => offsets::run(&arguments, terminal),

@@ -15,7 +15,14 @@ use crate::text::Text;
 use crate::workbook::{self, Input};
 
 /// Subprograms that stand beside the program.
-struct Beside(PathBuf);
+pub(super) struct Beside(PathBuf);
+
+impl Beside {
+    /// Beside a program.
+    pub(super) fn of(program: &Path) -> Self {
+        Self(program.parent().unwrap_or(Path::new("")).to_owned())
+    }
+}
 
 impl Files for Beside {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
@@ -72,7 +79,7 @@ impl<'a> Shared<'a> {
         setting.point = self.control.decimal_point;
         setting.block_delete = self.control.block_delete;
         setting.keep_g92 = !self.control.no_g92_persistence;
-        setting.files = Box::new(Beside(path.parent().unwrap_or(Path::new("")).to_owned()));
+        setting.files = Box::new(Beside::of(path));
         setting
     }
 }

@@ -6,9 +6,10 @@ use super::fault;
 use super::kinds::FORMS;
 use super::verdict::Verdict;
 use crate::escape::printable;
-use crate::finding::{Exit, Refusal};
+use crate::finding::Refusal;
 use crate::job::{self, Outcome, Source};
 use crate::store;
+use crate::view::lathe::Watching;
 use crate::workbook::{self, Filled};
 
 /// Reads a workbook and computes what it asks for; writes nothing.
@@ -52,19 +53,32 @@ pub(super) fn read(path: &Path, verdict: &mut Verdict) -> Result<(Vec<u8>, Fille
 /// # Errors
 /// Whatever the computation refuses. An outcome that a finding stops is no error: its derived values are shown.
 pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Verdict) -> Result<Outcome, Refusal> {
+    watch(path, filled, verdict, None)
+}
+
+/// The same; a turning is shown to `watching` as it is followed.
+pub(super) fn watch(
+    path: &Path,
+    filled: Filled,
+    verdict: &mut Verdict,
+    watching: Option<&mut Watching>,
+) -> Result<Outcome, Refusal> {
     let source = Source {
         workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
         sha256: verdict.sha256.clone().unwrap_or_default(),
         version: env!("CARGO_PKG_VERSION"),
     };
     verdict.findings.clone_from(&filled.findings);
-    let mut outcome = job::run(filled.form, filled.values, source)?;
+    let mut outcome = match watching {
+        Some(watching) => {
+            job::lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?
+        }
+        None => job::run(filled.form, filled.values, source)?,
+    };
     outcome.findings.extend(filled.findings);
     outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     verdict.findings.clone_from(&outcome.findings);
     verdict.quantities.clone_from(&outcome.quantities);
-    if outcome.stopped() {
-        verdict.exit = Exit::Refused;
-    }
+    verdict.exit = outcome.exit();
     Ok(outcome)
 }

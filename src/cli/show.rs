@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
 
-use super::build::REPORT;
+use super::delivery::REPORT;
 use super::terminal::Terminal;
 use super::verdict::Verdict;
 use super::{finding, quantity};

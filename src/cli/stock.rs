@@ -1,6 +1,5 @@
 //! The stock on the command line: `D50xL100`, with a bore `D50xL100xd20`.
 
-
 /// The stock's diameter, length and bore in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stock {

@@ -4,16 +4,20 @@ use std::ffi::OsString;
 use std::io::BufRead;
 use std::path::Path;
 
-use super::args::View;
+use super::args::{Control, View};
 use super::program::{Shared, told_from};
 use super::terminal::Terminal;
+use super::turning::{Wanted, follow};
 use super::verdict::{Verdict, gravest};
 use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::dialect::Dialect;
 use crate::gcode::interpreter::Interpreter;
+use crate::lathe::parameters as lathe;
 use crate::store::{self, Existing, Folder, Set, Written};
 use crate::text::{Language, Text};
+use crate::view::lathe::Watching;
 use crate::view::{self, Frame, Program, Remark, Scene, Shape, Tool};
 use crate::workbook;
 
@@ -65,19 +69,87 @@ fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusa
     let scene = if package {
         drop(file);
         of_workbook(arguments, title, verdict)?
+    } else if let Some(dialect) = turned(control)? {
+        Some(of_turning(arguments, title, dialect, verdict)?)
     } else {
         Some(of_program(arguments, title, &mut file, verdict)?)
     };
+    if arguments.stock.is_some() && (package || !scene.as_ref().is_some_and(cut_away)) {
+        return Err(no_stock());
+    }
     let Some(scene) = scene else { return Ok(Vec::new()) };
     set.write(&name, |out| view::write(&scene, out))?;
     set.commit()
 }
 
-/// The scene of a workbook; `None` where a finding stops its programs.
+/// True where the scene shows metal that goes.
+fn cut_away(scene: &Scene) -> bool {
+    scene.programs.iter().any(|program| program.turning.is_some())
+}
+
+fn no_stock() -> Refusal {
+    Refusal::new(
+        Exit::CommandLine,
+        Finding::stop(
+            Place::File,
+            Text::fixed(
+                "--stock vale para un programa de torno, no para esta entrada",
+                "--stock is for a turning program, not for this input",
+            ),
+            Text::fixed(
+                "quite --stock, o indique el control con --dialect; el bruto de un libro está en su hoja DATOS",
+                "leave --stock out, or name the control with --dialect; the stock of a workbook is on its sheet DATA",
+            ),
+        ),
+    )
+}
+
+/// The dialect of a turning program that is to be followed over its stock; `None` for a milling program, and for one that
+/// is read with LinuxCNC's tables, which say nothing of a stock.
+fn turned(control: &Control) -> Result<Option<&'static Dialect>, Refusal> {
+    let dialect = control.dialect.as_deref().and_then(Dialect::named).filter(|dialect| dialect.reading.diameter);
+    let tables = match &control.tools {
+        Some(tools) => !workbook::open_as(workbook::Input::ToolTable, tools)?.starts_with(PACKAGE),
+        None => false,
+    };
+    Ok(dialect.filter(|_| !tables && control.var.is_none() && !control.inch))
+}
+
+/// The scene of a turning program over its stock.
+fn of_turning(
+    arguments: &View,
+    title: String,
+    dialect: &'static Dialect,
+    verdict: &mut Verdict,
+) -> Result<Scene, Refusal> {
+    let (input, control) = (&arguments.input, &arguments.control);
+    let bytes = workbook::open_as(workbook::Input::Program, input)?;
+    let language = arguments.lang.unwrap_or_default();
+    let wanted = Wanted {
+        program: input,
+        bytes: &bytes,
+        dialect: Some(dialect),
+        point: control.decimal_point,
+        block_delete: control.block_delete,
+        stock: arguments.stock,
+        tools: control.tools.as_deref(),
+        language,
+    };
+    let mut watching = Watching::default();
+    follow(&wanted, verdict, Some(&mut watching))?;
+    Ok(watching.scene(title, language))
+}
+
+/// The scene of a workbook; `None` where a finding stops its programs. A turning is shown all the same: it shows why.
 fn of_workbook(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Option<Scene>, Refusal> {
     plan::twice(std::slice::from_ref(&arguments.input))?;
     let (_, filled) = reading::read(&arguments.input, verdict)?;
     let language = arguments.lang.unwrap_or(filled.values.language);
+    if filled.form.kind == lathe::FORM.kind {
+        let mut watching = Watching::default();
+        reading::watch(&arguments.input, filled, verdict, Some(&mut watching))?;
+        return Ok(Some(watching.scene(title, language)));
+    }
     let outcome = reading::compute(&arguments.input, filled, verdict)?;
     if outcome.stopped() {
         return Ok(None);

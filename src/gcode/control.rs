@@ -65,4 +65,7 @@ pub struct Control {
     pub unit: LengthUnit,
     /// Nose radius compensation.
     pub compensation: Compensation,
+    /// Where the block stands: 0 in the program itself, else in a subprogram's own file; see
+    /// [`Interpreter::file`](crate::gcode::interpreter::Interpreter::file).
+    pub file: usize,
 }

@@ -88,10 +88,12 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         quantities,
         charts: charts::impeller(splitter.is_some()),
         figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref(), &curves))),
+        turned: None,
         templates: Vec::new(),
         tables,
         programs: if stopped { Vec::new() } else { made.programs },
         findings,
+        endless: false,
         values,
         source,
     })

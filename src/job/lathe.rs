@@ -9,9 +9,10 @@ use crate::gcode::motion::Kind;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
-use crate::job::lathe_tables::{Rows, contour_table, tools_table, turret_table};
-use crate::job::{Outcome, Source, Template};
+use crate::job::lathe_tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
+use crate::job::{Outcome, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
+use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SECOND_KEY};
 use crate::lathe::setup::Given;
@@ -20,6 +21,8 @@ use crate::lathe::step::Step;
 use crate::lathe::stock::turned_about;
 use crate::lathe::text;
 use crate::machine::axis::Position;
+use crate::number::shown;
+use crate::parameter::list::Row;
 use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
@@ -27,14 +30,17 @@ use crate::text::Text;
 /// Most findings of one program; the rest is counted. The table of alarms has them all.
 const MOST: usize = 50;
 
+/// How far the facets of the solid may be from the round part, mm.
+const TOLERANCE: f64 = 0.01;
+
 /// One thing seen while a program is followed.
 #[derive(Debug)]
 pub enum Seen<'a> {
     /// A program begins, with its text and the part as it is.
     Begin(&'a Program, &'a text::Source, &'a Simulation),
-    /// A motion was made.
-    Step(&'a Step),
-    /// The findings of the program that has ended.
+    /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
+    Step(&'a Step, &'a Simulation, Option<&'a str>),
+    /// What the interpreter found in the program that has ended; its alarms were seen with their motions.
     End(&'a [Finding]),
 }
 
@@ -45,8 +51,8 @@ struct Followed {
     rows: Rows,
     alarms: Vec<(Alarm, Place)>,
     findings: Vec<Finding>,
-    /// The program could not be read to its end.
-    broken: bool,
+    /// A budget ended before the program did.
+    endless: bool,
     drawn: Drawn,
 }
 
@@ -55,10 +61,10 @@ struct Followed {
 /// # Errors
 /// A refusal with every contradiction between values.
 pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
-    watched(form, values, source, &mut |_| ())
+    watched(form, values, source, None, &mut |_| ())
 }
 
-/// The same; `watch` is shown everything as it happens, the contour's changes among it.
+/// The same; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
@@ -66,10 +72,12 @@ pub fn watched(
     form: &'static Form,
     values: Values,
     source: Source,
+    program: Option<text::Source>,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
     let given = Given::of(&values).map_err(refused)?;
-    let first = text::Source::of(&values, PROGRAM_KEY).unwrap_or_default();
+    let profile = wanted(&values).map_err(|finding| refused(vec![*finding]))?;
+    let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
@@ -79,7 +87,7 @@ pub fn watched(
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
         followed.push(follow("program-2", title, &second, &given, setup, watch)?);
     }
-    Ok(outcome(form, values, source, &given, followed))
+    Ok(outcome(form, values, source, &given, followed, profile))
 }
 
 fn refused(findings: Vec<Finding>) -> Refusal {
@@ -109,7 +117,7 @@ fn follow(
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
-    let simulation = Simulation::new(Setup { record: true, ..setup })?;
+    let simulation = Simulation::new(setup)?;
     watch(Seen::Begin(&program, source, &simulation));
     let stock = simulation.contours();
     let mut one = Followed {
@@ -118,7 +126,7 @@ fn follow(
         rows: Rows::default(),
         alarms: Vec::new(),
         findings: Vec::new(),
-        broken: false,
+        endless: false,
         drawn: Drawn { stock, ..Drawn::default() },
     };
     let mut interpreter = source.read(given.setting());
@@ -126,19 +134,21 @@ fn follow(
     while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) => {
-                let step = one.simulation.take(&motion, interpreter.control());
+                let control = *interpreter.control();
+                let file = interpreter.file(control.file);
+                let step = one.simulation.take(&motion, &control);
                 for alarm in &step.alarms {
-                    one.alarms.push((*alarm, source.place(None, alarm.line, Vec::new())));
+                    one.alarms.push((*alarm, source.place(file, alarm.line, Vec::new())));
                 }
                 let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
                 if step.way.len() > 1 {
                     paths.push(step.way.clone());
                 }
-                one.rows.push(&step, &source.main);
-                watch(Seen::Step(&step));
+                one.rows.push(&step, source.text(file).unwrap_or(&source.main));
+                watch(Seen::Step(&step, &one.simulation, file));
             }
             Err(fault) => {
-                one.broken = true;
+                one.endless |= fault.exit == Exit::Limit;
                 total += 1;
                 if faults.len() < MOST {
                     faults.push(refusal_of(&fault, source));
@@ -160,9 +170,9 @@ fn follow(
         }
         one.findings.push(remark);
     }
+    watch(Seen::End(&one.findings));
     one.findings.extend(alarms(&one.alarms));
     one.drawn.part = one.simulation.contours();
-    watch(Seen::End(&one.findings));
     Ok(one)
 }
 
@@ -214,24 +224,34 @@ fn alarms(alarms: &[(Alarm, Place)]) -> Vec<Finding> {
     found
 }
 
-fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, mut followed: Vec<Followed>) -> Outcome {
-    let several = followed.len() > 1;
+fn outcome(
+    form: &'static Form,
+    values: Values,
+    source: Source,
+    given: &Given,
+    mut followed: Vec<Followed>,
+    profile: Option<Profile>,
+) -> Outcome {
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
-    let quantities = quantities(given, &followed);
+    let mut quantities = quantities(given, &followed);
     let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
-    tables.push(crate::job::lathe_tables::alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
+    tables.push(lines_table(&tables));
+    tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
     tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
     tables.push(turret_table(&given.setup.turret));
     let last = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
     tables.push(contour_table(&last.part));
     let mut drawn = last;
     drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
-    if !several {
-        drawn.wanted = wanted(&values);
+    if let Some(profile) = profile {
+        findings.extend(compared(&drawn.part, &profile, &mut quantities));
+        drawn.wanted = profile.points().unwrap_or_default();
     }
     let contour = figures::contour(&drawn);
+    let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE });
+    let endless = followed.iter().any(|one| one.endless);
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
     Outcome {
         form,
@@ -246,19 +266,75 @@ fn outcome(form: &'static Form, values: Values, source: Source, given: &Given, m
         }],
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn))),
         programs: if stopped { Vec::new() } else { programs },
+        turned,
         findings,
+        endless,
         values,
         source,
     }
 }
 
-/// The wanted profile's corners, `[z, r]`; arcs are drawn by their chords.
-fn wanted(values: &Values) -> Ring {
-    values
-        .rows(PROFILE_KEY)
-        .iter()
-        .filter_map(|row| Some([row.real("profile/Z")?, row.real("profile/X")? / 2.0]))
-        .collect()
+/// The wanted profile of the sheet; `None` where there is none.
+///
+/// # Errors
+/// The cells of an arc without a radius, or one that does not reach its end.
+fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
+    let rows = values.rows(PROFILE_KEY);
+    let point =
+        |row: &Row| [row.real("profile/Z").unwrap_or_default(), row.real("profile/X").unwrap_or_default() / 2.0];
+    let Some((first, rest)) = rows.split_first() else { return Ok(None) };
+    let mut profile = Profile { start: point(first), spans: Vec::new() };
+    for row in rest {
+        let to = point(row);
+        let clockwise = match row.choice("profile/G") {
+            Some("2") => true,
+            Some("3") => false,
+            _ => {
+                profile.spans.push(Span::Line(to));
+                continue;
+            }
+        };
+        let span = row.real("profile/R").map(|radius| Span::Arc { to, radius, clockwise });
+        profile.spans.extend(span);
+        if span.is_none() || profile.points().is_none() {
+            return Err(Box::new(Finding::stop(
+                Place::Cells(row.cell("profile/R")),
+                t(
+                    "el arco del perfil no llega a su final con este radio",
+                    "the arc of the profile does not reach its end with this radius",
+                ),
+                t("dé un radio de al menos media cuerda", "give a radius of at least half the chord"),
+            )));
+        }
+    }
+    Ok(Some(profile))
+}
+
+/// How the part compares with the wanted profile, as quantities and a finding.
+fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Vec<Quantity>) -> Option<Finding> {
+    let found = deviation(contours, profile)?;
+    let [over, under] = [found.over, found.under].map(|one| one.map_or(0.0, |(by, _)| by));
+    for (symbol, meaning, value) in [
+        ("dev_plus", t("Material de más sobre el perfil", "Metal left on the profile"), over),
+        ("dev_minus", t("Material de menos en el perfil", "Metal missing from the profile"), under),
+    ] {
+        let source = t("contorno contra la hoja del perfil", "contour against the sheet of the profile");
+        quantities.push(Quantity { symbol, meaning, value, unit: Unit::Millimetre, source });
+    }
+    let place = |one: Option<(f64, [f64; 2])>| {
+        one.map_or(String::new(), |(_, [z, r])| format!(" (X{} Z{})", shown(2.0 * r, 3), shown(z, 3)))
+    };
+    let (plus, minus) = (place(found.over), place(found.under));
+    let (over, under) = (shown(over, 4), shown(under, 4));
+    Some(Finding::note(
+        Place::File,
+        Text::new(
+            format!("frente al perfil deseado sobran hasta {over} mm{plus} y faltan hasta {under} mm{minus}"),
+            format!(
+                "against the wanted profile up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
+            ),
+        ),
+    ))
 }
 
 /// What the programs come to.

@@ -31,9 +31,10 @@ pub struct Rows {
     volume: Vec<f64>,
     rate: Vec<f64>,
     alarms: Vec<Text>,
-    /// The lines of the program, split once, and the line whose block was given last.
-    last: Option<(usize, Text)>,
-    starts: Vec<usize>,
+    /// The line and file whose block was given last, with the block.
+    last: Option<(usize, usize, Text)>,
+    /// Where the lines of each file begin.
+    starts: Vec<Vec<usize>>,
 }
 
 fn count(value: usize) -> f64 {
@@ -72,18 +73,23 @@ impl Rows {
     /// Adds the row of a motion.
     pub fn push(&mut self, step: &Step, lines: &Lines) {
         let motion = &step.motion;
-        if self.starts.is_empty() {
-            self.starts =
+        let file = step.control.file;
+        if self.starts.len() <= file {
+            self.starts.resize(file + 1, Vec::new());
+        }
+        let starts = &mut self.starts[file];
+        if starts.is_empty() {
+            *starts =
                 std::iter::once(0).chain(memchr::memchr_iter(b'\n', lines.text.as_bytes()).map(|at| at + 1)).collect();
         }
         let block = match &self.last {
-            Some((line, block)) if *line == motion.line => block.clone(),
+            Some((line, in_file, block)) if (*line, *in_file) == (motion.line, file) => block.clone(),
             _ => {
                 let from =
-                    motion.line.checked_sub(1).and_then(|at| self.starts.get(at)).copied().unwrap_or(lines.text.len());
+                    motion.line.checked_sub(1).and_then(|at| starts.get(at)).copied().unwrap_or(lines.text.len());
                 let block = lines.text.get(from..).and_then(|rest| rest.lines().next()).unwrap_or_default();
                 let block = Text::same(block);
-                self.last = Some((motion.line, block.clone()));
+                self.last = Some((motion.line, file, block.clone()));
                 block
             }
         };
@@ -139,6 +145,83 @@ impl Rows {
                 ],
             })
             .collect()
+    }
+}
+
+/// What each line of the programs did: motions, time, volume, alarms. A line of a subprogram's file stands under its own.
+#[must_use]
+pub fn lines_table(motions: &[Table]) -> Table {
+    struct Line {
+        program: usize,
+        line: f64,
+        block: Text,
+        sums: [f64; 7],
+        alarms: Vec<String>,
+    }
+    let mut lines: Vec<Line> = Vec::new();
+    let mut known: std::collections::BTreeMap<(usize, u64, String), usize> = std::collections::BTreeMap::new();
+    for (program, table) in motions.iter().enumerate() {
+        let number = |symbol: &str, row: usize| match table.column(symbol).map(|column| column.values.get(row)) {
+            Some(crate::table::Entry::Number(value)) => value,
+            _ => 0.0,
+        };
+        let text = |symbol: &str, row: usize| match table.column(symbol).map(|column| column.values.get(row)) {
+            Some(crate::table::Entry::Text(text)) => text.clone(),
+            _ => Text::same(""),
+        };
+        for row in 0..table.rows() {
+            let (line, block) = (number("line", row), text("block", row));
+            let at = *known.entry((program, line.to_bits(), block.en.to_string())).or_insert_with(|| {
+                lines.push(Line { program: program + 1, line, block, sums: [0.0; 7], alarms: Vec::new() });
+                lines.len() - 1
+            });
+            let Some(one) = lines.get_mut(at) else { continue };
+            let cutting = if number("V", row) > 0.0 { number("t", row) } else { 0.0 };
+            for (sum, more) in one.sums.iter_mut().zip([1.0, number("t", row), cutting, number("V", row)]) {
+                *sum += more;
+            }
+            for (most, symbol) in one.sums.iter_mut().skip(4).zip(["a_p", "V_c", "Q"]) {
+                *most = most.max(number(symbol, row));
+            }
+            let raised = text("alarms", row);
+            for alarm in raised.en.split(", ").filter(|alarm| !alarm.is_empty()) {
+                if one.alarms.iter().all(|other| other != alarm) {
+                    one.alarms.push(alarm.to_owned());
+                }
+            }
+        }
+    }
+    let sum = |at: usize| lines.iter().map(|line| line.sums[at]).collect::<Vec<f64>>();
+    Table {
+        key: "lines",
+        name: t("Por bloque", "By block"),
+        title: t("Lo que hace cada bloque", "What each block does"),
+        source: t("Sumas sobre los movimientos de cada línea", "Sums over the motions of each line"),
+        index: Index::None,
+        columns: vec![
+            Column::numbers(
+                "program",
+                Unit::Count,
+                "",
+                lines.iter().map(|line| count(line.program)).collect::<Vec<f64>>(),
+            )
+            .named(t("prog.", "program")),
+            Column::numbers("line", Unit::Count, "", lines.iter().map(|line| line.line).collect::<Vec<f64>>())
+                .named(t("línea", "line")),
+            Column::texts(t("bloque", "block"), "", lines.iter().map(|line| line.block.clone()).collect()),
+            Column::numbers("motions", Unit::Count, "", sum(0)).named(t("mov.", "motions")),
+            Column::numbers("t", Unit::Second, "", sum(1)),
+            Column::numbers("t_c", Unit::Second, "", sum(2)),
+            Column::numbers("V", Unit::CubicMillimetre, "", sum(3)),
+            Column::numbers("a_p", Unit::Millimetre, "", sum(4)),
+            Column::numbers("V_c", Unit::MetrePerMinute, "", sum(5)),
+            Column::numbers("Q", Unit::CubicCentimetrePerMinute, "", sum(6)),
+            Column::texts(
+                t("alarmas", "alarms"),
+                "",
+                lines.iter().map(|line| Text::same(line.alarms.join(", "))).collect(),
+            ),
+        ],
     }
 }
 

@@ -73,6 +73,15 @@ pub struct Template {
     pub paper: Option<Paper>,
 }
 
+/// A part turned on a lathe.
+#[derive(Clone, Debug)]
+pub struct Turned {
+    /// The contours of its half section, `[z, r]` in mm, counter-clockwise, holes clockwise.
+    pub contours: Vec<Vec<[f64; 2]>>,
+    /// How far the facets of its solid may be from it, mm.
+    pub tolerance: f64,
+}
+
 /// What came of a design.
 #[derive(Debug)]
 pub struct Outcome {
@@ -94,8 +103,12 @@ pub struct Outcome {
     pub figures: Figures,
     /// Drawings at 1:1 with files of their own.
     pub templates: Vec<Template>,
+    /// The turned part, of a turning.
+    pub turned: Option<Turned>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
+    /// A program was not read to its end, for it has none: a budget ended.
+    pub endless: bool,
 }
 
 impl Outcome {
@@ -103,6 +116,16 @@ impl Outcome {
     #[must_use]
     pub fn stopped(&self) -> bool {
         self.findings.iter().any(|finding| finding.grade == Grade::Stop)
+    }
+
+    /// How the work ends, once what there is has been delivered.
+    #[must_use]
+    pub fn exit(&self) -> Exit {
+        match (self.stopped(), self.endless) {
+            (false, _) => Exit::Done,
+            (true, false) => Exit::Refused,
+            (true, true) => Exit::Limit,
+        }
     }
 
     /// The table with a key.

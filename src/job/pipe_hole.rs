@@ -97,6 +97,8 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
                 series: vec![series(Text::same("D"), "D"), series(Text::same("g"), "g")],
             },
         ],
+        turned: None,
+        endless: false,
         templates: vec![Template {
             key: "template",
             title: t("Plantilla del agujero", "Template of the hole"),

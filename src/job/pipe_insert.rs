@@ -79,6 +79,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
             equal: false,
             series: vec![Series { name: t("curva", "curve"), x: ("template", "x"), y: ("template", "y") }],
         }],
+        turned: None,
         templates: vec![Template {
             key: "template",
             title: t("Plantilla del injerto", "Template of the branch"),
@@ -89,6 +90,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         tables,
         programs: if stopped { Vec::new() } else { programs },
         findings,
+        endless: false,
         values,
         source,
     })

@@ -210,7 +210,7 @@ const SHAFT: &[&str] = &[
     "N175 G97 S600",
     "N180 G0 X24. Z6.",
     "N185 G76 P020060 Q50 R0.05",
-    "N190 G76 X18.16 Z-28. P920 Q250 F1.5",
+    "N190 G76 X18.16 Z-27. P920 Q250 F1.5",
     "N195 G0 X100. Z50.",
     "N200 T0505",
     "N205 G97 S1200",
@@ -240,8 +240,13 @@ const BLANK: &[&str] = &[
 ];
 
 fn blank_lists(language: Language) -> Vec<Rows> {
+    // The published program does not compensate the nose: its figures are those of a sharp tool.
     let mut tools = turret(language);
-    tools.rows.truncate(2);
+    tools.rows.truncate(1);
+    if let Some(first) = tools.rows.first_mut() {
+        first.values.insert("tools/R", Value::Real(0.0));
+        first.values.insert("tools/name", line(language, "Herramienta de punta viva", "Sharp tool"));
+    }
     let point = |G: &'static str, X: f64, Z: f64, R: Option<f64>| {
         let mut values = BTreeMap::from([
             ("profile/G", Value::Choice(G)),

@@ -22,6 +22,8 @@ pub struct Contact {
     pub edge: Option<f64>,
     /// An edge that does not cut ran into metal ahead of it: how deep.
     pub back: Option<f64>,
+    /// The same beside cutting edges that cut, in a cut that is not too wide for them.
+    pub beside: Option<f64>,
     /// The end of the auxiliary edge left its mark: how far behind the nose's.
     pub dragged: Option<f64>,
     /// Where, `[z, r]`.
@@ -221,10 +223,13 @@ impl Contact {
                 back = Some(back.map_or(deep, |other| other.max(deep)));
             }
         }
-        match back {
-            Some(_) if faces => self.edge = Some(self.edge.unwrap_or(f64::INFINITY).min(edges[1] - edges[0])),
-            Some(deep) => self.back = Some(self.back.map_or(deep, |other| other.max(deep))),
-            None => {}
+        let Some(deep) = back else { return };
+        if !faces {
+            self.back = Some(self.back.map_or(deep, |other| other.max(deep)));
+        } else if cut[1] - cut[0] > edges[1] - edges[0] {
+            self.edge = Some(self.edge.unwrap_or(f64::INFINITY).min(edges[1] - edges[0]));
+        } else {
+            self.beside = Some(self.beside.map_or(deep, |other| other.max(deep)));
         }
     }
 

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::geometry::scene::{Camera, Scene};
-use crate::number::trig::sin_cos;
+use crate::number::trig::{hypot, sin_cos};
 use crate::parameter::t;
 use crate::text::Text;
 
@@ -32,8 +32,6 @@ pub struct Drawn {
 
 /// Sectors of the part in space.
 const SECTORS: u16 = 72;
-/// Most points of a contour that are drawn in space.
-const MERIDIAN: usize = 400;
 /// Most motions that are drawn.
 const MOTIONS: usize = 4_000;
 
@@ -73,16 +71,55 @@ fn closed(contour: &Contour) -> impl Iterator<Item = [f64; 2]> + '_ {
 
 /// The centre line of contours, a little longer than they are.
 fn axis(contours: &[Contour]) -> Option<Stroke> {
-    let z = || contours.iter().flatten().map(|point| point[0]);
-    let (least, greatest) = (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
+    let [[least, greatest], _] = extent(contours);
     let beyond = 0.06 * (greatest - least);
     (greatest > least).then(|| Stroke::line(Ink::Centre, vec![[least - beyond, 0.0], [greatest + beyond, 0.0]]))
 }
 
-/// Every so many points of a contour, so that at most `most` are left, corners or not.
-fn thinned(contour: &Contour, most: usize) -> Vec<[f64; 2]> {
-    let step = contour.len().div_ceil(most).max(1);
-    contour.iter().copied().step_by(step).collect()
+/// The corners of a contour that are needed to draw it: those left out lie within `within` of the line between their
+/// neighbours, and no line is longer than `longest`, so that faces can be put in order.
+fn sketched(contour: &Contour, within: f64, longest: f64) -> Vec<[f64; 2]> {
+    let Some(&first) = contour.first() else { return Vec::new() };
+    let mut points = vec![first];
+    let mut from = first;
+    let mut skipped: Vec<[f64; 2]> = Vec::new();
+    for (&at, &next) in contour.iter().skip(1).zip(contour.iter().skip(2).chain([&first])) {
+        skipped.push(at);
+        let long = hypot(next[0] - from[0], next[1] - from[1]);
+        let off = |point: &[f64; 2]| {
+            if long == 0.0 {
+                return hypot(point[0] - from[0], point[1] - from[1]);
+            }
+            ((next[0] - from[0]) * (point[1] - from[1]) - (next[1] - from[1]) * (point[0] - from[0])).abs() / long
+        };
+        if skipped.iter().any(|point| off(point) > within) {
+            divide(&mut points, at, longest);
+            from = at;
+            skipped.clear();
+        }
+    }
+    divide(&mut points, first, longest);
+    points.pop();
+    points
+}
+
+/// Adds a point, and before it so many between it and the last one that none are farther apart than `longest`.
+fn divide(points: &mut Vec<[f64; 2]>, to: [f64; 2], longest: f64) {
+    let from = points.last().copied().unwrap_or(to);
+    let parts = (hypot(to[0] - from[0], to[1] - from[1]) / longest).ceil().clamp(1.0, 200.0);
+    let mut at = 1.0;
+    while at <= parts {
+        points.push([0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * at / parts));
+        at += 1.0;
+    }
+}
+
+/// Least and greatest z and r of contours.
+fn extent(contours: &[Contour]) -> [[f64; 2]; 2] {
+    [0, 1].map(|axis| {
+        let values = || contours.iter().flatten().map(|point| point[axis]);
+        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+    })
 }
 
 /// The part in space, its free end to the right.
@@ -92,8 +129,10 @@ fn cover(drawn: &Drawn) -> Figure {
         let (sin, cos) = sin_cos(turn);
         Vector3::new(z, r * cos, r * sin)
     };
+    let [[left, right], [_, high]] = extent(&drawn.part);
+    let size = (right - left).max(2.0 * high);
     for contour in &drawn.part {
-        let points = thinned(contour, MERIDIAN);
+        let points = sketched(contour, size / 2000.0, size / 40.0);
         let anticlockwise = area(&points) > 0.0;
         for (at, &from) in points.iter().enumerate() {
             let to = points.get(at + 1).or(points.first()).copied().unwrap_or(from);
@@ -102,13 +141,11 @@ fn cover(drawn: &Drawn) -> Figure {
             }
             // Anticlockwise in (z, r) the metal lies to the left.
             let (from, to) = if anticlockwise { (from, to) } else { (to, from) };
-            let sharp = points.len() < 200;
             for sector in 0..SECTORS {
                 let turn = |sector: u16| TAU * f64::from(sector) / f64::from(SECTORS);
                 let (a, b) = (turn(sector), turn(sector + 1));
                 let corners = [point(from, a), point(from, b), point(to, b), point(to, a)];
-                let edges: &[usize] = if sharp { &[0, 2] } else { &[] };
-                scene.add(&corners, edges, Ink::Thin, 0.0);
+                scene.add(&corners, &[], Ink::Thin, 0.0);
             }
         }
     }
@@ -131,9 +168,13 @@ fn area(points: &[[f64; 2]]) -> f64 {
 /// The part in the chuck with the stock around it.
 fn half_section(drawn: &Drawn) -> Figure {
     let mut strokes = Vec::new();
+    // Of the chuck only what stands near the part.
+    let [[left, right], [_, high]] = extent(&drawn.stock);
+    let near = |&[z, r]: &[f64; 2]| [z.clamp(left - high, right + 2.0 * high), r.clamp(0.0, 2.0 * high)];
     for contour in &drawn.chuck {
+        let contour: Contour = contour.iter().map(near).collect();
         strokes.push(Stroke { ink: Ink::Thin, points: contour.clone(), filled: true, arrow: false });
-        strokes.push(Stroke::line(Ink::Thin, closed(contour).collect()));
+        strokes.push(Stroke::line(Ink::Thin, closed(&contour).collect()));
     }
     for contour in &drawn.part {
         strokes.push(Stroke { ink: Ink::Blade, points: contour.clone(), filled: true, arrow: false });

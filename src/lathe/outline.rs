@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-use super::tool::{Cutter, Holder, Shape, Tool};
+use super::tool::{Cutter, Hand, Holder, Shape, Tool};
 use crate::geometry::chords;
 use crate::geometry::exact::convex::Convex;
 use crate::number::trig::{atan, atan2, hypot, sin_cos, tan};
@@ -49,8 +49,13 @@ enum Mark {
     Circle([f64; 2], f64),
 }
 
+/// A part of a cutter before it is a polygon: its corners, and what its edges are.
+type Marked = (Vec<[f64; 2]>, Vec<Mark>);
+
 /// How close to a mark the middle of an edge must be, mm: half the corners' rounding and the chords' tolerance.
 const CLOSE: f64 = 0.002;
+/// Corners that do not cut are chords within this, mm.
+const COARSE: f64 = 0.005;
 /// Between the tip and what holds the insert, along the axis.
 const SETBACK: f64 = 0.5;
 /// What a holder's relief stays behind the insert's edge, degrees.
@@ -69,9 +74,10 @@ fn along([z, r]: [f64; 2], [dz, dr]: [f64; 2], by: f64) -> [f64; 2] {
     [z + dz * by, r + dr * by]
 }
 
-/// A convex polygon's corners, counter-clockwise, each rounded; the first corner's circle is given back besides.
+/// A convex polygon's corners, counter-clockwise, each rounded, the first ones of them, which cut, within the tolerance; the
+/// first corner's circle is given back besides.
 /// `None` where an edge is too short for its roundings.
-fn rounded(corners: &[[f64; 2]], radius: f64, tolerance: f64) -> Option<(Vec<[f64; 2]>, [f64; 2])> {
+fn rounded(corners: &[[f64; 2]], radius: f64, tolerance: f64, cutting: usize) -> Option<(Vec<[f64; 2]>, [f64; 2])> {
     let count = corners.len();
     let mut points = Vec::new();
     let mut first = *corners.first()?;
@@ -104,7 +110,8 @@ fn rounded(corners: &[[f64; 2]], radius: f64, tolerance: f64) -> Option<(Vec<[f6
                 let (sin, cos) = sin_cos(angle);
                 along(centre, [cos, sin], radius)
             };
-            chords::corners(centre, [place(angle), place(to)], to - angle, tolerance, |corner| points.push(corner));
+            let fine = if at < cutting { tolerance } else { tolerance.max(COARSE) };
+            chords::corners(centre, [place(angle), place(to)], to - angle, fine, |corner| points.push(corner));
             angle = to;
         }
     }
@@ -212,7 +219,7 @@ impl Tool {
 
     /// The cutter's parts as for tip 3: the tip at the origin, the body towards +z and +r; for a drill the point at the
     /// origin and the body along +z.
-    fn parts(&self, tolerance: f64) -> Result<Vec<(Vec<[f64; 2]>, Vec<Mark>)>, Text> {
+    fn parts(&self, tolerance: f64) -> Result<Vec<Marked>, Text> {
         let large = || {
             refuse(
                 "el radio de punta es demasiado grande para la plaquita",
@@ -224,13 +231,13 @@ impl Tool {
             Cutter::Insert { shape: Shape::R, circle, .. } => {
                 let R = circle / 2.0;
                 let corners = [[0.0, 0.0], [circle, 0.0], [circle, circle], [0.0, circle]];
-                let (points, centre) = rounded(&corners, R, tolerance).ok_or_else(large)?;
+                let (points, centre) = rounded(&corners, R, tolerance, 4).ok_or_else(large)?;
                 one(points, vec![Mark::Circle(centre, R)])
             }
             Cutter::Insert { shape, circle, main, auxiliary, nose } => {
                 let (up, side) = (unit(180.0 - main), unit(auxiliary));
                 let corners = insert(shape, circle, auxiliary, up, side);
-                let (points, centre) = rounded(&corners, nose, tolerance).ok_or_else(large)?;
+                let (points, centre) = rounded(&corners, nose, tolerance, 1).ok_or_else(large)?;
                 // The tangents to the nose parallel to the axes meet in the tip.
                 let shift = [nose - centre[0], nose - centre[1]];
                 let moved = |point: [f64; 2]| along(point, shift, 1.0);
@@ -327,7 +334,9 @@ impl Tool {
                 let [left, right] = if self.tip.level()[0] || round {
                     [middle - width / 2.0, middle + width / 2.0]
                 } else {
-                    [SETBACK, SETBACK + width]
+                    // Behind the main edge all the way up.
+                    let lean = depth * tan((main - 90.0).max(0.0).to_radians());
+                    [SETBACK + lean, SETBACK + lean + width]
                 };
                 let clear = |angle: f64, away: f64| {
                     if round || angle <= RELIEF || angle >= 89.0 || away <= 0.0 {
@@ -350,6 +359,18 @@ impl Tool {
             (Holder::Shank { width, length }, Cutter::Groover { depth, width: edge, .. }) => {
                 let start = if self.tip.level()[0] { (edge - width) / 2.0 } else { 0.1 };
                 boxed([start, start + width], [depth, depth.max(length) + 1.0])
+            }
+            (Holder::Shank { width, length }, Cutter::Threader { angle, nose, depth: profile, .. }) => {
+                // The insert sits at the edge of the shank, so that a thread may run up to a shoulder.
+                let half = angle.to_radians() / 2.0;
+                let (sin, _) = sin_cos(half);
+                let left = -(profile + nose * (1.0 / sin - 1.0)) * tan(half) - SETBACK;
+                let side = match self.hand {
+                    Hand::Right => [left, left + width],
+                    Hand::Left => [-left - width, -left],
+                    Hand::Neutral => [-width / 2.0, width / 2.0],
+                };
+                boxed(side, [depth, depth.max(length) + 1.0])
             }
             (Holder::Shank { width, length }, _) => {
                 boxed([-width / 2.0, width / 2.0], [depth, depth.max(length) + 1.0])
@@ -394,14 +415,14 @@ fn insert(shape: Shape, circle: f64, auxiliary: f64, up: [f64; 2], side: [f64; 2
 
 /// A groover's outline: its two front corners rounded.
 fn rounded_front(corners: &[[f64; 2]; 4], radius: f64, tolerance: f64) -> Option<(Vec<[f64; 2]>, [f64; 2])> {
-    let (mut points, centre) = rounded(corners, radius, tolerance)?;
+    let (mut points, centre) = rounded(corners, radius, tolerance, 2)?;
     points.extend([corners[2], corners[3]]);
     Some((points, centre))
 }
 
 /// A threader's outline: its tip alone rounded; the other corners come back sharp with the hull.
 fn rounded_first(corners: &[[f64; 2]; 5], radius: f64, tolerance: f64) -> Option<(Vec<[f64; 2]>, [f64; 2])> {
-    let (mut points, centre) = rounded(corners, radius, tolerance)?;
+    let (mut points, centre) = rounded(corners, radius, tolerance, 1)?;
     points.extend(&corners[1..]);
     Some((points, centre))
 }

@@ -440,7 +440,7 @@ pub const SUBPROGRAM_KEY: &str = "subprogram";
 pub const PROFILE_KEY: &str = "profile";
 
 /// Most blocks of a program on a sheet.
-const BLOCKS_MOST: usize = 9_900;
+pub const BLOCKS_MOST: usize = 9_900;
 
 const BLOCKS_NOTE: Text = t(
     "Un bloque por fila en la columna BLOCK; las filas vacías se saltan. Los subprogramas externos van en hojas llamadas O y su número, como O0005.",

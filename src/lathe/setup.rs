@@ -14,7 +14,7 @@ use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
 use crate::lathe::turret::Turret;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
-use crate::machine::work_offset::System;
+use crate::machine::work_offset::{G28_FIRST, System};
 use crate::number::shown;
 use crate::parameter::Values;
 use crate::parameter::list::Row;
@@ -22,6 +22,9 @@ use crate::text::Text;
 
 /// Tolerance of arcs where the form gives none, mm.
 const EPS: f64 = 0.0002;
+
+/// Z′ and X′ of the source: how far the longest tools stand off the stock at the reference point, mm.
+const MARGIN: f64 = 30.0;
 
 /// What a filled-in form gives: the lathe before the program starts, and its control.
 #[derive(Clone, Debug)]
@@ -38,6 +41,8 @@ pub struct Given {
     pub second: f64,
     /// The tool offsets of the control, by their numbers.
     offsets: Tools,
+    /// The offset of the tool in the first place.
+    first_offset: u32,
     /// The zeros W2 to W6, `[X as a radius, Z]` from M, where they are given.
     zeros: [[f64; 2]; 5],
 }
@@ -139,6 +144,8 @@ impl Given {
         }
         let tolerance = values.real("eps").unwrap_or(EPS);
         let (tools, offsets) = turret(values.rows(TOOLS_KEY), tolerance, &mut findings);
+        let first = values.rows(TOOLS_KEY).iter().min_by_key(|row| row.whole("tools/T"));
+        let first_offset = first.and_then(|row| row.whole("tools/D").or(row.whole("tools/T"))).unwrap_or_default();
         let between = |least, greatest, scale: f64| {
             let bound = |key, beyond: f64| values.real(key).map_or(beyond, |value: f64| value * scale);
             [bound(least, -5000.0), bound(greatest, 5000.0)]
@@ -183,8 +190,21 @@ impl Given {
             block_delete: values.choice("block_delete") == Some("yes"),
             second: real("Z_s"),
             offsets,
+            first_offset,
             zeros,
         })
+    }
+
+    /// The reference point, where the turret stands at the start and to which G28 goes, `[X as a radius, Z]` from M: 30 mm
+    /// beyond the stock's right end and surface with the longest tools, as the source has it.
+    #[must_use]
+    pub fn reference(&self) -> [f64; 2] {
+        let Setup { lathe, stock, turret, .. } = &self.setup;
+        let longest = |axis: usize| turret.tools.values().map(|tool| tool.overhang[axis]).fold(0.0, f64::max);
+        let [_, right] = stock.ends();
+        let X = stock.diameter / 2.0 + MARGIN + longest(0);
+        let Z = stock.zero(lathe) + right + MARGIN + longest(1);
+        [X.clamp(lathe.travel_x[0], lathe.travel_x[1]), Z.clamp(lathe.travel_z[0], lathe.travel_z[1])]
     }
 
     /// What the program is read with: W1 at the stock, W2 to W6 as given, the turret's offsets.
@@ -199,7 +219,20 @@ impl Given {
             let _ = file.set(system.first_parameter() + Axis::X as u32, X);
             let _ = file.set(system.first_parameter() + Axis::Z as u32, Z);
         }
+        let reference = self.reference();
+        for (axis, at) in [(Axis::X, reference[0]), (Axis::Z, reference[1])] {
+            let _ = file.set(G28_FIRST + axis as u32, at);
+        }
         setting.var_file = file;
+        setting.start.machine.set(Axis::X, reference[0]);
+        setting.start.machine.set(Axis::Z, reference[1]);
+        // A Fagor keeps tool and offset over the end of a program; a Fanuc starts without an offset.
+        if let Some((&place, _)) = self.setup.turret.tools.iter().next() {
+            setting.start.tool = place;
+            if *self.dialect != FANUC_LATHE_A {
+                setting.start.offset = self.first_offset;
+            }
+        }
         setting.tools = Some(self.offsets.clone());
         setting.point = self.point;
         setting.block_delete = self.block_delete;
@@ -229,7 +262,7 @@ fn turret(rows: &[Row], tolerance: f64, findings: &mut Vec<Finding>) -> (BTreeMa
         let tool = match tool(row) {
             Ok(tool) => tool,
             Err(lost) => {
-                findings.push(lost);
+                findings.push(*lost);
                 continue;
             }
         };
@@ -268,19 +301,19 @@ fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
 ///
 /// # Errors
 /// The first value that its type needs and that is missing.
-fn tool(row: &Row) -> Result<Tool, Finding> {
+fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
     let kind = row.choice("tools/type").unwrap_or_default();
     let need = |key: &'static str| {
         row.real(key).ok_or_else(|| {
             let symbol = key.rsplit('/').next().unwrap_or(key);
-            Finding::stop(
+            Box::new(Finding::stop(
                 Place::Cells(row.cell(key)),
                 Text::new(
                     format!("la herramienta {} necesita {symbol}", row.whole("tools/T").unwrap_or_default()),
                     format!("tool {} needs {symbol}", row.whole("tools/T").unwrap_or_default()),
                 ),
                 Text::fixed("rellene la celda", "fill the cell in"),
-            )
+            ))
         })
     };
     let hand = match row.choice("tools/hand") {
@@ -293,7 +326,7 @@ fn tool(row: &Row) -> Result<Tool, Finding> {
         "external" | "internal" => {
             let letter = row.choice("tools/shape").and_then(|shape| shape.chars().next());
             let shape = letter.and_then(Shape::of).ok_or_else(|| {
-                Finding::stop(
+                Box::new(Finding::stop(
                     Place::Cells(row.cell("tools/shape")),
                     Text::new(
                         format!(
@@ -303,7 +336,7 @@ fn tool(row: &Row) -> Result<Tool, Finding> {
                         format!("tool {} needs the shape of its insert", row.whole("tools/T").unwrap_or_default()),
                     ),
                     Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832"),
-                )
+                ))
             })?;
             let circle = need("tools/IC")?;
             if shape == Shape::R {

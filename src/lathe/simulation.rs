@@ -78,10 +78,24 @@ pub struct Simulation {
     watch: Watch,
     totals: Totals,
     steps: usize,
+    /// The motion before was a thread's pass: its groove goes on at the angle where the tool leaves it.
+    in_groove: bool,
     contour: Ring,
+    /// The thread that the last motion cut.
+    led: Option<Led>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
+}
+
+/// Where a thread's pass has come to.
+#[derive(Clone, Copy, Debug)]
+struct Led {
+    tool: u32,
+    /// On the grid, `[z, r]`.
+    at: [f64; 2],
+    /// What is left of the revolution that has begun, as a share.
+    left: f64,
 }
 
 /// What one motion has come to so far.
@@ -177,7 +191,9 @@ impl Simulation {
             watch: Watch::default(),
             totals: Totals::default(),
             steps: 0,
+            in_groove: false,
             contour: Ring::new(),
+            led: None,
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -240,8 +256,17 @@ impl Simulation {
         travel(&mut tally, &pieces, [reference[0] - to[0], reference[1] - to[1]], lathe);
 
         let mut contact = Contact::default();
-        let removed =
-            if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
+        // Straight out of the end of a thread the tool follows the groove that it has just cut, between two of the ribs.
+        let leaves_groove = self.in_groove
+            && motion.kind == Kind::Rapid
+            && motion.from.get(Axis::Z) == motion.to.get(Axis::Z)
+            && motion.to.get(Axis::X).abs() != motion.from.get(Axis::X).abs();
+        self.in_groove = matches!(motion.kind, Kind::Thread(_));
+        let removed = if leaves_groove || pieces.is_empty() {
+            Removed::default()
+        } else {
+            self.cut(&pieces, control, &mut contact, &mut tally)
+        };
         self.judge(control, &pieces, &contact, &mut tally);
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
@@ -250,7 +275,8 @@ impl Simulation {
         let start = pieces.first().map_or(to, |piece| piece[0]);
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
-        let cutting_speed = if contact.real { cutting_speed(control, &contact, speed) } else { 0.0 };
+        let cuts = contact.real && motion.kind != Kind::Rapid;
+        let cutting_speed = if cuts { cutting_speed(control, &contact, speed) } else { 0.0 };
         let rate = match seconds {
             Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
             _ => None,
@@ -266,7 +292,7 @@ impl Simulation {
             seconds,
             speed,
             cutting_speed,
-            depth: if contact.real { contact.across } else { 0.0 },
+            depth: if cuts { contact.across } else { 0.0 },
             removed,
             rate,
             alarms: tally.alarms,
@@ -293,25 +319,40 @@ impl Simulation {
             removed.volume += more.volume;
             removed.parted += more.parted;
         };
+        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex| {
+            let Some(at) = Point::near(at) else { return };
+            for cutter in &ready.outline.cutter {
+                if cutter.polygon.sweep(at, at, swept) {
+                    add(part.cut(swept, |meeting, mirrored| {
+                        contact.add_rib(meeting, &Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored });
+                    }));
+                }
+            }
+        };
+        if let Kind::Thread(thread) = tally.motion.kind {
+            for &piece in pieces {
+                // Blocks of a thread that follow one another go on in its revolution; a new pass begins with one.
+                let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
+                let left = goes_on.map_or(0.0, |led| led.left);
+                ribs(thread, piece, left).for_each(|at| ring(at, part, swept));
+                let length = extent(piece);
+                let turned = revolutions(thread, length).unwrap_or(0.0) - left;
+                let left = if thread.lead > 0.0 { turned.ceil() - turned } else { 0.0 };
+                self.led = Some(Led { tool: control.tool, at: piece[1], left });
+            }
+        } else if let Some(led) = self.led.take()
+            && led.tool == control.tool
+            && let Some(&[from, _]) = pieces.first()
+            && near(led.at, from)
+        {
+            // Where the thread ends in metal, the spindle turns on while the tool stands: there it cuts a ring.
+            ring(from, part, swept);
+        }
         for &piece in pieces {
             let [from, to] = piece;
             let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
             let long = hypot(to[0] - from[0], to[1] - from[1]);
             let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
-            if let Kind::Thread(thread) = tally.motion.kind {
-                for at in ribs(thread, piece) {
-                    let Some(at) = Point::near(at) else { continue };
-                    for cutter in &ready.outline.cutter {
-                        if cutter.polygon.sweep(at, at, swept) {
-                            add(part.cut(swept, |meeting, mirrored| {
-                                // Across the thread, along X: how deep its profile is.
-                                let ride = Ride { part: cutter, from: at.mm(), way: [way[0].signum(), 0.0], mirrored };
-                                contact.add_rib(meeting, &ride);
-                            }));
-                        }
-                    }
-                }
-            }
             for cutter in &ready.outline.cutter {
                 if !cutter.polygon.sweep(first, last, swept) {
                     continue;
@@ -363,7 +404,9 @@ impl Simulation {
         {
             tally.raise(Cause::NoFeed, start, None);
         }
-        if watch.begins(Cause::UnknownTool(0), ready.is_none(), control.tool) {
+        // A turret may be moved about before the first tool is called.
+        let missing = ready.is_none() && (control.tool != 0 || kind != Kind::Rapid);
+        if watch.begins(Cause::UnknownTool(0), missing, control.tool) {
             tally.raise(Cause::UnknownTool(control.tool), start, None);
         }
         if let Kind::Thread(thread) = kind {
@@ -404,7 +447,8 @@ impl Simulation {
         if let Some(edge) = contact.edge {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }
-        if let Some(deep) = contact.back {
+        // Where the auxiliary edge's far end left the surface, the back beside it has been in metal with it.
+        if let Some(deep) = contact.back.or(contact.beside.filter(|_| contact.dragged.is_none())) {
             tally.raise(Cause::BackInMetal, contact.place, Some(deep));
         }
         if let Some(behind) = contact.dragged {
@@ -422,8 +466,7 @@ fn watch_thread(
     cuts: bool,
     tally: &mut Tally,
 ) {
-    let length = (end[0] - start[0]).abs().max((end[1] - start[1]).abs());
-    if revolutions(thread, length).is_none() {
+    if revolutions(thread, extent([start, end])).is_none() {
         tally.raise(Cause::NoLead, start, None);
         return;
     }
@@ -447,16 +490,26 @@ fn watch_thread(
     }
 }
 
-/// Where a thread's tool stands each time the same side of the work comes past it: at the start, and a lead on after each
-/// revolution, `[z, r]`. The whole revolutions alone: the last, begun one, ends in the run-out.
-fn ribs(thread: Thread, [from, to]: Piece) -> impl Iterator<Item = [f64; 2]> {
+fn near(one: [f64; 2], two: [f64; 2]) -> bool {
+    hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
+}
+
+/// How far a piece goes along the axis that moves more, mm.
+fn extent([from, to]: Piece) -> f64 {
+    (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
+}
+
+/// Where a thread's tool stands each time the same side of the work comes past it: once the revolution that had begun is
+/// over, of which `left` is left as a share, and then a lead on after each one; `[z, r]`.
+fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2]> {
+    let ([from, to], length) = (piece, extent(piece));
     let step = [to[0] - from[0], to[1] - from[1]];
-    let length = step[0].abs().max(step[1].abs());
-    let turns = revolutions(thread, length).filter(|_| length > 0.0).map_or(0.0, |turns| (turns + 1e-9).floor());
+    let turns =
+        revolutions(thread, length).filter(|_| length > 0.0).map_or(-1.0, |turns| (turns - left + 1e-9).floor());
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
-    let count = if length > 0.0 && thread.lead > 0.0 { turns.min(f64::from(RIBS)) as u32 + 1 } else { 0 };
+    let count = (turns + 1.0).clamp(0.0, f64::from(RIBS)) as u32;
     (0..count).map(move |turn| {
-        let k = f64::from(turn);
+        let k = f64::from(turn) + left;
         let part = (thread.lead * k + thread.change * k * k / 2.0) / length;
         [from[0] + step[0] * part, from[1] + step[1] * part]
     })

@@ -49,10 +49,10 @@ impl Text {
         cell.map_or(Place::Line { line, columns }, |cell| Place::Cells(vec![cell]))
     }
 
-    /// The block on a line, without its end; empty where there is none.
+    /// The block on a line, counted from 1; empty where there is none.
     #[must_use]
-    pub fn lines(&self) -> Vec<&str> {
-        self.text.lines().collect()
+    pub fn line(&self, line: usize) -> &str {
+        line.checked_sub(1).and_then(|at| self.text.lines().nth(at)).unwrap_or_default()
     }
 }
 
@@ -74,7 +74,10 @@ impl Source {
             .lists
             .iter()
             .filter(|rows| rows.list == SUBPROGRAM_KEY)
-            .map(|rows| (rows.sheet.trim().to_uppercase(), Text::of(&rows.rows)))
+            .filter_map(|rows| {
+                let number: u32 = rows.sheet.trim().trim_start_matches(['O', 'o']).parse().ok()?;
+                Some((format!("O{number:04}"), Text::of(&rows.rows)))
+            })
             .collect();
         (!main.text.is_empty()).then_some(Self { main, subprograms })
     }
@@ -86,23 +89,24 @@ impl Source {
         Interpreter::over(self.main.text.as_bytes(), setting)
     }
 
+    /// The text that a line stands in; `file` is the subprogram it is of.
+    #[must_use]
+    pub fn text(&self, file: Option<&str>) -> Option<&Text> {
+        file.map_or(Some(&self.main), |name| self.subprograms.get(name))
+    }
+
     /// Where a line stands; `file` is the subprogram it is of.
     #[must_use]
     pub fn place(&self, file: Option<&str>, line: usize, columns: Vec<usize>) -> Place {
-        let text = file.map_or(Some(&self.main), |name| self.subprograms.get(&name.to_uppercase()));
-        text.map_or(Place::File, |text| text.place(line, columns))
+        self.text(file).map_or(Place::File, |text| text.place(line, columns))
     }
 }
 
-/// Subprograms by their names; `O5`, `O05` and `O0005` are one.
+/// Subprograms by their names.
 struct Sheets(BTreeMap<String, Text>);
 
 impl Files for Sheets {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        let number = |name: &str| name.trim().to_uppercase().trim_start_matches('O').parse::<u32>().ok();
-        let wanted = number(name);
-        let found =
-            self.0.iter().find(|(one, _)| one.eq_ignore_ascii_case(name) || wanted.is_some() && number(one) == wanted);
-        Ok(found.map(|(_, text)| text.text.clone().into_bytes()))
+        Ok(self.0.get(name).map(|text| text.text.clone().into_bytes()))
     }
 }

@@ -76,7 +76,7 @@ pub(super) fn write(
         tables: outcome
             .tables
             .iter()
-            .filter(|table| !matches!(table.key, "checks" | "views"))
+            .filter(|table| !matches!(table.key, "checks" | "views" | "blocks" | "blocks-2") && table.rows() > 0)
             .map(|one| sheet(one, &mut words))
             .collect(),
         figures,
@@ -229,7 +229,11 @@ fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Resu
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);
     }
-    let summary = summary(program);
+    let mut summary = summary(program);
+    if summary.blocks == 0 {
+        // A program that stands on a sheet line by line.
+        summary.blocks = program.parts.len() as u64;
+    }
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),
@@ -261,8 +265,17 @@ fn summary(program: &Program) -> Summary {
     let account = if summary.path > 0.0 { None } else { Account::of(program) };
     let Some(account) = account else { return summary };
     let extents = account.program.map(|extents| {
-        let named = |axis: &Axis| matches!(axis, Axis::X | Axis::Y) || extents.of(*axis) != [0.0, 0.0];
-        let reach = |axis: Axis| (axis.letter(), extents.of(axis)[0], extents.of(axis)[1]);
+        let turning = program.dialect.reading.diameter;
+        let named = |axis: &Axis| match axis {
+            Axis::X => true,
+            Axis::Y if !turning => true,
+            axis => extents.of(*axis) != [0.0, 0.0],
+        };
+        let reach = |axis: Axis| {
+            // As it is programmed: on the diameter.
+            let factor = if turning && axis == Axis::X { 2.0 } else { 1.0 };
+            (axis.letter(), factor * extents.of(axis)[0], factor * extents.of(axis)[1])
+        };
         Axis::ALL.into_iter().filter(named).map(reach).collect()
     });
     Summary {

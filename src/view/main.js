@@ -82,11 +82,14 @@ function extent() {
       if (feeds && (path[at + 4] <= RAPID)) continue;
       // A way that leads far off does not make the part small.
       const off = Math.max(...[0, 1, 2].map((axis) => Math.abs(path[at + axis] - middle[axis])));
-      if (cutting || off < 0.75 * span) add(path[at], path[at + 1], path[at + 2]);
+      if (!cutting && off >= 0.75 * span) continue;
+      add(path[at], path[at + 1], path[at + 2]);
+      if (at > 0 && path[at + 4] > RAPID) add(path[at - 5], path[at - 4], path[at - 3]);
     }
     if (low[0] !== Infinity) break;
   }
   if (low[0] === Infinity) add(0, 0, 0), add(100, 100, 100);
+  if (run.data.diameter) add(0, 0, low[2]);
   return [low, high];
 }
 

@@ -1,7 +1,7 @@
 //! The viewer: one HTML file that shows what programs do.
 //!
 //! A [`Scene`] goes in: the part as triangles, the programs with their lines, motions and what is in force, for turning the
-//! metal as it is cut away. Out comes one file ([`write`]) that opens in any browser without a network: its style and
+//! metal as it is cut away. Out comes one file ([`write()`]) that opens in any browser without a network: its style and
 //! scripts are in it, its numbers as base64. The same scene gives the same bytes.
 //!
 //! # Units
@@ -11,6 +11,7 @@ mod column;
 mod frame;
 pub mod impeller;
 mod kept;
+pub mod lathe;
 mod mesh;
 mod page;
 pub mod pipe;

@@ -201,7 +201,9 @@ impl Program {
         self.path(motion, &from);
         let state = self.state_of(control);
         self.state.push(state);
-        self.line.push(whole(motion.line));
+        // A motion of a subprogram's own file stands at the last line of the program that moved.
+        let line = if control.file == 0 { whole(motion.line) } else { self.line.last().copied().unwrap_or(0) };
+        self.line.push(line);
         self.kind.push(kind);
         self.feed.push(feed);
         let seconds = self.time(motion, &from);

@@ -166,6 +166,13 @@ fn a_named_block_is_gone_to_and_its_coordinates_are_those_of_the_program() {
     browser.keys(&["N", "6", "4", "0", "\u{E007}"]);
     assert_eq!(browser.status()["said"]["X"], "-82.189");
     quiet(&browser);
+    // In inches where the program counts in them, and with the start of the first cut in view.
+    fs::write(folder.path().join("inch.ngc"), "G20 G90\nG0 X2 Y1\nG1 X0.5 F10\nM2\n").expect("a program");
+    rodete(folder.path(), &["view", "inch.ngc"]);
+    let inch = browser.open(&folder.path().join("inch.html"), "step=2");
+    assert_eq!([&inch["said"]["X"], &inch["said"]["Y"], &inch["said"]["F"]], ["0.5000", "1.0000", "10.00"]);
+    let seen = browser.run("return [camera.box[0][0], camera.box[1][0]].map((x) => Math.round(x * 100) / 100)");
+    assert_eq!(seen, json!([12.7, 50.8]));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Which dialect a program is in, where nobody says so.
 
-use crate::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8070, LINUXCNC};
+use crate::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A, LINUXCNC};
 
 /// The dialect that the beginning of a program and its file's ending (without the dot) tell.
 ///
@@ -25,6 +25,24 @@ pub fn told(head: &[u8], ending: &str) -> &'static Dialect {
     if text.lines().any(builders_code) { &FAGOR_8055 } else { &LINUXCNC }
 }
 
+/// The same of a turning program. A first line `%name,MX--,`, or a tool with its offset as `T1 D1` or `T1.1`, is a Fagor
+/// 8055 T; everything else is a Fanuc of system A, whose T carries both numbers.
+#[must_use]
+pub fn told_turning(head: &[u8]) -> &'static Dialect {
+    let text = String::from_utf8_lossy(head);
+    let named = text.lines().any(|line| line.trim_start().starts_with('%') && line.contains(",MX"));
+    if named || text.lines().any(tool_and_offset) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
+}
+
+/// True where a line has a T with a D or a point behind its number.
+fn tool_and_offset(line: &str) -> bool {
+    let code = line.split(['(', ';']).next().unwrap_or_default().to_ascii_uppercase().replace([' ', '\t'], "");
+    code.split_once('T').is_some_and(|(_, rest)| {
+        let behind = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());
+        behind.len() < rest.len() && behind.starts_with(['D', '.'])
+    })
+}
+
 /// True where a line has an M code that a machine's builder gave a Fagor.
 fn builders_code(line: &str) -> bool {
     let code = line.split(['(', ';']).next().unwrap_or_default().to_ascii_uppercase();
@@ -36,7 +54,7 @@ fn builders_code(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::told;
+    use super::{told, told_turning};
 
     #[test]
     fn a_dialect_is_told_from_the_beginning_of_a_program() {
@@ -51,6 +69,20 @@ mod tests {
             ("G0 X1 M3 M19\nM2\n", "nc", "linuxcnc"),
         ] {
             assert_eq!(told(head.as_bytes(), ending).name, name, "{head}");
+        }
+    }
+
+    #[test]
+    fn a_control_that_turns_is_told_by_its_first_line_or_by_how_it_calls_tools() {
+        for (head, name) in [
+            ("%\nO0001\nT0101\n", "fanuc-lathe-a"),
+            ("G71 U2. R0.5 (T1 D1)\nM24\n", "fanuc-lathe-a"),
+            ("N10 T1 D1\n", "fagor-8055-t"),
+            ("N10 T2.2 M6\n", "fagor-8055-t"),
+            (";D50\n%0001-A,MX--,\nG90\n", "fagor-8055-t"),
+            ("", "fanuc-lathe-a"),
+        ] {
+            assert_eq!(told_turning(head.as_bytes()).name, name, "{head}");
         }
     }
 }

@@ -171,7 +171,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = self.modal.control();
+        let mut control = Control { file: self.at, ..self.modal.control() };
         let side = self.side(&motion);
         control.compensation = side;
         if side == Compensation::Off {

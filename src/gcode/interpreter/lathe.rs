@@ -24,6 +24,9 @@ use crate::text::Text;
 /// The axes of a lathe with the letters of their absolute and their incremental words.
 const WORDS: [(Axis, usize, usize); 2] = [(Axis::X, letter::X, letter::U), (Axis::Z, letter::Z, letter::W)];
 
+/// How far beyond the axis facing may end, mm on the diameter.
+const FACING: f64 = 6.0;
+
 impl Interpreter<'_> {
     /// Refuses X with U and Z with W, and increments in machine coordinates.
     pub(super) fn one_word_an_axis(&self) -> Outcome<()> {
@@ -179,11 +182,13 @@ impl Interpreter<'_> {
         );
     }
 
-    /// X has been given below the axis.
+    /// X has been given below the axis. Facing ends a little beyond it, by the nose of the tool; farther is a slip of the
+    /// sign.
     pub(super) fn remark_beyond_axis(&mut self) {
         let line = self.line;
+        let facing = self.block.get(letter::X).is_some_and(|X| self.modal.unit.to_mm(X) >= -FACING);
         self.remarks.add(
-            Grade::Caution,
+            if facing { Grade::Note } else { Grade::Caution },
             line,
             Some(self.block.column(letter::X)),
             Text::fixed(

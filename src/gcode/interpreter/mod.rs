@@ -74,7 +74,7 @@ use self::modal::Modal;
 use self::moves::Run;
 use self::numbers::Numbers;
 use self::parameters::Parameters;
-pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Tool, Tools};
+pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
 use self::structure::Structure;
@@ -162,7 +162,8 @@ impl<'a> Interpreter<'a> {
                 parameters.set(number as usize, 0.0);
             }
         }
-        let frame = offsets.frame(Pose::default());
+        let tools = setting.tools.clone().unwrap_or_default();
+        let frame = offsets.frame(tools.get(&setting.start.offset).map_or_else(Pose::default, |tool| tool.offset));
         #[expect(clippy::cast_possible_truncation, reason = "1 to 9")]
         let system = offsets.active.number() as u8;
         Self {
@@ -174,12 +175,16 @@ impl<'a> Interpreter<'a> {
             buffer: Vec::new(),
             line: 0,
             block: Block::new(),
-            modal: Modal::new(reading, setting.unit, system),
+            modal: Modal {
+                tool: setting.start.tool,
+                offset: setting.start.offset,
+                ..Modal::new(reading, setting.unit, system)
+            },
             control: Control::default(),
-            current: frame.to_program(&Pose::default()),
+            current: frame.to_program(&setting.start.machine),
             frame,
             parameters,
-            tools: setting.tools.clone().unwrap_or_default(),
+            tools,
             queue: VecDeque::new(),
             compensator: Compensator::new(!reading.system_a),
             run: None,
@@ -205,6 +210,12 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub const fn control(&self) -> &Control {
         &self.control
+    }
+
+    /// The name of a subprogram's own file by its number in [`Control::file`]; `None` for the program itself.
+    #[must_use]
+    pub fn file(&self, number: usize) -> Option<&str> {
+        self.sources.get(number)?.file.as_deref()
     }
 
     /// The position reached, in program and machine coordinates.

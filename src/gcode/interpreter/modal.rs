@@ -115,6 +115,7 @@ impl Modal {
             feed_mode: self.feed_mode,
             unit: self.unit,
             compensation: self.compensation,
+            file: 0,
         }
     }
 

@@ -65,12 +65,25 @@ impl Default for Budget {
     }
 }
 
+/// How a machine stands when a program begins.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Start {
+    /// Where, in machine coordinates.
+    pub machine: Pose,
+    /// The tool in the spindle or the turret's place at work; 0 for none.
+    pub tool: u32,
+    /// Of a lathe, the number of the tool offset in force; 0 for none. It must be in the tool table.
+    pub offset: u32,
+}
+
 /// What a program is read with.
 pub struct Setting {
     /// The dialect.
     pub dialect: &'static Dialect,
     /// The machine's unit: of the var file, of parameters that hold lengths, and of a program that does not say its own.
     pub unit: LengthUnit,
+    /// How the machine stands at the start.
+    pub start: Start,
     /// The control's parameters at the start.
     pub var_file: VarFile,
     /// The tool table; `None` where it is not known: every tool is then taken as one of length 0, and said so.
@@ -96,6 +109,7 @@ impl Setting {
         Self {
             dialect,
             unit: LengthUnit::Millimetre,
+            start: Start::default(),
             var_file: VarFile::default(),
             tools: None,
             point: None,

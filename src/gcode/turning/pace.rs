@@ -185,6 +185,7 @@ mod tests {
             feed_mode: crate::gcode::motion::FeedMode::PerRevolution,
             unit: crate::machine::length_unit::LengthUnit::Millimetre,
             compensation: crate::gcode::control::Compensation::Off,
+            file: 0,
         }
     }
 

@@ -108,6 +108,15 @@ impl Line {
         self.a * point.z + self.b * point.r + self.c
     }
 
+    /// True where a box, of which the least and the greatest corner are given, is to the right of the line as a whole, or on
+    /// it.
+    #[must_use]
+    pub const fn has_right(self, low: Point, high: Point) -> bool {
+        let z = if self.a > 0 { high.z } else { low.z };
+        let r = if self.b > 0 { high.r } else { low.r };
+        self.at(Point { z, r }) <= 0
+    }
+
     /// True where two lines are one, with one direction.
     #[must_use]
     pub fn same(self, other: Self) -> bool {
@@ -151,7 +160,7 @@ impl Line {
         ];
         let sum: f64 = products.iter().map(|(plus, minus)| plus - minus).sum();
         let size: f64 = products.iter().map(|(plus, minus)| plus.abs() + minus.abs()).sum();
-        (sum.abs() > 2e-15 * size).then(|| if sum > 0.0 { Ordering::Greater } else { Ordering::Less })
+        (sum.abs() > 2e-15 * size).then_some(if sum > 0.0 { Ordering::Greater } else { Ordering::Less })
     }
 
     const fn wide(self) -> [i128; 3] {
@@ -188,6 +197,7 @@ mod tests {
         let line = Line::through(point(-far, -far), point(far, far - 1));
         assert!(line.at(point(-far, far)) > 0 && line.at(point(far, -far)) < 0);
         assert_eq!(line.at(point(far, far - 1)), 0);
+        assert!(line.has_right(point(0, -9), point(8, -1)) && !line.has_right(point(0, -9), point(8, 9)));
         let other = Line::through(point(-far, far), point(far, -far));
         assert_eq!(Line::through(point(far, -far), point(far, far)).side(line, other), Ordering::Greater);
         assert_eq!(Line::through(point(far, far), point(far, -far)).side(line, other), Ordering::Less);

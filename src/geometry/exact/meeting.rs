@@ -75,7 +75,7 @@ pub struct Meeting {
     pub inserted: Vec<(Stretch, Origin)>,
     /// The polygon lies inside the region as a whole.
     pub(super) hole: bool,
-    around: Vec<Ordering>,
+    around: Vec<i64>,
 }
 
 impl Meeting {
@@ -102,7 +102,19 @@ impl Meeting {
         self.hit_of.resize(region.edges.len().max(self.hit_of.len()), NONE);
         let (low, high) = polygon.extent();
         let (hits, around) = (&mut self.hits, &mut self.around);
-        region.near(low, high, |edge| hits.extend(hit(region, polygon, edge, around)));
+        // Most edges near a polygon lie beyond one of its edges, and neighbours beyond the same one.
+        let mut beyond = 0;
+        region.near(low, high, |edge| {
+            let (low, high) = region.bounds(edge);
+            if polygon.lines()[beyond].has_right(low, high) {
+                return;
+            }
+            let found = hit(region, polygon, edge, around);
+            if found.is_none() {
+                beyond = polygon.lines().iter().position(|line| line.has_right(low, high)).unwrap_or(beyond);
+            }
+            hits.extend(found);
+        });
         for (at, hit) in self.hits.iter().enumerate() {
             self.hit_of[hit.edge as usize] = u32::try_from(at).unwrap_or(NONE);
         }
@@ -231,24 +243,28 @@ impl Meeting {
 /// over another; or the line only touches it, and then nothing inside is on the line. A line that runs along an edge of
 /// the polygon has the region and the polygon on one side, and then the region beside that edge is taken away and the
 /// stretch of the edge with it; or on two sides, and then the stretch stays.
-fn hit(region: &Region, polygon: &Convex, number: u32, around: &mut Vec<Ordering>) -> Option<Hit> {
+fn hit(region: &Region, polygon: &Convex, number: u32, around: &mut Vec<i64>) -> Option<Hit> {
     let edge = &region.edges[number as usize];
     let (line, lines, count) = (edge.line, polygon.lines(), polygon.len());
     around.clear();
-    around.extend(polygon.corners().iter().map(|&corner| line.at(corner).cmp(&0)));
-    let side = |corner: usize| around[corner % count];
-    let left = around.contains(&Ordering::Greater);
-    let right = around.contains(&Ordering::Less);
-    let (into, out, along) = match (left, right) {
-        (true, true) => {
-            let into = (0..count).find(|&at| side(at).is_gt() && side(at + 1).is_le())?;
-            let out = (0..count).find(|&at| side(at).is_lt() && side(at + 1).is_ge())?;
-            (into, out, None)
+    around.extend(polygon.corners().iter().map(|&corner| line.at(corner).signum()));
+    let (mut into, mut out, mut along) = (None, None, None);
+    let mut here = around[count - 1];
+    for (at, &then) in around.iter().enumerate() {
+        // The edge from the corner before to this one.
+        let side = (at + count - 1) % count;
+        match (here, then) {
+            (1, 0 | -1) => into = Some(side),
+            (-1, 0 | 1) => out = Some(side),
+            (0, 0) => along = Some(side),
+            _ => {}
         }
-        (true, false) => {
-            let along = (0..count).find(|&at| side(at).is_eq() && side(at + 1).is_eq())?;
-            ((along + count - 1) % count, (along + 1) % count, Some(along))
-        }
+        here = then;
+    }
+    let (into, out, along) = match (into, out, along) {
+        (Some(into), Some(out), _) => (into, out, None),
+        // Only the edge that it runs along touches it, and the polygon is to its left.
+        (_, _, Some(along)) if around.contains(&1) => ((along + count - 1) % count, (along + 1) % count, Some(along)),
         _ => return None,
     };
     let (before, next) = (region.edges[edge.before as usize].line, region.edges[edge.next as usize].line);

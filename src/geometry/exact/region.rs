@@ -6,10 +6,10 @@ use super::grid::{Line, Point, UNITS};
 /// No edge.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// The finest strips of the index are 2^17 units wide, about 0.13 mm.
-const FINEST: u32 = 17;
+/// The finest strips of the index are 2^19 units wide, about 0.5 mm.
+const FINEST: u32 = 19;
 /// From there to strips that hold any edge on the grid.
-const LEVELS: usize = 15;
+const LEVELS: usize = 13;
 
 /// An edge runs from where the edge before meets its line to where the next one does; the region is to its left.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +54,8 @@ pub struct Region {
     /// The least z, below which no edge begins.
     first: i64,
     alive: usize,
+    /// The greatest r that there was at the start, mm.
+    top: f64,
 }
 
 fn strip(first: i64, z: i64, level: usize) -> usize {
@@ -76,6 +78,7 @@ impl Region {
         for ring in rings {
             region.add_ring(ring);
         }
+        region.top = all().map(|point| point.mm()[1]).fold(f64::NEG_INFINITY, f64::max);
         region
     }
 
@@ -192,6 +195,12 @@ impl Region {
         [at.start, self.edges[at.next as usize].start]
     }
 
+    /// The least and the greatest coordinates of an edge, in grid units, rounded outwards.
+    pub(super) fn bounds(&self, edge: u32) -> (Point, Point) {
+        let at = &self.edges[edge as usize];
+        (at.low, at.high)
+    }
+
     /// Visits every edge whose bounds meet a box.
     pub(super) fn near(&self, low: Point, high: Point, mut visit: impl FnMut(u32)) {
         if high.z < self.first {
@@ -219,7 +228,7 @@ impl Region {
     /// Edges above the point are counted, each with its lower end and without its higher one along z.
     #[must_use]
     pub fn contains(&self, [z, r]: [f64; 2]) -> bool {
-        let Some(at) = Point::near([z, r]) else { return false };
+        let Some(at) = Point::near([z, r]).filter(|_| r <= self.top) else { return false };
         let (low, high) = (Point { z: at.z - 1, r: -super::grid::LIMIT }, Point { z: at.z + 1, r: super::grid::LIMIT });
         let mut inside = false;
         self.near(low, high, |edge| {

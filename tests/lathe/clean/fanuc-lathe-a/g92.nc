@@ -1,4 +1,4 @@
-(stock D24xL120)
+(stock D24xL80)
 O0009
 T0404
 G97 S600 M3

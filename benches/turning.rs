@@ -1,0 +1,114 @@
+//! Turning: cutting motions a second, and whether a motion's cost grows with the motions before it.
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use rodete::gcode::control::{Control, Speed, Spindle};
+use rodete::gcode::motion::{Feed, FeedMode, Kind, Motion};
+use rodete::lathe::catalogue;
+use rodete::lathe::machine::Lathe;
+use rodete::lathe::simulation::{Setup, Simulation};
+use rodete::lathe::stock::Stock;
+use rodete::machine::axis::{Axis, Pose};
+
+const FEED: Kind = Kind::Feed(Feed { mode: FeedMode::PerRevolution, value: 0.2 });
+
+struct Program {
+    motions: Vec<Motion>,
+    at: Pose,
+    zero: f64,
+}
+
+impl Program {
+    fn new(setup: &Setup) -> Self {
+        let zero = setup.stock.zero(&setup.lathe);
+        let mut program = Self { motions: Vec::new(), at: Pose::default(), zero };
+        program.at.set(Axis::X, 60.0);
+        program.at.set(Axis::Z, 5.0);
+        program
+    }
+
+    fn go(&mut self, kind: Kind, x: f64, z: f64) {
+        let mut to = Pose::default();
+        to.set(Axis::X, x);
+        to.set(Axis::Z, z);
+        let mut machine = to;
+        machine.set(Axis::X, x + 60.0);
+        machine.set(Axis::Z, z + self.zero);
+        let line = self.motions.len() + 1;
+        self.motions.push(Motion { line, n: None, kind, from: self.at, to, machine, seconds: None });
+        self.at = to;
+    }
+}
+
+fn setup() -> Setup {
+    let stock = Stock { overhang: 500.0, ..Stock::bar(100.0, 550.0) };
+    Setup::new(Lathe::default(), stock, catalogue::turret())
+}
+
+/// Roughing in zones of 15 mm, one after the other from the right, in passes of 0.05 mm with approach and return: one in two
+/// motions cuts.
+fn passes(count: u32) -> Vec<Motion> {
+    let mut program = Program::new(&setup());
+    for pass in 0..count / 4 {
+        let (zone, deep) = (f64::from(pass / 900), 0.05 * f64::from(pass % 900 + 1));
+        let x = 50.0 - deep;
+        program.go(Kind::Rapid, x, 2.0 - 15.0 * zone);
+        program.go(FEED, x, -15.0 * (zone + 1.0));
+        program.go(FEED, x + 0.05, -15.0 * (zone + 1.0) + 0.05);
+        program.go(Kind::Rapid, x + 0.05, 2.0 - 15.0 * zone);
+    }
+    program.motions
+}
+
+/// Passes along a wavy profile in short lines, each a little deeper: every motion cuts.
+fn profiles(count: u32) -> Vec<Motion> {
+    let mut program = Program::new(&setup());
+    let along = 200;
+    let passes = (count / along).max(1);
+    for pass in 1..=passes {
+        let deep = 20.0 * f64::from(pass) / f64::from(passes);
+        program.go(Kind::Rapid, 60.0, 2.0);
+        program.go(Kind::Rapid, 49.0 - deep, 2.0);
+        for at in 1..along - 1 {
+            let z = 2.0 - 82.0 * f64::from(at) / f64::from(along - 2);
+            let wave = rodete::number::trig::sin(z / 3.0);
+            program.go(FEED, 49.0 - deep + 0.05 * wave - 0.01 * z, z);
+        }
+    }
+    program.motions
+}
+
+fn run(motions: &[Motion]) -> f64 {
+    let control = Control {
+        tool: 2,
+        spindle: Spindle::Clockwise,
+        speed: Speed::Surface(150.0),
+        greatest_speed: Some(2500.0),
+        coolant: true,
+        ..Control::default()
+    };
+    let mut simulation = Simulation::new(setup()).expect("a set-up that can be");
+    for motion in motions {
+        black_box(simulation.take(motion, &control));
+    }
+    simulation.totals().all.volume
+}
+
+fn bench(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("turning");
+    group.sample_size(10);
+    for (name, make) in [("passes", passes as fn(u32) -> Vec<Motion>), ("profile", profiles)] {
+        for count in [1_000, 10_000, 100_000] {
+            let motions = make(count);
+            group.throughput(Throughput::Elements(motions.len() as u64));
+            group.bench_with_input(BenchmarkId::new(name, count), &motions, |bencher, motions| {
+                bencher.iter(|| run(black_box(motions)));
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, bench);
+criterion_main!(benches);

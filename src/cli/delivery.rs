@@ -1,0 +1,98 @@
+//! The files of an outcome: results, programs, drawings, and of a turning its solid and its viewer.
+
+use std::collections::BTreeSet;
+use std::ffi::OsString;
+
+use super::kinds::FORMS;
+use super::plan::Item;
+use super::verdict::Verdict;
+use super::{drawings, show};
+use crate::finding::{Finding, Grade, Place, Refusal};
+use crate::gcode::program::Program;
+use crate::job::Outcome;
+use crate::lathe::mesh;
+use crate::store::{self, Set};
+use crate::text::{Language, Text};
+use crate::view;
+use crate::view::lathe::Watching;
+use crate::workbook::results;
+
+/// The ending of the results.
+const RESULTS: &str = "-results.xlsx";
+/// The ending of the report.
+pub(super) const REPORT: &str = "-report.pdf";
+/// The ending of a turning's viewer.
+const VIEWER: &str = "-viewer.html";
+/// The ending of a turned part's solid.
+const SOLID: &str = "-part.stl";
+
+/// Endings of every file that may be delivered; one that is not of this set may be left from an earlier one.
+pub(super) fn endings() -> BTreeSet<String> {
+    let programs = FORMS.iter().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
+    [RESULTS, REPORT, VIEWER, SOLID].into_iter().map(str::to_owned).chain(programs).chain(drawings::endings()).collect()
+}
+
+/// The name of a program's file.
+pub(super) fn program_name(item: &Item, program: &Program) -> OsString {
+    store::file_name(&item.stem, &format!("-{}.nc", program.key))
+}
+
+/// What is delivered, and under which names.
+pub(super) struct Delivery<'a> {
+    /// The names.
+    pub(super) item: &'a Item,
+    /// What came of it.
+    pub(super) outcome: &'a Outcome,
+    /// The language of sheets and drawings.
+    pub(super) language: Language,
+}
+
+impl Delivery<'_> {
+    /// Adds everything but the report to the set; `watching` is what was seen of a turning.
+    ///
+    /// # Errors
+    /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
+    pub(super) fn write(&self, watching: Option<Watching>, set: &mut Set<'_>) -> Result<(), Refusal> {
+        let Self { item, outcome, language } = *self;
+        set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, language, out))?;
+        for program in &outcome.programs {
+            set.write(&program_name(item, program), |out| program.write(out))?;
+        }
+        drawings::write(item, outcome, language, set)?;
+        if let Some(turned) = &outcome.turned {
+            set.write(&store::file_name(&item.stem, SOLID), |mut out| {
+                mesh::write_stl(&turned.contours, turned.tolerance, &mut out).map(|_| ())
+            })?;
+        }
+        if let Some(watching) = watching {
+            let title = outcome.values.line("part").to_owned();
+            let scene = watching.scene(title, language);
+            set.write(&store::file_name(&item.stem, VIEWER), |out| view::write(&scene, out))?;
+        }
+        Ok(())
+    }
+}
+
+/// A caution for each file in the folder that bears the name of an output and is not of this set: a program of an earlier
+/// one must not be taken for one of this.
+pub(super) fn leftovers(item: &Item, verdict: &Verdict) -> Vec<Finding> {
+    endings()
+        .into_iter()
+        .map(|ending| store::file_name(&item.stem, &ending))
+        .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
+        .map(|name| item.folder.join(name))
+        .filter(|path| path.symlink_metadata().is_ok())
+        .map(|path| {
+            let path = show::path(&path);
+            Finding::new(
+                Grade::Caution,
+                Place::File,
+                Text::new(
+                    format!("{path} queda de una construcción anterior y no pertenece a este conjunto"),
+                    format!("{path} is left from an earlier build and does not belong to this set"),
+                ),
+                Text::fixed("no lo use; bórrelo o apártelo", "do not use it; delete it or move it away"),
+            )
+        })
+        .collect()
+}

@@ -1,0 +1,115 @@
+//! The command `simulate`: a turning program followed over its stock.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use super::args::Simulate;
+use super::delivery::{self, Delivery};
+use super::plan::Item;
+use super::terminal::Terminal;
+use super::turning::{Followed, Wanted, follow};
+use super::verdict::{Verdict, code, status};
+use super::{finding, interrupt, json, quantity, reading, refused, show};
+use crate::finding::{Exit, Grade, Refusal};
+use crate::gcode::dialect::Dialect;
+use crate::store::{self, Existing, Folder, Set};
+use crate::view::lathe::Watching;
+use crate::workbook::{self, Input};
+
+/// Follows the program and says what it comes to.
+pub(super) fn run(arguments: &Simulate, terminal: &mut Terminal) -> Exit {
+    let language = arguments.lang.unwrap_or_default();
+    interrupt::listen();
+    let mut followed = None;
+    let verdict = reading::verdict(&arguments.program, |verdict| {
+        followed = Some(simulate(arguments, verdict)?);
+        Ok(())
+    });
+    if verdict.exit == Exit::CommandLine && followed.is_none() {
+        return refused(&Refusal { exit: verdict.exit, findings: verdict.findings }, language, terminal);
+    }
+    if arguments.json {
+        terminal.out(&json::laid_out(&document(arguments, &verdict, followed.as_ref())));
+        return verdict.exit;
+    }
+    let (name, width) = (show::path(&arguments.program), terminal.width);
+    if let Some(followed) = &followed {
+        terminal.out(&format!("{name}: {}, {}\n", followed.dialect.name, followed.stock));
+        terminal.out(&quantity::table(&verdict.quantities, language, width));
+    }
+    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, &name, language, width));
+    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, &name, language, width));
+    terminal.out(&show::files(&verdict));
+    verdict.exit
+}
+
+fn simulate(arguments: &Simulate, verdict: &mut Verdict) -> Result<Followed, Refusal> {
+    let path = &arguments.program;
+    let bytes = workbook::open_as(Input::Program, path)?;
+    let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
+    let language = arguments.lang.unwrap_or_default();
+    let wanted = Wanted {
+        program: path,
+        bytes: &bytes,
+        dialect: arguments.dialect.as_deref().and_then(Dialect::named),
+        point: arguments.decimal_point,
+        block_delete: arguments.block_delete,
+        stock: arguments.stock,
+        tools: arguments.tools.as_deref(),
+        language,
+    };
+    let mut watching = folder.is_some().then(Watching::default);
+    let followed = follow(&wanted, verdict, watching.as_mut())?;
+    if let (Some(folder), Some(output)) = (&folder, &arguments.output) {
+        let inputs: Vec<&Path> = std::iter::once(path).chain(&arguments.tools).map(PathBuf::as_path).collect();
+        let mut set = Set::new(folder, &inputs, Existing::Replace);
+        let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
+        Delivery { item: &item, outcome: &followed.outcome, language }.write(watching, &mut set)?;
+        verdict.files = set.commit()?;
+        verdict.folder = Some(output.clone());
+        verdict.findings.extend(delivery::leftovers(&item, verdict));
+    }
+    Ok(followed)
+}
+
+fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>) -> serde_json::Value {
+    let totals: serde_json::Map<String, serde_json::Value> = verdict
+        .quantities
+        .iter()
+        .filter_map(|one| {
+            let name = match one.symbol {
+                "V_r" => "removed_volume_mm3",
+                "V_t" => "parted_volume_mm3",
+                "V" => "part_volume_mm3",
+                "t" => "time_s",
+                "t_c" => "cutting_time_s",
+                "t_G0" => "rapid_time_s",
+                "a_p" => "greatest_depth_mm",
+                "V_c" => "greatest_cutting_speed_m_min",
+                "Q" => "greatest_removal_rate_cm3_min",
+                "alarms" => "alarms",
+                "stops" => "stops",
+                "dev_plus" => "deviation_plus_mm",
+                "dev_minus" => "deviation_minus_mm",
+                _ => return None,
+            };
+            Some((name.to_owned(), json!(one.value)))
+        })
+        .collect();
+    let motions = followed.and_then(|followed| followed.outcome.table("blocks")).map(crate::table::Table::rows);
+    json!({
+        "rodete": env!("CARGO_PKG_VERSION"),
+        "command": "simulate",
+        "exit": code(verdict.exit),
+        "status": status(verdict.exit),
+        "program": arguments.program.to_string_lossy(),
+        "sha256": verdict.sha256,
+        "dialect": followed.map(|followed| followed.dialect.name),
+        "stock": followed.map(|followed| followed.stock.clone()),
+        "motions": motions,
+        "totals": totals,
+        "findings": verdict.findings,
+        "files": json::files(verdict),
+    })
+}

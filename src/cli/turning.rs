@@ -1,0 +1,248 @@
+//! A turning program in a file, followed over its stock: what `simulate` and `view` have in common.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::program::{Beside, told_from};
+use super::stock::Stock;
+use super::verdict::Verdict;
+use crate::escape::printable;
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::gcode::dialect::Dialect;
+use crate::gcode::dialect::told::told_turning;
+use crate::gcode::interpreter::{DecimalPoint, Files, Interpreter};
+use crate::gcode::motion::Kind;
+use crate::job::{Outcome, Source, lathe};
+use crate::lathe::cases;
+use crate::lathe::parameters::{BLOCKS_MOST, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
+use crate::lathe::setup::Given;
+use crate::lathe::text;
+use crate::machine::axis::Axis;
+use crate::parameter::list::{Row, Rows};
+use crate::parameter::{Value, Values};
+use crate::store;
+use crate::text::{Language, Text};
+use crate::view::lathe::Watching;
+use crate::workbook;
+
+/// Held in the jaws, and faced off, where only the stock's size is given: mm.
+const HELD: f64 = 30.0;
+
+/// A program to follow, and what it is followed with.
+#[derive(Debug)]
+pub(super) struct Wanted<'a> {
+    /// The program's file.
+    pub(super) program: &'a Path,
+    /// What stands in it.
+    pub(super) bytes: &'a [u8],
+    /// Its dialect; `None`: told from the program.
+    pub(super) dialect: Option<&'static Dialect>,
+    /// What a dimension without a decimal point is.
+    pub(super) point: Option<DecimalPoint>,
+    /// Blocks with `/` are skipped.
+    pub(super) block_delete: bool,
+    /// The stock; `None`: that of the workbook, or one that encloses the path.
+    pub(super) stock: Option<Stock>,
+    /// The lathe workbook; `None`: the example.
+    pub(super) tools: Option<&'a Path>,
+    /// The language of the outputs.
+    pub(super) language: Language,
+}
+
+/// What was followed.
+#[derive(Debug)]
+pub(super) struct Followed {
+    /// The program's dialect.
+    pub(super) dialect: &'static Dialect,
+    /// The stock, as `D50xL100`.
+    pub(super) stock: String,
+    /// What came of it.
+    pub(super) outcome: Outcome,
+}
+
+/// Follows the program and puts what was found into the verdict; shows everything to `watching`.
+///
+/// # Errors
+/// Where a file cannot be read, the workbook is refused, or its values contradict each other.
+pub(super) fn follow(
+    wanted: &Wanted<'_>,
+    verdict: &mut Verdict,
+    watching: Option<&mut Watching>,
+) -> Result<Followed, Refusal> {
+    let path = wanted.program;
+    let sha256 = store::sha256(wanted.bytes);
+    verdict.sha256 = Some(sha256.clone());
+    let (values, found) = given(wanted)?;
+    verdict.findings.extend(found);
+    let dialect = wanted.dialect.unwrap_or_else(|| {
+        let dialect = told_turning(wanted.bytes);
+        verdict.findings.push(told_from(dialect));
+        dialect
+    });
+    let main = text::Text::of_file(String::from_utf8_lossy(wanted.bytes).into_owned());
+    let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
+    let program = text::Source { main, subprograms };
+    let mut values = for_program(values, wanted, dialect, &program);
+    if let Some(stock) = wanted.stock {
+        put_stock(&mut values, stock);
+    } else if wanted.tools.is_none() {
+        let stock = enclosing(&values, &program)?;
+        verdict.findings.push(Finding::note(
+            Place::File,
+            Text::new(
+                format!("el bruto no se ha indicado: se toma {stock}, que encierra el recorrido en avance"),
+                format!("no stock given: {stock} is taken, which encloses the path at feed"),
+            ),
+        ));
+        put_stock(&mut values, stock);
+    }
+    let stock = stock_of(&values).to_string();
+    let source = Source {
+        workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
+        sha256,
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    let mut watching = watching;
+    let outcome = lathe::watched(&FORM, values, source, Some(program), &mut |seen| {
+        if let Some(watching) = &mut watching {
+            watching.see(seen);
+        }
+    })?;
+    verdict.findings.extend(outcome.findings.iter().cloned());
+    verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    verdict.quantities.clone_from(&outcome.quantities);
+    verdict.exit = outcome.exit();
+    Ok(Followed { dialect, stock, outcome })
+}
+
+/// The form to start from: the workbook that was named, or the example machine and turret.
+fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
+    if let Some(tools) = wanted.tools {
+        let bytes = workbook::open(tools)?;
+        let filled = workbook::read(&bytes, &[&FORM])?;
+        return Ok((filled.values, filled.findings));
+    }
+    let language = wanted.language;
+    let mut values = Values { language, ..Values::default() };
+    if let Some(case) = FORM.cases.first() {
+        values.values.extend(case.values(language));
+    }
+    values.lists.push(cases::turret(language));
+    let note = Finding::note(
+        Place::File,
+        Text::fixed(
+            "sin --tools: máquina y torreta son las del libro de ejemplo (rodete new lathe)",
+            "no --tools: machine and turret are those of the example workbook (rodete new lathe)",
+        ),
+    );
+    Ok((values, vec![note]))
+}
+
+/// The form with this program in place of its own.
+fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialect, program: &text::Source) -> Values {
+    values.values.insert("dialect", Value::Choice(dialect.name));
+    match wanted.point {
+        Some(DecimalPoint::Calculator) => values.values.insert("point", Value::Choice("calculator")),
+        Some(DecimalPoint::Micrometre) => values.values.insert("point", Value::Choice("micrometre")),
+        None if wanted.tools.is_none() => values.values.remove("point"),
+        None => None,
+    };
+    if wanted.block_delete {
+        values.values.insert("block_delete", Value::Choice("yes"));
+    }
+    if wanted.tools.is_none() {
+        let name = wanted.program.file_stem().unwrap_or_default().to_string_lossy();
+        values.values.insert("part", Value::Line(printable(&name).chars().take(60).collect()));
+        values.values.remove("material");
+    }
+    values.lists.retain(|rows| matches!(rows.list, TOOLS_KEY | PROFILE_KEY));
+    let mut put = |list: &'static str, sheet: &str, text: &text::Text| {
+        let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
+        // A longer program does not go on a sheet.
+        if lines.len() <= BLOCKS_MOST {
+            let row = |line: &&str| Row {
+                values: BTreeMap::from([("program/BLOCK", Value::Line((*line).to_owned()))]),
+                cells: BTreeMap::new(),
+            };
+            values.lists.push(Rows { list, sheet: sheet.to_owned(), rows: lines.iter().map(row).collect() });
+        }
+    };
+    put(PROGRAM_KEY, "", &program.main);
+    for (name, text) in &program.subprograms {
+        put(SUBPROGRAM_KEY, name, text);
+    }
+    debug_assert!(values.rows(SECOND_KEY).is_empty());
+    values
+}
+
+fn put_stock(values: &mut Values, stock: Stock) {
+    let held = HELD.min(stock.L / 4.0);
+    values.values.insert("D", Value::Real(stock.D));
+    values.values.insert("L", Value::Real(stock.L));
+    values.values.insert("L4", Value::Real(held));
+    values.values.insert("L5", Value::Real(0.0));
+    match stock.d {
+        Some(d) => values.values.insert("d", Value::Real(d)),
+        None => values.values.remove("d"),
+    };
+}
+
+fn stock_of(values: &Values) -> Stock {
+    let real = |key| values.real(key).unwrap_or_default();
+    Stock { D: real("D"), L: real("L"), d: values.real("d") }
+}
+
+/// A stock that holds the path at feed: its greatest diameter and its least Z, rounded up to whole millimetres, and what is
+/// held in the jaws.
+fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> {
+    let given = Given::of(values).map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
+    let (mut X, mut Z): (f64, f64) = (0.0, 0.0);
+    let interpreter: Interpreter<'_> = program.read(given.setting());
+    for motion in interpreter.flatten().filter(|motion| !matches!(motion.kind, Kind::Rapid | Kind::Dwell(_))) {
+        X = X.max(motion.to.get(Axis::X).abs());
+        Z = Z.min(motion.to.get(Axis::Z));
+    }
+    let (D, L) = ((2.0 * X).ceil().clamp(1.0, 1000.0), ((-Z).ceil() + 5.0 + HELD).clamp(40.0, 1000.0));
+    Ok(Stock { D, L, d: None })
+}
+
+/// The subprograms that stand beside the program: those that its M98 name, and so on.
+fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::Text>, Refusal> {
+    let mut found = BTreeMap::new();
+    let mut texts = vec![main.to_owned()];
+    while let Some(text) = texts.pop() {
+        for number in called(&text) {
+            let name = format!("O{number:04}");
+            if found.contains_key(&name) {
+                continue;
+            }
+            let names = [name.clone(), format!("o{number:04}"), format!("{number:04}"), number.to_string()];
+            let unreadable = |reason: String| {
+                let what = Text::same(format!("{name}: {reason}"));
+                Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, Text::fixed("", "")))
+            };
+            for one in names {
+                if let Some(bytes) = files.find(&one).map_err(unreadable)? {
+                    let text = String::from_utf8_lossy(&bytes).into_owned();
+                    texts.push(text.clone());
+                    found.insert(name.clone(), text::Text::of_file(text));
+                    break;
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The numbers that M98 calls: the last four digits of its P.
+fn called(text: &str) -> Vec<u32> {
+    let calls = text.lines().filter(|line| line.to_uppercase().replace(' ', "").contains("M98"));
+    calls
+        .filter_map(|line| {
+            let line = line.to_uppercase();
+            let (_, behind) = line.split_once('P')?;
+            let digits: String = behind.trim_start().chars().take_while(char::is_ascii_digit).collect();
+            digits.parse::<u32>().ok().map(|number| number % 10_000)
+        })
+        .collect()
+}

@@ -1,0 +1,93 @@
+//! The turned part as a mesh.
+
+use std::f64::consts::{PI, TAU};
+use std::io::{self, Write};
+
+use crate::geometry::exact::region::Ring;
+use crate::number::trig::{acos, sin_cos};
+
+/// The fewest and the most sectors about the axis.
+const SECTORS: [f64; 2] = [12.0, 3600.0];
+
+/// Into how many sectors a circle of a radius is divided so that chords stay within a tolerance, both in mm.
+///
+/// A chord over the angle h lies R (1 − cos(h/2)) inside.
+#[must_use]
+pub fn sectors(radius: f64, tolerance: f64) -> u32 {
+    let half = acos((1.0 - tolerance / radius.max(1e-9)).clamp(-1.0, 1.0));
+    let count = (PI / half.max(1e-9) - 1e-9).ceil().clamp(SECTORS[0], SECTORS[1]);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between the fewest and the most")]
+    let count = count as u32;
+    count
+}
+
+/// Writes the body that contours make when turned about the axis as binary STL; gives back the number of triangles.
+///
+/// Contours `[z, r]` in mm with r ≥ 0, counter-clockwise, holes clockwise. In the mesh Z is the axis and X, Y are across
+/// it, with the corners on the body's surface and chords within the tolerance. Every edge belongs to two triangles: corners
+/// are worked out once for each corner of a contour, corners that fall together in the format's single precision are one,
+/// and what lies on the axis is one corner.
+///
+/// # Errors
+/// Those of the output.
+pub fn write_stl(rings: &[Ring], tolerance: f64, out: &mut impl Write) -> io::Result<u32> {
+    let most = rings.iter().flatten().fold(0.0, |most: f64, point| most.max(point[1]));
+    let count = sectors(most, tolerance);
+    let turns: Vec<(f64, f64)> = (0..count).map(|at| sin_cos(TAU * f64::from(at) / f64::from(count))).collect();
+    let mut triangles: Vec<[[f32; 3]; 3]> = Vec::new();
+    for ring in rings {
+        let mut corners: Vec<[f64; 2]> = ring.iter().map(|&[z, r]| [z, if r < 1e-7 { 0.0 } else { r }]).collect();
+        corners.dedup_by_key(|corner| single(*corner));
+        while corners.len() > 1 && corners.first().map(|&one| single(one)) == corners.last().map(|&one| single(one)) {
+            corners.pop();
+        }
+        for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            for (at, &turn) in turns.iter().enumerate() {
+                let next = turns[(at + 1) % turns.len()];
+                let (a, b) = (corner(from, turn), corner(to, turn));
+                let (c, d) = (corner(to, next), corner(from, next));
+                if to[1] > 0.0 {
+                    triangles.push([a, b, c]);
+                }
+                if from[1] > 0.0 {
+                    triangles.push([a, c, d]);
+                }
+            }
+        }
+    }
+    let total = u32::try_from(triangles.len()).map_err(|_| io::Error::other("too many triangles for STL"))?;
+    let mut header = [b' '; 80];
+    let title = b"rodete turned part, mm";
+    header[..title.len()].copy_from_slice(title);
+    out.write_all(&header)?;
+    out.write_all(&total.to_le_bytes())?;
+    for triangle in &triangles {
+        let mut record = [0_u8; 50];
+        let values = normal(triangle).into_iter().chain(triangle.iter().flatten().copied());
+        for (slot, value) in record.chunks_exact_mut(4).zip(values) {
+            slot.copy_from_slice(&value.to_le_bytes());
+        }
+        out.write_all(&record)?;
+    }
+    Ok(total)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "STL holds single precision")]
+fn single(point: [f64; 2]) -> [u32; 2] {
+    // No negative zero, which would be another corner.
+    point.map(|at| (at as f32 + 0.0).to_bits())
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "STL holds single precision")]
+fn corner([z, r]: [f64; 2], (sin, cos): (f64, f64)) -> [f32; 3] {
+    [(r * cos) as f32 + 0.0, (r * sin) as f32 + 0.0, z as f32 + 0.0]
+}
+
+fn normal([a, b, c]: &[[f32; 3]; 3]) -> [f32; 3] {
+    let step = |to: &[f32; 3]| [0, 1, 2].map(|axis| f64::from(to[axis]) - f64::from(a[axis]));
+    let (u, v) = (step(b), step(c));
+    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+    #[expect(clippy::cast_possible_truncation, reason = "STL holds single precision")]
+    n.map(|part| if length > 0.0 { (part / length) as f32 } else { 0.0 })
+}

@@ -1,0 +1,145 @@
+//! A turning program as it is simulated: its motions, the metal as it goes, chuck and tools, alarms.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::frame::Frame;
+use super::program::Program;
+use super::scene::{Remark, Scene, Shape, Tool};
+use super::turning::{Fixture, Turning};
+use crate::gcode::motion::Motion;
+use crate::job::lathe::Seen;
+use crate::lathe::alarm::Alarm;
+use crate::lathe::simulation::{Setup, Simulation};
+use crate::lathe::step::Step;
+use crate::lathe::stock::Fixture as Standing;
+use crate::lathe::text::Source;
+use crate::machine::axis::Axis;
+use crate::text::{Language, Text};
+
+/// Most alarms of a program that are listed.
+const MOST: usize = 500;
+
+/// What has been seen of a lathe's programs.
+#[derive(Debug, Default)]
+pub struct Watching {
+    /// The programs, in order.
+    pub programs: Vec<Program>,
+    /// Lines of the list before those of each subprogram's file.
+    before: BTreeMap<String, usize>,
+    /// Numbers and lines of the alarms that are listed.
+    known: BTreeSet<(u16, usize)>,
+}
+
+impl Watching {
+    /// Takes in what is shown while the programs are followed.
+    pub fn see(&mut self, seen: Seen<'_>) {
+        match seen {
+            Seen::Begin(program, source, simulation) => {
+                self.begin(program.title.clone(), program.dialect, source, simulation)
+            }
+            Seen::Step(step, simulation, file) => self.step(step, simulation, file),
+            Seen::End(findings) => {
+                if let Some(program) = self.programs.last_mut() {
+                    program.remarks.extend(findings.iter().map(Remark::from));
+                    program.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
+                }
+            }
+        }
+    }
+
+    /// The scene of what was seen.
+    #[must_use]
+    pub fn scene(self, title: String, language: Language) -> Scene {
+        Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: self.programs }
+    }
+
+    fn begin(
+        &mut self,
+        title: Text,
+        dialect: &'static crate::gcode::dialect::Dialect,
+        source: &Source,
+        simulation: &Simulation,
+    ) {
+        // Subprograms of other sheets and files follow the program in the list of blocks.
+        let mut text = source.main.text.clone();
+        self.before.clear();
+        self.known.clear();
+        for (name, subprogram) in &source.subprograms {
+            self.before.insert(name.clone(), text.lines().count());
+            text.push_str(&subprogram.text);
+        }
+        let setup = simulation.setup();
+        let mut program = Program::new(title, dialect, Frame::Turning, &text);
+        program.tools = tools(setup);
+        let mut turning = Turning::new(simulation.contours());
+        let fixtures = setup.stock.fixtures(&setup.lathe);
+        turning.fixtures = fixtures
+            .into_iter()
+            .map(|(fixture, outline)| Fixture { name: name(fixture), outline: upper(&outline) })
+            .collect();
+        program.turning = Some(turning);
+        self.programs.push(program);
+    }
+
+    fn step(&mut self, step: &Step, simulation: &Simulation, file: Option<&str>) {
+        let before = file.and_then(|name| self.before.get(name)).copied().unwrap_or_default();
+        let Some(program) = self.programs.last_mut() else { return };
+        // Rapid moves take what the machine of the simulation needs.
+        let motion = Motion { line: step.motion.line + before, seconds: step.seconds, ..step.motion };
+        if let Some([z, r]) = step.way.last() {
+            program.shift = [r - motion.to.get(Axis::X), 0.0, z - motion.to.get(Axis::Z)];
+        }
+        let index = program.motions();
+        program.push(&motion, &step.control);
+        if (step.removed.volume > 0.0 || step.removed.parted > 0.0)
+            && let Some(turning) = &mut program.turning
+        {
+            turning.cut(index, simulation.contours());
+        }
+        for alarm in &step.alarms {
+            if self.known.len() < MOST && self.known.insert((alarm.cause.number(), motion.line)) {
+                program.remarks.push(remark(alarm, motion.line, index));
+            }
+        }
+    }
+}
+
+fn remark(alarm: &Alarm, line: usize, index: usize) -> Remark {
+    let mut remark = Remark::from(&alarm.finding());
+    remark.number = Some(u32::from(alarm.cause.number()));
+    remark.what = alarm.cause.text();
+    (remark.line, remark.motion) = (Some(line), Some(index));
+    remark
+}
+
+fn name(fixture: Standing) -> Text {
+    match fixture {
+        Standing::Chuck => Text::fixed("plato", "chuck"),
+        Standing::Jaws => Text::fixed("garras", "jaws"),
+        Standing::Tailstock => Text::fixed("contrapunto", "tailstock"),
+    }
+}
+
+/// Of an outline about the axis the half at r ≥ 0.
+fn upper(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    outline.iter().map(|&[z, r]| [z, r.max(0.0)]).collect()
+}
+
+fn tools(setup: &Setup) -> Vec<Tool> {
+    let tool = |(&number, tool): (&u32, &crate::lathe::tool::Tool)| {
+        // A tool without an outline is refused before the simulation begins.
+        let outline = tool.outline(0.02).ok()?;
+        let corners = |polygon: &crate::geometry::exact::convex::Convex| {
+            polygon.corners().iter().map(|corner| corner.mm()).collect()
+        };
+        Some(Tool {
+            number,
+            name: tool.name.clone(),
+            shape: Shape::Flat {
+                cutting: outline.cutter.iter().map(|part| corners(&part.polygon)).collect(),
+                holder: corners(&outline.holder),
+            },
+        })
+    };
+    setup.turret.tools.iter().filter_map(tool).collect()
+}

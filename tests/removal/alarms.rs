@@ -1,0 +1,255 @@
+//! Each alarm is raised by one program, and not by its nearest legal neighbour.
+
+use super::lathe::{Run, bar, turret};
+use rodete::finding::Grade;
+use rodete::gcode::control::{Speed, Spindle};
+use rodete::lathe::machine::Lathe;
+use rodete::lathe::simulation::Setup;
+use rodete::lathe::stock::{Stock, Support};
+
+#[track_caller]
+fn raised(run: &Run, number: u16) -> rodete::lathe::alarm::Alarm {
+    let alarms: Vec<_> = run.steps.iter().flat_map(|step| &step.alarms).copied().collect();
+    let found = alarms.iter().find(|alarm| alarm.cause.number() == number);
+    *found.unwrap_or_else(|| panic!("{number} is not among {alarms:?}"))
+}
+
+#[track_caller]
+fn silent(run: &Run) {
+    let alarms: Vec<_> = run.steps.iter().flat_map(|step| &step.alarms).collect();
+    assert!(alarms.is_empty(), "{alarms:?}");
+}
+
+#[test]
+fn a_rapid_motion_through_metal_is_told_from_one_along_it() {
+    // Along the bar's surface, along the face, and back over a turned surface.
+    let legal = Run::new(bar()).rapid(50.0, 2.0).rapid(50.0, -30.0).rapid(60.0, 2.0).rapid(60.0, 0.0).rapid(0.0, 0.0);
+    silent(&legal);
+    silent(&legal.rapid(0.0, 2.0).rapid(46.0, 2.0).cut(46.0, -30.0).rapid(46.0, 2.0));
+    let crash = Run::new(bar()).rapid(49.99, 2.0).rapid(49.99, -30.0);
+    let alarm = raised(&crash, 101);
+    assert!((alarm.depth.unwrap() - 0.005).abs() < 1e-9, "{alarm:?}");
+    assert_eq!((alarm.line, alarm.cause.grade()), (2, Grade::Stop));
+    assert!(alarm.place[1] <= 0.0 && alarm.place[1] >= -30.0 && (alarm.place[0] - 50.0).abs() < 0.02, "{alarm:?}");
+    assert!(crash.last().removed.volume > 0.0, "what a rapid motion hits is gone");
+    // The bend of a rapid motion: straight it would pass above the shoulder, bent it goes through it.
+    let shoulder = |bent: bool| {
+        let lathe = Lathe { bent_rapid: bent, ..Lathe::default() };
+        Run::on(Setup::new(lathe, bar(), turret())).rapid(60.0, 20.0).rapid(20.0, 2.0)
+    };
+    silent(&shoulder(false));
+    silent(&shoulder(true));
+    let diagonal = |bent: bool| {
+        let lathe = Lathe { bent_rapid: bent, rapid: [10_000.0, 5000.0], ..Lathe::default() };
+        Run::on(Setup::new(lathe, bar(), turret())).rapid(52.0, -40.0).rapid(20.0, 4.0)
+    };
+    assert!(diagonal(true).alarms().contains(&101));
+}
+
+#[test]
+fn the_back_of_the_insert_is_told_from_its_edges() {
+    // A tool that cuts towards the chuck, driven away from it.
+    let back = Run::new(bar()).rapid(60.0, -40.0).cut(46.0, -40.0).cut(46.0, -20.0);
+    assert!(back.alarms().contains(&102) || back.alarms().contains(&131), "{:?}", back.alarms());
+    silent(&Run::new(bar()).rapid(46.0, 2.0).cut(46.0, -20.0).cut(54.0, -20.0));
+    // Facing inwards is done over the auxiliary edge.
+    silent(&Run::new(bar()).rapid(54.0, -1.0).cut(-1.6, -1.0));
+}
+
+#[test]
+fn a_cut_deeper_than_the_edge_is_told_from_one_as_deep() {
+    let stock = Stock { overhang: 100.0, ..Stock::bar(80.0, 150.0) };
+    // The main edge of 12.9 mm at 95° reaches 12 mm across the feed, its far corner rounded.
+    silent(&Run::new(stock).rapid(57.0, 2.0).cut(57.0, -20.0));
+    let deep = Run::new(stock).rapid(54.0, 2.0).cut(54.0, -20.0);
+    let alarm = raised(&deep, 131);
+    assert!((alarm.depth.unwrap() - 13.0).abs() < 1e-6, "{alarm:?}");
+}
+
+#[test]
+fn a_profile_out_of_the_auxiliary_edges_reach_is_told_from_one_within() {
+    // The finishing tool has 32° behind its nose: 25° down is within, 50° is not.
+    let down = |angle: f64| {
+        let deep = 20.0 * rodete::number::trig::tan(angle.to_radians()).min(0.4);
+        let long = deep / rodete::number::trig::tan(angle.to_radians());
+        Run::new(bar()).tool(2).rapid(52.0, -10.0).cut(50.0, -10.0).cut(50.0 - 2.0 * deep, -10.0 - long)
+    };
+    silent(&down(20.0));
+    silent(&down(30.0));
+    let alarm = raised(&down(50.0), 132);
+    assert!(alarm.depth.unwrap() > 1.0, "{alarm:?}");
+    assert_eq!(alarm.cause.grade(), Grade::Caution);
+}
+
+#[test]
+fn a_holder_in_metal_is_told_from_one_beside_it() {
+    // The parting tool reaches 26 mm: on a bar of D 100 it goes 25 mm in, not 30.
+    let stock = Stock { overhang: 100.0, ..Stock::bar(100.0, 150.0) };
+    silent(&Run::new(stock).tool(3).rapid(104.0, -20.0).cut(50.0, -20.0).rapid(104.0, -20.0));
+    let deep = Run::new(stock).tool(3).rapid(104.0, -20.0).cut(40.0, -20.0);
+    let alarm = raised(&deep, 103);
+    assert!((alarm.depth.unwrap() - 4.0).abs() < 0.01, "{alarm:?}");
+    // The bar of 16 mm with its centre 11 mm behind the tip goes into a hole of 20 mm, not of 18.
+    silent(
+        &Run::new(bar())
+            .tool(6)
+            .rapid(0.0, 3.0)
+            .cut(0.0, -40.0)
+            .rapid(0.0, 30.0)
+            .tool(7)
+            .rapid(20.0, 3.0)
+            .cut(20.0, -30.0),
+    );
+    let narrow = Run::new(Stock { bore: 18.0, ..bar() }).tool(7).rapid(18.0, 3.0).cut(18.4, -30.0);
+    assert!(narrow.alarms().contains(&103), "{:?}", narrow.alarms());
+}
+
+#[test]
+fn chuck_jaws_and_tailstock_are_told_from_the_room_beside_them() {
+    // The jaws end at Z-100.
+    silent(&Run::new(bar()).tool(3).rapid(60.0, -97.0).cut(46.0, -97.0).rapid(60.0, -97.0).rapid(60.0, -99.9));
+    let jaws = Run::new(bar()).rapid(60.0, -90.0).rapid(60.0, -101.0);
+    let alarm = raised(&jaws, 112);
+    assert!((alarm.depth.unwrap() - 1.0).abs() < 1e-6, "{alarm:?}");
+    assert_eq!(alarm.cause.grade(), Grade::Stop);
+    let chuck = Run::new(bar()).rapid(200.0, -90.0).rapid(200.0, -141.0);
+    raised(&chuck, 111);
+    // Facing to the axis is free without the tailstock, and hits its centre with it.
+    let face = |support: Support| Run::new(Stock { support, ..bar() }).rapid(64.0, -1.0).cut(2.0, -1.0);
+    silent(&face(Support::ByOverhang));
+    raised(&face(Support::Always), 113);
+    let long = Stock { overhang: 160.0, ..Stock::bar(50.0, 200.0) };
+    assert!(long.supported(&Lathe::default()) && !bar().supported(&Lathe::default()));
+}
+
+#[test]
+fn the_turret_is_watched_where_it_has_a_body() {
+    let mut setup = Setup::new(Lathe::default(), bar(), turret());
+    // Its lower edge stands 10 mm farther out than the tip, and it reaches from level with the tip to the right.
+    setup.turret.body = Some([[0.0, -50.0], [100.0, 200.0]]);
+    let groove = |x: f64| Run::on(setup.clone()).tool(3).rapid(54.0, -40.0).cut(x, -40.0);
+    silent(&groove(30.0));
+    let alarm = raised(&groove(26.0), 104);
+    assert!((alarm.depth.unwrap() - 2.0).abs() < 1e-6, "{alarm:?}");
+}
+
+#[test]
+fn the_end_of_travel_is_told_from_what_is_past_it() {
+    let lathe = || Lathe { travel_x: [55.0, 200.0], travel_z: [100.0, 400.0], ..Lathe::default() };
+    let run = || Run::on(Setup::new(lathe(), bar(), turret()));
+    // X280 puts the reference point, 60 mm farther out, on 200.
+    silent(&run().rapid(280.0, 20.0));
+    let alarm = raised(&run().rapid(282.5, 20.0), 121);
+    assert!((alarm.depth.unwrap() - 1.25).abs() < 1e-9, "{alarm:?}");
+    let arc = run().rapid(60.0, 155.0).arc(60.0, 155.0, [40.0, 155.0], 180.0);
+    assert!(!arc.alarms().contains(&121));
+    assert!(run().rapid(60.0, 161.0).alarms().contains(&121));
+}
+
+#[test]
+fn a_spindle_that_does_not_serve_the_tool_is_told_once() {
+    let cut = |spindle: Spindle, place: u32| {
+        let mut run = Run::new(bar()).tool(place);
+        run.control.spindle = spindle;
+        run.rapid(46.0, 2.0).cut(46.0, -20.0).rapid(48.0, 2.0).rapid(44.0, 2.0).cut(44.0, -20.0)
+    };
+    silent(&cut(Spindle::Clockwise, 1));
+    for (spindle, number) in [(Spindle::Stopped, 153), (Spindle::CounterClockwise, 154)] {
+        let run = cut(spindle, 1);
+        assert_eq!(run.alarms(), [number]);
+        assert_eq!(raised(&run, number).cause.grade(), Grade::Stop);
+    }
+    let mut still = Run::new(bar());
+    still.control.speed = Speed::Revolutions(0.0);
+    assert_eq!(still.rapid(46.0, 2.0).cut(46.0, -20.0).alarms(), [153], "S0 is no speed");
+    // A left-hand tool that feeds towards the chuck wants the other way; a stopped spindle out of the cut is fine.
+    let mut setup = Setup::new(Lathe::default(), bar(), turret());
+    setup.turret.tools.get_mut(&1).unwrap().hand = rodete::lathe::tool::Hand::Left;
+    let mut left = Run::on(setup);
+    left.control.spindle = Spindle::CounterClockwise;
+    silent(&left.rapid(46.0, 2.0).cut(46.0, -20.0));
+    let mut air = Run::new(bar());
+    air.control.spindle = Spindle::Stopped;
+    silent(&air.rapid(54.0, 2.0).cut(54.0, -20.0));
+}
+
+#[test]
+fn no_coolant_in_the_cut_is_a_note() {
+    let mut run = Run::new(bar());
+    run.control.coolant = false;
+    let run = run.rapid(46.0, 2.0).cut(46.0, -20.0);
+    assert_eq!(run.alarms(), [161]);
+    assert_eq!(raised(&run, 161).cause.grade(), Grade::Note);
+}
+
+#[test]
+fn a_constant_surface_speed_without_a_limit_near_the_axis_is_cautioned() {
+    let face = |most: Option<f64>, to: f64| {
+        let mut run = Run::new(bar());
+        run.control.speed = Speed::Surface(200.0);
+        run.control.greatest_speed = most;
+        run.rapid(54.0, -1.0).cut(to, -1.0)
+    };
+    // 200 m/min are 3000 rpm at D 21.2.
+    silent(&face(None, 22.0));
+    silent(&face(Some(2000.0), 0.0));
+    assert_eq!(face(None, 20.0).alarms(), [151]);
+    let limited = face(Some(2000.0), 0.0);
+    assert!((limited.last().speed[1] - 2000.0).abs() < 1e-9);
+    let mut fast = Run::new(bar());
+    fast.control.speed = Speed::Revolutions(3500.0);
+    assert_eq!(fast.rapid(54.0, 2.0).alarms(), [152]);
+}
+
+#[test]
+fn a_feed_of_nothing_and_a_tool_that_is_not_there_stop() {
+    let mut run = Run::new(bar());
+    run.feed = 0.0;
+    assert!(run.rapid(46.0, 2.0).cut(46.0, -20.0).alarms().contains(&171));
+    let missing = Run::new(bar()).tool(12).rapid(46.0, 2.0).cut(46.0, -20.0);
+    assert_eq!(missing.alarms(), [181]);
+    assert!(missing.last().removed.volume == 0.0);
+}
+
+#[test]
+fn a_drill_beside_the_axis_stops() {
+    silent(&Run::new(bar()).tool(6).rapid(0.0, 3.0).cut(0.0, -10.0));
+    assert!(Run::new(bar()).tool(6).rapid(0.2, 3.0).cut(0.2, -10.0).alarms().contains(&182));
+}
+
+#[test]
+fn threads_are_held_against_the_insert_and_their_earlier_passes() {
+    let passes = |leads: &[f64]| {
+        let mut run = Run::new(bar()).tool(4).rapid(60.0, 5.0);
+        for (pass, &lead) in (1..).zip(leads) {
+            run = run
+                .rapid(50.0 - 0.2 * f64::from(pass), 5.0)
+                .thread(50.0 - 0.2 * f64::from(pass), -20.0, lead)
+                .rapid(60.0, -20.0);
+            run = run.rapid(60.0, 5.0);
+        }
+        run
+    };
+    silent(&passes(&[2.0, 2.0, 2.0]));
+    assert_eq!(passes(&[2.0, 1.5, 2.0]).alarms(), [143]);
+    assert!(passes(&[4.0]).alarms().contains(&142));
+    assert!(passes(&[0.0]).alarms().contains(&141));
+    let wrong = Run::new(bar()).tool(9).rapid(49.8, 5.0).thread(49.8, -20.0, 2.0);
+    assert!(wrong.alarms().contains(&144), "{:?}", wrong.alarms());
+    // The profile is 2.5 mm deep.
+    let deep = Run::new(bar()).tool(4).rapid(60.0, 5.0).rapid(44.0, 5.0).thread(44.0, -20.0, 3.0);
+    assert!(deep.alarms().contains(&131), "{:?}", deep.alarms());
+}
+
+#[test]
+fn alarms_read_in_both_languages_with_number_place_and_remedy() {
+    let run = Run::new(bar()).rapid(46.0, -30.0).rapid(46.0, -120.0);
+    assert!(run.alarms().contains(&101) && run.alarms().contains(&112), "{:?}", run.alarms());
+    for alarm in run.steps.iter().flat_map(|step| &step.alarms) {
+        let finding = alarm.finding();
+        for text in [&finding.what.es, &finding.what.en] {
+            assert!(text.starts_with(&alarm.cause.number().to_string()) && text.contains(" X"), "{text}");
+        }
+        assert!(!finding.remedy.is_empty() && finding.what.es != finding.what.en);
+    }
+}

@@ -1,0 +1,184 @@
+//! Parting, threads, set-ups, edits and the mesh.
+
+use std::collections::HashMap;
+use std::f64::consts::PI;
+
+use super::lathe::{Run, bar, turret};
+use rodete::geometry::revolution::volume;
+use rodete::lathe::machine::Lathe;
+use rodete::lathe::mesh::{sectors, write_stl};
+use rodete::lathe::simulation::Setup;
+use rodete::lathe::stock::{Stock, turned_about};
+
+#[test]
+fn what_is_parted_off_falls_and_is_counted() {
+    let run = Run::new(bar()).tool(3).rapid(54.0, -23.0).cut(-1.0, -23.0).rapid(54.0, -23.0);
+    let all = &run.simulation.totals().all;
+    assert!((all.parted / (PI * 625.0 * 20.0) - 1.0).abs() < 0.001, "{}", all.parted);
+    let left = run.simulation.volume();
+    assert!(((all.parted + all.volume + left) / (PI * 625.0 * 150.0) - 1.0).abs() < 1e-9);
+    assert!((left / (PI * 625.0 * 127.0) - 1.0).abs() < 1e-3);
+    assert_eq!(run.simulation.contours().len(), 1);
+    assert_eq!(run.alarms(), [191]);
+    // A slot that stops short of the axis holds the piece.
+    let short = Run::new(bar()).tool(3).rapid(54.0, -23.0).cut(1.0, -23.0);
+    assert!(short.simulation.totals().all.parted == 0.0 && short.alarms().is_empty());
+}
+
+#[test]
+fn a_thread_has_ribs_of_its_pitch_and_depth_and_passes_meet_in_the_grooves() {
+    let pass =
+        |run: Run, x: f64, start: f64| run.rapid(60.0, start).rapid(x, start).thread(x, -20.0, 2.0).rapid(60.0, -20.0);
+    let mut run = Run::new(bar()).tool(4).rapid(60.0, 4.0);
+    for x in [49.4, 48.8, 48.2, 47.6] {
+        run = pass(run, x, 4.0);
+    }
+    let grooves = |run: &Run| -> Vec<f64> {
+        let ring = &run.simulation.contours()[0];
+        // The lowest points: local least radius between the crests.
+        let mut lows: Vec<f64> = Vec::new();
+        for at in 1..ring.len() - 1 {
+            if ring[at][1] < 23.801 && ring[at][0] < 1.0 && ring[at][0] > -30.0 && ring[at][1] > 1.0 {
+                let z = ring[at][0];
+                if lows.last().is_none_or(|last: &f64| (last - z).abs() > 0.3) {
+                    lows.push(z);
+                }
+            }
+        }
+        lows.sort_by(f64::total_cmp);
+        lows
+    };
+    let found = grooves(&run);
+    // Grooves at Z 0, -2, … -20: the whole revolutions from Z 4.
+    assert_eq!(found.len(), 11, "{found:?}");
+    // The one at the face is cut in half.
+    for pair in found[..10].windows(2) {
+        assert!((pair[1] - pair[0] - 2.0).abs() < 1e-6, "{found:?}");
+    }
+    assert!((found[0] + 20.0).abs() < 0.03, "{found:?}");
+    let ring = run.simulation.contours();
+    let deepest = ring[0]
+        .iter()
+        .filter(|[z, _]| *z > -30.0 && *z < 0.0)
+        .fold(f64::INFINITY, |low, [_, r]| if *r > 1.0 { low.min(*r) } else { low });
+    assert!((deepest - 23.8).abs() < 1e-6, "{deepest}");
+    // Width at the surface: 2 tan 30° times the depth, and the tip's rounding besides.
+    let volume = run.simulation.volume();
+    let again = pass(run, 47.6, 4.0);
+    assert!((again.simulation.volume() - volume).abs() < 1e-9, "the same pass cuts air");
+    // Half a lead on, a second start.
+    let double = pass(again, 47.6, 5.0);
+    assert_eq!(grooves(&double).len(), 22 - 1, "{:?}", grooves(&double));
+}
+
+#[test]
+fn a_part_turned_about_is_its_own_mirror_image_where_it_was_clamped() {
+    let first = Run::new(bar()).rapid(46.0, 2.0).cut(46.0, -30.0);
+    let rings = first.simulation.contours();
+    let about = turned_about(&rings, &bar(), 0.0);
+    let of = |rings: &[Vec<[f64; 2]>]| rings.iter().map(|ring| volume(ring)).sum::<f64>();
+    assert!((of(&about) - of(&rings)).abs() < 1e-9);
+    let ends = |rings: &[Vec<[f64; 2]>]| {
+        rings[0].iter().fold([f64::MAX, f64::MIN], |[low, high], point| [low.min(point[0]), high.max(point[0])])
+    };
+    assert_eq!(ends(&about), [-150.0, 0.0]);
+    assert_eq!(ends(&turned_about(&rings, &bar(), -3.5)), [-153.5, -3.5]);
+    for (one, two) in turned_about(&about, &bar(), 0.0)[0].iter().zip(&rings[0]) {
+        assert!((one[0] - two[0]).abs() < 1e-12 && one[1] == two[1]);
+    }
+    let mut setup = Setup::new(Lathe::default(), bar(), turret());
+    setup.part = Some(about);
+    let second = Run::on(setup).rapid(46.0, 2.0).cut(46.0, -30.0);
+    assert!((second.last().removed.volume - first.last().removed.volume).abs() < 1e-6);
+    assert!(second.alarms().is_empty());
+}
+
+#[test]
+fn recorded_edits_lead_to_the_final_contour() {
+    let mut setup = Setup::new(Lathe::default(), bar(), turret());
+    setup.record = true;
+    let mut ring = setup.stock.contour();
+    let mut run = Run::on(setup).tool(2);
+    assert_eq!(run.simulation.contour(), &ring);
+    for pass in 1..8 {
+        let x = 50.0 - 3.0 * f64::from(pass);
+        run = run
+            .rapid(60.0, 2.0)
+            .rapid(x, 2.0)
+            .cut(x, -20.0)
+            .arc(x + 6.0, -23.0, [x + 6.0, -20.0], -90.0)
+            .cut(56.0, -25.0);
+    }
+    run = run.rapid(60.0, 5.0).tool(3).rapid(60.0, -40.0).cut(-1.0, -40.0);
+    for step in &run.steps {
+        if let Some(edit) = &step.edit {
+            edit.apply(&mut ring);
+        }
+        assert_eq!(step.edit.is_some(), step.removed.volume > 0.0, "line {}", step.motion.line);
+    }
+    assert_eq!(ring, run.simulation.contours()[0]);
+}
+
+#[test]
+fn totals_are_the_sums_of_the_steps() {
+    let run = Run::new(bar()).rapid(46.0, 2.0).cut(46.0, -30.0).cut(54.0, -30.0).rapid(54.0, 2.0);
+    let totals = run.simulation.totals();
+    assert_eq!((totals.all.motions, totals.blocks.len(), totals.tools.len()), (4, 4, 1));
+    // 32 mm at 0.2 mm a revolution and 1000 rpm.
+    assert!((run.steps[1].seconds.unwrap() - 32.0 / 200.0 * 60.0).abs() < 1e-9);
+    // X at 5 m/min, Z at 10 m/min: 77 mm of X, 48 mm of Z.
+    assert!((run.steps[0].seconds.unwrap() - 77.0 / 5000.0 * 60.0).abs() < 1e-9);
+    let rate = run.steps[1].rate.unwrap();
+    assert!((rate - run.steps[1].removed.volume / 1000.0 / (32.0 / 200.0)).abs() < 1e-9);
+    assert!((run.steps[1].cutting_speed - PI * 50.0).abs() < 1e-6);
+    let sum: f64 = totals.blocks.values().map(|total| total.volume).sum();
+    assert!((sum - totals.all.volume).abs() < 1e-9);
+}
+
+/// Every edge of a mesh by its ends, how often it is run each way; and the volume.
+fn mesh(rings: &[Vec<[f64; 2]>], tolerance: f64) -> (HashMap<[[u32; 3]; 2], i32>, f64, f64) {
+    let mut bytes = Vec::new();
+    let count = write_stl(rings, tolerance, &mut bytes).unwrap() as usize;
+    assert_eq!(bytes.len(), 84 + 50 * count);
+    assert_eq!(u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize, count);
+    let (mut edges, mut six, mut outward) = (HashMap::new(), 0.0, 0.0);
+    for record in bytes[84..].chunks_exact(50) {
+        let value = |at: usize| f32::from_le_bytes(record[4 * at..4 * at + 4].try_into().unwrap());
+        let corner = |at: usize| [value(3 + 3 * at), value(4 + 3 * at), value(5 + 3 * at)];
+        let [a, b, c] = [corner(0), corner(1), corner(2)];
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            let key = |point: [f32; 3]| point.map(f32::to_bits);
+            *edges.entry([key(from), key(to)]).or_insert(0) += 1;
+        }
+        let [a, b, c] = [a, b, c].map(|point| point.map(f64::from));
+        six += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        outward += f64::from(value(0)).abs() + f64::from(value(1)).abs() + f64::from(value(2)).abs();
+    }
+    (edges, six / 6.0, outward)
+}
+
+#[test]
+fn the_mesh_is_closed_and_holds_the_volume() {
+    let solid = Run::new(bar())
+        .tool(2)
+        .rapid(20.0, 2.0)
+        .cut(30.0, -10.0)
+        .arc(40.0, -15.0, [40.0, -10.0], -90.0)
+        .cut(52.0, -22.0);
+    let tube = Run::new(Stock { bore: 20.0, ..bar() }).rapid(46.0, 2.0).cut(46.0, -30.0);
+    let drilled = Run::new(bar()).tool(6).rapid(0.0, 3.0).cut(0.0, -40.0);
+    for run in [solid, tube, drilled] {
+        let rings = run.simulation.contours();
+        let right = run.simulation.volume();
+        for tolerance in [0.1, 0.01] {
+            let (edges, found, _) = mesh(&rings, tolerance);
+            for ([from, to], count) in &edges {
+                assert_eq!(edges.get(&[*to, *from]), Some(count), "{from:?} {to:?}");
+            }
+            // Chords lie within the tolerance of a radius of 25 mm.
+            assert!(found < right && found > right * (1.0 - 3.0 * tolerance / 25.0), "{found} {right}");
+        }
+    }
+    assert!(sectors(25.0, 0.01) < sectors(25.0, 0.001));
+}
