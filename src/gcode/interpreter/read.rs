@@ -24,6 +24,7 @@ fn name(letter: u8) -> char {
     char::from(letter.to_ascii_uppercase())
 }
 
+#[cold]
 fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
     Fault::at(
         &[first, second],
@@ -148,6 +149,7 @@ impl Interpreter<'_> {
         ))
     }
 
+    #[cold]
     fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
         let dialect = self.setting.dialect.name;
         Fault::at(
@@ -204,6 +206,7 @@ impl Interpreter<'_> {
         self.block.put(index.into(), value, column).map_err(|first| twice(name(letter), first, column))
     }
 
+    #[cold]
     fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
         let (name, dialect) = (name(letter), self.setting.dialect.name);
         if self.reading.refused_letters.has(letter - b'a') {
