@@ -99,7 +99,7 @@ impl Run {
     pub fn arc(self, x: f64, z: f64, centre: [f64; 2], sweep: f64) -> Self {
         let feed = self.feed();
         let centre = [centre[1], centre[0] / 2.0];
-        let radius = ((self.at[1] - centre[0]).powi(2) + (self.at[0] - centre[1]).powi(2)).sqrt();
+        let radius = rodete::number::trig::hypot(self.at[1] - centre[0], self.at[0] - centre[1]);
         let turns = if sweep < 0.0 { -1 } else { 1 };
         let arc = Arc { plane: Plane::ZX, centre, turns, radius, sweep: sweep.to_radians(), rotation: 0.0 };
         self.go(Kind::Arc(arc, feed), [x, z])
