@@ -7,8 +7,10 @@ use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::step::Step;
 use rodete::lathe::stock::Stock;
 use rodete::lathe::tool::{Cutter, Shape, Tool};
-use rodete::lathe::{catalogue, turret::Turret};
+use rodete::lathe::turret::Turret;
 use rodete::machine::axis::{Axis, Pose};
+
+use super::tools;
 
 /// A bar of D 50 that stands 100 mm out of the jaws, W1 on its face.
 pub fn bar() -> Stock {
@@ -18,12 +20,12 @@ pub fn bar() -> Stock {
 /// A turning tool with a sharp tip.
 pub fn sharp() -> Tool {
     let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 93.0, auxiliary: 52.0, nose: 0.0 };
-    Tool { cutter, ..catalogue::copier() }
+    Tool { cutter, ..tools::copier() }
 }
 
 /// The usual turret with the tools at hand in front: T9 has a sharp tip.
 pub fn turret() -> Turret {
-    let mut turret = catalogue::turret();
+    let mut turret = tools::turret();
     turret.tools.insert(9, sharp());
     turret
 }
