@@ -85,7 +85,7 @@ pub fn borer() -> Tool {
 pub fn drill(diameter: f64, length: f64) -> Tool {
     let cutter = Cutter::Drill { diameter, point: 118.0, length };
     let holder = Holder::Bar { diameter: 40.0_f64.max(1.5 * diameter), length: length + 40.0, reach: 0.0 };
-    let name = format!("Ø{}", crate::number::shown(diameter, 3));
+    let name = format!("Ø{}", rodete::number::shown(diameter, 3));
     tool(
         &format!("Broca {name}"),
         &format!("Drill {name}"),
