@@ -65,6 +65,15 @@ pub enum Place {
         /// The line in the program's text, counted from 1.
         line: usize,
     },
+    /// A line of a subprogram that stands in a file of its own.
+    Subprogram {
+        /// The file's name without its ending, as `O0005`.
+        file: String,
+        /// The line, counted from 1.
+        line: usize,
+        /// The columns in it, as for [`Place::Line`].
+        columns: Vec<usize>,
+    },
     /// A line of a program file that was read.
     Line {
         /// The line, counted from 1.

@@ -113,6 +113,11 @@ fn place(place: &Place, workbook: &str, language: Language) -> String {
         Place::Block { program, line } => {
             format!("{workbook}, {} {program}, {} {line}", word("programa", "program"), word("línea", "line"))
         }
+        Place::Subprogram { file, line, columns } => {
+            let file = printable(file);
+            let column = columns.first().map_or(String::new(), |column| format!(":{column}"));
+            format!("{workbook}, {} {file}:{line}{column}", word("subprograma", "subprogram"))
+        }
         // As compilers and editors write it.
         Place::Line { line, columns } => match columns.first() {
             Some(column) => format!("{workbook}:{line}:{column}"),

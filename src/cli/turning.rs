@@ -6,7 +6,8 @@ use std::path::Path;
 use super::program::{Beside, told_from};
 use super::stock::Stock;
 use super::verdict::Verdict;
-use crate::escape::printable;
+use super::view::PACKAGE;
+use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::told::told_turning;
@@ -70,10 +71,13 @@ pub(super) fn follow(
     watching: Option<&mut Watching>,
 ) -> Result<Followed, Refusal> {
     let path = wanted.program;
+    if wanted.bytes.starts_with(PACKAGE) {
+        return Err(is_workbook(path));
+    }
     let sha256 = store::sha256(wanted.bytes);
     verdict.sha256 = Some(sha256.clone());
-    let (values, found) = given(wanted)?;
-    verdict.findings.extend(found);
+    let (values, found) = given(wanted).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
+    verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));
     let dialect = wanted.dialect.unwrap_or_else(|| {
         let dialect = told_turning(wanted.bytes);
         verdict.findings.push(told_from(dialect));
@@ -86,7 +90,7 @@ pub(super) fn follow(
     if let Some(stock) = wanted.stock {
         put_stock(&mut values, stock);
     } else if wanted.tools.is_none() {
-        let stock = enclosing(&values, &program)?;
+        let stock = enclosing(&values, &program).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
         verdict.findings.push(Finding::note(
             Place::File,
             Text::new(
@@ -107,12 +111,48 @@ pub(super) fn follow(
         if let Some(watching) = &mut watching {
             watching.see(seen);
         }
-    })?;
+    })
+    .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     verdict.findings.extend(outcome.findings.iter().cloned());
     verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
     Ok(Followed { dialect, stock, outcome })
+}
+
+/// A workbook in place of a program.
+fn is_workbook(path: &Path) -> Refusal {
+    let name = printable_path(path);
+    Refusal::new(
+        Exit::Unreadable,
+        Finding::stop(
+            Place::File,
+            Text::new(format!("{name} es un libro, no un programa"), format!("{name} is a workbook, not a program")),
+            Text::new(
+                format!("constrúyalo con rodete build {name}, o indíquelo con --tools"),
+                format!("build it with rodete build {name}, or name it with --tools"),
+            ),
+        ),
+    )
+}
+
+/// A refusal of the workbook beside the program, whose name its findings say: the place they are printed with is the
+/// program's.
+fn of_workbook(refusal: Refusal, tools: Option<&Path>) -> Refusal {
+    let findings = refusal.findings.into_iter().map(|finding| told_of(finding, tools)).collect();
+    Refusal { exit: refusal.exit, findings }
+}
+
+fn told_of(finding: Finding, tools: Option<&Path>) -> Finding {
+    let Some(tools) = tools.filter(|_| !matches!(finding.place, Place::Line { .. } | Place::Subprogram { .. })) else {
+        return finding;
+    };
+    let name = printable_path(tools);
+    let Text { es, en } = &finding.what;
+    if en.contains(&name) {
+        return finding;
+    }
+    Finding { what: Text::new(format!("{name}: {es}"), format!("{name}: {en}")), ..finding }
 }
 
 /// The form to start from: the workbook that was named, or the example machine and turret.
@@ -169,7 +209,8 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
     };
     put(PROGRAM_KEY, "", &program.main);
     for (name, text) in &program.subprograms {
-        put(SUBPROGRAM_KEY, name, text);
+        let number = name.trim_start_matches(['O', 'o']);
+        put(SUBPROGRAM_KEY, &format!("O{number:0>4}"), text);
     }
     debug_assert!(values.rows(SECOND_KEY).is_empty());
     values
@@ -212,21 +253,23 @@ fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::
     let mut texts = vec![main.to_owned()];
     while let Some(text) = texts.pop() {
         for number in called(&text) {
-            let name = format!("O{number:04}");
-            if found.contains_key(&name) {
-                continue;
-            }
-            let names = [name.clone(), format!("o{number:04}"), format!("{number:04}"), number.to_string()];
-            let unreadable = |reason: String| {
-                let what = Text::same(format!("{name}: {reason}"));
-                Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, Text::fixed("", "")))
-            };
-            for one in names {
-                if let Some(bytes) = files.find(&one).map_err(unreadable)? {
-                    let text = String::from_utf8_lossy(&bytes).into_owned();
-                    texts.push(text.clone());
-                    found.insert(name.clone(), text::Text::of_file(text));
-                    break;
+            // All of them: the interpreter refuses two files of one number.
+            for name in [format!("O{number:04}"), format!("o{number:04}"), format!("{number:04}"), number.to_string()] {
+                if found.contains_key(&name) {
+                    continue;
+                }
+                let unreadable = |reason: String| {
+                    let what = Text::new(
+                        format!("no se puede leer el subprograma {name}: {reason}"),
+                        format!("cannot read subprogram {name}: {reason}"),
+                    );
+                    let remedy = Text::fixed("compruebe el archivo", "check the file");
+                    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
+                };
+                if let Some(bytes) = files.find(&name).map_err(unreadable)? {
+                    let text = text::Text::of_file(String::from_utf8_lossy(&bytes).into_owned());
+                    texts.push(text.text.clone());
+                    found.insert(name, text);
                 }
             }
         }

@@ -22,7 +22,7 @@ use crate::view::{self, Frame, Program, Remark, Scene, Shape, Tool};
 use crate::workbook;
 
 /// How the file of a workbook begins: it is a package.
-const PACKAGE: &[u8] = b"PK\x03\x04";
+pub(super) const PACKAGE: &[u8] = b"PK\x03\x04";
 
 /// Writes the file and says where it is.
 pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {

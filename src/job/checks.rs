@@ -85,14 +85,20 @@ pub fn place(place: &Place) -> Text {
         Place::Block { program, line } => {
             Text::new(format!("Programa {program}, línea {line}"), format!("Program {program}, line {line}"))
         }
+        Place::Subprogram { file, line, columns } => Text::new(
+            format!("Subprograma {file}, {}", on_line("línea", *line, "columna", columns)),
+            format!("Subprogram {file}, {}", on_line("line", *line, "column", columns)),
+        ),
         Place::Line { line, columns } => {
-            let list = |word: &str, before: &str| {
-                let columns = columns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-                if columns.is_empty() { format!("{word} {line}") } else { format!("{word} {line}, {before} {columns}") }
-            };
-            Text::new(list("Línea", "columna"), list("Line", "column"))
+            Text::new(on_line("Línea", *line, "columna", columns), on_line("Line", *line, "column", columns))
         }
     }
+}
+
+/// A line and its columns.
+fn on_line(word: &str, line: usize, before: &str, columns: &[usize]) -> String {
+    let columns = columns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    if columns.is_empty() { format!("{word} {line}") } else { format!("{word} {line}, {before} {columns}") }
 }
 
 #[cfg(test)]

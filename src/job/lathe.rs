@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
-use crate::gcode::interpreter::Fault;
 use crate::gcode::motion::Kind;
-use crate::gcode::program::{Part, Program};
+use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
-use crate::job::lathe_tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
+use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
 use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
+use crate::lathe::in_force::InForce;
 use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SECOND_KEY};
-use crate::lathe::setup::Given;
+use crate::lathe::setup::{self, Given};
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::step::Step;
 use crate::lathe::stock::turned_about;
@@ -40,7 +40,7 @@ pub enum Seen<'a> {
     Begin(&'a Program, &'a text::Source, &'a Simulation),
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
-    /// What the interpreter found in the program that has ended; its alarms were seen with their motions.
+    /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
     End(&'a [Finding]),
 }
 
@@ -49,7 +49,7 @@ struct Followed {
     program: Program,
     simulation: Simulation,
     rows: Rows,
-    alarms: Vec<(Alarm, Place)>,
+    alarms: Vec<Raised>,
     findings: Vec<Finding>,
     /// A budget ended before the program did.
     endless: bool,
@@ -75,8 +75,17 @@ pub fn watched(
     program: Option<text::Source>,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
-    let given = Given::of(&values).map_err(refused)?;
-    let profile = wanted(&values).map_err(|finding| refused(vec![*finding]))?;
+    let mut wrong = Vec::new();
+    if program.is_none() {
+        wrong.extend(setup::without_rule(&values));
+        wrong.extend(text::twice(&values));
+    }
+    let profile = wanted(&values).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
+    let given = match Given::of(&values) {
+        Ok(given) if wrong.is_empty() => given,
+        Ok(_) => return Err(refused(wrong)),
+        Err(findings) => return Err(refused(findings.into_iter().chain(wrong).collect())),
+    };
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
@@ -94,7 +103,7 @@ fn refused(findings: Vec<Finding>) -> Refusal {
     Refusal { exit: Exit::Refused, findings }
 }
 
-/// The program as it stands on its sheet.
+/// The program as it stands on its sheet; its subprograms are not known before it has been read.
 fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) -> Program {
     Program {
         key,
@@ -103,7 +112,7 @@ fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) 
         format: NumberFormat::Fixed,
         block_step: None,
         start: Position::default(),
-        parts: source.main.text.lines().map(|line| Part::Line(line.to_owned())).collect(),
+        parts: source.whole(std::iter::empty()),
     }
 }
 
@@ -130,15 +139,18 @@ fn follow(
         drawn: Drawn { stock, ..Drawn::default() },
     };
     let mut interpreter = source.read(given.setting());
+    let mut in_force = InForce::new(given.own.clone());
     let (mut faults, mut total) = (Vec::new(), 0);
     while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
-                let step = one.simulation.take(&motion, &control);
+                let mut step = one.simulation.take(&motion, &control);
+                in_force.judge(&mut step);
                 for alarm in &step.alarms {
-                    one.alarms.push((*alarm, source.place(file, alarm.line, Vec::new())));
+                    let place = source.place(file, alarm.line, Vec::new());
+                    one.alarms.push(Raised { alarm: *alarm, place, file: control.file });
                 }
                 let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
                 if step.way.len() > 1 {
@@ -151,7 +163,7 @@ fn follow(
                 one.endless |= fault.exit == Exit::Limit;
                 total += 1;
                 if faults.len() < MOST {
-                    faults.push(refusal_of(&fault, source));
+                    faults.push(Finding::from(*fault));
                 }
             }
         }
@@ -163,33 +175,21 @@ fn follow(
             Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
         ));
     }
-    one.findings = faults;
-    for mut remark in interpreter.remarks() {
-        if let Place::Line { line, columns } = remark.place {
-            remark.place = source.place(None, line, columns);
-        }
-        one.findings.push(remark);
-    }
-    watch(Seen::End(&one.findings));
+    one.program.parts = source.whole((1..).map_while(|number| interpreter.file(number)));
+    faults.extend(interpreter.remarks());
+    watch(Seen::End(&faults));
+    one.findings =
+        faults.into_iter().map(|finding| Finding { place: source.placed(finding.place), ..finding }).collect();
     one.findings.extend(alarms(&one.alarms));
     one.drawn.part = one.simulation.contours();
     Ok(one)
 }
 
-/// A block that the control does not take, in its cell.
-fn refusal_of(fault: &Fault, source: &text::Source) -> Finding {
-    let mut finding = Finding::from(fault.clone());
-    if let Place::Line { line, columns } = finding.place {
-        finding.place = source.place(fault.file.as_deref(), line, columns);
-    }
-    finding
-}
-
 /// The alarms as findings: of one number on one line the deepest, the gravest first, at most so many.
-fn alarms(alarms: &[(Alarm, Place)]) -> Vec<Finding> {
-    let mut worst: BTreeMap<(usize, u16), (usize, &Alarm, &Place)> = BTreeMap::new();
-    for (alarm, place) in alarms {
-        let known = worst.entry((alarm.line, alarm.cause.number())).or_insert((0, alarm, place));
+fn alarms(alarms: &[Raised]) -> Vec<Finding> {
+    let mut worst: BTreeMap<(usize, usize, u16), (usize, &Alarm, &Place)> = BTreeMap::new();
+    for Raised { alarm, place, file } in alarms {
+        let known = worst.entry((*file, alarm.line, alarm.cause.number())).or_insert((0, alarm, place));
         known.0 += 1;
         if alarm.depth > known.1.depth {
             (known.1, known.2) = (alarm, place);
@@ -348,7 +348,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
     };
     let count = |grade: Option<Grade>| {
         let alarms = followed.iter().flat_map(|one| &one.alarms);
-        let counted = alarms.filter(|(alarm, _)| grade.is_none_or(|grade| alarm.cause.grade() == grade)).count();
+        let counted = alarms.filter(|one| grade.is_none_or(|grade| one.alarm.cause.grade() == grade)).count();
         f64::from(u32::try_from(counted).unwrap_or(u32::MAX))
     };
     let none = || t("", "");

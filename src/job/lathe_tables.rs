@@ -225,12 +225,23 @@ pub fn lines_table(motions: &[Table]) -> Table {
     }
 }
 
+/// An alarm and where its block stands.
+#[derive(Clone, Debug)]
+pub struct Raised {
+    /// The alarm.
+    pub alarm: Alarm,
+    /// Its block: a cell, or a line of a file.
+    pub place: Place,
+    /// The number of the subprogram's file; 0 for the program.
+    pub file: usize,
+}
+
 /// Every alarm: number, grade, text, remedy, place, depth.
 #[must_use]
-pub fn alarms_table<'a>(alarms: impl Iterator<Item = &'a (Alarm, Place)>) -> Table {
+pub fn alarms_table<'a>(alarms: impl Iterator<Item = &'a Raised>) -> Table {
     let alarms: Vec<_> = alarms.collect();
-    let numbers = |of: fn(&Alarm) -> f64| alarms.iter().map(|(alarm, _)| of(alarm) + 0.0).collect::<Vec<f64>>();
-    let texts = |of: fn(&(Alarm, Place)) -> Text| alarms.iter().map(|one| of(one)).collect::<Vec<Text>>();
+    let numbers = |of: fn(&Alarm) -> f64| alarms.iter().map(|one| of(&one.alarm) + 0.0).collect::<Vec<f64>>();
+    let texts = |of: fn(&Raised) -> Text| alarms.iter().map(|one| of(one)).collect::<Vec<Text>>();
     Table {
         key: "alarms",
         name: t("Alarmas", "Alarms"),
@@ -240,14 +251,14 @@ pub fn alarms_table<'a>(alarms: impl Iterator<Item = &'a (Alarm, Place)>) -> Tab
         columns: vec![
             Column::numbers("number", Unit::Count, "", numbers(|alarm| f64::from(alarm.cause.number())))
                 .named(t("número", "number")),
-            Column::texts(t("grado", "grade"), "", texts(|(alarm, _)| alarm.cause.grade().name())),
-            Column::texts(t("alarma", "alarm"), "", texts(|(alarm, _)| alarm.cause.text())),
-            Column::texts(t("lugar", "place"), "", texts(|(_, place)| checks::place(place))),
+            Column::texts(t("grado", "grade"), "", texts(|one| one.alarm.cause.grade().name())),
+            Column::texts(t("alarma", "alarm"), "", texts(|one| one.alarm.cause.text())),
+            Column::texts(t("lugar", "place"), "", texts(|one| checks::place(&one.place))),
             Column::numbers("X", Unit::Millimetre, "", numbers(|alarm| alarm.place[0])),
             Column::numbers("Z", Unit::Millimetre, "", numbers(|alarm| alarm.place[1])),
             Column::numbers("depth", Unit::Millimetre, "", numbers(|alarm| alarm.depth.unwrap_or_default()))
                 .named(t("profundidad", "depth")),
-            Column::texts(t("remedio", "remedy"), "", texts(|(alarm, _)| alarm.cause.remedy())),
+            Column::texts(t("remedio", "remedy"), "", texts(|one| one.alarm.cause.remedy())),
         ],
     }
 }

@@ -76,6 +76,8 @@ pub enum Cause {
     },
     /// The spindle stands still in the cut.
     SpindleStopped,
+    /// A feed per revolution while the spindle stands still: the slide does not move.
+    FeedStands,
     /// The spindle turns the way in which the tool does not cut.
     SpindleWrongWay,
     /// No coolant in the cut.
@@ -84,6 +86,13 @@ pub enum Cause {
     NoFeed,
     /// The turret has no tool in this place.
     UnknownTool(u32),
+    /// The offset in force is none of the tool's; 0: none is.
+    OtherOffset {
+        /// The number in force.
+        offset: u32,
+        /// The tool's own.
+        own: u32,
+    },
     /// A drill works beside the axis.
     OffAxis,
     /// A piece is cut off, mm³.
@@ -148,10 +157,12 @@ impl Cause {
             Self::TooFast { .. } => 152,
             Self::SpindleStopped => 153,
             Self::SpindleWrongWay => 154,
+            Self::FeedStands => 155,
             Self::NoCoolant => 161,
             Self::NoFeed => 171,
             Self::UnknownTool(_) => 181,
             Self::OffAxis => 182,
+            Self::OtherOffset { .. } => 183,
             Self::PartedOff(_) => 191,
         }
     }
@@ -166,6 +177,7 @@ impl Cause {
             | Self::LeadDiffers { .. }
             | Self::NoThreader
             | Self::NoGreatestSpeed { .. }
+            | Self::OtherOffset { .. }
             | Self::TooFast { .. } => Grade::Caution,
             _ => Grade::Stop,
         }
@@ -223,6 +235,16 @@ impl Cause {
             Self::SpindleWrongWay => {
                 t("El husillo gira al revés para esta herramienta", "The spindle turns the wrong way for this tool")
             }
+            Self::FeedStands => t(
+                "Avance por vuelta con el husillo parado: el carro no se mueve",
+                "Feed per revolution with the spindle stopped: the slide does not move",
+            ),
+            Self::OtherOffset { offset: 0, .. } => {
+                t("Movimiento de trabajo sin corrector de herramienta", "Motion at feed without a tool offset")
+            }
+            Self::OtherOffset { .. } => {
+                t("El corrector en vigor no es el de la herramienta", "The offset in force is not the tool's own")
+            }
             Self::NoCoolant => t("Corte sin refrigerante", "Cutting without coolant"),
             Self::NoFeed => t("Movimiento de trabajo con avance 0", "Motion at feed with a feed of 0"),
             Self::UnknownTool(place) => Text::new(
@@ -264,7 +286,10 @@ impl Cause {
             Self::NoThreader => t("Llame a la herramienta de roscar", "Call the threading tool"),
             Self::NoGreatestSpeed { .. } => t("Limite el giro con G50 S (G92 S)", "Limit the speed with G50 S (G92 S)"),
             Self::TooFast { .. } => t("Reduzca S", "Reduce S"),
-            Self::SpindleStopped => {
+            Self::OtherOffset { .. } => {
+                t("Llame a la herramienta con su corrector", "Call the tool with its own offset")
+            }
+            Self::SpindleStopped | Self::FeedStands => {
                 t("Programe M3 o M4 con S antes del corte", "Program M3 or M4 with S before the cut")
             }
             Self::SpindleWrongWay => t("Cambie M3 por M4 o al revés", "Change M3 to M4 or the other way"),
@@ -298,6 +323,7 @@ impl Alarm {
         let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
         let (value, limit) = match self.cause {
             Cause::DepthOfCut { depth, edge } => (mm(depth), mm(edge)),
+            Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
             Cause::Lead { lead, leads: [low, high] } => (mm(lead), format!("{} – {}", shown(low, 3), mm(high))),
             Cause::LeadDiffers { lead, before } => (mm(lead), mm(before)),
             Cause::NoGreatestSpeed { asked, most } | Cause::TooFast { asked, most } => (rpm(asked), rpm(most)),

@@ -14,6 +14,7 @@ pub mod catalogue;
 pub mod contact;
 pub mod deviation;
 pub mod figures;
+pub mod in_force;
 pub mod machine;
 pub mod mesh;
 pub mod outline;

@@ -39,6 +39,8 @@ pub struct Given {
     pub block_delete: bool,
     /// The shift of the part that was turned about for the second set-up, mm.
     pub second: f64,
+    /// The offset of each tool's own, by its place.
+    pub own: BTreeMap<u32, u32>,
     /// The tool offsets of the control, by their numbers.
     offsets: Tools,
     /// The offset of the tool in the first place.
@@ -69,7 +71,7 @@ impl Given {
                 Text::fixed("sujete menos, o un bruto más largo", "hold less, or take a longer stock"),
             );
         }
-        if real("L5") >= (L - L4).max(0.0) {
+        if L4 < L && real("L5") >= L - L4 {
             stop(
                 &["L5", "L", "L4"],
                 Text::new(
@@ -123,29 +125,15 @@ impl Given {
                 );
             }
         }
-        let dialect = Dialect::named(values.choice("dialect").unwrap_or_default()).unwrap_or(&FANUC_LATHE_A);
-        let point = match values.choice("point") {
-            Some("calculator") => Some(DecimalPoint::Calculator),
-            Some("micrometre") => Some(DecimalPoint::Micrometre),
-            _ => None,
-        };
-        if point.is_none() && *dialect == FANUC_LATHE_A {
-            stop(
-                &["point"],
-                Text::fixed(
-                    "falta decir qué es una cota sin punto decimal: depende de un parámetro del control",
-                    "it must be said what a dimension without a decimal point is: a setting of the control decides",
-                ),
-                Text::fixed(
-                    "escriba calculadora o micras, según el parámetro DPI de su control",
-                    "write calculator or micrometre, by the parameter DPI of your control",
-                ),
-            );
-        }
+        let (dialect, point) = control(values);
         let tolerance = values.real("eps").unwrap_or(EPS);
         let (tools, offsets) = turret(values.rows(TOOLS_KEY), tolerance, &mut findings);
-        let first = values.rows(TOOLS_KEY).iter().min_by_key(|row| row.whole("tools/T"));
-        let first_offset = first.and_then(|row| row.whole("tools/D").or(row.whole("tools/T"))).unwrap_or_default();
+        let own: BTreeMap<u32, u32> = values
+            .rows(TOOLS_KEY)
+            .iter()
+            .filter_map(|row| row.whole("tools/T").map(|T| (T, row.whole("tools/D").unwrap_or(T))))
+            .collect();
+        let first_offset = own.first_key_value().map_or(0, |(_, D)| *D);
         let between = |least, greatest, scale: f64| {
             let bound = |key, beyond: f64| values.real(key).map_or(beyond, |value: f64| value * scale);
             [bound(least, -5000.0), bound(greatest, 5000.0)]
@@ -189,6 +177,7 @@ impl Given {
             point,
             block_delete: values.choice("block_delete") == Some("yes"),
             second: real("Z_s"),
+            own,
             offsets,
             first_offset,
             zeros,
@@ -238,6 +227,37 @@ impl Given {
         setting.block_delete = self.block_delete;
         setting
     }
+}
+
+/// The control's dialect, and its rule for dimensions without a decimal point.
+fn control(values: &Values) -> (&'static Dialect, Option<DecimalPoint>) {
+    let dialect = Dialect::named(values.choice("dialect").unwrap_or_default()).unwrap_or(&FANUC_LATHE_A);
+    let point = match values.choice("point") {
+        Some("calculator") => Some(DecimalPoint::Calculator),
+        Some("micrometre") => Some(DecimalPoint::Micrometre),
+        _ => None,
+    };
+    (dialect, point)
+}
+
+/// The stop of a workbook that does not say the control's rule for dimensions without a decimal point, where it must. Of a
+/// program's file each such dimension is refused by itself.
+#[must_use]
+pub fn without_rule(values: &Values) -> Option<Finding> {
+    let (dialect, point) = control(values);
+    (point.is_none() && *dialect == FANUC_LATHE_A).then(|| {
+        values.locate(Finding::stop(
+            Place::Parameters(vec!["point"]),
+            Text::fixed(
+                "falta decir qué es una cota sin punto decimal: depende de un parámetro del control",
+                "it must be said what a dimension without a decimal point is: a setting of the control decides",
+            ),
+            Text::fixed(
+                "escriba calculadora o micras, según el parámetro DPI de su control",
+                "write calculator or micrometre, by the parameter DPI of your control",
+            ),
+        ))
+    })
 }
 
 /// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
@@ -297,25 +317,32 @@ fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
     keys.iter().flat_map(|key| row.cell(key)).collect()
 }
 
+/// What a tool needs and its row does not have: the cell is empty, or the sheet has no such column.
+fn lost(row: &Row, key: &'static str) -> Finding {
+    let (T, symbol) = (row.whole("tools/T").unwrap_or_default(), key.rsplit('/').next().unwrap_or(key));
+    let what = Text::new(format!("la herramienta {T} necesita {symbol}"), format!("tool {T} needs {symbol}"));
+    let cell = row.cell(key);
+    if cell.is_empty() {
+        let remedy = Text::new(
+            format!("la hoja no tiene la columna {symbol}: escriba su título y los valores"),
+            format!("the sheet has no column {symbol}: write its heading and the values"),
+        );
+        return Finding::stop(Place::Cells(row.cell("tools/T")), what, remedy);
+    }
+    let remedy = match key {
+        "tools/shape" => Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832"),
+        _ => Text::fixed("rellene la celda", "fill the cell in"),
+    };
+    Finding::stop(Place::Cells(cell), what, remedy)
+}
+
 /// The tool of a row.
 ///
 /// # Errors
 /// The first value that its type needs and that is missing.
 fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
     let kind = row.choice("tools/type").unwrap_or_default();
-    let need = |key: &'static str| {
-        row.real(key).ok_or_else(|| {
-            let symbol = key.rsplit('/').next().unwrap_or(key);
-            Box::new(Finding::stop(
-                Place::Cells(row.cell(key)),
-                Text::new(
-                    format!("la herramienta {} necesita {symbol}", row.whole("tools/T").unwrap_or_default()),
-                    format!("tool {} needs {symbol}", row.whole("tools/T").unwrap_or_default()),
-                ),
-                Text::fixed("rellene la celda", "fill the cell in"),
-            ))
-        })
-    };
+    let need = |key: &'static str| row.real(key).ok_or_else(|| lost(row, key));
     let hand = match row.choice("tools/hand") {
         Some("L") => Hand::Left,
         Some("N") => Hand::Neutral,
@@ -325,19 +352,7 @@ fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
     let cutter = match kind {
         "external" | "internal" => {
             let letter = row.choice("tools/shape").and_then(|shape| shape.chars().next());
-            let shape = letter.and_then(Shape::of).ok_or_else(|| {
-                Box::new(Finding::stop(
-                    Place::Cells(row.cell("tools/shape")),
-                    Text::new(
-                        format!(
-                            "la herramienta {} necesita la forma de su placa",
-                            row.whole("tools/T").unwrap_or_default()
-                        ),
-                        format!("tool {} needs the shape of its insert", row.whole("tools/T").unwrap_or_default()),
-                    ),
-                    Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832"),
-                ))
-            })?;
+            let shape = letter.and_then(Shape::of).ok_or_else(|| lost(row, "tools/shape"))?;
             let circle = need("tools/IC")?;
             if shape == Shape::R {
                 Cutter::Insert { shape, circle, main: 90.0, auxiliary: 90.0, nose: circle / 2.0 }

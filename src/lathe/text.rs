@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::finding::{CellPlace, Place};
+use crate::finding::{CellPlace, Finding, Place};
 use crate::gcode::interpreter::{Files, Interpreter, Setting};
+use crate::gcode::program::Part;
 use crate::lathe::parameters::SUBPROGRAM_KEY;
 use crate::parameter::Values;
 use crate::parameter::list::Row;
@@ -75,7 +76,7 @@ impl Source {
             .iter()
             .filter(|rows| rows.list == SUBPROGRAM_KEY)
             .filter_map(|rows| {
-                let number: u32 = rows.sheet.trim().trim_start_matches(['O', 'o']).parse().ok()?;
+                let number = number(&rows.sheet)?;
                 Some((format!("O{number:04}"), Text::of(&rows.rows)))
             })
             .collect();
@@ -89,17 +90,81 @@ impl Source {
         Interpreter::over(self.main.text.as_bytes(), setting)
     }
 
+    /// The program as it is delivered, whole: its lines, and those of the subprograms of other sheets and files that it
+    /// calls, each behind its number; before the closing `%` where there is one.
+    #[must_use]
+    pub fn whole<'a>(&self, called: impl Iterator<Item = &'a str>) -> Vec<Part> {
+        let mut lines: Vec<String> = self.main.text.lines().map(str::to_owned).collect();
+        let percent = |line: &str| line.trim() == "%";
+        let end = lines.iter().rposition(|line| !line.trim().is_empty()).filter(|at| *at > 0 && percent(&lines[*at]));
+        let mut behind = end.map(|at| lines.split_off(at)).unwrap_or_default();
+        for (name, text) in called.filter_map(|name| self.subprograms.get_key_value(name)) {
+            let mut own = text.text.lines().filter(|line| !line.trim().is_empty() && !percent(line)).peekable();
+            let numbered = own.peek().is_some_and(|line| line.trim_start().starts_with(['O', 'o', ':']));
+            if let (false, Some(number)) = (numbered, number(name)) {
+                lines.push(format!("O{number:04}"));
+            }
+            lines.extend(own.map(str::to_owned));
+        }
+        lines.append(&mut behind);
+        lines.into_iter().map(Part::Line).collect()
+    }
+
     /// The text that a line stands in; `file` is the subprogram it is of.
     #[must_use]
     pub fn text(&self, file: Option<&str>) -> Option<&Text> {
         file.map_or(Some(&self.main), |name| self.subprograms.get(name))
     }
 
-    /// Where a line stands; `file` is the subprogram it is of.
+    /// Where a line stands: in its cell, or in its file; `file` is the subprogram it is of.
     #[must_use]
     pub fn place(&self, file: Option<&str>, line: usize, columns: Vec<usize>) -> Place {
-        self.text(file).map_or(Place::File, |text| text.place(line, columns))
+        match (self.text(file).map(|text| text.place(line, columns)), file) {
+            (Some(Place::Line { line, columns }), Some(file)) => {
+                Place::Subprogram { file: file.to_owned(), line, columns }
+            }
+            (Some(place), _) => place,
+            (None, _) => Place::File,
+        }
     }
+
+    /// A place of the interpreter's as one of the workbook's, where the line came from there.
+    #[must_use]
+    pub fn placed(&self, place: Place) -> Place {
+        match place {
+            Place::Line { line, columns } => self.place(None, line, columns),
+            Place::Subprogram { file, line, columns } => self.place(Some(&file), line, columns),
+            other => other,
+        }
+    }
+}
+
+/// The stops of subprograms that stand on two sheets: `O5` and `O0005` are one number.
+#[must_use]
+pub fn twice(values: &Values) -> Vec<Finding> {
+    let mut sheets: BTreeMap<u32, Vec<&str>> = BTreeMap::new();
+    for rows in values.lists.iter().filter(|rows| rows.list == SUBPROGRAM_KEY) {
+        if let Some(number) = number(&rows.sheet) {
+            sheets.entry(number).or_default().push(&rows.sheet);
+        }
+    }
+    let of_one = |(number, sheets): (u32, Vec<&str>)| {
+        let [first, .., last] = sheets.as_slice() else { return None };
+        Some(Finding::stop(
+            Place::Sheet((*last).to_owned()),
+            crate::text::Text::new(
+                format!("el subprograma O{number:04} está dos veces: en las hojas \"{first}\" y \"{last}\""),
+                format!("subprogram O{number:04} is given twice: on the sheets \"{first}\" and \"{last}\""),
+            ),
+            crate::text::Text::fixed("deje una de las dos hojas", "leave one of the two sheets"),
+        ))
+    };
+    sheets.into_iter().filter_map(of_one).collect()
+}
+
+/// The number of a subprogram's sheet.
+fn number(sheet: &str) -> Option<u32> {
+    sheet.trim().trim_start_matches(['O', 'o']).parse().ok()
 }
 
 /// Subprograms by their names.

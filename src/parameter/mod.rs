@@ -234,7 +234,10 @@ impl Values {
     #[must_use]
     pub fn locate(&self, mut finding: Finding) -> Finding {
         if let Place::Parameters(keys) = &finding.place {
-            finding.place = Place::Cells(keys.iter().filter_map(|key| self.cells.get(key).cloned()).collect());
+            let cells: Vec<CellPlace> = keys.iter().filter_map(|key| self.cells.get(key).cloned()).collect();
+            if !cells.is_empty() {
+                finding.place = Place::Cells(cells);
+            }
         }
         finding
     }

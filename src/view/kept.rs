@@ -36,16 +36,8 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
             }
         }
     }
-    let elsewhere: Vec<bool> = faults.iter().map(|fault| fault.file.is_some()).collect();
     let found = findings(faults, total, text.remarks());
-    program.remarks.extend(found.iter().enumerate().map(|(at, finding)| {
-        let mut remark = Remark::from(finding);
-        // A line of another file is none of the program's.
-        if elsewhere.get(at) == Some(&true) {
-            remark.line = None;
-        }
-        remark
-    }));
+    program.remarks.extend(found.iter().map(Remark::from));
     if program.turns_unseen() {
         program.notes.push(Text::fixed(
             "los ejes giratorios no se aplican: se dibujan X, Y y Z tal como están escritos; con el libro se ve la pieza",

@@ -3,9 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::frame::Frame;
+use super::kept::MOST_MOTIONS;
 use super::program::Program;
 use super::scene::{Remark, Scene, Shape, Tool};
 use super::turning::{Fixture, Turning};
+use crate::finding::Place;
 use crate::gcode::motion::Motion;
 use crate::job::lathe::Seen;
 use crate::lathe::alarm::Alarm;
@@ -39,8 +41,15 @@ impl Watching {
             }
             Seen::Step(step, simulation, file) => self.step(step, simulation, file),
             Seen::End(findings) => {
+                let before = &self.before;
                 if let Some(program) = self.programs.last_mut() {
-                    program.remarks.extend(findings.iter().map(Remark::from));
+                    program.remarks.extend(findings.iter().map(|finding| {
+                        let mut remark = Remark::from(finding);
+                        if let Place::Subprogram { file, line, .. } = &finding.place {
+                            remark.line = before.get(file).map(|before| before + line);
+                        }
+                        remark
+                    }));
                     program.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
                 }
             }
@@ -90,6 +99,16 @@ impl Watching {
             program.shift = [r - motion.to.get(Axis::X), 0.0, z - motion.to.get(Axis::Z)];
         }
         let index = program.motions();
+        if index == MOST_MOTIONS {
+            let note = Text::new(
+                format!("sólo se muestran los primeros {MOST_MOTIONS} movimientos"),
+                format!("only the first {MOST_MOTIONS} motions are shown"),
+            );
+            if !program.notes.contains(&note) {
+                program.notes.push(note);
+            }
+            return;
+        }
         program.push(&motion, &step.control);
         if (step.removed.volume > 0.0 || step.removed.parted > 0.0)
             && let Some(turning) = &mut program.turning

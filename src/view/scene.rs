@@ -152,10 +152,18 @@ pub struct Remark {
 
 impl From<&Finding> for Remark {
     fn from(finding: &Finding) -> Self {
+        let what = match &finding.place {
+            // A line of another file is none of the program's.
+            Place::Subprogram { file, line, .. } => {
+                let told = |what: &str| format!("{file}:{line}: {what}");
+                Text::new(told(&finding.what.es), told(&finding.what.en))
+            }
+            _ => finding.what.clone(),
+        };
         Self {
             grade: finding.grade,
             number: None,
-            what: finding.what.clone(),
+            what,
             value: finding.value.clone(),
             limit: finding.limit.clone(),
             remedy: finding.remedy.clone(),

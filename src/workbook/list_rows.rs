@@ -11,7 +11,7 @@ use crate::parameter::Parameter;
 use crate::parameter::list::{List, Row, Rows};
 use crate::text::Text;
 
-use super::address;
+use super::address::{self, Position};
 use super::sheet_cells::{Content, SheetCells};
 use super::unit;
 use super::value::{holds, read_at};
@@ -19,15 +19,19 @@ use super::words::fold;
 
 /// Columns A to X.
 pub const COLUMNS: u32 = 24;
+/// Rows of a range of merged cells that are looked at.
+const MOST_COVERED: usize = 10_000;
 /// Characters of a heading shown in a message.
 const SHOWN: usize = 40;
 
 /// The rows of a sheet; `None` where the list may be left out and has none. What is wrong goes to `findings`.
 pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>) -> Option<Rows> {
-    let heads = sheet.rows.keys().copied().filter(|row| is_heading(list, sheet, *row)).collect::<Vec<_>>();
+    let heads = |required: bool| sheet.rows.keys().copied().find(|row| is_heading(list, sheet, *row, required));
+    // Where there is no row with all of them, the one that a person takes for it says which are missing.
+    let head = heads(true).or_else(|| heads(false));
     let first = list.columns.first().map_or("", |column| column.symbol());
-    let head = match heads.as_slice() {
-        [] => {
+    let head = match head {
+        None => {
             findings.push(Finding::stop(
                 Place::Sheet(sheet.name.clone()),
                 say!(
@@ -41,7 +45,7 @@ pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>
             ));
             return None;
         }
-        [head, ..] => *head,
+        Some(head) => head,
     };
     let columns = columns(list, sheet, head, findings);
     if head > 0 {
@@ -84,14 +88,17 @@ pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>
     Some(Rows { list: list.key, sheet: sheet.name.clone(), rows })
 }
 
-fn is_heading(list: &List, sheet: &SheetCells, row: u32) -> bool {
+/// True for a row that begins with the first heading and has all required ones, or, of a list of several columns, another.
+fn is_heading(list: &List, sheet: &SheetCells, row: u32, required: bool) -> bool {
     let is = |column: usize, symbol: &str| {
         u32::try_from(column).is_ok_and(|at| sheet.text((row, at)).is_some_and(|text| fold(text) == fold(symbol)))
     };
     // A program may hold a block that reads as the first heading: the others must stand beside it.
     let width = COLUMNS as usize;
+    let mut others = list.columns.iter().skip(1);
+    let stands = |one: &Parameter| (0..width).any(|at| is(at, one.symbol()));
     list.columns.first().is_some_and(|first| is(0, first.symbol()))
-        && list.columns.iter().skip(1).all(|one| !one.required || (0..width).any(|at| is(at, one.symbol())))
+        && if required { others.all(|one| !one.required || stands(one)) } else { others.any(stands) }
 }
 
 /// The columns by where they stand.
@@ -170,9 +177,16 @@ fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], fi
     }
 }
 
-/// The rows below the headings that hold something in a column that is read.
+/// The rows below the headings that hold something in a column that is read, and those over which a cell of the list is
+/// merged: what stood there is hidden.
 fn filled(sheet: &SheetCells, head: u32, columns: &[(&'static Parameter, u32)]) -> Vec<u32> {
     let marked = sheet.survey.uncalculated.iter().chain(&sheet.survey.judged).map(|(row, _)| *row);
-    let rows: BTreeSet<u32> = sheet.rows.keys().copied().chain(marked).filter(|row| *row > head).collect();
-    rows.into_iter().filter(|row| columns.iter().any(|(_, column)| holds(sheet, (*row, *column)))).collect()
+    let covered = sheet.survey.merges.iter().flat_map(|range| (range.start.0..=range.end.0).take(MOST_COVERED));
+    let rows: BTreeSet<u32> =
+        sheet.rows.keys().copied().chain(marked).chain(covered).filter(|row| *row > head).collect();
+    let holds_or_hides = |at: Position| {
+        holds(sheet, at)
+            || sheet.survey.covering(at).is_some_and(|range| range.start.0 > head && holds(sheet, range.start))
+    };
+    rows.into_iter().filter(|row| columns.iter().any(|(_, column)| holds_or_hides((*row, *column)))).collect()
 }

@@ -319,6 +319,7 @@ impl Interpreter<'_> {
             self.queue.push_back(Ok((motion, carried.control)));
         }
         for cut in self.compensator.stage.cuts() {
+            self.remarks.turn_to(cut.along.file.as_ref());
             let (radius, depth, into) = (shown(cut.radius, 4), shown(cut.depth, 3), cut.into.motion.line);
             self.remarks.add(
                 Grade::Caution,

@@ -57,6 +57,14 @@ impl<'l> Cursor<'l> {
         }
     }
 
+    /// True where a macro's variable or word is next, of Fanuc's custom macros.
+    pub(super) fn macro_word(&mut self) -> bool {
+        const WORDS: [&[u8]; 7] = [b"#", b"IF", b"GOTO", b"WHILE", b"THEN", b"DO", b"END"];
+        self.peek();
+        let rest = self.line.get(self.at..).unwrap_or_default();
+        WORDS.iter().any(|word| rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word)))
+    }
+
     /// Refuses a comment here: it would part a word from its number, which controls read in more than one way.
     pub(super) fn no_comment(&self) -> Outcome<()> {
         let mut column = self.at;

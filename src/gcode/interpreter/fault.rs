@@ -58,11 +58,15 @@ impl Fault {
 
 impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
-        let what = match &fault.file {
-            None => fault.what,
-            Some(file) => Text::new(format!("{file}: {}", fault.what.es), format!("{file}: {}", fault.what.en)),
-        };
-        Self::stop(Place::Line { line: fault.line, columns: fault.columns }, what, fault.remedy)
+        Self::stop(place(fault.file.as_deref(), fault.line, fault.columns), fault.what, fault.remedy)
+    }
+}
+
+/// The place of a line of the program, or of a subprogram's own file.
+fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Place {
+    match file {
+        None => Place::Line { line, columns },
+        Some(file) => Place::Subprogram { file: file.to_owned(), line, columns },
     }
 }
 
@@ -89,16 +93,25 @@ const MOST: usize = 100;
 #[derive(Debug, Default)]
 pub(super) struct Remarks {
     list: Vec<(u64, Finding)>,
+    /// The subprogram's own file that the line in hand stands in.
+    file: Option<String>,
 }
 
 impl Remarks {
+    /// Says which file the lines to come stand in.
+    pub(super) fn turn_to(&mut self, file: Option<&String>) {
+        if self.file.as_ref() != file {
+            self.file = file.cloned();
+        }
+    }
+
     /// Remarks something at a line and column (counted from 0). `what` tells one thing from another.
     pub(super) fn add(&mut self, grade: Grade, line: usize, column: Option<usize>, what: Text, remedy: Text) {
         if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| finding.what == what) {
             *count += 1;
         } else if self.list.len() < MOST {
             let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, Finding::new(grade, Place::Line { line, columns }, what, remedy)));
+            self.list.push((1, Finding::new(grade, place(self.file.as_deref(), line, columns), what, remedy)));
         }
     }
 

@@ -278,6 +278,7 @@ impl<'a> Interpreter<'a> {
             return self.end_of_file();
         }
         self.count_line()?;
+        self.remarks.turn_to(self.sources.get(self.at).and_then(|source| source.file.as_ref()));
         if self.line == 1 && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
             self.remarks.add(

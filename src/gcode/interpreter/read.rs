@@ -20,6 +20,17 @@ fn unverifiable() -> Text {
     )
 }
 
+fn macros(column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::fixed(
+            "las macros (#, IF, WHILE, GOTO) no están implementadas",
+            "macros (#, IF, WHILE, GOTO) are not supported",
+        ),
+        unverifiable(),
+    )
+}
+
 fn name(letter: u8) -> char {
     char::from(letter.to_ascii_uppercase())
 }
@@ -40,6 +51,7 @@ impl Interpreter<'_> {
             match cursor.peek() {
                 0 if self.block.pointless != 0 => return self.settle_points(),
                 0 => return Ok(()),
+                _ if self.reading.system_a && cursor.macro_word() => return Err(macros(cursor.column())),
                 b'g' => self.read_g(cursor)?,
                 b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
@@ -176,6 +188,9 @@ impl Interpreter<'_> {
         cursor.no_comment()?;
         cursor.peek();
         let number_column = cursor.column();
+        if self.reading.system_a && cursor.macro_word() {
+            return Err(macros(number_column));
+        }
         let number = self.value(cursor)?;
         let value = number.value;
         if DIMENSIONS.has(index) {

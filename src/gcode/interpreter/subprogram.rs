@@ -170,9 +170,11 @@ impl Interpreter<'_> {
                 ),
                 Text::new(
                     format!(
-                        "póngalo junto al programa, en un archivo O{number:04}.nc, o en el mismo archivo detrás de M30"
+                        "póngalo junto al programa, en un archivo O{number:04}.nc (de un libro, en una hoja O{number:04}), o detrás de M30"
                     ),
-                    format!("put it beside the program, in a file O{number:04}.nc, or in the same file behind M30"),
+                    format!(
+                        "put it beside the program, in a file O{number:04}.nc (of a workbook, on a sheet O{number:04}), or behind M30"
+                    ),
                 ),
             ));
         };
