@@ -46,15 +46,15 @@ impl Program {
 
 fn setup() -> Setup {
     let stock = Stock { overhang: 500.0, ..Stock::bar(100.0, 550.0) };
-    let rougher = Tool {
-        name: Text::same("rougher"),
-        cutter: Cutter::Insert { shape: Shape::C, circle: 12.7, main: 95.0, auxiliary: 5.0, nose: 0.8 },
+    let tool = Tool {
+        name: Text::same("55°"),
+        cutter: Cutter::Insert { shape: Shape::D, circle: 12.7, main: 93.0, auxiliary: 32.0, nose: 0.4 },
         hand: Hand::Right,
         tip: Tip::OutsideLeft,
         holder: Holder::Shank { width: 25.0, length: 60.0 },
         overhang: [60.0, 0.0],
     };
-    Setup::new(Lathe::default(), stock, Turret { tools: BTreeMap::from([(1, rougher)]), body: None })
+    Setup::new(Lathe::default(), stock, Turret { tools: BTreeMap::from([(1, tool)]), body: None })
 }
 
 /// Roughing in zones of 15 mm, one after the other from the right, in passes of 0.05 mm with approach and return: one in two
@@ -92,7 +92,7 @@ fn profiles(count: u32) -> Vec<Motion> {
 
 fn run(motions: &[Motion]) -> f64 {
     let control = Control {
-        tool: 2,
+        tool: 1,
         spindle: Spindle::Clockwise,
         speed: Speed::Surface(150.0),
         greatest_speed: Some(2500.0),
@@ -103,7 +103,9 @@ fn run(motions: &[Motion]) -> f64 {
     for motion in motions {
         black_box(simulation.take(motion, &control));
     }
-    simulation.totals().all.volume
+    let volume = simulation.totals().all.volume;
+    assert!(volume > 10_000.0, "nothing was cut");
+    volume
 }
 
 fn bench(criterion: &mut Criterion) {
