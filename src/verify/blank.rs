@@ -4,10 +4,10 @@
 //! Of the lathe nothing is known, so that nothing of it can be met: no chuck, no tailstock, no limit of travel or speed.
 //! The stock is round, of diameter 2 R, and reaches from z = −L_b, as the milling takes it, to z = C: the facing takes off
 //! as much as one pass of the cycle, C. Of a stock of more than 1 m the right-hand metre is followed. The tool T_b with its
-//! offset D_b turns outside towards the chuck, with a sharp tip, edges of 95° and 5°, and edges and shank that are no
-//! limit; it cuts with M4, as a left-hand tool does, or one that lies face up behind the axis. It starts where the program
-//! leaves it. A control may go straight at rapid or bring each axis there at its own rate: the program is followed along
-//! the straight way and along both ways at right angles, between which every other one lies.
+//! offset D_b turns outside towards the chuck. Its tip is sharp; its edges lie at 100° and 0°, so that a step is met as deep
+//! as it is, and they and the shank are no limit. It cuts with M4, as a left-hand tool does, or one that lies face up behind
+//! the axis, and starts where the program leaves it. A control may go straight at rapid or bring each axis there at its own
+//! rate: the program is followed along the straight way and along both ways at right angles, between which the others lie.
 //!
 //! # References
 //! The thesis, section 4.1: facing, then G85 along the quarter of the torus about (Z 0, X 2 R). What is asked of the part
@@ -164,26 +164,21 @@ impl<'a> Terms<'a> {
     /// The spindle runs up to its greatest speed near the axis where the program does not limit it.
     fn speed_limit(&self, program: &Program) -> Check {
         let name = Text::fixed("Límite de giro a velocidad constante", "Speed limit under constant surface speed");
-        let rpm = |speed: Option<f64>| match speed {
-            Some(speed) => Text::same(format!("{} rpm", shown(speed, 0))),
-            None => Text::fixed("sin límite", "no limit"),
-        };
-        let (at, found) = self.limit.map_or((None, None), |(at, found)| (Some(at), found));
+        let rpm =
+            |speed: Option<f64>| speed.map_or_else(|| "∞ rpm".to_owned(), |speed| format!("{} rpm", shown(speed, 0)));
+        let at = self.limit.map(|(at, _)| at);
+        let found = self.limit.and_then(|(_, found)| found);
         let wanted = self.wanted_limit();
-        let check = Check::passed(
-            "blank-speed-limit",
-            name,
-            program,
-            rpm(found),
-            wanted.map_or_else(|| Text::same(""), |speed| rpm(Some(speed))),
-        );
+        let [shown_found, shown_wanted] = [found, wanted].map(rpm);
+        let limit = if wanted.is_some() { shown_wanted.clone() } else { String::new() };
+        let check =
+            Check::passed("blank-speed-limit", name, program, Text::same(shown_found.clone()), Text::same(limit));
         if found != wanted {
-            let (found, wanted) = (rpm(found), rpm(wanted));
             return check.at(at).found(
                 Verdict::Stop,
                 Text::new(
-                    format!("el límite de giro del programa es {}; el de la hoja, {}", found.es, wanted.es),
-                    format!("the speed limit in the program is {}; that of the form, {}", found.en, wanted.en),
+                    format!("el límite de giro del programa es {shown_found}; el de la hoja, {shown_wanted}"),
+                    format!("the speed limit in the program is {shown_found}; that of the form, {shown_wanted}"),
                 ),
                 FAULT,
             );
@@ -314,7 +309,7 @@ impl Over {
 
 fn depth(deepest: f64, step: f64, program: &Program) -> Check {
     let name = Text::fixed("Mayor profundidad de corte", "Greatest depth of cut");
-    let check = Check::passed("blank-depth", name, program, Text::same(mm(deepest)), Text::same(mm(step)));
+    let check = Check::passed("blank-depth", name, program, Text::same(mm(deepest)), Text::same(mm(step + LIMIT)));
     if deepest <= step + LIMIT {
         return check;
     }
@@ -387,7 +382,7 @@ fn lathe(stock: &Stock) -> Lathe {
 fn tool() -> Tool {
     Tool {
         name: Text::fixed("Herramienta exterior de punta viva", "Sharp external tool"),
-        cutter: Cutter::Insert { shape: Shape::C, circle: 60.0, main: 95.0, auxiliary: 5.0, nose: 0.0 },
+        cutter: Cutter::Insert { shape: Shape::C, circle: 60.0, main: 100.0, auxiliary: 0.0, nose: 0.0 },
         hand: Hand::Left,
         tip: Tip::OutsideLeft,
         holder: Holder::Shank { width: 25.0, length: 150.0 },
