@@ -20,7 +20,7 @@ pub(super) fn parse(text: &str) -> Result<Stock, String> {
     for part in text.split(['x', 'X']) {
         let wrong = || format!("'{part}' is no size: write D, L or d and a number in mm, as D50xL100");
         let mut letters = part.chars();
-        let letter = letters.next().ok_or_else(wrong)?;
+        let letter = letters.next().filter(|letter| matches!(letter, 'D' | 'L' | 'd')).ok_or_else(wrong)?;
         let digits = letters.as_str();
         let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
         let value: f64 = digits.parse().ok().filter(|_| plain).ok_or_else(wrong)?;
@@ -30,8 +30,7 @@ pub(super) fn parse(text: &str) -> Result<Stock, String> {
         let slot = match letter {
             'D' => &mut D,
             'L' => &mut L,
-            'd' => &mut d,
-            _ => return Err(wrong()),
+            _ => &mut d,
         };
         if slot.replace(value).is_some() {
             return Err(format!("{letter} is given twice"));
