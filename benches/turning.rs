@@ -1,15 +1,18 @@
 //! Turning: cutting motions a second, and whether a motion's cost grows with the motions before it.
 
+use std::collections::BTreeMap;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use rodete::gcode::control::{Control, Speed, Spindle};
 use rodete::gcode::motion::{Feed, FeedMode, Kind, Motion};
-use rodete::lathe::catalogue;
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::stock::Stock;
+use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
+use rodete::lathe::turret::Turret;
 use rodete::machine::axis::{Axis, Pose};
+use rodete::text::Text;
 
 const FEED: Kind = Kind::Feed(Feed { mode: FeedMode::PerRevolution, value: 0.2 });
 
@@ -43,7 +46,15 @@ impl Program {
 
 fn setup() -> Setup {
     let stock = Stock { overhang: 500.0, ..Stock::bar(100.0, 550.0) };
-    Setup::new(Lathe::default(), stock, catalogue::turret())
+    let tool = Tool {
+        name: Text::same("55°"),
+        cutter: Cutter::Insert { shape: Shape::D, circle: 12.7, main: 93.0, auxiliary: 32.0, nose: 0.4 },
+        hand: Hand::Right,
+        tip: Tip::OutsideLeft,
+        holder: Holder::Shank { width: 25.0, length: 60.0 },
+        overhang: [60.0, 0.0],
+    };
+    Setup::new(Lathe::default(), stock, Turret { tools: BTreeMap::from([(1, tool)]), body: None })
 }
 
 /// Roughing in zones of 15 mm, one after the other from the right, in passes of 0.05 mm with approach and return: one in two
@@ -81,7 +92,7 @@ fn profiles(count: u32) -> Vec<Motion> {
 
 fn run(motions: &[Motion]) -> f64 {
     let control = Control {
-        tool: 2,
+        tool: 1,
         spindle: Spindle::Clockwise,
         speed: Speed::Surface(150.0),
         greatest_speed: Some(2500.0),
@@ -92,7 +103,9 @@ fn run(motions: &[Motion]) -> f64 {
     for motion in motions {
         black_box(simulation.take(motion, &control));
     }
-    simulation.totals().all.volume
+    let volume = simulation.totals().all.volume;
+    assert!(volume > 10_000.0, "nothing was cut");
+    volume
 }
 
 fn bench(criterion: &mut Criterion) {

@@ -5,7 +5,9 @@
 use std::io::Cursor;
 
 use rodete::finding::{CellPlace, Place, Refusal};
+use rodete::lathe::catalogue;
 use rodete::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
+use rodete::lathe::setup::Given;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
@@ -101,8 +103,8 @@ fn a_wrong_cell_of_a_list_is_refused_by_its_address() {
         }))
     };
     assert_eq!(
-        changed(TOOLS_KEY, 0, "tools/T", None),
-        [("TOOLS!A6".to_owned(), "T (place in the turret) is missing".to_owned())]
+        changed(TOOLS_KEY, 0, "tools/type", None),
+        [("TOOLS!D6".to_owned(), "type (type) is missing".to_owned())]
     );
     assert_eq!(
         changed(TOOLS_KEY, 0, "tools/R", Some(Value::Real(-1.0))),
@@ -127,4 +129,20 @@ fn a_list_without_rows_is_refused_where_it_is_needed() {
     assert_eq!(stops(&bytes), [("Sheet(\"PROGRAMA\")".to_owned(), "there is no row below the headings".to_owned())]);
     let values = read(&book(1, Language::Es, |lists| list(lists, PROFILE_KEY).clear())).unwrap();
     assert!(values.rows(PROFILE_KEY).is_empty());
+}
+
+#[test]
+fn every_tool_of_the_catalogue_can_be_mounted() {
+    let language = Language::En;
+    let mut values = Values { language, ..Values::default() };
+    values.values.extend(FORM.cases[0].values(language));
+    let rows = catalogue::rows(language);
+    assert!(rows.len() > 80, "{}", rows.len());
+    for mut row in rows {
+        row.values.insert("tools/T", Value::Whole(1));
+        let name = row.line("tools/name").to_owned();
+        values.lists = vec![Rows { list: TOOLS_KEY, sheet: "TOOLS".to_owned(), rows: vec![row] }];
+        let given = Given::of(&values).unwrap_or_else(|findings| panic!("{name}: {findings:?}"));
+        assert_eq!(given.setup.turret.tools.len(), 1, "{name}");
+    }
 }

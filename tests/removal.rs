@@ -7,5 +7,6 @@ mod removal {
     mod exact;
     mod lathe;
     mod part;
+    mod tools;
     mod volumes;
 }

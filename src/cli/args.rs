@@ -12,17 +12,18 @@ use crate::gcode::interpreter::DecimalPoint;
 use crate::machine::work_offset::System;
 use crate::text::Language;
 
-/// From a workbook of design parameters to checked tables, ISO programs and a report: 5-axis impellers, branch pipes, bevelled holes.
+/// From a workbook of design parameters to checked tables, ISO programs and a report: 5-axis impellers, branch pipes, bevelled holes, turning.
 #[derive(Debug, Parser)]
 #[command(name = "rodete", version, arg_required_else_help = true, max_term_width = 100)]
 #[command(after_help = "Start with `rodete new impeller`, edit the workbook, then `rodete build impeller.xlsx`.")]
 #[command(after_long_help = "\
 How to work with it:
   rodete new impeller           writes impeller.xlsx, ready to edit in Excel
-                                (other kinds: pipe-insert, pipe-hole)
+                                (other kinds: pipe-insert, pipe-hole, lathe)
   rodete check impeller.xlsx    says what would stop a build, and the limits
   rodete build impeller.xlsx    writes tables, programs and report into impeller-out
   rodete verify program.nc      reads a program as the control would and says what it comes to
+  rodete simulate part.nc       follows a turning program over its stock
   rodete view impeller.xlsx     writes impeller.html: part and programs, to be played in a browser
   rodete offsets linuxcnc.var   shows the work offsets of a LinuxCNC machine
 

@@ -24,14 +24,14 @@ pub(super) fn parse(text: &str) -> Result<Stock, String> {
         let digits = letters.as_str();
         let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
         let value: f64 = digits.parse().ok().filter(|_| plain).ok_or_else(wrong)?;
-        if !(0.1..=1000.0).contains(&value) {
-            return Err(format!("{part} is out of range: from 0.1 to 1000 mm"));
-        }
         let slot = match letter {
             'D' => &mut D,
             'L' => &mut L,
             _ => &mut d,
         };
+        if !(0.1..=1000.0).contains(&value) {
+            return Err(format!("{part} is out of range: from 0.1 to 1000 mm"));
+        }
         if slot.replace(value).is_some() {
             return Err(format!("{letter} is given twice"));
         }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::lathe::catalogue;
 use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SCHEMA, TOOLS_KEY};
 use crate::parameter::list::{Row, Rows};
 use crate::parameter::{Case, Value, t};
@@ -153,10 +154,11 @@ fn row(T: u32, sample: &Sample, language: Language) -> Row {
     Row { values, cells: BTreeMap::new() }
 }
 
-/// The example turret.
+/// The tools of a new workbook: the example turret, and the catalogue.
 #[must_use]
 pub fn turret(language: Language) -> Rows {
-    let rows = (1..).zip(&TURRET).map(|(T, sample)| row(T, sample, language)).collect();
+    let mounted = (1..).zip(&TURRET).map(|(T, sample)| row(T, sample, language));
+    let rows = mounted.chain(catalogue::rows(language)).collect();
     Rows { list: TOOLS_KEY, sheet: String::new(), rows }
 }
 

@@ -1,189 +1,172 @@
-//! Usual tools, for a new workbook and for a program without a list of tools.
+//! The catalogue of usual tools for the sheet of a new workbook: to be mounted by giving one a place.
+//!
+//! Sizes are those of common indexable inserts (ISO 1832: inscribed circles of 6.35, 9.525 and 12.7 mm, nose radii of 0.4,
+//! 0.8 and 1.2 mm) and of drills by their usual diameters. Main and auxiliary angle and the angle of the insert's corner make
+//! 180°.
 
-use super::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
-use super::turret::Turret;
-use crate::text::Text;
+use std::collections::BTreeMap;
 
-/// A square shank of 25 mm for outside work; its tip stands 60 mm from the turret's reference point across the axis.
-const SHANK: Holder = Holder::Shank { width: 25.0, length: 60.0 };
-const OUTSIDE: [f64; 2] = [60.0, 0.0];
+use crate::parameter::Value;
+use crate::parameter::list::Row;
+use crate::text::Language;
 
-fn insert(shape: Shape, circle: f64, [main, auxiliary]: [f64; 2], nose: f64) -> Cutter {
-    Cutter::Insert { shape, circle, main, auxiliary, nose }
+/// Shape, inscribed circle, main and auxiliary angle of outside turning tools.
+const OUTSIDE: [(&str, f64, f64, f64); 8] = [
+    ("C", 12.7, 95.0, 5.0),
+    ("W", 12.7, 95.0, 5.0),
+    ("D", 12.7, 93.0, 32.0),
+    ("K", 9.525, 93.0, 32.0),
+    ("V", 9.525, 93.0, 52.0),
+    ("T", 9.525, 91.0, 29.0),
+    ("S", 12.7, 75.0, 15.0),
+    ("S", 12.7, 45.0, 45.0),
+];
+/// The same of boring bars, with the bar's diameter and from the tip to its centre.
+const INSIDE: [(&str, f64, f64, f64, f64, f64); 3] =
+    [("C", 6.35, 95.0, 5.0, 8.0, 5.5), ("T", 9.525, 91.0, 29.0, 16.0, 11.0), ("D", 9.525, 93.0, 32.0, 20.0, 13.0)];
+const NOSES: [f64; 3] = [0.4, 0.8, 1.2];
+const GROOVES: [f64; 6] = [2.0, 2.5, 3.0, 4.0, 5.0, 6.0];
+const DRILLS: [f64; 18] =
+    [2.5, 3.3, 4.0, 4.2, 5.0, 6.0, 6.8, 8.0, 8.5, 10.0, 10.2, 12.0, 14.0, 16.0, 18.0, 20.0, 25.0, 30.0];
+/// Pilot, its length, and body of centre drills, form A.
+const CENTRES: [[f64; 3]; 3] = [[2.0, 2.5, 5.0], [3.15, 3.9, 8.0], [4.0, 5.0, 10.0]];
+
+struct Tool {
+    name: [String; 2],
+    choices: Vec<(&'static str, &'static str)>,
+    numbers: Vec<(&'static str, f64)>,
 }
 
-fn tool(es: &str, en: &str, cutter: Cutter, (tip, hand): (Tip, Hand), holder: Holder, overhang: [f64; 2]) -> Tool {
-    Tool { name: Text::new(es.to_owned(), en.to_owned()), cutter, hand, tip, holder, overhang }
+/// On a square shank of 25 mm.
+fn shank() -> Vec<(&'static str, f64)> {
+    vec![("tools/b", 25.0), ("tools/l", 150.0), ("tools/Q_x", 60.0), ("tools/Q_z", 40.0)]
 }
 
-/// A turning tool for roughing and facing: 80° insert, 95°, R 0.8.
-#[must_use]
-pub fn rougher() -> Tool {
-    let cutter = insert(Shape::C, 12.7, [95.0, 5.0], 0.8);
-    tool(
-        "Desbaste exterior C 80° 95° R0.8",
-        "External roughing C 80° 95° R0.8",
-        cutter,
-        (Tip::OutsideLeft, Hand::Right),
-        SHANK,
-        OUTSIDE,
-    )
-}
-
-/// A turning tool for finishing profiles: 55° insert, 93°, R 0.4.
-#[must_use]
-pub fn profiler() -> Tool {
-    let cutter = insert(Shape::D, 12.7, [93.0, 32.0], 0.4);
-    tool(
-        "Acabado exterior D 55° 93° R0.4",
-        "External finishing D 55° 93° R0.4",
-        cutter,
-        (Tip::OutsideLeft, Hand::Right),
-        SHANK,
-        OUTSIDE,
-    )
-}
-
-/// A turning tool for deep profiles: 35° insert, 93°, R 0.4.
-#[must_use]
-pub fn copier() -> Tool {
-    let cutter = insert(Shape::V, 9.525, [93.0, 52.0], 0.4);
-    tool(
-        "Copiado exterior V 35° 93° R0.4",
-        "External copying V 35° 93° R0.4",
-        cutter,
-        (Tip::OutsideLeft, Hand::Right),
-        SHANK,
-        OUTSIDE,
-    )
-}
-
-/// A tool for grooves and parting, 3 mm wide, 20 mm deep; its left corner is programmed.
-#[must_use]
-pub fn parter() -> Tool {
-    let cutter = Cutter::Groover { width: 3.0, depth: 26.0, corner: 0.2, face: false };
-    tool("Ranurar y tronzar 3 mm", "Grooving and parting 3 mm", cutter, (Tip::OutsideLeft, Hand::Right), SHANK, OUTSIDE)
-}
-
-/// A tool for metric threads outside, leads 0.5 to 3 mm.
-#[must_use]
-pub fn threader() -> Tool {
-    let cutter = Cutter::Threader { angle: 60.0, nose: 0.06, depth: 2.5, leads: [0.5, 3.0] };
-    tool("Roscar exterior 60°", "External threading 60°", cutter, (Tip::Outside, Hand::Right), SHANK, OUTSIDE)
-}
-
-/// A boring bar of 16 mm: 55° insert, 93°, R 0.4; for holes from 20 mm.
-#[must_use]
-pub fn borer() -> Tool {
-    let cutter = insert(Shape::D, 9.525, [93.0, 32.0], 0.4);
-    let bar = Holder::Bar { diameter: 16.0, length: 80.0, reach: 11.0 };
-    tool(
-        "Mandrinar D 55° 93° R0.4 barra 16",
-        "Boring D 55° 93° R0.4 bar 16",
-        cutter,
-        (Tip::InsideLeft, Hand::Right),
-        bar,
-        [-11.0, 80.0],
-    )
-}
-
-/// A twist drill of 118°.
-#[must_use]
-pub fn drill(diameter: f64, length: f64) -> Tool {
-    let cutter = Cutter::Drill { diameter, point: 118.0, length };
-    let holder = Holder::Bar { diameter: 40.0_f64.max(1.5 * diameter), length: length + 40.0, reach: 0.0 };
-    let name = format!("Ø{}", crate::number::shown(diameter, 3));
-    tool(
-        &format!("Broca {name}"),
-        &format!("Drill {name}"),
-        cutter,
-        (Tip::Left, Hand::Right),
-        holder,
-        [0.0, length + 40.0],
-    )
-}
-
-/// A centre drill of 3.15 mm.
-#[must_use]
-pub fn centre_drill() -> Tool {
-    let cutter = Cutter::CentreDrill { pilot: 3.15, reach: 3.9, diameter: 8.0, length: 25.0 };
-    let holder = Holder::Bar { diameter: 40.0, length: 65.0, reach: 0.0 };
-    tool("Broca de centrar Ø3.15", "Centre drill Ø3.15", cutter, (Tip::Left, Hand::Right), holder, [0.0, 65.0])
-}
-
-/// The turret that serves where a program comes without tools: T1 roughing, T2 finishing, T3 grooving and parting, T4
-/// threading, T5 centre drill, T6 drill of 20 mm, T7 boring bar, T8 copying.
-#[must_use]
-pub fn turret() -> Turret {
-    let tools = [rougher(), profiler(), parter(), threader(), centre_drill(), drill(20.0, 90.0), borer(), copier()];
-    Turret { tools: (1..).zip(tools).collect(), body: None }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::exact::grid::UNITS;
-    use crate::lathe::outline::Role;
-
-    #[test]
-    fn every_usual_tool_has_an_outline_that_touches_its_programmed_point() {
-        for (place, tool) in turret().tools {
-            let outline = tool.outline(0.0002).unwrap_or_else(|why| panic!("T{place}: {}", why.en));
-            assert!(outline.cutter.iter().all(|part| part.roles.iter().any(|role| *role != Role::Back)), "T{place}");
-            let (low, high) = outline.cutter[0].polygon.extent();
-            let [z, r] = match tool.tip {
-                Tip::OutsideLeft => [low.z, low.r],
-                Tip::InsideLeft => [low.z, high.r],
-                Tip::Outside => [0, low.r],
-                _ => [low.z, 0],
-            };
-            assert_eq!([z, r], [0, 0], "T{place}");
-        }
-    }
-
-    #[test]
-    fn an_insert_has_the_edge_length_of_its_size() {
-        // ISO 1832: the edge lengths of the usual sizes, 12.9 for CNMG 12, 15.5 for DNMG 15, 16.6 for VNMG 16, 22 for TNMG
-        // 22, 12.7 for SNMG 12, 8.7 for WNMG 08.
-        for (shape, circle, [main, auxiliary], length) in [
-            (Shape::C, 12.7, [95.0, 5.0], 12.896),
-            (Shape::D, 12.7, [93.0, 32.0], 15.504),
-            (Shape::V, 9.525, [93.0, 52.0], 16.606),
-            (Shape::T, 12.7, [91.0, 29.0], 21.997),
-            (Shape::S, 12.7, [45.0, 45.0], 12.7),
-            (Shape::W, 12.7, [95.0, 5.0], 8.687),
-        ] {
-            let sharp = Tool { cutter: insert(shape, circle, [main, auxiliary], 0.0), ..rougher() };
-            let part = &sharp.outline(0.0002).unwrap().cutter[0];
-            let edges = |role: Role| {
-                let corners = part.polygon.corners();
-                let at = part.roles.iter().position(|other| *other == role).unwrap();
-                let step = corners[at].to(corners[(at + 1) % corners.len()]);
-                #[expect(clippy::cast_precision_loss, reason = "lengths of a few millimetres")]
-                crate::number::trig::hypot(step.z as f64 / UNITS, step.r as f64 / UNITS)
-            };
-            for role in [Role::Main, Role::Auxiliary] {
-                assert!((edges(role) - length).abs() < 0.001, "{shape:?} {} {length}", edges(role));
-                assert_eq!(part.roles.iter().filter(|other| **other == role).count(), 1);
+fn tools() -> Vec<Tool> {
+    let mut tools = Vec::new();
+    for hand in ["R", "L"] {
+        for (shape, IC, main, auxiliary) in OUTSIDE {
+            for R in NOSES {
+                let mut numbers = shank();
+                numbers.extend([("tools/IC", IC), ("tools/R", R), ("tools/phi1", main), ("tools/phi2", auxiliary)]);
+                tools.push(Tool {
+                    name: [
+                        format!("Exterior {shape} {main}° R{R} {hand}"),
+                        format!("External {shape} {main}° R{R} {hand}"),
+                    ],
+                    choices: vec![("tools/type", "external"), ("tools/shape", shape), ("tools/hand", hand)],
+                    numbers,
+                });
             }
         }
     }
-
-    #[test]
-    fn what_cannot_be_a_tool_is_refused_with_the_reason() {
-        for (tool, word) in [
-            (Tool { cutter: insert(Shape::C, 12.7, [95.0, 30.0], 0.8), ..rougher() }, "180°"),
-            (Tool { cutter: insert(Shape::V, 9.525, [93.0, 52.0], 9.0), ..rougher() }, "too large"),
-            (Tool { cutter: insert(Shape::C, 0.0, [95.0, 5.0], 0.8), ..rougher() }, "size"),
-            (Tool { holder: Holder::Bar { diameter: 16.0, length: 80.0, reach: 7.0 }, ..borer() }, "past the tip"),
-            (
-                Tool { cutter: Cutter::Drill { diameter: 10.0, point: 10.0, length: 50.0 }, ..drill(10.0, 50.0) },
-                "angle",
-            ),
-            (Tool { cutter: insert(Shape::C, f64::NAN, [95.0, 5.0], 0.8), ..rougher() }, "size"),
-        ] {
-            let why = tool.outline(0.0002).unwrap_err();
-            assert!(why.en.contains(word), "{why:?}");
+    for IC in [6.0, 8.0, 10.0] {
+        let mut numbers = shank();
+        numbers.push(("tools/IC", IC));
+        tools.push(Tool {
+            name: [format!("Placa redonda de {IC}"), format!("Round insert of {IC}")],
+            choices: vec![("tools/type", "external"), ("tools/shape", "R"), ("tools/hand", "N")],
+            numbers,
+        });
+    }
+    for (shape, IC, main, auxiliary, bar, reach) in INSIDE {
+        for R in [0.4, 0.8] {
+            tools.push(Tool {
+                name: [format!("Mandrinar {shape} {main}° R{R}"), format!("Boring {shape} {main}° R{R}")],
+                choices: vec![("tools/type", "internal"), ("tools/shape", shape), ("tools/hand", "R")],
+                numbers: vec![
+                    ("tools/IC", IC),
+                    ("tools/R", R),
+                    ("tools/phi1", main),
+                    ("tools/phi2", auxiliary),
+                    ("tools/b", bar),
+                    ("tools/l", 8.0 * bar),
+                    ("tools/c", reach),
+                    ("tools/Q_x", 0.0),
+                    ("tools/Q_z", 8.0 * bar + 40.0),
+                ],
+            });
         }
     }
+    for (kind, names) in [("groove", ["Ranurar", "Grooving"]), ("face-groove", ["Ranurar en la cara", "Face grooving"])]
+    {
+        for w in GROOVES {
+            let mut numbers = shank();
+            numbers.extend([("tools/w", w), ("tools/R", 0.2), ("tools/h", 6.0 * w)]);
+            tools.push(Tool {
+                name: names.map(|name| format!("{name} {w} mm")),
+                choices: vec![("tools/type", kind), ("tools/hand", "R")],
+                numbers,
+            });
+        }
+    }
+    for (angle, least, greatest, nose) in [(60.0, 0.5, 1.5, 0.05), (60.0, 1.0, 3.0, 0.1), (55.0, 0.9, 3.2, 0.15)] {
+        for hand in ["R", "L"] {
+            let mut numbers = shank();
+            numbers.extend([
+                ("tools/psi", angle),
+                ("tools/p_min", least),
+                ("tools/p_max", greatest),
+                ("tools/R", nose),
+                ("tools/h", 0.9 * greatest),
+            ]);
+            tools.push(Tool {
+                name: [
+                    format!("Roscar {angle}°, {least} a {greatest} mm, {hand}"),
+                    format!("Threading {angle}°, {least} to {greatest} mm, {hand}"),
+                ],
+                choices: vec![("tools/type", "thread"), ("tools/hand", hand)],
+                numbers,
+            });
+        }
+    }
+    for w in DRILLS {
+        let flutes = 6.0 * w;
+        tools.push(Tool {
+            name: [format!("Broca de {w}"), format!("Drill of {w}")],
+            choices: vec![("tools/type", "drill")],
+            numbers: vec![
+                ("tools/w", w),
+                ("tools/h", flutes),
+                ("tools/psi", 118.0),
+                ("tools/b", (w + 15.0).max(25.0)),
+                ("tools/l", flutes + 40.0),
+                ("tools/Q_x", 0.0),
+                ("tools/Q_z", flutes + 60.0),
+            ],
+        });
+    }
+    for [pilot, reach, body] in CENTRES {
+        tools.push(Tool {
+            name: [format!("Broca de centrar de {pilot}"), format!("Centre drill of {pilot}")],
+            choices: vec![("tools/type", "centre-drill")],
+            numbers: vec![
+                ("tools/w", pilot),
+                ("tools/h", reach),
+                ("tools/IC", body),
+                ("tools/b", 25.0),
+                ("tools/l", 50.0),
+                ("tools/Q_x", 0.0),
+                ("tools/Q_z", 70.0),
+            ],
+        });
+    }
+    tools
+}
+
+/// The rows of the catalogue, none of them mounted.
+#[must_use]
+pub fn rows(language: Language) -> Vec<Row> {
+    let row = |tool: Tool| {
+        let [es, en] = tool.name;
+        let name = match language {
+            Language::Es => es,
+            Language::En => en,
+        };
+        let mut values = BTreeMap::from([("tools/name", Value::Line(name))]);
+        values.extend(tool.choices.into_iter().map(|(key, choice)| (key, Value::Choice(choice))));
+        values.extend(tool.numbers.into_iter().map(|(key, number)| (key, Value::Real(number))));
+        Row { values, cells: BTreeMap::new() }
+    };
+    tools().into_iter().map(row).collect()
 }

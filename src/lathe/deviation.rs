@@ -93,6 +93,8 @@ pub fn deviation(contours: &[Ring], profile: &Profile) -> Option<Deviation> {
     let edges: Vec<[[f64; 2]; 2]> = (contours.iter())
         .flat_map(|ring| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)))
         .map(|(from, to)| [from, to])
+        // Along the axis a solid part has no surface.
+        .filter(|[from, to]| from[1] > 0.0 || to[1] > 0.0)
         .collect();
     let mut found = Deviation::default();
     let mut look = |at: [f64; 2]| {
@@ -173,6 +175,14 @@ mod tests {
         // The nearest surface to the place below the peak is the flank beside it.
         assert!((most - 0.04 * 0.06 / hypot(0.06, 0.04)).abs() < 1e-9, "{most}");
         assert!((place[0] + 20.06).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_pip_on_the_axis_is_as_much_metal_left_as_its_radius() {
+        let ring = vec![[-50.0, 0.0], [1.0, 0.0], [1.0, 0.2], [0.0, 0.2], [0.0, 10.0], [-50.0, 10.0]];
+        let profile = Profile { start: [0.0, 0.0], spans: vec![Span::Line([0.0, 10.0])] };
+        let found = deviation(&[ring], &profile).unwrap();
+        assert_eq!(found, Deviation { over: Some((0.2, [0.0, 0.0])), under: None });
     }
 
     #[test]

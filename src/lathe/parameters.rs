@@ -291,7 +291,15 @@ const HANDS: &[Choice] = &[
 ];
 
 const TOOLS: &[Parameter] = &[
-    whole("tools/T", "", Unit::Count, [1, 8], true, t("puesto de la torreta", "place in the turret"), NONE),
+    whole(
+        "tools/T",
+        "",
+        Unit::Count,
+        [1, 8],
+        false,
+        t("puesto de la torreta; vacío: no montada", "place in the turret; empty: not mounted"),
+        NONE,
+    ),
     whole("tools/D", "", Unit::Count, [1, 99], false, t("corrector; vacío: T", "offset; empty: T"), NONE),
     other("tools/name", "", Kind::Line { max: 60 }, false, t("nombre", "name"), NONE),
     other("tools/type", "", Kind::Choice(KINDS), true, t("tipo", "type"), NONE),
@@ -483,10 +491,10 @@ pub static FORM: Form = Form {
         List {
             key: TOOLS_KEY,
             naming: Naming::One(t("HERRAMIENTAS", "TOOLS")),
-            title: t("Herramientas de la torreta", "Tools of the turret"),
+            title: t("Herramientas", "Tools"),
             note: t(
-                "Una herramienta por fila, hasta ocho puestos. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control.",
-                "One tool a row, eight places at most. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control.",
+                "El catálogo: una herramienta por fila; las que llevan T están montadas en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control.",
+                "The catalogue: one tool a row; those with a T are mounted in that place of the turret, 1 to 8. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control.",
             ),
             optional: false,
             columns: TOOLS,
@@ -494,7 +502,7 @@ pub static FORM: Form = Form {
                 8.0, 9.0, 26.0, 15.0, 9.0, 11.0, 8.0, 9.0, 9.0, 12.0, 13.0, 10.0, 8.0, 8.0, 9.0, 12.0, 12.0, 11.0,
                 11.0, 13.0, 13.0,
             ],
-            most: 99,
+            most: 500,
         },
         List {
             key: PROGRAM_KEY,

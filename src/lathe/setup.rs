@@ -318,7 +318,7 @@ fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
 }
 
 /// What a tool needs and its row does not have: the cell is empty, or the sheet has no such column.
-fn lost(row: &Row, key: &'static str) -> Finding {
+fn lost(row: &Row, key: &'static str) -> Box<Finding> {
     let (T, symbol) = (row.whole("tools/T").unwrap_or_default(), key.rsplit('/').next().unwrap_or(key));
     let what = Text::new(format!("la herramienta {T} necesita {symbol}"), format!("tool {T} needs {symbol}"));
     let cell = row.cell(key);
@@ -327,13 +327,13 @@ fn lost(row: &Row, key: &'static str) -> Finding {
             format!("la hoja no tiene la columna {symbol}: escriba su título y los valores"),
             format!("the sheet has no column {symbol}: write its heading and the values"),
         );
-        return Finding::stop(Place::Cells(row.cell("tools/T")), what, remedy);
+        return Box::new(Finding::stop(Place::Cells(row.cell("tools/T")), what, remedy));
     }
     let remedy = match key {
         "tools/shape" => Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832"),
         _ => Text::fixed("rellene la celda", "fill the cell in"),
     };
-    Finding::stop(Place::Cells(cell), what, remedy)
+    Box::new(Finding::stop(Place::Cells(cell), what, remedy))
 }
 
 /// The tool of a row.

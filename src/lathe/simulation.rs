@@ -78,8 +78,6 @@ pub struct Simulation {
     watch: Watch,
     totals: Totals,
     steps: usize,
-    /// The motion before was a thread's pass: its groove goes on at the angle where the tool leaves it.
-    in_groove: bool,
     contour: Ring,
     /// The thread that the last motion cut.
     led: Option<Led>,
@@ -191,7 +189,6 @@ impl Simulation {
             watch: Watch::default(),
             totals: Totals::default(),
             steps: 0,
-            in_groove: false,
             contour: Ring::new(),
             led: None,
             pieces: Vec::new(),
@@ -256,17 +253,8 @@ impl Simulation {
         travel(&mut tally, &pieces, [reference[0] - to[0], reference[1] - to[1]], lathe);
 
         let mut contact = Contact::default();
-        // Straight out of the end of a thread the tool follows the groove that it has just cut, between two of the ribs.
-        let leaves_groove = self.in_groove
-            && motion.kind == Kind::Rapid
-            && motion.from.get(Axis::Z) == motion.to.get(Axis::Z)
-            && motion.to.get(Axis::X).abs() != motion.from.get(Axis::X).abs();
-        self.in_groove = matches!(motion.kind, Kind::Thread(_));
-        let removed = if leaves_groove || pieces.is_empty() {
-            Removed::default()
-        } else {
-            self.cut(&pieces, control, &mut contact, &mut tally)
-        };
+        let removed =
+            if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
         self.judge(control, &pieces, &contact, &mut tally);
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);

@@ -113,9 +113,12 @@ impl Total {
         }
         self.volume += step.removed.volume;
         self.parted += step.removed.parted;
-        self.depth = self.depth.max(step.depth);
-        self.rate = self.rate.max(step.rate.unwrap_or(0.0));
-        self.cutting_speed = self.cutting_speed.max(step.cutting_speed);
+        // Metal at rapid is an alarm and no cut.
+        if step.motion.kind != Kind::Rapid {
+            self.depth = self.depth.max(step.depth);
+            self.rate = self.rate.max(step.rate.unwrap_or(0.0));
+            self.cutting_speed = self.cutting_speed.max(step.cutting_speed);
+        }
     }
 }
 

@@ -146,7 +146,7 @@ impl<'a> Terms<'a> {
         let limit = Text::same(format!("T{} D{}, M4, S{}, F{}", blank.T_b, blank.D_b, blank.S_b, shown(blank.F_b, 3)));
         let terms = Check::passed("blank-terms", name, program, value, limit.clone());
         let none = Text::fixed("ningún movimiento con avance", "no motion at feed");
-        let wrong = self.wrong.clone().or_else(|| (count == 0).then(|| (At { line: 1, n: None, point: None }, none)));
+        let wrong = self.wrong.clone().or_else(|| (count == 0).then_some((At { line: 1, n: None, point: None }, none)));
         let terms = match wrong {
             None => terms,
             Some((at, found)) => terms.at(Some(at)).found(
@@ -250,16 +250,14 @@ impl Over {
     fn take(&mut self, motion: &Motion, control: &Control) {
         for (way, simulation) in self.ways.iter_mut().enumerate() {
             for alarm in simulation.take(motion, control).alarms {
-                match alarm.cause {
-                    Cause::RapidInMetal => {
-                        if self.rapid.is_none_or(|deepest| alarm.depth > deepest.depth) {
-                            self.rapid = Some(alarm);
-                        }
+                if alarm.cause == Cause::RapidInMetal {
+                    if self.rapid.is_none_or(|deepest| alarm.depth > deepest.depth) {
+                        self.rapid = Some(alarm);
                     }
-                    // Whether it is needed, the material says.
-                    Cause::NoCoolant => {}
-                    _ if way == 0 => self.other.get_or_insert((alarm, 0)).1 += 1,
-                    _ => {}
+                } else if way == 0 && alarm.cause.grade() > Grade::Note {
+                    // Notes are of the coolant, which the material asks for or not, and of pieces that fall off: the pip
+                    // that is left on the axis does, and what should not is missing from the contour.
+                    self.other.get_or_insert((alarm, 0)).1 += 1;
                 }
             }
         }
@@ -353,9 +351,8 @@ fn others(first: Option<(Alarm, usize)>, program: &Program) -> Check {
     match first {
         None => check,
         Some((alarm, _)) => {
-            let verdict = if alarm.cause.grade() == Grade::Note { Verdict::Note } else { Verdict::Caution };
             let at = At { line: alarm.line, n: alarm.n, point: None };
-            check.at(Some(at)).found(verdict, alarm.finding().what, alarm.cause.remedy())
+            check.at(Some(at)).found(Verdict::Caution, alarm.finding().what, alarm.cause.remedy())
         }
     }
 }

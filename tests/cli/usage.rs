@@ -17,8 +17,11 @@ fn a_wrong_command_line_ends_with_2_and_says_how_it_is_meant() {
         (&["build", "a.xlsx", "--lang", "de"], "[possible values: es, en]"),
         (&["build", "a.xlsx", "--json", "--json"], "cannot be used multiple times"),
         (&["build", "a.xlsx", "-o", "x", "-o", "y"], "cannot be used multiple times"),
-        (&["new", "propeller"], "[possible values: impeller, pipe-insert, pipe-hole]"),
-        (&["new", "impeller", "a.xlsx", "--case", "x"], "[possible values: full, tfg-2021, square, 3on4-2023, set-in]"),
+        (&["new", "propeller"], "[possible values: impeller, pipe-insert, pipe-hole, lathe]"),
+        (
+            &["new", "impeller", "a.xlsx", "--case", "x"],
+            "[possible values: full, tfg-2021, square, 3on4-2023, set-in, shaft, blank]",
+        ),
         (&["new", "impeller", "a.ods"], "give a name like impeller.xlsx"),
     ];
     for (arguments, hint) in cases {
@@ -58,7 +61,8 @@ fn help_and_version_end_with_0() {
             "rodete {}\n\
              workbook impeller: schema rodete-impeller 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
              workbook pipe-insert: schema rodete-pipe-insert 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
-             workbook pipe-hole: schema rodete-pipe-hole 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n",
+             workbook pipe-hole: schema rodete-pipe-hole 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
+             workbook lathe: schema rodete-lathe 1\ndialects: fanuc-lathe-a, fagor-8055-t\n",
             env!("CARGO_PKG_VERSION")
         ));
     }

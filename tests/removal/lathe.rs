@@ -7,8 +7,10 @@ use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::step::Step;
 use rodete::lathe::stock::Stock;
 use rodete::lathe::tool::{Cutter, Shape, Tool};
-use rodete::lathe::{catalogue, turret::Turret};
+use rodete::lathe::turret::Turret;
 use rodete::machine::axis::{Axis, Pose};
+
+use super::tools;
 
 /// A bar of D 50 that stands 100 mm out of the jaws, W1 on its face.
 pub fn bar() -> Stock {
@@ -18,12 +20,12 @@ pub fn bar() -> Stock {
 /// A turning tool with a sharp tip.
 pub fn sharp() -> Tool {
     let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 93.0, auxiliary: 52.0, nose: 0.0 };
-    Tool { cutter, ..catalogue::copier() }
+    Tool { cutter, ..tools::copier() }
 }
 
 /// The usual turret with the tools at hand in front: T9 has a sharp tip.
 pub fn turret() -> Turret {
-    let mut turret = catalogue::turret();
+    let mut turret = tools::turret();
     turret.tools.insert(9, sharp());
     turret
 }
@@ -99,7 +101,7 @@ impl Run {
     pub fn arc(self, x: f64, z: f64, centre: [f64; 2], sweep: f64) -> Self {
         let feed = self.feed();
         let centre = [centre[1], centre[0] / 2.0];
-        let radius = ((self.at[1] - centre[0]).powi(2) + (self.at[0] - centre[1]).powi(2)).sqrt();
+        let radius = rodete::number::trig::hypot(self.at[1] - centre[0], self.at[0] - centre[1]);
         let turns = if sweep < 0.0 { -1 } else { 1 };
         let arc = Arc { plane: Plane::ZX, centre, turns, radius, sweep: sweep.to_radians(), rotation: 0.0 };
         self.go(Kind::Arc(arc, feed), [x, z])

@@ -37,12 +37,12 @@ fn a_thread_has_ribs_of_its_pitch_and_depth_and_passes_meet_in_the_grooves() {
         let ring = &run.simulation.contours()[0];
         // The lowest points: local least radius between the crests.
         let mut lows: Vec<f64> = Vec::new();
-        for at in 1..ring.len() - 1 {
-            if ring[at][1] < 23.801 && ring[at][0] < 1.0 && ring[at][0] > -30.0 && ring[at][1] > 1.0 {
-                let z = ring[at][0];
-                if lows.last().is_none_or(|last: &f64| (last - z).abs() > 0.3) {
-                    lows.push(z);
-                }
+        for &[z, r] in ring {
+            if (1.0..23.801).contains(&r)
+                && (-30.0..1.0).contains(&z)
+                && lows.last().is_none_or(|last| (last - z).abs() > 0.3)
+            {
+                lows.push(z);
             }
         }
         lows.sort_by(f64::total_cmp);
@@ -69,6 +69,18 @@ fn a_thread_has_ribs_of_its_pitch_and_depth_and_passes_meet_in_the_grooves() {
     // Half a lead on, a second start.
     let double = pass(again, 47.6, 5.0);
     assert_eq!(grooves(&double).len(), 22 - 1, "{:?}", grooves(&double));
+}
+
+#[test]
+fn a_thread_in_two_blocks_is_one_thread() {
+    let start = || Run::new(bar()).tool(4).rapid(60.0, 4.0).rapid(49.0, 4.0);
+    let one = start().thread(49.0, -21.3, 1.5).rapid(60.0, -21.3);
+    let two = start().thread(49.0, -7.1, 1.5).thread(49.0, -21.3, 1.5).rapid(60.0, -21.3);
+    assert!((one.simulation.volume() - two.simulation.volume()).abs() < 1e-6);
+    assert!(one.alarms().is_empty() && two.alarms().is_empty());
+    // Out of the thread straight up is free, farther in is not.
+    let inward = start().thread(49.0, -21.3, 1.5).rapid(40.0, -21.3);
+    assert!(inward.alarms().contains(&101), "{:?}", inward.alarms());
 }
 
 #[test]

@@ -37,6 +37,7 @@ impl<'l> Cursor<'l> {
 
     /// The next character that counts, in lower case, without passing it; 0 at the end of the block, and of a NUL 1, which
     /// no block may hold either.
+    #[inline]
     pub(super) fn peek(&mut self) -> u8 {
         loop {
             match self.line.get(self.at) {

@@ -465,7 +465,11 @@ impl Interpreter<'_> {
             seconds,
         };
         self.current = to;
-        self.hand_out(motion);
+        if self.reading.diameter {
+            self.hand_out(motion);
+        } else {
+            self.queue.push_back(Ok((motion, self.modal.control())));
+        }
     }
 }
 

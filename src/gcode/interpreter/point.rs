@@ -23,6 +23,7 @@ const WHOLE: Letters = Letters::of("LPQ");
 
 impl Interpreter<'_> {
     /// Marks a number without a decimal point, and refuses a decimal point where none may be.
+    #[inline(never)]
     pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Outcome<()> {
         if number.point && WHOLE.has(index) {
             let name = char::from(b'A' + index);
@@ -45,6 +46,7 @@ impl Interpreter<'_> {
     }
 
     /// Gives the numbers of the block that have no decimal point their value.
+    #[inline(never)]
     pub(super) fn settle_points(&mut self) -> Outcome<()> {
         if self.block.g(Group::NonModal) == Some(G::Turning(Turning::Repeat)) && !self.block.has(letter::P) {
             // How many times.

@@ -35,6 +35,7 @@ fn name(letter: u8) -> char {
     char::from(letter.to_ascii_uppercase())
 }
 
+#[cold]
 fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
     Fault::at(
         &[first, second],
@@ -160,6 +161,7 @@ impl Interpreter<'_> {
         ))
     }
 
+    #[cold]
     fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
         let dialect = self.setting.dialect.name;
         Fault::at(
@@ -219,6 +221,7 @@ impl Interpreter<'_> {
         self.block.put(index.into(), value, column).map_err(|first| twice(name(letter), first, column))
     }
 
+    #[cold]
     fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
         let (name, dialect) = (name(letter), self.setting.dialect.name);
         if self.reading.refused_letters.has(letter - b'a') {

@@ -124,11 +124,9 @@ impl Line {
         if one.cross(two) != 0 || one.dot(two) <= 0 {
             return false;
         }
-        // Parallel: c is the distance from the origin by the length of (a, b), which are in one ratio.
-        let (share, wide) =
-            if self.a.abs() > self.b.abs() { ((self.a, other.a), true) } else { ((self.b, other.b), false) };
-        debug_assert!(share.0 != 0 && share.1 != 0, "a line without direction, steep: {wide}");
-        i128::from(self.c) * i128::from(share.1) == i128::from(other.c) * i128::from(share.0)
+        // Parallel: c is the distance from the origin by the length of (a, b), and these are in one ratio.
+        let share = if self.a.abs() > self.b.abs() { [self.a, other.a] } else { [self.b, other.b] };
+        i128::from(self.c) * i128::from(share[1]) == i128::from(other.c) * i128::from(share[0])
     }
 
     /// On which side the point is where two other lines meet, which must not be parallel: `Greater` to the left.
@@ -152,7 +150,7 @@ impl Line {
     /// The sign of a x + b y + c w where floating point is sure of it.
     fn rough(self, one: Self, two: Self) -> Option<Ordering> {
         #[expect(clippy::cast_precision_loss, reason = "the bound allows for it")]
-        let [a, b, c] = [self, one, two].map(|line| [line.a as f64, line.b as f64, line.c as f64]).map(|line| line);
+        let [a, b, c] = [self, one, two].map(|line| [line.a as f64, line.b as f64, line.c as f64]);
         let products = [
             (a[0] * b[1] * c[2], a[0] * c[1] * b[2]),
             (a[1] * b[2] * c[0], a[1] * c[2] * b[0]),
