@@ -2,6 +2,7 @@
 
 mod common;
 
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,14 +11,16 @@ use calamine::{Data, Reader, Xlsx, open_workbook};
 use rodete::impeller::cases::CASES;
 use rodete::impeller::parameters::FORM;
 use rodete::job::{self, Source};
+use rodete::lathe::parameters as lathe;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
+use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
 use rodete::pipe::hole::parameters as hole;
 use rodete::pipe::insert::parameters as insert;
 use rodete::text::Language;
 use rodete::workbook::offsets_table::OffsetsTable;
-use rodete::workbook::{offsets_sheet, results, template};
+use rodete::workbook::{self, offsets_sheet, results, template};
 
 /// LibreOffice takes a second or two; a hang is ended after this many.
 const DEADLINE: &str = "120";
@@ -79,7 +82,7 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
             let outcome = common::outcome(case.name, std::slice::from_ref(&hostile));
             results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
         }
-        for form in [&insert::FORM, &hole::FORM] {
+        for form in [&insert::FORM, &hole::FORM, &lathe::FORM] {
             for case in form.cases {
                 let name = format!("{}-{}-{}", form.kind, case.name, language.code());
                 let filled = case.values(language);
@@ -94,6 +97,7 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
                 .expect("a form");
                 let mut values = Values { language, ..Values::default() };
                 values.values.extend(filled);
+                values.lists = (case.listed)(language);
                 values.values.insert(hostile.0, hostile.1.clone());
                 let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
                 let outcome = job::run(form, values, source).expect("an outcome");
@@ -135,6 +139,35 @@ fn offsets_come_back_from_libreoffice_to_the_last_digit() {
     back.complete();
     table.apply(&mut back).expect("values of a var file");
     assert_eq!(back.text(), file.text());
+}
+
+#[test]
+fn the_lists_of_a_lathe_come_back_from_libreoffice_row_by_row() {
+    if !libreoffice() {
+        return;
+    }
+    // What a spreadsheet would take for a number, a formula, a date or a share, if it were not text.
+    let odd = ["%", "=1/0", "0001", "1E5", "+G1", "-5", "1/2", "12:30", "TRUE", "'N5", "#1=2", "X1,5", "(ángulo φ)"];
+    let block = |text: &&str| Row {
+        values: [("program/BLOCK", Value::Line((*text).to_owned()))].into(),
+        cells: BTreeMap::new(),
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    for (case, language) in lathe::FORM.cases.iter().flat_map(|case| Language::ALL.map(|language| (case, language))) {
+        let path = folder.path().join(format!("{}-{}.xlsx", case.name, language.code()));
+        let mut lists = (case.listed)(language);
+        lists.push(Rows { list: "subprogram", sheet: "O0005".to_owned(), rows: odd.iter().map(block).collect() });
+        let to = std::fs::File::create(&path).expect("a file");
+        template::write(&lathe::FORM, &case.values(language), &lists, &case.note, language, to).expect("a form");
+        let read = |path: &Path| {
+            let bytes = std::fs::read(path).expect("a workbook");
+            workbook::read(&bytes, &[&lathe::FORM]).expect("a sound workbook").values
+        };
+        let (before, after) = (read(&path), read(&converted(&path, "xlsx:Calc MS Excel 2007 XML", "xlsx")));
+        assert_eq!(before.values, after.values);
+        assert!(before.lists.len() >= 3 && before.lists.iter().any(|rows| rows.rows.len() == odd.len()));
+        assert_eq!(before.lists, after.lists, "{path:?}");
+    }
 }
 
 #[test]

@@ -20,15 +20,14 @@ pub(super) fn parse(text: &str) -> Result<Stock, String> {
     for part in text.split(['x', 'X']) {
         let wrong = || format!("'{part}' is no size: write D, L or d and a number in mm, as D50xL100");
         let mut letters = part.chars();
-        let letter = letters.next().ok_or_else(wrong)?;
+        let letter = letters.next().filter(|letter| matches!(letter, 'D' | 'L' | 'd')).ok_or_else(wrong)?;
         let digits = letters.as_str();
         let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
         let value: f64 = digits.parse().ok().filter(|_| plain).ok_or_else(wrong)?;
         let slot = match letter {
             'D' => &mut D,
             'L' => &mut L,
-            'd' => &mut d,
-            _ => return Err(wrong()),
+            _ => &mut d,
         };
         if !(0.1..=1000.0).contains(&value) {
             return Err(format!("{part} is out of range: from 0.1 to 1000 mm"));

@@ -66,25 +66,29 @@ fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusa
     let mut file = workbook::open_program(input)?;
     let package = file.fill_buf().is_ok_and(|head| head.starts_with(PACKAGE));
     let title = printable(&input.file_name().unwrap_or_default().to_string_lossy());
+    let dialect = turned(control)?;
+    if arguments.stock.is_some() && (package || dialect.is_none()) {
+        return Err(no_stock());
+    }
     let scene = if package {
         drop(file);
-        of_workbook(arguments, title, verdict)?
-    } else if let Some(dialect) = turned(control)? {
-        Some(of_turning(arguments, title, dialect, verdict)?)
+        placed(of_workbook(arguments, title, verdict), verdict)
+    } else if let Some(dialect) = dialect {
+        placed(of_turning(arguments, title, dialect, verdict).map(Some), verdict)
     } else {
         Some(of_program(arguments, title, &mut file, verdict)?)
     };
-    if arguments.stock.is_some() && (package || !scene.as_ref().is_some_and(cut_away)) {
-        return Err(no_stock());
-    }
     let Some(scene) = scene else { return Ok(Vec::new()) };
     set.write(&name, |out| view::write(&scene, out))?;
     set.commit()
 }
 
-/// True where the scene shows metal that goes.
-fn cut_away(scene: &Scene) -> bool {
-    scene.programs.iter().any(|program| program.turning.is_some())
+/// The scene; what refuses it goes to the verdict, whose findings are told with their places in the input.
+fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Verdict) -> Option<Scene> {
+    scene.unwrap_or_else(|refusal| {
+        verdict.refuse(refusal);
+        None
+    })
 }
 
 fn no_stock() -> Refusal {

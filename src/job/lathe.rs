@@ -22,6 +22,7 @@ use crate::lathe::stock::turned_about;
 use crate::lathe::text;
 use crate::machine::axis::Position;
 use crate::number::shown;
+use crate::number::trig::hypot;
 use crate::parameter::list::Row;
 use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
@@ -29,6 +30,9 @@ use crate::text::Text;
 
 /// Most findings of one program; the rest is counted. The table of alarms has them all.
 const MOST: usize = 50;
+
+/// Most motions of one program: each has a row on the sheet of motions.
+const MOST_MOTIONS: usize = 1_000_000;
 
 /// How far the facets of the solid may be from the round part, mm.
 const TOLERANCE: f64 = 0.01;
@@ -143,6 +147,11 @@ fn follow(
     let (mut faults, mut total) = (Vec::new(), 0);
     while let Some(item) = interpreter.next() {
         match item {
+            Ok(motion) if one.rows.len() == MOST_MOTIONS => {
+                one.endless = true;
+                faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
+                break;
+            }
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
@@ -183,6 +192,22 @@ fn follow(
     one.findings.extend(alarms(&one.alarms));
     one.drawn.part = one.simulation.contours();
     Ok(one)
+}
+
+/// The stop of a program of more motions than a sheet has rows.
+fn too_many(file: Option<&str>, line: usize) -> Finding {
+    let place = match file {
+        None => Place::Line { line, columns: Vec::new() },
+        Some(file) => Place::Subprogram { file: file.to_owned(), line, columns: Vec::new() },
+    };
+    Finding::stop(
+        place,
+        Text::new(
+            format!("el programa hace más de {MOST_MOTIONS} movimientos"),
+            format!("the program makes more than {MOST_MOTIONS} motions"),
+        ),
+        t("divídalo, o repita menos los subprogramas", "split it, or repeat its subprograms less often"),
+    )
 }
 
 /// The alarms as findings: of one number on one line the deepest, the gravest first, at most so many.
@@ -277,13 +302,24 @@ fn outcome(
 /// The wanted profile of the sheet; `None` where there is none.
 ///
 /// # Errors
-/// The cells of an arc without a radius, or one that does not reach its end.
+/// The cells of a profile that has one point only, and of an arc without a radius or one that does not reach its end.
 fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
     let rows = values.rows(PROFILE_KEY);
     let point =
         |row: &Row| [row.real("profile/Z").unwrap_or_default(), row.real("profile/X").unwrap_or_default() / 2.0];
+    let stop =
+        |row: &Row, key: &str, what, remedy| Err(Box::new(Finding::stop(Place::Cells(row.cell(key)), what, remedy)));
     let Some((first, rest)) = rows.split_first() else { return Ok(None) };
+    if rest.is_empty() {
+        return stop(
+            first,
+            "profile/G",
+            t("el perfil tiene un solo punto", "the profile has one point only"),
+            t("escriba también dónde termina, o borre la fila", "write where it ends too, or delete the row"),
+        );
+    }
     let mut profile = Profile { start: point(first), spans: Vec::new() };
+    let mut from = profile.start;
     for row in rest {
         let to = point(row);
         let clockwise = match row.choice("profile/G") {
@@ -291,21 +327,43 @@ fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
             Some("3") => false,
             _ => {
                 profile.spans.push(Span::Line(to));
+                from = to;
                 continue;
             }
         };
-        let span = row.real("profile/R").map(|radius| Span::Arc { to, radius, clockwise });
-        profile.spans.extend(span);
-        if span.is_none() || profile.points().is_none() {
-            return Err(Box::new(Finding::stop(
-                Place::Cells(row.cell("profile/R")),
-                t(
-                    "el arco del perfil no llega a su final con este radio",
-                    "the arc of the profile does not reach its end with this radius",
+        let Some(radius) = row.real("profile/R") else {
+            return stop(
+                row,
+                "profile/R",
+                t("el arco del perfil no tiene radio", "the arc of the profile has no radius"),
+                t("escriba el radio", "write the radius"),
+            );
+        };
+        let span = Span::Arc { to, radius, clockwise };
+        if (Profile { start: from, spans: vec![span] }).points().is_none() {
+            let chord = hypot(to[0] - from[0], to[1] - from[1]);
+            let [r, c, half] = [radius, chord, chord / 2.0].map(|value| shown(value, 3));
+            return stop(
+                row,
+                "profile/R",
+                Text::new(
+                    format!("el arco del perfil tiene {r} mm de radio y su cuerda mide {c} mm: no llega a su final"),
+                    format!(
+                        "the arc of the profile has a radius of {r} mm and a chord of {c} mm: it does not reach its end"
+                    ),
                 ),
-                t("dé un radio de al menos media cuerda", "give a radius of at least half the chord"),
-            )));
+                if chord > 0.0 {
+                    Text::new(
+                        format!("dé un radio de al menos {half} mm"),
+                        format!("give a radius of at least {half} mm"),
+                    )
+                } else {
+                    t("corrija X y Z: el arco termina donde empieza", "correct X and Z: the arc ends where it begins")
+                },
+            );
         }
+        profile.spans.push(span);
+        from = to;
     }
     Ok(Some(profile))
 }

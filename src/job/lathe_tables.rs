@@ -70,6 +70,12 @@ fn turning(control: &Control) -> bool {
 }
 
 impl Rows {
+    /// How many there are.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.line.len()
+    }
+
     /// Adds the row of a motion.
     pub fn push(&mut self, step: &Step, lines: &Lines) {
         let motion = &step.motion;

@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::frame::Frame;
-use super::kept::MOST_MOTIONS;
 use super::program::Program;
 use super::scene::{Remark, Scene, Shape, Tool};
 use super::turning::{Fixture, Turning};
@@ -99,16 +98,6 @@ impl Watching {
             program.shift = [r - motion.to.get(Axis::X), 0.0, z - motion.to.get(Axis::Z)];
         }
         let index = program.motions();
-        if index == MOST_MOTIONS {
-            let note = Text::new(
-                format!("sólo se muestran los primeros {MOST_MOTIONS} movimientos"),
-                format!("only the first {MOST_MOTIONS} motions are shown"),
-            );
-            if !program.notes.contains(&note) {
-                program.notes.push(note);
-            }
-            return;
-        }
         program.push(&motion, &step.control);
         if (step.removed.volume > 0.0 || step.removed.parted > 0.0)
             && let Some(turning) = &mut program.turning

@@ -1,0 +1,241 @@
+//! The command `simulate`: its document, its files, its arguments.
+
+use std::fs;
+use std::path::Path;
+
+use rodete::text::Language;
+use serde_json::Value as Json;
+use tempfile::TempDir;
+
+use crate::bench::{Book, Said, lines, program, run};
+
+const TURNS: &str = "G0 X46.|G1 Z-20. F0.2|U8.|G0 Z2.";
+const RAPID: &str = "G0 X40. Z-10.|G0 X54.";
+const DIALECT: [&str; 4] = ["simulate", "p.nc", "--dialect", "fanuc-lathe-a"];
+
+fn bench(blocks: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.nc"), program(blocks).join("\n")).unwrap();
+    folder
+}
+
+fn simulate(folder: &Path, more: &[&str]) -> Said {
+    run(folder, &[&DIALECT, more].concat())
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> =
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn the_document_has_these_keys_and_these_units() {
+    let folder = bench(TURNS);
+    let said = simulate(folder.path(), &["--stock", "D50xL120", "--json"]);
+    assert_eq!((said.exit, said.err.as_str()), (0, ""));
+    let document: Json = serde_json::from_str(&said.out).unwrap();
+    let keys: Vec<_> = document.as_object().unwrap().keys().map(String::as_str).collect();
+    assert_eq!(
+        keys,
+        [
+            "command", "dialect", "exit", "files", "findings", "motions", "program", "rodete", "sha256", "status",
+            "stock", "totals"
+        ]
+    );
+    for (key, wanted) in
+        [("command", "simulate"), ("dialect", "fanuc-lathe-a"), ("status", "done"), ("stock", "D50xL120")]
+    {
+        assert_eq!(document[key], wanted);
+    }
+    let totals = document["totals"].as_object().unwrap();
+    assert_eq!(
+        totals.keys().collect::<Vec<_>>(),
+        [
+            "alarms",
+            "cutting_time_s",
+            "greatest_cutting_speed_m_min",
+            "greatest_depth_mm",
+            "greatest_removal_rate_cm3_min",
+            "part_volume_mm3",
+            "parted_volume_mm3",
+            "rapid_time_s",
+            "removed_volume_mm3",
+            "stops",
+            "time_s"
+        ]
+    );
+    let total = |key: &str| totals[key].as_f64().unwrap();
+    let bar = std::f64::consts::PI / 4.0 * 2500.0 * 120.0;
+    assert!((total("part_volume_mm3") + total("removed_volume_mm3") - bar).abs() < 1e-3);
+    // S 900 1/min: 20 mm of cut and 2 mm before it at 0.2 mm a revolution.
+    assert!((total("greatest_cutting_speed_m_min") - std::f64::consts::PI * 0.05 * 900.0).abs() < 8.0);
+    assert!((total("greatest_depth_mm") - 2.0).abs() < 0.5, "{}", total("greatest_depth_mm"));
+    assert!(total("cutting_time_s") > 6.6 && total("cutting_time_s") < 9.0, "{}", total("cutting_time_s"));
+    assert!(total("time_s") > total("cutting_time_s") + total("rapid_time_s"));
+    // Seven to the bar and along it, one away, and a pass of four.
+    assert_eq!(document["motions"], 6);
+}
+
+#[test]
+fn nothing_is_written_without_a_folder() {
+    let folder = bench(TURNS);
+    assert_eq!(simulate(folder.path(), &["--stock", "D50xL120"]).exit, 0);
+    assert_eq!(names(folder.path()), ["p.nc"]);
+}
+
+#[test]
+fn a_program_that_an_alarm_stops_is_delivered_with_what_shows_why() {
+    let folder = bench(RAPID);
+    let said = simulate(folder.path(), &["--stock", "D50xL120", "-o", "out", "--json"]);
+    assert_eq!(said.exit, 3);
+    let document: Json = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(document["status"], "refused");
+    // All but the program: it is not to be run.
+    let wanted = ["p-contour.dxf", "p-contour.svg", "p-part.stl", "p-results.xlsx", "p-viewer.html"];
+    assert_eq!(names(&folder.path().join("out")), wanted);
+    let mut told: Vec<_> =
+        document["files"].as_array().unwrap().iter().map(|file| file["name"].as_str().unwrap()).collect();
+    told.sort_unstable();
+    assert_eq!(told, wanted);
+    let page = fs::read_to_string(folder.path().join("out/p-viewer.html")).unwrap();
+    assert!(page.contains("\"number\":101"));
+}
+
+#[test]
+fn the_same_program_gives_the_same_files() {
+    let folder = bench(TURNS);
+    for out in ["one", "two"] {
+        assert_eq!(simulate(folder.path(), &["--stock", "D50xL120", "-o", out]).exit, 0);
+    }
+    let names = names(&folder.path().join("one"));
+    assert_eq!(names.len(), 6);
+    for name in names {
+        let read = |out: &str| fs::read(folder.path().join(out).join(&name)).unwrap();
+        assert_eq!(read("one"), read("two"), "{name}");
+    }
+}
+
+#[test]
+fn a_stock_that_is_none_is_refused_before_anything_is_read() {
+    let folder = bench(TURNS);
+    for (stock, why) in [
+        ("50x100", "'50' is no size"),
+        ("D50", "D and L must both be given"),
+        ("D50xL0", "L0 is out of range"),
+        ("D5000xL100", "D5000 is out of range"),
+        ("D50xL100xd50", "the bore d must be less than D"),
+        ("D50xL100xL2", "L is given twice"),
+        ("D50,5xL100", "'D50,5' is no size"),
+        ("DnanxL100", "'Dnan' is no size"),
+        ("D-50xL100", "'D-50' is no size"),
+    ] {
+        let said = simulate(folder.path(), &["--stock", stock, "-o", "out"]);
+        assert_eq!((said.exit, said.out.as_str()), (2, ""), "{stock}");
+        assert!(said.err.contains("--stock <STOCK>") && said.err.contains(why), "{stock}: {}", said.err);
+    }
+    assert_eq!(names(folder.path()), ["p.nc"]);
+}
+
+#[test]
+fn a_workbook_of_tools_is_named_where_it_is_wrong() {
+    let folder = bench(TURNS);
+    assert_eq!(run(folder.path(), &["new", "impeller", "other.xlsx"]).exit, 0);
+    let comma = Book::of(Language::En).change("tools", |rows| {
+        rows[0].values.insert("tools/R", rodete::parameter::Value::Line("0,8".to_owned()));
+    });
+    fs::write(folder.path().join("comma.xlsx"), comma.bytes()).unwrap();
+    let long = Book::of(Language::En).put("L4", rodete::parameter::Value::Real(200.0));
+    fs::write(folder.path().join("held.xlsx"), long.bytes()).unwrap();
+    for (tools, exit, what) in [
+        ("other.xlsx", 3, "error: other.xlsx: schema is \"rodete-impeller 1\"; this program reads \"rodete-lathe 1\""),
+        ("p.nc", 4, "error: p.nc: this is not an .xlsx workbook"),
+        ("missing.xlsx", 4, "error: cannot open missing.xlsx: no such file"),
+        (".", 4, "error: cannot open .: it is a folder"),
+        ("comma.xlsx", 3, "error: comma.xlsx: R (nose radius) is the text \"0,8\", not a number"),
+        ("held.xlsx", 3, "error: held.xlsx: L4 is 200 mm, must be less than L = 120 mm"),
+    ] {
+        let said = simulate(folder.path(), &["--tools", tools, "-o", "out"]);
+        assert_eq!(said.exit, exit, "{tools}");
+        assert!(said.err.starts_with(what) && said.err.contains("hint: "), "{tools}: {}", said.err);
+    }
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
+fn the_workbook_of_tools_gives_stock_machine_and_rule() {
+    let folder = bench("G0 X46|G1 Z-20. F0.2|U8.|G0 Z2.");
+    fs::write(folder.path().join("part.xlsx"), Book::of(Language::En).bytes()).unwrap();
+    let with = |more: &[&str]| {
+        let said = simulate(folder.path(), &[&["--tools", "part.xlsx", "--json"], more].concat());
+        serde_json::from_str::<Json>(&said.out).unwrap()
+    };
+    let document = with(&[]);
+    assert_eq!(
+        (document["exit"].as_u64(), document["stock"].as_str()),
+        (Some(0), Some("D50xL120")),
+        "{:?}",
+        lines(&document)
+    );
+    assert!(lines(&document).contains(&"note 6:4 dimensions without decimal point, read as mm".to_owned()));
+    assert_eq!(with(&["--stock", "D50xL90"])["stock"], "D50xL90");
+    assert!(lines(&with(&["--decimal-point", "micrometre"])).iter().any(|line| line.contains("least increments")));
+}
+
+#[test]
+fn no_input_is_written_over() {
+    let folder = bench(TURNS);
+    // The results of one program would replace the workbook that its machine is read from.
+    fs::write(folder.path().join("p-results.xlsx"), Book::of(Language::En).bytes()).unwrap();
+    let before = fs::read(folder.path().join("p-results.xlsx")).unwrap();
+    let said = simulate(folder.path(), &["--tools", "p-results.xlsx", "-o", "."]);
+    assert_eq!(said.exit, 2, "{}", said.err);
+    assert!(said.err.contains("p-results.xlsx"), "{}", said.err);
+    assert_eq!(fs::read(folder.path().join("p-results.xlsx")).unwrap(), before);
+    assert_eq!(names(folder.path()), ["p-results.xlsx", "p.nc"]);
+    let said = simulate(folder.path(), &["--stock", "D50xL120", "-o", "p.nc"]);
+    assert_eq!(said.exit, 5, "{}", said.err);
+    assert_eq!(names(folder.path()), ["p-results.xlsx", "p.nc"]);
+}
+
+#[test]
+fn what_is_no_program_file_is_refused_by_what_it_is() {
+    let folder = bench(TURNS);
+    fs::write(folder.path().join("part.xlsx"), Book::of(Language::En).bytes()).unwrap();
+    for (input, exit, what) in [
+        ("part.xlsx", 4, "error: part.xlsx is a workbook, not a program"),
+        ("missing.nc", 4, "error: cannot open missing.nc: no such file"),
+        (".", 4, "error: cannot open .: it is a folder"),
+    ] {
+        let said = run(folder.path(), &["simulate", input, "--dialect", "fanuc-lathe-a", "-o", "out"]);
+        assert_eq!(said.exit, exit, "{input}");
+        assert!(said.err.starts_with(what) && said.err.contains("hint: "), "{input}: {}", said.err);
+    }
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
+fn the_messages_are_in_the_language_asked_for() {
+    let folder = bench(RAPID);
+    let said = simulate(folder.path(), &["--stock", "D50xL120", "--lang", "es"]);
+    for wanted in
+        ["error: 101 Avance rápido a través del material", "--> p.nc:6\n", "sugerencia: Aleje el punto de partida"]
+    {
+        assert!(said.err.contains(wanted), "{wanted}: {}", said.err);
+    }
+    assert!(said.out.contains("Volumen arrancado"), "{}", said.out);
+}
+
+#[test]
+fn the_dialect_is_told_where_nobody_names_it() {
+    let folder = bench(TURNS);
+    fs::write(folder.path().join("f.nc"), "N5 G92 S2500\nN10 T1 D1\nN20 G97 S900 M3\nN30 G0 X54 Z2\nN40 M30\n")
+        .unwrap();
+    for (input, dialect) in [("p.nc", "fanuc-lathe-a"), ("f.nc", "fagor-8055-t")] {
+        let said = run(folder.path(), &["simulate", input, "--stock", "D50xL120", "--json"]);
+        let document: Json = serde_json::from_str(&said.out).unwrap();
+        assert_eq!(document["dialect"], dialect, "{document}");
+        assert!(lines(&document).contains(&format!("note file dialect not named: read as {dialect}")));
+    }
+}
