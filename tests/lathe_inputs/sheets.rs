@@ -125,7 +125,7 @@ fn places_and_offsets_are_given_once() {
     stops(
         "T 9",
         &with("tools/T", 1, 9).bytes(),
-        &["TOOLS!A7 T (place in the turret) is 9, must be from 1 to 8"],
+        &["TOOLS!A7 T (place in the turret; empty: not mounted) is 9, must be from 1 to 8"],
         "from 1 to 8",
     );
 }
