@@ -165,7 +165,9 @@ pub fn rows(language: Language) -> Vec<Row> {
         };
         let mut values = BTreeMap::from([("tools/name", Value::Line(name))]);
         values.extend(tool.choices.into_iter().map(|(key, choice)| (key, Value::Choice(choice))));
-        values.extend(tool.numbers.into_iter().map(|(key, number)| (key, Value::Real(number))));
+        // Products such as 6 · 3.3 as the decimals they stand for: a spreadsheet keeps no more than 15 digits.
+        let decimal = |number: f64| Value::Real((number * 1000.0).round() / 1000.0);
+        values.extend(tool.numbers.into_iter().map(|(key, number)| (key, decimal(number))));
         Row { values, cells: BTreeMap::new() }
     };
     tools().into_iter().map(row).collect()
