@@ -1,8 +1,9 @@
 //! Taking a convex polygon away from a region.
 
 use super::convex::Convex;
+use super::index::NONE;
 use super::meeting::Meeting;
-use super::region::{NONE, Region};
+use super::region::Region;
 
 /// What became of the pieces of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

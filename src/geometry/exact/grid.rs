@@ -53,6 +53,12 @@ impl Point {
         Self { z: self.z + step.z, r: self.r + step.r }
     }
 
+    /// The longer of a step's two coordinates.
+    #[must_use]
+    pub fn size(self) -> i64 {
+        self.z.abs().max(self.r.abs())
+    }
+
     /// The cross product of two steps: positive where the other one is to the left.
     #[must_use]
     pub const fn cross(self, other: Self) -> i64 {

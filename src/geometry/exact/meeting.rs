@@ -5,7 +5,8 @@ use std::cmp::Ordering;
 
 use super::convex::{Convex, Origin};
 use super::grid::{Line, Point};
-use super::region::{NONE, Region};
+use super::index::NONE;
+use super::region::Region;
 
 /// A stretch of an edge, `[z, r]` in mm, with the region to its left.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +77,7 @@ pub struct Meeting {
     /// The polygon lies inside the region as a whole.
     pub(super) hole: bool,
     around: Vec<i64>,
+    main: Vec<Line>,
 }
 
 impl Meeting {
@@ -101,20 +103,13 @@ impl Meeting {
         }
         self.hit_of.resize(region.edges.len().max(self.hit_of.len()), NONE);
         let (low, high) = polygon.extent();
+        // Most of what is near lies beyond one of the long edges, or beyond one in four of those that make an arc.
+        let long = (high.z - low.z).max(high.r - low.r) / 16;
+        let some = |&(at, line): &(usize, &Line)| at % 4 == 0 || line.direction().size() > long;
+        self.main.clear();
+        self.main.extend(polygon.lines().iter().enumerate().filter(some).map(|(_, line)| line));
         let (hits, around) = (&mut self.hits, &mut self.around);
-        // Most edges near a polygon lie beyond one of its edges, and neighbours beyond the same one.
-        let mut beyond = 0;
-        region.near(low, high, |edge| {
-            let (low, high) = region.bounds(edge);
-            if polygon.lines()[beyond].has_right(low, high) {
-                return;
-            }
-            let found = hit(region, polygon, edge, around);
-            if found.is_none() {
-                beyond = polygon.lines().iter().position(|line| line.has_right(low, high)).unwrap_or(beyond);
-            }
-            hits.extend(found);
-        });
+        region.near(low, high, &self.main, |edge| hits.extend(hit(region, polygon, edge, around)));
         for (at, hit) in self.hits.iter().enumerate() {
             self.hit_of[hit.edge as usize] = u32::try_from(at).unwrap_or(NONE);
         }
@@ -248,23 +243,25 @@ fn hit(region: &Region, polygon: &Convex, number: u32, around: &mut Vec<i64>) ->
     let (line, lines, count) = (edge.line, polygon.lines(), polygon.len());
     around.clear();
     around.extend(polygon.corners().iter().map(|&corner| line.at(corner).signum()));
+    if !around.contains(&1) {
+        return None;
+    }
     let (mut into, mut out, mut along) = (None, None, None);
-    let mut here = around[count - 1];
+    // Each edge goes from the corner before, which has its number.
+    let (mut side, mut here) = (count - 1, around[count - 1]);
     for (at, &then) in around.iter().enumerate() {
-        // The edge from the corner before to this one.
-        let side = (at + count - 1) % count;
         match (here, then) {
             (1, 0 | -1) => into = Some(side),
             (-1, 0 | 1) => out = Some(side),
             (0, 0) => along = Some(side),
             _ => {}
         }
-        here = then;
+        (side, here) = (at, then);
     }
     let (into, out, along) = match (into, out, along) {
         (Some(into), Some(out), _) => (into, out, None),
         // Only the edge that it runs along touches it, and the polygon is to its left.
-        (_, _, Some(along)) if around.contains(&1) => ((along + count - 1) % count, (along + 1) % count, Some(along)),
+        (_, _, Some(along)) => ((along + count - 1) % count, (along + 1) % count, Some(along)),
         _ => return None,
     };
     let (before, next) = (region.edges[edge.before as usize].line, region.edges[edge.next as usize].line);

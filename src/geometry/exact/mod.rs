@@ -19,5 +19,6 @@
 pub mod convex;
 pub mod cut;
 pub mod grid;
+mod index;
 pub mod meeting;
 pub mod region;

@@ -2,14 +2,7 @@
 
 use super::convex::Convex;
 use super::grid::{Line, Point, UNITS};
-
-/// No edge.
-pub(super) const NONE: u32 = u32::MAX;
-
-/// The finest strips of the index are 2^19 units wide, about 0.5 mm.
-const FINEST: u32 = 19;
-/// From there to strips that hold any edge on the grid.
-const LEVELS: usize = 13;
+use super::index::{Bounds, Index, NONE};
 
 /// An edge runs from where the edge before meets its line to where the next one does; the region is to its left.
 #[derive(Clone, Copy, Debug)]
@@ -19,12 +12,6 @@ pub(super) struct Edge {
     pub start: [f64; 2],
     pub before: u32,
     pub next: u32,
-    /// Bounds in grid units, rounded outwards.
-    low: Point,
-    high: Point,
-    /// Where the index has it.
-    level: u8,
-    strip: u32,
     pub alive: bool,
 }
 
@@ -40,26 +27,14 @@ pub fn twice_area(ring: &[[f64; 2]]) -> f64 {
 }
 
 /// A bounded region of the half-plane or plane, of any number of pieces with any number of holes.
-///
-/// Edges lie in an index by strips of z: at the level whose strips are just wider than the edge, in the strip where it
-/// begins, so that each edge is in one place and a search looks at few strips besides those with edges near.
 #[derive(Clone, Debug, Default)]
 pub struct Region {
     pub(super) edges: Vec<Edge>,
     free: Vec<u32>,
-    /// By level, then by strip from `first` on.
-    strips: Vec<Vec<Vec<u32>>>,
-    /// How many edges a level has.
-    counts: [usize; LEVELS],
-    /// The least z, below which no edge begins.
-    first: i64,
+    index: Index,
     alive: usize,
     /// The greatest r that there was at the start, mm.
     top: f64,
-}
-
-fn strip(first: i64, z: i64, level: usize) -> usize {
-    usize::try_from((z - first).max(0) >> (FINEST as usize + level)).unwrap_or(0)
 }
 
 impl Region {
@@ -70,11 +45,16 @@ impl Region {
     pub fn new(rings: &[Vec<Point>]) -> Self {
         let mut region = Self::default();
         let all = || rings.iter().flatten();
-        let Some(first) = all().map(|point| point.z).min() else { return region };
+        let Some(&first) = all().next() else { return region };
+        let (low, high) = all().fold((first, first), |(low, high), point| {
+            (
+                Point { z: low.z.min(point.z), r: low.r.min(point.r) },
+                Point { z: high.z.max(point.z), r: high.r.max(point.r) },
+            )
+        });
         // Edges' bounds are rounded outwards by a unit or two.
-        region.first = first - 8;
-        let last = all().map(|point| point.z).max().unwrap_or(first);
-        region.strips = (0..LEVELS).map(|level| vec![Vec::new(); strip(region.first, last, level) + 1]).collect();
+        let margin = Point { z: 8, r: 8 };
+        region.index = Index::new(Bounds { low: margin.to(low), high: high.plus(margin) });
         for ring in rings {
             region.add_ring(ring);
         }
@@ -116,17 +96,7 @@ impl Region {
 
     /// A new edge on a line, not yet linked nor in the index.
     pub(super) fn take(&mut self, line: Line) -> u32 {
-        let edge = Edge {
-            line,
-            start: [0.0; 2],
-            before: NONE,
-            next: NONE,
-            low: Point::default(),
-            high: Point::default(),
-            level: u8::MAX,
-            strip: 0,
-            alive: true,
-        };
+        let edge = Edge { line, start: [0.0; 2], before: NONE, next: NONE, alive: true };
         self.alive += 1;
         if let Some(slot) = self.free.pop() {
             self.edges[slot as usize] = edge;
@@ -139,7 +109,7 @@ impl Region {
 
     /// Takes an edge out.
     pub(super) fn release(&mut self, edge: u32) {
-        self.unplace(edge);
+        self.index.take(edge);
         self.edges[edge as usize].alive = false;
         self.alive -= 1;
         self.free.push(edge);
@@ -148,19 +118,6 @@ impl Region {
     pub(super) fn link(&mut self, before: u32, next: u32) {
         self.edges[before as usize].next = next;
         self.edges[next as usize].before = before;
-    }
-
-    fn unplace(&mut self, edge: u32) {
-        let Edge { level, strip, .. } = self.edges[edge as usize];
-        if level == u8::MAX {
-            return;
-        }
-        let held = &mut self.strips[usize::from(level)][strip as usize];
-        if let Some(at) = held.iter().position(|&other| other == edge) {
-            held.swap_remove(at);
-            self.counts[usize::from(level)] -= 1;
-        }
-        self.edges[edge as usize].level = u8::MAX;
     }
 
     /// Works out an edge's bounds and puts it into the index, anew where it has to be elsewhere.
@@ -173,20 +130,7 @@ impl Region {
             (low.floor() as i64 - 1, high.ceil() as i64 + 1)
         };
         let (z, r) = (bound(0), bound(1));
-        let wide = (z.1 - z.0) >> FINEST;
-        let level = (0..LEVELS - 1).find(|&level| wide >> level == 0).unwrap_or(LEVELS - 1);
-        let strip = strip(self.first, z.0, level).min(self.strips[level].len() - 1);
-        let at = &mut self.edges[edge as usize];
-        (at.low, at.high) = (Point { z: z.0, r: r.0 }, Point { z: z.1, r: r.1 });
-        if usize::from(at.level) == level && at.strip as usize == strip {
-            return;
-        }
-        self.unplace(edge);
-        let at = &mut self.edges[edge as usize];
-        at.level = u8::try_from(level).unwrap_or(u8::MAX);
-        at.strip = u32::try_from(strip).unwrap_or(u32::MAX);
-        self.strips[level][strip].push(edge);
-        self.counts[level] += 1;
+        self.index.put(edge, Bounds { low: Point { z: z.0, r: r.0 }, high: Point { z: z.1, r: r.1 } });
     }
 
     /// Where an edge starts and ends, mm.
@@ -195,32 +139,9 @@ impl Region {
         [at.start, self.edges[at.next as usize].start]
     }
 
-    /// The least and the greatest coordinates of an edge, in grid units, rounded outwards.
-    pub(super) fn bounds(&self, edge: u32) -> (Point, Point) {
-        let at = &self.edges[edge as usize];
-        (at.low, at.high)
-    }
-
-    /// Visits every edge whose bounds meet a box.
-    pub(super) fn near(&self, low: Point, high: Point, mut visit: impl FnMut(u32)) {
-        if high.z < self.first {
-            return;
-        }
-        for (level, strips) in self.strips.iter().enumerate() {
-            if self.counts[level] == 0 {
-                continue;
-            }
-            let from = strip(self.first, low.z, level).saturating_sub(1).min(strips.len());
-            let to = strip(self.first, high.z, level).min(strips.len() - 1);
-            for held in strips.get(from..=to).into_iter().flatten() {
-                for &edge in held {
-                    let at = &self.edges[edge as usize];
-                    if at.low.z <= high.z && low.z <= at.high.z && at.low.r <= high.r && low.r <= at.high.r {
-                        visit(edge);
-                    }
-                }
-            }
-        }
+    /// Visits the edges near the inside of some lines within a box: see [`Index::near`].
+    pub(super) fn near(&self, low: Point, high: Point, lines: &[Line], visit: impl FnMut(u32)) {
+        self.index.near(Bounds { low, high }, lines, visit);
     }
 
     /// True where a point of the plane, `[z, r]` in mm, lies in the region; undecided on its edge.
@@ -231,7 +152,7 @@ impl Region {
         let Some(at) = Point::near([z, r]).filter(|_| r <= self.top) else { return false };
         let (low, high) = (Point { z: at.z - 1, r: -super::grid::LIMIT }, Point { z: at.z + 1, r: super::grid::LIMIT });
         let mut inside = false;
-        self.near(low, high, |edge| {
+        self.near(low, high, &[], |edge| {
             let [from, to] = self.ends(edge);
             if (from[0] > z) != (to[0] > z) && r < from[1] + (to[1] - from[1]) * (z - from[0]) / (to[0] - from[0]) {
                 inside = !inside;
