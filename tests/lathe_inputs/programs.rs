@@ -249,7 +249,7 @@ fn a_roughing_cycle_is_checked_before_it_is_made() {
             "P10 Q20",
             "N10 G0 X20.|T0202|N20 G1 Z-20. F0.1",
             3,
-            "stop 9:1 PS0325: tool change inside the contour of G71",
+            "stop 9:1 a tool change inside the contour of G71 is not supported",
         ),
         with(
             "D42 beyond the start",

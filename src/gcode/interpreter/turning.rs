@@ -36,8 +36,8 @@ impl Interpreter<'_> {
         match cycle {
             Turning::Finish => {
                 let contour = self.named_contour(cycle)?;
-                let feed = self.feed()?;
                 let moves = self.told(finish(&contour.profile, None))?;
+                let feed = self.feed_of(&moves)?;
                 if let Some(side) = contour.compensation {
                     self.modal.compensation = side;
                 }
