@@ -5,6 +5,7 @@
 mod removal {
     mod alarms;
     mod exact;
+    mod judged;
     mod lathe;
     mod part;
     mod tools;
