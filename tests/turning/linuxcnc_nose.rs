@@ -1,14 +1,15 @@
 //! G41 and G42 against LinuxCNC's, with its own tools: a diameter of 0.1 inch and the orientations 2, 6 and 7.
 //!
 //! Fanuc's tips are the same with X the other way round: 2 is 3, 6 is 8, 7 stays. Every contour here is entered along its own
-//! direction or tangent: there both controls end the entry at the same point.
+//! direction or tangent: there both controls end the entry at the same point. LinuxCNC has the figures in mm, in which rs274
+//! prints finer.
 
 use rodete::gcode::interpreter::{Tool, Tools};
 use rodete::gcode::turning::nose::{Nose, Tip};
 
 use crate::common::rs274;
 use crate::lines::{read_with, setting};
-use crate::linuxcnc::{NEAR_INCH, assert_same, canon, of_canon, of_motions};
+use crate::linuxcnc::{NEAR, assert_same, canon, of_canon, of_motions};
 
 /// A block in inches: G, `[X, Z]` with X a radius, and the radius of an arc.
 type Block = (u8, [f64; 2], f64);
@@ -35,16 +36,20 @@ const RETURN: [Block; 7] = [
 
 /// A compensated contour in both languages: LinuxCNC's tool, the side, the start, the contour, where G40 goes.
 fn both(tool: u8, side: u8, start: [f64; 2], contour: &[Block], end: [f64; 2]) -> [String; 2] {
-    let mut linuxcnc = format!("G20 G18 G8 G90 F30\nT{tool} M6\nG0 X{} Z{}\nG{side}\n", start[0], start[1]);
+    let mm = |inches: f64| inches * 25.4;
+    let mut linuxcnc = format!("G21 G18 G8 G90 F30\nT{tool} M6\nG0 X{} Z{}\nG{side}\n", mm(start[0]), mm(start[1]));
     let mut fanuc =
         format!("G20 G98 S500 M3 F30.\nT0{tool}0{tool}\nG0 X{:.6} Z{:.6}\nG{side}\n", 2.0 * start[0], start[1]);
     for &(code, [x, z], radius) in contour {
-        let (their, our) =
-            if code > 1 { (format!(" R{radius}"), format!(" R{radius:.4}")) } else { (String::new(), String::new()) };
-        linuxcnc += &format!("G{code} X{x} Z{z}{their}\n");
+        let (their, our) = if code > 1 {
+            (format!(" R{}", mm(radius)), format!(" R{radius:.4}"))
+        } else {
+            (String::new(), String::new())
+        };
+        linuxcnc += &format!("G{code} X{} Z{}{their}\n", mm(x), mm(z));
         fanuc += &format!("G{code} X{:.6} Z{z:.6}{our}\n", 2.0 * x);
     }
-    linuxcnc += &format!("G40\nG0 X{} Z{}\nM2\n", end[0], end[1]);
+    linuxcnc += &format!("G40\nG0 X{} Z{}\nM2\n", mm(end[0]), mm(end[1]));
     fanuc += &format!("G40\nG0 X{:.6} Z{:.6}\nM30\n", 2.0 * end[0], end[1]);
     [linuxcnc, fanuc]
 }
@@ -77,7 +82,7 @@ fn the_tip_runs_where_theirs_does_along_their_contours() {
         let read = read_with(&fanuc, with);
         assert!(read.faults.is_empty(), "{fanuc}\n{:?}", read.faults);
         let theirs = of_canon(&canon(&linuxcnc, Some(table)));
-        assert_same(&of_motions(&read.motions), &theirs, NEAR_INCH, &fanuc);
+        assert_same(&of_motions(&read.motions), &theirs, NEAR, &fanuc);
         assert!(theirs.len() >= contour.len() + 2, "{theirs:?}");
     }
 }

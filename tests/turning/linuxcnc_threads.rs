@@ -5,6 +5,8 @@
 //! P the lead, 2·Q the angle of the tip, R2 (constant area) is Fanuc's rule without a least cut, R1 (constant depth) is a least cut of
 //! Δd. LinuxCNC cuts once at K and H times more, Fanuc once in its sequence and m times more: m is H. E with L2 is the pull-out r.
 //!
+//! LinuxCNC's inches are given to it in mm, in which rs274 prints finer.
+//!
 //! # What differs
 //! - LinuxCNC shifts a whole pass along the flank, its end too: a pass at the depth D ends (K − D)·tan(Q) before the end of the last
 //!   one. Fanuc's passes all end at Z. Here the difference is held.
@@ -20,11 +22,11 @@ use rodete::number::trig::{hypot, tan};
 
 use crate::common::rs274;
 use crate::lines::read;
-use crate::linuxcnc::{Cut, NEAR_INCH, canon, near, of_canon, of_motion};
+use crate::linuxcnc::{Cut, NEAR, canon, near, of_canon, of_motion};
 
 const INCH: f64 = 25.4;
-/// rs274 prints four decimals of an inch.
-const PRINTED: f64 = 1.5e-4 * INCH;
+/// rs274 prints four decimals: of a length, two of them.
+const PRINTED: f64 = 1.1e-4;
 
 /// A thread in inches, X a radius.
 struct Thread {
@@ -73,21 +75,21 @@ const BASE: Thread = Thread {
 
 impl Thread {
     fn linuxcnc(&self, diameters: bool) -> String {
-        let scale = if diameters { 2.0 } else { 1.0 };
-        let [x, z] = self.drive;
+        let scale = if diameters { 2.0 * INCH } else { INCH };
+        let [x, z] = self.drive.map(|inches| INCH * inches);
         format!(
-            "G20 G18 G{} G90\nS800 M3\nG0 X{} Z{z}\nG76 P{} Z{} I{} J{} K{} R{} Q{} H{} E{} L2\nM2\n",
+            "G21 G18 G{} G90\nS800 M3\nG0 X{} Z{z}\nG76 P{} Z{} I{} J{} K{} R{} Q{} H{} E{} L2\nM2\n",
             if diameters { 7 } else { 8 },
-            scale * x,
-            self.lead,
-            self.end,
+            if diameters { 2.0 * x } else { x },
+            self.lead * INCH,
+            self.end * INCH,
             scale * self.peak,
             scale * self.first,
             scale * self.height,
             self.degression,
             f64::from(self.tip) / 2.0,
             self.springs,
-            f64::from(self.taper) / 10.0 * self.lead,
+            f64::from(self.taper) / 10.0 * self.lead * INCH,
         )
     }
 
@@ -140,7 +142,7 @@ fn hold(thread: &Thread, diameters: bool) -> usize {
         .map(|(_, arguments)| arguments.split(',').next().unwrap().parse().unwrap())
         .collect();
     assert_eq!(leads.len(), 2 * theirs.len(), "{}", canon.text);
-    assert!(leads.iter().step_by(2).all(|lead| (lead - thread.lead).abs() < 1e-6), "{leads:?}");
+    assert!(leads.iter().step_by(2).all(|lead| (lead - thread.lead * INCH).abs() < 1e-6), "{leads:?}");
     assert_eq!(ours.len(), theirs.len(), "{text}\n{ours:#?}\n{theirs:#?}");
     let flank = tan((f64::from(thread.tip) / 2.0).to_radians());
     let outwards = -thread.peak.signum();
@@ -213,13 +215,13 @@ fn g32_turns_the_spindle_as_often_as_their_g33() {
     let blend =
         ([1.0, 0.0], &[([1.0, -0.5], 0.1), ([1.0, -1.0], 0.1), ([0.8, -1.5], 0.1), ([0.8, -2.0], 0.1)][..], 400.0);
     for (start, motions, speed) in [simple, blend] {
-        let mut theirs = format!("G20 G18 G8 G90\nS{speed} M3\nG0 X{} Z{}\n", start[0], start[1]);
+        let mut theirs = format!("G21 G18 G8 G90\nS{speed} M3\nG0 X{} Z{}\n", start[0] * INCH, start[1] * INCH);
         let mut ours = format!("G20\nS{speed} M3\nG0 X{:.4} Z{:.4}\n", 2.0 * start[0], start[1]);
         let mut at: [f64; 2] = start;
         for &([x, z], k) in motions {
-            let _ = writeln!(theirs, "G33 X{x} Z{z} K{k}");
+            let _ = writeln!(theirs, "G33 X{} Z{} K{}", x * INCH, z * INCH, k * INCH);
             let lead = k * (z - at[1]).abs() / hypot(x - at[0], z - at[1]);
-            let _ = writeln!(ours, "G32 X{:.4} Z{z:.4} F{lead:.6}", 2.0 * x);
+            let _ = writeln!(ours, "G32 X{:.4} Z{z:.4} F{lead:.9}", 2.0 * x);
             at = [x, z];
         }
         let canon = canon(&(theirs + "M2\n"), None);
@@ -230,9 +232,9 @@ fn g32_turns_the_spindle_as_often_as_their_g33() {
         assert_eq!(synchronized, motions.len());
         for ((motion, their), &(_, k)) in read.motions[1..].iter().zip(&theirs[1..]).zip(motions) {
             let our = of_motion(motion);
-            assert!(matches!(motion.kind, Kind::Thread(_)) && near(our.to, their.to, NEAR_INCH), "{our:?} {their:?}");
+            assert!(matches!(motion.kind, Kind::Thread(_)) && near(our.to, their.to, NEAR), "{our:?} {their:?}");
             let revolutions = motion.seconds.unwrap() * speed / 60.0;
-            assert!((revolutions - their.length() / (k * INCH)).abs() < 1e-3, "{revolutions} {our:?}");
+            assert!((revolutions - their.length() / (k * INCH)).abs() < 1e-4, "{revolutions} {our:?}");
         }
     }
 }
