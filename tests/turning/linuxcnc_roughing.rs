@@ -322,10 +322,10 @@ fn the_figure_that_ran_for_ever_ends_with_the_passes_counted_by_hand() {
         pocket += usize::from(x < 10.0);
     }
     assert_eq!((our.len() - pocket, pocket), (10, 13));
-    // Their file keeps D 0.04 off the contour: the same cone, 0.04·√5 shorter along Z, at levels 0.04 higher.
-    for (x, z) in [(6.54, -20.9906), (5.04, -17.9906), (3.54, -14.9906)] {
-        let ours = -14.0 - 2.0 * (x - 3.0) + 0.04 * 5.0_f64.sqrt();
-        assert!((ours - z).abs() < NEAR, "{x}: {ours} {z}");
+    // The ends in their file, at levels 0.04 higher and D 0.04 square to the cone: 2·0.04 further, 0.04·√5 shorter.
+    for (level, z) in [(6_500, -20.9906), (5_000, -17.9906), (3_500, -14.9906)] {
+        let end = our[&level][0][0] - 2.0 * 0.04 + 0.04 * 5.0_f64.sqrt();
+        assert!((end - z).abs() < NEAR, "{level}: {end} {z}");
     }
     // With the allowances in X and Z and C at their start: their levels 14.5 to 10.5, their end −21.96, their bottom 10.04.
     let our = ours(&cycle(71, [14.96, 0.0], 0.5, [0.04, 0.04], figure));
@@ -339,7 +339,7 @@ fn the_figure_that_ran_for_ever_ends_with_the_passes_counted_by_hand() {
 }
 
 #[test]
-fn contours_beyond_their_start_are_refused_and_end_when_it_lies_outside() {
+fn a_contour_beyond_its_start_is_refused_or_is_a_bore_and_ends_from_outside() {
     // A step from X168 to X170 from a start at X168: they run along it. To Fanuc it lies outwards: a recess of a bore, taken
     // out by two passes; an allowance outwards, as of a shaft, is refused.
     let blocks = [Line([168.0, -333.0]), Line([170.0, -333.0]), Line([170.0, -415.0])];
