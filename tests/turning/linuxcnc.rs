@@ -1,8 +1,8 @@
 //! The figures of LinuxCNC's lathe programs, said in both languages and run by both interpreters.
 //!
 //! LinuxCNC works in its radius mode (but where a figure is given in diameters), Fanuc's X is a diameter. The figures come
-//! from LinuxCNC's `nc_files` and from its own tests; where a test of its own has a file `expected`, and the installed `rs274` is older
-//! than the repair that the test is for, the figures of that file are what is held.
+//! from LinuxCNC's `nc_files` and from its own tests. Where an `rs274` may be older than the repair that a test of its own is
+//! for (`g71-endless-loop`, `g71-endless-loop_2`, `g72-missing-iteration`), the figures of that test's file `expected` are held.
 //!
 //! # Translated
 //! - Roughing and finishing (`linuxcnc_roughing`): `g71-with-g70` and `lathe_g70_71_demo` (one figure), `lathe_g7x_quadrants`,
