@@ -145,6 +145,9 @@ fn follow(
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
     let (mut faults, mut total) = (Vec::new(), 0);
+    // A control stops at a cycle that it refuses. What comes after it is read on for what else is wrong with it, and is not
+    // made: it would meet metal that the cycle has not taken away.
+    let mut uncut = false;
     while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) if one.rows.len() == MOST_MOTIONS => {
@@ -152,6 +155,7 @@ fn follow(
                 faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
                 break;
             }
+            Ok(_) if uncut => {}
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
@@ -170,6 +174,7 @@ fn follow(
             }
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;
+                uncut |= fault.uncut;
                 total += 1;
                 if faults.len() < MOST {
                     faults.push(Finding::from(*fault));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::alarm::{Alarm, Cause, Moving, TOUCH};
+use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
 use super::contact::{Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
@@ -345,7 +345,7 @@ impl Simulation {
                 if !cutter.polygon.sweep(first, last, swept) {
                     continue;
                 }
-                collide(&self.fixtures, swept, Moving::Cutter, first.mm(), tally);
+                collide(&self.fixtures, swept, Moving::Cutter, tally);
                 if matches!(tally.motion.kind, Kind::Thread(_)) {
                     continue;
                 }
@@ -354,7 +354,9 @@ impl Simulation {
                         let (deep, place) = depth(meeting);
                         if deep > TOUCH {
                             let place = if mirrored { [place[0], -place[1]] } else { place };
-                            tally.raise(Cause::RapidInMetal, place, Some(deep));
+                            let scrapes = control.retracts && deep <= SCRAPE;
+                            let cause = if scrapes { Cause::RetractionInMetal } else { Cause::RapidInMetal };
+                            tally.raise(cause, place, Some(deep));
                         }
                     } else {
                         contact.add(meeting, &Ride { part: cutter, from: first.mm(), way, mirrored });
@@ -366,7 +368,7 @@ impl Simulation {
                 if !body.sweep(first, last, swept) {
                     continue;
                 }
-                collide(&self.fixtures, swept, moving, first.mm(), tally);
+                collide(&self.fixtures, swept, moving, tally);
                 part.probe(swept, |meeting, _| {
                     let (deep, place) = depth(meeting);
                     if deep > TOUCH {
@@ -504,14 +506,14 @@ fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2
 }
 
 /// Raises what runs into something that stands.
-fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, place: [f64; 2], tally: &mut Tally) {
+fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, tally: &mut Tally) {
     let (low, high) = swept.extent();
     for (fixture, polygon) in fixtures {
         let (from, to) = polygon.extent();
         if low.z >= to.z || from.z >= high.z || low.r >= to.r || from.r >= high.r {
             continue;
         }
-        if let Some(deep) = swept.overlap(polygon)
+        if let Some((deep, place)) = swept.overlap(polygon)
             && deep > TOUCH
         {
             tally.raise(Cause::Collision(moving, *fixture), place, Some(deep));
