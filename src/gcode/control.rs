@@ -65,8 +65,6 @@ pub struct Control {
     pub unit: LengthUnit,
     /// Nose radius compensation.
     pub compensation: Compensation,
-    /// The motion is the one at rapid by which a turning cycle of one call, G90 to G94 among them, leaves its cut.
-    pub retracts: bool,
     /// Where the block stands: 0 in the program itself, else in a subprogram's own file; see
     /// [`Interpreter::file`](crate::gcode::interpreter::Interpreter::file).
     pub file: usize,

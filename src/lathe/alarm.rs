@@ -9,12 +9,12 @@ use crate::text::Text;
 /// Depths up to this are contact and no collision, mm.
 pub const TOUCH: f64 = 0.001;
 
-/// How deep a cycle's own retraction may scrape without being a stop, mm.
+/// How deep a retraction may scrape without being a stop, mm.
 ///
 /// An edge of lead angle φ1 > 90° leans away from the shoulder in front of which it stops, and leaves there a wedge of
-/// a tan(φ1 − 90°) at a depth of cut a: 0.44 mm at 95° and 5 mm. Where the cycle goes straight up the shoulder, the nose takes
-/// it away at rapid, with a finishing allowance that was left there. Anything deeper is no leftover of the edge's own: the
-/// cycle starts or ends within the stock. Derived here.
+/// a tan(φ1 − 90°) at a depth of cut a: 0.44 mm at 95° and 5 mm. A tool that is taken straight up the shoulder, by a program
+/// or by a cycle whose way out no program changes, takes it away with its nose, and a finishing allowance with it. That is
+/// metal, cut at rapid, but no crash. Anything deeper is no leftover of the edge's own. Derived here.
 pub const SCRAPE: f64 = 0.5;
 
 /// What moves.
@@ -33,7 +33,7 @@ pub enum Moving {
 pub enum Cause {
     /// A rapid motion goes through metal.
     RapidInMetal,
-    /// The retraction of a cycle scrapes metal at rapid, no deeper than [`SCRAPE`].
+    /// The tool is taken off its cut at rapid and scrapes metal, no deeper than [`SCRAPE`].
     RetractionInMetal,
     /// An edge of the cutter that does not cut runs into metal.
     BackInMetal,
@@ -201,8 +201,8 @@ impl Cause {
         match self {
             Self::RapidInMetal => t("Avance rápido a través del material", "Rapid motion through metal"),
             Self::RetractionInMetal => t(
-                "La retirada propia del ciclo raspa el material en avance rápido",
-                "The cycle's own retraction scrapes metal at rapid",
+                "La retirada raspa el material en avance rápido",
+                "The retraction scrapes metal at rapid",
             ),
             Self::BackInMetal => t(
                 "Un lado sin filo de la plaquita entra en el material",
@@ -281,8 +281,8 @@ impl Cause {
                 "Start farther away, or make this motion at feed",
             ),
             Self::RetractionInMetal => t(
-                "Use una herramienta con φ1 de 90° o menos, termine el contorno fuera del bruto o programe la retirada con avance",
-                "Use a tool with φ1 of 90° or less, end the contour outside the stock, or program the retraction at feed",
+                "Retire con avance o a 45°, termine el contorno del ciclo fuera del bruto, o use una herramienta con φ1 de 90° o menos",
+                "Retract at feed or at 45°, end the cycle's contour outside the stock, or use a tool with φ1 of 90° or less",
             ),
             Self::BackInMetal | Self::BackCutting => t(
                 "Elija una herramienta de otra mano o con más ángulo libre, o cambie el sentido de la pasada",

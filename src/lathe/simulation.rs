@@ -81,6 +81,8 @@ pub struct Simulation {
     contour: Ring,
     /// The thread that the last motion cut.
     led: Option<Led>,
+    /// The tool that stands where its cut ended, `[z, r]` on the grid.
+    stands: Option<(u32, [f64; 2])>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
@@ -191,6 +193,7 @@ impl Simulation {
             steps: 0,
             contour: Ring::new(),
             led: None,
+            stands: None,
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -264,6 +267,9 @@ impl Simulation {
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
         let cuts = contact.real && motion.kind != Kind::Rapid;
+        if !pieces.is_empty() {
+            self.stands = cuts.then_some((control.tool, to));
+        }
         let cutting_speed = if cuts { cutting_speed(control, &contact, speed) } else { 0.0 };
         let rate = match seconds {
             Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
@@ -303,6 +309,7 @@ impl Simulation {
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
         let (part, swept) = (&mut self.part, &mut self.swept);
         let rapid = tally.motion.kind == Kind::Rapid;
+        let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
         let mut add = |more: Removed| {
             removed.volume += more.volume;
             removed.parted += more.parted;
@@ -354,7 +361,7 @@ impl Simulation {
                         let (deep, place) = depth(meeting);
                         if deep > TOUCH {
                             let place = if mirrored { [place[0], -place[1]] } else { place };
-                            let scrapes = control.retracts && deep <= SCRAPE;
+                            let scrapes = leaves && deep <= SCRAPE;
                             let cause = if scrapes { Cause::RetractionInMetal } else { Cause::RapidInMetal };
                             tally.raise(cause, place, Some(deep));
                         }
@@ -478,6 +485,13 @@ fn watch_thread(
     if cuts && let Some(before) = watch.lead([start, end], lead) {
         tally.raise(Cause::LeadDiffers { lead, before }, start, None);
     }
+}
+
+/// True where a tool goes from where its cut has ended towards the side on which its own body lies.
+fn retracts(tool: &Tool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
+    let body = tool.tip.mirror();
+    let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);
+    stands == place && pieces.first().is_some_and(|piece| near(at, piece[0])) && pieces.iter().all(aside)
 }
 
 fn near(one: [f64; 2], two: [f64; 2]) -> bool {

@@ -75,6 +75,46 @@ fn rapid_through_metal_outside_inside_on_the_axis_and_in_a_groove() {
 }
 
 #[test]
+fn a_retraction_that_scrapes_the_wedge_of_its_own_edge_is_a_caution() {
+    // The edge at 95° leaves a wedge at the shoulder, as thick at the skin as the depth of cut makes it.
+    let wedge = |deep: f64| deep * tan(5_f64.to_radians());
+    let cut = |deep: f64| Run::on(with(rougher())).rapid(50.0 - 2.0 * deep, 2.0).cut(50.0 - 2.0 * deep, -20.0);
+    let alarm = cut(2.0).rapid(54.0, -20.0).only(101);
+    near(alarm.depth.unwrap(), wedge(2.0), 1e-6);
+    at(alarm, [50.0, -20.0 + wedge(2.0)], 1e-5);
+    assert_eq!((alarm.cause, alarm.cause.grade()), (Cause::RetractionInMetal, Grade::Caution));
+    // At 45°, and at feed, it is none.
+    cut(2.0).rapid(48.0, -19.0).rapid(54.0, -19.0).silent();
+    cut(2.0).cut(54.0, -20.0).silent();
+    // Thicker than half a millimetre it is a crash: 5.72 mm deep and more.
+    let alarm = cut(5.7).rapid(54.0, -20.0).only(101);
+    assert_eq!(alarm.cause, Cause::RetractionInMetal);
+    let alarm = cut(5.73).rapid(54.0, -20.0).only(101);
+    assert_eq!((alarm.cause, alarm.cause.grade()), (Cause::RapidInMetal, Grade::Stop));
+    near(alarm.depth.unwrap(), wedge(5.73), 1e-6);
+    // Thin as it may be, metal before the tool is no leftover, nor is what it meets after it was taken off.
+    assert_eq!(cut(0.2).rapid(49.6, -30.0).only(101).cause, Cause::RapidInMetal);
+    let back = cut(2.0).cut(54.0, -20.0).rapid(60.0, -20.1).rapid(49.6, -20.1);
+    assert_eq!(back.only(101).cause, Cause::RapidInMetal);
+    // The image of it, of a left-hand tool away from the chuck, from a groove to Z−10.
+    let ring = [[-150.0, 0.0], [0.0, 0.0], [0.0, 25.0], [-20.0, 25.0], [-20.0, 23.0], [-40.0, 23.0], [-40.0, 25.0]];
+    let part = Some(vec![ring.into_iter().chain([[-150.0, 25.0]]).collect()]);
+    let left = Run::on(Setup { part, ..with(leftward()) }).rapid(60.0, -21.0).rapid(46.0, -21.0).cut(46.0, -10.0);
+    let alarm = left.rapid(54.0, -10.0).only(101);
+    near(alarm.depth.unwrap(), wedge(2.0), 1e-6);
+    assert_eq!(alarm.cause, Cause::RetractionInMetal);
+    // A boring bar with its edge at 93°, 2 mm deep in the wall, taken off it towards the axis.
+    let cutter = Cutter::Insert { shape: Shape::D, circle: 9.525, main: 93.0, auxiliary: 32.0, nose: 0.0 };
+    let bore = |x: f64| {
+        let setup = Setup { stock: Stock { bore: 30.0, ..bar() }, ..with(Tool { cutter, ..tools::borer() }) };
+        Run::on(setup).rapid(34.0, 3.0).cut(34.0, -20.0).rapid(x, -20.0)
+    };
+    let alarm = bore(29.0).only(101);
+    near(alarm.depth.unwrap(), 2.0 * tan(3_f64.to_radians()), 1e-6);
+    assert_eq!(alarm.cause, Cause::RetractionInMetal);
+}
+
+#[test]
 fn rapid_through_metal_after_the_part_was_turned_about() {
     // Ends at Z0 and Z−150, turned to D 40 from Z0 to Z−30: about the middle, the neck goes from Z−150 to Z−120.
     let first = Run::new(bar()).rapid(40.0, 2.0).cut(42.0, 0.0).cut(42.0, -30.0).cut(52.0, -30.0);

@@ -64,8 +64,6 @@ pub(super) struct Modal {
     pub(super) first: Vec<(Turning, First)>,
     /// The work offset in force, 1 to 9.
     pub(super) system: u8,
-    /// The motion in hand is that by which a cycle leaves its cut at rapid.
-    pub(super) retracts: bool,
     /// The lines where contours begin whose cycle was refused.
     pub(super) refused: Vec<usize>,
 }
@@ -99,7 +97,6 @@ impl Modal {
             shifted: false,
             first: Vec::new(),
             system,
-            retracts: false,
             refused: Vec::new(),
         }
     }
@@ -121,7 +118,6 @@ impl Modal {
             feed_mode: self.feed_mode,
             unit: self.unit,
             compensation: self.compensation,
-            retracts: self.retracts,
             file: 0,
         }
     }

@@ -28,15 +28,13 @@ pub(super) struct Moves {
     blocks: Vec<ContourBlock>,
     /// The S words of the contour's blocks count.
     speeds: bool,
-    /// The last move was a cut.
-    cut: bool,
 }
 
 impl Interpreter<'_> {
     /// Turns the moves of a cycle into motions, one after another as they are asked for.
     pub(super) fn make_moves(&mut self, moves: Vec<Move>, feed: Feed) {
         self.remark_uncompensated(&[]);
-        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks: Vec::new(), speeds: false, cut: false }));
+        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks: Vec::new(), speeds: false }));
     }
 
     /// The same for moves that name blocks of a contour; with `speeds` their S words are obeyed.
@@ -44,7 +42,7 @@ impl Interpreter<'_> {
         if !speeds {
             self.remark_uncompensated(&blocks);
         }
-        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks, speeds, cut: false }));
+        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks, speeds }));
     }
 
     /// Makes the next motions of the run in hand.
@@ -54,15 +52,7 @@ impl Interpreter<'_> {
             Some(Run::Holes(run)) => self.next_hole(run),
             Some(Run::Moves(mut run)) => {
                 if let Some(next) = run.moves.next() {
-                    self.modal.retracts = run.cut && next.way == Way::Rapid && next.line.is_none();
                     self.make_move(&next, &run);
-                    self.modal.retracts = false;
-                    // The tool stands in the cut as long as it waits.
-                    run.cut = match next.way {
-                        Way::Rapid => false,
-                        Way::Dwell(_) => run.cut,
-                        Way::Feed(_) | Way::Arc { .. } | Way::Thread(_) => true,
-                    };
                     self.run = Some(Run::Moves(run));
                 }
                 Ok(())
