@@ -200,10 +200,9 @@ impl Cause {
         let t = Text::fixed;
         match self {
             Self::RapidInMetal => t("Avance rápido a través del material", "Rapid motion through metal"),
-            Self::RetractionInMetal => t(
-                "La retirada raspa el material en avance rápido",
-                "The retraction scrapes metal at rapid",
-            ),
+            Self::RetractionInMetal => {
+                t("La retirada raspa el material en avance rápido", "The retraction scrapes metal at rapid")
+            }
             Self::BackInMetal => t(
                 "Un lado sin filo de la plaquita entra en el material",
                 "A side of the insert that does not cut runs into metal",

@@ -81,7 +81,7 @@ pub struct Simulation {
     contour: Ring,
     /// The thread that the last motion cut.
     led: Option<Led>,
-    /// The tool that stands where its cut ended, `[z, r]` on the grid.
+    /// The tool that stands where it worked last, `[z, r]` on the grid.
     stands: Option<(u32, [f64; 2])>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
@@ -268,7 +268,7 @@ impl Simulation {
         let speed = [turning.at(program_start), turning.at(program_end)];
         let cuts = contact.real && motion.kind != Kind::Rapid;
         if !pieces.is_empty() {
-            self.stands = cuts.then_some((control.tool, to));
+            self.stands = (motion.kind != Kind::Rapid).then_some((control.tool, to));
         }
         let cutting_speed = if cuts { cutting_speed(control, &contact, speed) } else { 0.0 };
         let rate = match seconds {
@@ -383,6 +383,7 @@ impl Simulation {
                     }
                 });
             }
+            add(part.drop_loose());
         }
         removed
     }
@@ -487,7 +488,7 @@ fn watch_thread(
     }
 }
 
-/// True where a tool goes from where its cut has ended towards the side on which its own body lies.
+/// True where a tool goes from where it has worked towards the side on which its own body lies.
 fn retracts(tool: &Tool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
     let body = tool.tip.mirror();
     let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);

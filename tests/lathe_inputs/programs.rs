@@ -287,7 +287,8 @@ fn a_refused_cycle_is_one_fault_and_nothing_after_it_is_made() {
         for (more, others) in [("", 0), ("|G5 X1.", 1)] {
             let blocks = format!("{cycle}|{contour}|{AFTER}{more}");
             let text = HEAD.into_iter().chain(blocks.split('|')).chain(TAIL).collect::<Vec<_>>().join("\n");
-            let (document, exit) = simulate(&text, &[], &["--dialect", "fanuc-lathe-a", "--decimal-point", "calculator"]);
+            let (document, exit) =
+                simulate(&text, &[], &["--dialect", "fanuc-lathe-a", "--decimal-point", "calculator"]);
             let lines: Vec<_> = lines(&document).into_iter().filter(|line| !line.starts_with("note")).collect();
             assert_eq!((exit, lines.len()), (3, 1 + others), "{cycle} {lines:?}");
             assert!(lines.iter().any(|line| line.starts_with(found)), "{found} {lines:?}");
@@ -303,7 +304,8 @@ fn the_contour_of_a_refused_cycle_is_no_way_of_the_tool() {
     let setting = Setting { point: Some(DecimalPoint::Calculator), ..Setting::new(&FANUC_LATHE_A) };
     let read: Vec<_> = Interpreter::over(text.as_bytes(), setting).collect();
     let motions: Vec<_> = read.iter().filter_map(|item| item.as_ref().ok()).map(|motion| motion.line).collect();
-    let faults: Vec<_> = read.iter().filter_map(|item| item.as_ref().err()).map(|fault| (fault.line, fault.uncut)).collect();
+    let faults: Vec<_> =
+        read.iter().filter_map(|item| item.as_ref().err()).map(|fault| (fault.line, fault.uncut)).collect();
     assert_eq!((motions, faults), (vec![1, 9], vec![(6, true)]));
 }
 

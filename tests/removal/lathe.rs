@@ -1,8 +1,8 @@
 //! A program of motions on a lathe, as the interpreter would give them.
 
-use rodete::lathe::alarm::Alarm;
 use rodete::gcode::control::{Control, Speed, Spindle};
 use rodete::gcode::motion::{Arc, Feed, FeedMode, Kind, Motion, Plane, Thread};
+use rodete::lathe::alarm::Alarm;
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::step::Step;

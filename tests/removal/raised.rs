@@ -189,6 +189,15 @@ fn a_holder_in_metal() {
     near(alarm.place[0], 92.0, 1e-6);
     deep(48.0).silent();
     deep(47.9).only(103);
+    // While it parts, the piece is still there beside the shank, until the cut comes through.
+    let part = |depth: f64| {
+        let cutter = Cutter::Groover { width: 3.0, depth, corner: 0.2, face: false };
+        Run::on(with(Tool { cutter, ..tools::parter() })).rapid(54.0, -10.0).cut(-0.5, -10.0)
+    };
+    assert_eq!(part(26.0).alarms(), [191]);
+    let alarms = part(20.0).raised();
+    assert_eq!(alarms.iter().map(|alarm| alarm.cause.number()).collect::<Vec<_>>(), [103, 191]);
+    near(alarms[0].depth.unwrap(), 5.25, 1e-6);
 }
 
 #[test]
