@@ -17,7 +17,7 @@ fn mount(rows: &mut [Row], T: u32, name: &str) {
 
 /// Left-hand V tool in place 2, drill of 20 in 5, face groover in 7, round insert in 8; longer groover in 3, thread inside in 4,
 /// bar of 12 mm in 6.
-fn shop(rows: &mut Vec<Row>) {
+fn shop(rows: &mut [Row]) {
     for (T, name) in
         [(2, "External V 93° R0.4 L"), (5, "Drill of 20"), (7, "Face grooving 3 mm"), (8, "Round insert of 8")]
     {
@@ -40,7 +40,7 @@ fn shop(rows: &mut Vec<Row>) {
 /// Builds the workbook; it must be without caution, and without an alarm that is more than a note.
 #[track_caller]
 fn clean(book: Book) {
-    let (_folder, document, exit) = build(&book.change("tools", shop).bytes());
+    let (_folder, document, exit) = build(&book.change("tools", |rows| shop(rows)).bytes());
     let grave: Vec<_> = lines(&document).into_iter().filter(|line| !line.starts_with("note")).collect();
     assert_eq!((grave, exit), (Vec::new(), 0));
 }

@@ -1,4 +1,4 @@
-(stock D26xL120)
+(stock D26xL100)
 (alarms 191@8)
 O0100
 T0303

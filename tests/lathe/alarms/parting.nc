@@ -1,4 +1,4 @@
-(stock D26xL120)
+(stock D26xL100)
 (alarms 191@28)
 O0027
 G21 G40 G97 G99
