@@ -64,8 +64,8 @@ pub(super) struct Modal {
     pub(super) first: Vec<(Turning, First)>,
     /// The work offset in force, 1 to 9.
     pub(super) system: u8,
-    /// The lines where contours begin whose cycle was refused.
-    pub(super) refused: Vec<usize>,
+    /// The sources and the lines where contours begin whose cycle was refused.
+    pub(super) refused: Vec<(usize, usize)>,
 }
 
 impl Modal {
