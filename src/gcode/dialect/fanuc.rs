@@ -144,7 +144,7 @@ fn machine_code(number: u32) -> Option<M> {
         98 => M::Call,
         99 => M::Return,
         // The machine's builder defines the others: gears, clamps, chuck, spindle orientation.
-        6 | 10..=999 => M::User,
+        6 | 10..=199 => M::User,
         _ => return None,
     })
 }

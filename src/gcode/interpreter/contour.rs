@@ -63,6 +63,13 @@ pub(super) struct Ends {
     numbers: [u32; 2],
 }
 
+impl Ends {
+    /// The line of the first block.
+    pub(super) const fn first_line(&self) -> usize {
+        self.first.line()
+    }
+}
+
 impl Interpreter<'_> {
     /// The blocks that two words of the block in hand name, P and Q of Fanuc's cycles, S and E of Fagor's.
     pub(super) fn contour_ends(&mut self, cycle: u8, letters: [usize; 2]) -> Outcome<Ends> {
@@ -327,6 +334,23 @@ impl Interpreter<'_> {
             );
         }
         self.source().go_to(contour.behind)
+    }
+
+    /// Goes on behind the contour of a cycle that was refused: its blocks are none of the program's own motions.
+    pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Outcome<()> {
+        // Where the blocks are not found there is no contour to pass over, and the cycle was refused for that.
+        let Ok(ends) = self.contour_ends(cycle, [letter::P, letter::Q]) else { return Ok(()) };
+        let contour = (self.at, ends.first_line());
+        if !self.modal.refused.contains(&contour) {
+            self.modal.refused.push(contour);
+        }
+        let here = self.source().position();
+        if ends.last.line() <= here.lines {
+            return Ok(());
+        }
+        self.source().go_to(ends.last.at)?;
+        self.source().next_line(&mut Vec::new())?;
+        Ok(())
     }
 
     /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.

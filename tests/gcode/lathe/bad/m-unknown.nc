@@ -1,5 +1,5 @@
-(expected: 4:1 M1250 does not exist)
+(expected: 4:1 M250 does not exist)
 T0101 S500 M3 F.2
 G0 X50. Z5.
-M1250
+M250
 M30
