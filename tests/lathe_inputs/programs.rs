@@ -279,7 +279,11 @@ fn a_refused_cycle_is_one_fault_and_nothing_after_it_is_made() {
     for (cycle, contour, found) in [
         ("G71 U2. R0.5|G71 P10 Q20 U0.5 F0.2", BACK, "stop 10 PS0064"),
         ("G72 W2. R0.5|G72 P10 Q20 U0.5 F0.2", "N10 G0 Z-20.|G1 X30. F0.1|X40.|N20 X20. Z2.", "stop 10 PS0329"),
-        ("G71 U2. R0.5|G71 P10 Q20 U0.5 F0.2", TOOL, "stop 9:1 a tool change inside the contour of G71 is not supported"),
+        (
+            "G71 U2. R0.5|G71 P10 Q20 U0.5 F0.2",
+            TOOL,
+            "stop 9:1 a tool change inside the contour of G71 is not supported",
+        ),
         ("G73 U8. W2. R0|G73 P10 Q20 U0.5 F0.2", BACK, "stop 7:1 PS0321"),
         ("G71 R0.5|G71 P10 Q20 U0.5 F0.2", BACK, "stop 7:1 U is missing"),
         ("G71 U0. R0.5|G71 P10 Q20 U0.5 F0.2", BACK, "stop 7:1 PS0062"),
