@@ -7,6 +7,10 @@ use crate::geometry::exact::convex::Origin;
 use crate::geometry::exact::meeting::{Meeting, Stretch};
 use crate::number::trig::hypot;
 
+/// What is shorter along the motion than this, mm, and than this share of the longest is no depth of cut: a pass that ends
+/// at a shoulder takes with it the fillet that the nose left there in the pass before, a sliver far above the pass.
+const SLIVER: [f64; 2] = [1.0, 0.05];
+
 /// A cutting edge faces a way where more than this of its normal is along it: 10°. Below it rubs.
 const FACES: f64 = 0.17;
 
@@ -15,7 +19,7 @@ const FACES: f64 = 0.17;
 pub struct Contact {
     /// Metal was met, more than touched.
     pub real: bool,
-    /// How far the cut reached across the motion, mm.
+    /// How far the cut reached across the motion, slivers left out; mm.
     pub across: f64,
     /// How far the cutting edges that look forward reach across it, where an edge that does not cut came into metal
     /// beside them: the depth of cut is too great.
@@ -119,6 +123,48 @@ impl Ride<'_> {
         [stretch.from, stretch.to].map(|end| self.aside(self.flip(end)))
     }
 
+    /// How far what was taken away reaches across the way where it is longer along it than a sliver, mm; `None` where it is
+    /// so nowhere.
+    ///
+    /// At a distance s to the left of the way the metal's length along it is the sum of the places u where its outline
+    /// crosses, those with s growing counted for and the others against (Green's theorem: the area is ∮ u ds). Between the
+    /// ends of stretches it is linear in s.
+    fn reach(&self, meeting: &Meeting) -> Option<f64> {
+        let along = |[z, r]: [f64; 2]| self.way[0] * (z - self.from[0]) + self.way[1] * (r - self.from[1]);
+        // Where a stretch begins and ends to count, with the place at s = 0 and its slope; the sign of s growing is in them.
+        let mut ends: Vec<[f64; 3]> = Vec::with_capacity(2 * (meeting.removed.len() + meeting.inserted.len()));
+        let removed = meeting.removed.iter().map(|one| (one, 1.0));
+        for (stretch, sign) in removed.chain(meeting.inserted.iter().map(|(one, _)| (one, -1.0))) {
+            let sign = if self.mirrored { -sign } else { sign };
+            let ([from, to], [one, two]) =
+                (self.span(*stretch), [stretch.from, stretch.to].map(|end| along(self.flip(end))));
+            if from == to {
+                continue;
+            }
+            let slope = (two - one) / (to - from);
+            let [place, slope] =
+                [one - slope * from, slope].map(|part| if to > from { sign * part } else { -sign * part });
+            ends.push([from.min(to), place, slope]);
+            ends.push([from.max(to), -place, -slope]);
+        }
+        ends.sort_by(|one, two| one[0].total_cmp(&two[0]));
+        // Between two ends that follow one another: the length half-way.
+        let (mut place, mut slope) = (0.0, 0.0);
+        for at in 1..ends.len() {
+            let [here, more, steeper] = ends[at - 1];
+            place += more;
+            slope += steeper;
+            let next = ends[at][0];
+            ends[at - 1] = [here, next, if next > here { place + slope * f64::midpoint(here, next) } else { 0.0 }];
+        }
+        ends.pop();
+        let longest = ends.iter().map(|[.., length]| *length).fold(0.0, f64::max);
+        let least = SLIVER[0].min(SLIVER[1] * longest);
+        let mut counts = ends.iter().filter(|[.., length]| *length > least);
+        let first = counts.next()?;
+        Some(counts.next_back().unwrap_or(first)[1] - first[0])
+    }
+
     /// A corner of the part where the way starts.
     fn corner(&self, at: usize) -> [f64; 2] {
         let corners = self.part.polygon.corners();
@@ -177,9 +223,10 @@ impl Contact {
             let [low, high] = ordered(ride.span(*stretch));
             cut = [cut[0].min(low), cut[1].max(high)];
         }
-        if !self.real || cut[1] - cut[0] > self.across {
+        let across = ride.reach(meeting).unwrap_or(cut[1] - cut[0]);
+        if !self.real || across > self.across {
             self.place = meeting.removed.first().map_or(self.place, |one| ride.flip(one.from));
-            self.across = cut[1] - cut[0];
+            self.across = across;
         }
         self.real = true;
         self.judge_backs(meeting, ride, cut);

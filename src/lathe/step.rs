@@ -59,7 +59,8 @@ pub struct Step {
     pub speed: [f64; 2],
     /// The greatest cutting speed, m/min; 0 out of the cut.
     pub cutting_speed: f64,
-    /// The depth of cut, mm: how far the cut reaches across the motion. 0 out of the cut.
+    /// The depth of cut, mm: how far the cut reaches across the motion, slivers left out. 0 out
+    /// of the cut.
     pub depth: f64,
     /// What was taken away.
     pub removed: Removed,

@@ -147,6 +147,24 @@ fn totals_are_the_sums_of_the_steps() {
     assert!((sum - totals.all.volume).abs() < 1e-9);
 }
 
+#[test]
+fn the_depth_of_cut_is_that_of_the_pass_and_not_of_the_fillet_before_it() {
+    // Passes of 1 mm to one shoulder with a nose of 0.8: each takes the fillet of the one before with it. On a cone, along
+    // the face, and into the metal across.
+    let run =
+        Run::new(bar()).tool(1).rapid(48.0, 2.0).cut(48.0, -30.0).rapid(49.0, 2.0).rapid(46.0, 2.0).cut(46.0, -30.0);
+    let run = run.rapid(47.0, -29.0).rapid(47.0, 2.0).rapid(44.0, 2.0).cut(44.0, -30.0);
+    let depths: Vec<f64> = run.steps.iter().map(|step| step.depth).filter(|depth| *depth > 0.0).collect();
+    assert_eq!(depths.len(), 3);
+    for depth in depths {
+        assert!((depth - 1.0).abs() < 0.03, "{depth}");
+    }
+    let facing = Run::new(bar()).tool(1).rapid(54.0, -0.7).cut(-1.6, -0.7);
+    assert!((facing.steps.last().unwrap().depth - 0.7).abs() < 1e-3, "{}", facing.steps.last().unwrap().depth);
+    let groove = Run::new(bar()).tool(3).rapid(52.0, -20.0).cut(40.0, -20.0);
+    assert!((groove.steps.last().unwrap().depth - 3.0).abs() < 1e-3, "{}", groove.steps.last().unwrap().depth);
+}
+
 /// Every edge of a mesh by its ends, how often it is run each way; and the volume.
 fn mesh(rings: &[Vec<[f64; 2]>], tolerance: f64) -> (HashMap<[[u32; 3]; 2], i32>, f64, f64) {
     let mut bytes = Vec::new();
