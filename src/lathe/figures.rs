@@ -1,12 +1,7 @@
 //! The drawings of a turning: the part in space, its half section in the chuck, the path of the tools.
 
-use std::f64::consts::TAU;
-
-use nalgebra::Vector3;
-
+use super::cover::cover;
 use crate::figure::{Figure, Ink, Label, Stroke};
-use crate::geometry::scene::{Camera, Scene};
-use crate::number::trig::{hypot, sin_cos};
 use crate::parameter::t;
 use crate::text::Text;
 
@@ -30,15 +25,13 @@ pub struct Drawn {
     pub rapid: Vec<Vec<[f64; 2]>>,
 }
 
-/// Sectors of the part in space.
-const SECTORS: u16 = 72;
 /// Most motions that are drawn.
 const MOTIONS: usize = 4_000;
 
 /// All figures, by the keys that the report's templates know.
 #[must_use]
 pub fn figures(drawn: &Drawn) -> Vec<Figure> {
-    vec![cover(drawn), half_section(drawn), path(drawn)]
+    vec![cover(&drawn.part), half_section(drawn), path(drawn)]
 }
 
 /// The contour of the part at 1:1: both halves of the section, the axis, and the wanted profile.
@@ -76,93 +69,12 @@ fn axis(contours: &[Contour]) -> Option<Stroke> {
     (greatest > least).then(|| Stroke::line(Ink::Centre, vec![[least - beyond, 0.0], [greatest + beyond, 0.0]]))
 }
 
-/// The corners of a contour that are needed to draw it: those left out lie within `within` of the line between their
-/// neighbours, and no line is longer than `longest`, so that faces can be put in order.
-fn sketched(contour: &Contour, within: f64, longest: f64) -> Vec<[f64; 2]> {
-    let Some(&first) = contour.first() else { return Vec::new() };
-    let mut points = vec![first];
-    let mut from = first;
-    let mut skipped: Vec<[f64; 2]> = Vec::new();
-    for (&at, &next) in contour.iter().skip(1).zip(contour.iter().skip(2).chain([&first])) {
-        skipped.push(at);
-        let long = hypot(next[0] - from[0], next[1] - from[1]);
-        let off = |point: &[f64; 2]| {
-            if long == 0.0 {
-                return hypot(point[0] - from[0], point[1] - from[1]);
-            }
-            ((next[0] - from[0]) * (point[1] - from[1]) - (next[1] - from[1]) * (point[0] - from[0])).abs() / long
-        };
-        if skipped.iter().any(|point| off(point) > within) {
-            divide(&mut points, at, longest);
-            from = at;
-            skipped.clear();
-        }
-    }
-    divide(&mut points, first, longest);
-    points.pop();
-    points
-}
-
-/// Adds a point, and before it so many between it and the last one that none are farther apart than `longest`.
-fn divide(points: &mut Vec<[f64; 2]>, to: [f64; 2], longest: f64) {
-    let from = points.last().copied().unwrap_or(to);
-    let parts = (hypot(to[0] - from[0], to[1] - from[1]) / longest).ceil().clamp(1.0, 200.0);
-    let mut at = 1.0;
-    while at <= parts {
-        points.push([0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * at / parts));
-        at += 1.0;
-    }
-}
-
 /// Least and greatest z and r of contours.
 fn extent(contours: &[Contour]) -> [[f64; 2]; 2] {
     [0, 1].map(|axis| {
         let values = || contours.iter().flatten().map(|point| point[axis]);
         [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
     })
-}
-
-/// The part in space, its free end to the right.
-fn cover(drawn: &Drawn) -> Figure {
-    let mut scene = Scene::new(Camera::new(-62.0, 24.0));
-    let point = |[z, r]: [f64; 2], turn: f64| {
-        let (sin, cos) = sin_cos(turn);
-        Vector3::new(z, r * cos, r * sin)
-    };
-    let [[left, right], [_, high]] = extent(&drawn.part);
-    let size = (right - left).max(2.0 * high);
-    for contour in &drawn.part {
-        let points = sketched(contour, size / 2000.0, size / 40.0);
-        let anticlockwise = area(&points) > 0.0;
-        for (at, &from) in points.iter().enumerate() {
-            let to = points.get(at + 1).or(points.first()).copied().unwrap_or(from);
-            if from[1] <= 0.0 && to[1] <= 0.0 {
-                continue;
-            }
-            // Anticlockwise in (z, r) the metal lies to the left.
-            let (from, to) = if anticlockwise { (from, to) } else { (to, from) };
-            for sector in 0..SECTORS {
-                let turn = |sector: u16| TAU * f64::from(sector) / f64::from(SECTORS);
-                let (a, b) = (turn(sector), turn(sector + 1));
-                let corners = [point(from, a), point(from, b), point(to, b), point(to, a)];
-                scene.add(&corners, &[], Ink::Thin, 0.0);
-            }
-        }
-    }
-    Figure {
-        key: "cover",
-        caption: t("La pieza como queda torneada", "The part as it is turned"),
-        axes: None,
-        strokes: scene.strokes(),
-        labels: Vec::new(),
-        legend: Vec::new(),
-    }
-}
-
-/// Twice the signed area of a closed contour, positive where it runs anticlockwise.
-fn area(points: &[[f64; 2]]) -> f64 {
-    let next = points.iter().skip(1).chain(points.first());
-    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum()
 }
 
 /// The part in the chuck with the stock around it.
