@@ -9,7 +9,7 @@ use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
-use crate::job::{Outcome, Source, Template, Turned};
+use crate::job::{Outcome, Run, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
 use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
@@ -28,6 +28,7 @@ use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
 
+use crate::verify::account::Account;
 /// Most findings of one program; the rest is counted. The table of alarms has them all.
 const MOST: usize = 50;
 
@@ -62,6 +63,15 @@ struct Followed {
 
 /// Follows the programs of a filled-in form.
 ///
+    account: Account,
+}
+
+impl Followed {
+    /// What the program came to.
+    fn run(&self) -> Run {
+        let all = self.simulation.totals().all;
+        Run { key: self.program.key, account: self.account.clone(), seconds: all.seconds, timeless: all.timeless }
+    }
 /// # Errors
 /// A refusal with every contradiction between values.
 pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
@@ -145,6 +155,8 @@ fn follow(
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
     let (mut faults, mut total) = (Vec::new(), 0);
+        account: Account::default(),
+    let mut before = interpreter.position().1;
     while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) if one.rows.len() == MOST_MOTIONS => {
@@ -167,6 +179,8 @@ fn follow(
                 }
                 one.rows.push(&step, source.text(file).unwrap_or(&source.main));
                 watch(Seen::Step(&step, &one.simulation, file));
+                one.account.take(&motion, &before);
+                before = motion.machine;
             }
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;
@@ -266,16 +280,22 @@ fn outcome(
     tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
     tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
     tables.push(turret_table(&given.setup.turret));
-    let last = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
-    tables.push(contour_table(&last.part));
-    let mut drawn = last;
+    let mut drawn = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
+    tables.push(contour_table(&drawn.part));
+    let paths = followed.iter().map(|one| one.drawn.clone()).collect::<Vec<Drawn>>();
     drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
     if let Some(profile) = profile {
         findings.extend(compared(&drawn.part, &profile, &mut quantities));
         drawn.wanted = profile.points().unwrap_or_default();
     }
     let contour = figures::contour(&drawn);
-    let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE });
+    let turned = Some(Turned {
+        runs: followed.iter().map(Followed::run).collect(),
+        supported: given.setup.stock.supported(&given.setup.lathe),
+        second: (followed.len() > 1).then_some(given.second),
+        contours: drawn.part.clone(),
+        tolerance: TOLERANCE,
+    });
     let endless = followed.iter().any(|one| one.endless);
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
     Outcome {
@@ -289,7 +309,7 @@ fn outcome(
             figure: contour,
             paper: None,
         }],
-        figures: LazyLock::new(Box::new(move || figures::figures(&drawn))),
+        figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs: if stopped { Vec::new() } else { programs },
         turned,
         findings,

@@ -28,10 +28,19 @@ pub struct Drawn {
 /// Most motions that are drawn.
 const MOTIONS: usize = 4_000;
 
-/// All figures, by the keys that the report's templates know.
+/// All figures, by the keys that the report's templates know: the part as it is left, and the path of each set-up.
 #[must_use]
-pub fn figures(drawn: &Drawn) -> Vec<Figure> {
-    vec![cover(&drawn.part), half_section(drawn), path(drawn)]
+pub fn figures(drawn: &Drawn, setups: &[Drawn]) -> Vec<Figure> {
+    let mut figures = vec![cover(&drawn.part), half_section(drawn)];
+    figures.extend(setups.iter().zip(["path", "path-2"]).map(|(setup, key)| {
+        let set_up = match key {
+            _ if setups.len() < 2 => t("", ""),
+            "path" => t(", primera colocación", ", first set-up"),
+            _ => t(", segunda colocación", ", second set-up"),
+        };
+        path(setup, key, &set_up)
+    }));
+    figures
 }
 
 /// The contour of the part at 1:1: both halves of the section, the axis, and the wanted profile.
@@ -116,7 +125,7 @@ fn half_section(drawn: &Drawn) -> Figure {
 }
 
 /// The path of the tools over the part.
-fn path(drawn: &Drawn) -> Figure {
+fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
     let mut strokes: Vec<Stroke> = drawn
         .part
         .iter()
@@ -131,15 +140,16 @@ fn path(drawn: &Drawn) -> Figure {
     strokes.extend(axis(&drawn.part));
     let all = drawn.feed.len() <= MOTIONS && drawn.rapid.len() <= MOTIONS;
     Figure {
-        key: "path",
-        caption: if all {
-            t("Recorrido de las herramientas", "Path of the tools")
-        } else {
-            t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
-        },
+        key,
+        caption: Text::new(format!("{}{}", what.es, set_up.es), format!("{}{}", what.en, set_up.en)),
         axes: None,
         strokes,
         labels: Vec::new(),
         legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "at rapid"))],
     }
 }
+    let what = if all {
+        t("Recorrido de las herramientas", "Path of the tools")
+    } else {
+        t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
+    };
