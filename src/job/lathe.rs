@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::interpreter::Stood;
 use crate::gcode::motion::Kind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
@@ -27,8 +28,8 @@ use crate::parameter::list::Row;
 use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
-
 use crate::verify::account::Account;
+
 /// Most findings of one program; the rest is counted. The table of alarms has them all.
 const MOST: usize = 50;
 
@@ -43,6 +44,9 @@ const TOLERANCE: f64 = 0.01;
 pub enum Seen<'a> {
     /// A program begins, with its text and the part as it is.
     Begin(&'a Program, &'a text::Source, &'a Simulation),
+    /// What is in force before the first block, or after one that changed it without a motion; with the name of the
+    /// subprogram's file that the block stands in.
+    Stood(&'a Stood, &'a Simulation, Option<&'a str>),
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
@@ -59,10 +63,6 @@ struct Followed {
     /// A budget ended before the program did.
     endless: bool,
     drawn: Drawn,
-}
-
-/// Follows the programs of a filled-in form.
-///
     account: Account,
 }
 
@@ -72,6 +72,10 @@ impl Followed {
         let all = self.simulation.totals().all;
         Run { key: self.program.key, account: self.account.clone(), seconds: all.seconds, timeless: all.timeless }
     }
+}
+
+/// Follows the programs of a filled-in form.
+///
 /// # Errors
 /// A refusal with every contradiction between values.
 pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
@@ -151,13 +155,20 @@ fn follow(
         findings: Vec::new(),
         endless: false,
         drawn: Drawn { stock, ..Drawn::default() },
+        account: Account::default(),
     };
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
     let (mut faults, mut total) = (Vec::new(), 0);
-        account: Account::default(),
     let mut before = interpreter.position().1;
-    while let Some(item) = interpreter.next() {
+    interpreter.keep_stood();
+    watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
+    loop {
+        let item = interpreter.next();
+        for stood in interpreter.stood() {
+            watch(Seen::Stood(&stood, &one.simulation, interpreter.file(stood.control.file)));
+        }
+        let Some(item) = item else { break };
         match item {
             Ok(motion) if one.rows.len() == MOST_MOTIONS => {
                 one.endless = true;
@@ -167,6 +178,8 @@ fn follow(
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
+                one.account.take(&motion, &before);
+                before = motion.machine;
                 let mut step = one.simulation.take(&motion, &control);
                 in_force.judge(&mut step);
                 for alarm in &step.alarms {
@@ -179,8 +192,6 @@ fn follow(
                 }
                 one.rows.push(&step, source.text(file).unwrap_or(&source.main));
                 watch(Seen::Step(&step, &one.simulation, file));
-                one.account.take(&motion, &before);
-                before = motion.machine;
             }
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;

@@ -353,7 +353,7 @@ function labelAll() {
   const notes = byId("notes"), { assumed } = run.data;
   notes.replaceChildren();
   const said = run.data.notes.map(pick);
-  if (run.count === 0) said.push(say("empty"));
+  if (run.still) said.push(say("empty"));
   if (assumed[0]) said.push(say("assumedRapid"));
   if (assumed[1]) said.push(say("assumedFeed"));
   if (renderer.name === "2d") said.push(say("flat"));

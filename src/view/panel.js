@@ -65,13 +65,15 @@ class Readout {
       this.technology[at][0].textContent = value;
       this.technology[at][1].textContent = small;
     });
-    const codes = run.data.feed_codes, move = ["G0", "G1", "G2", "G3", codes[0] === "G98" ? "G32" : "G33", "G4"][kind];
+    const codes = run.data.feed_codes;
+    const modal = ["G0", "G1", "G2", "G3", codes[0] === "G98" ? "G32" : "G33", "–", "–"][run.modal[motion]];
+    const move = kind === DWELL ? `${modal} G4` : modal;
     const cells = [
       [["M5", "M3", "M4"][state.spindle], state.spindle > 0],
       [state.coolant ? "M8" : "M9", state.coolant],
       [SYSTEMS[state.system] ?? "", state.system > 1],
       [codes[state.feed], false],
-      [move, kind !== RAPID],
+      [move, run.modal[motion] !== RAPID && !stands(run.modal[motion])],
       [`G${state.compensation}`, state.compensation !== 40],
     ];
     cells.forEach(([text, on], at) => {

@@ -465,6 +465,7 @@ impl Interpreter<'_> {
             seconds,
         };
         self.current = to;
+        self.moved();
         if self.reading.diameter {
             self.hand_out(motion);
         } else {
