@@ -160,8 +160,8 @@ function frame(now) {
 const ghost = (paint) => (paint === "ghost" ? 0.28 : paint === "fixture" ? 0.6 : 1);
 
 function draw() {
-  const stage = byId("stage"), ratio = Math.min(devicePixelRatio || 1, 2);
-  const [width, height] = [stage.clientWidth, stage.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
+  const view = byId("view"), ratio = Math.min(devicePixelRatio || 1, 2);
+  const [width, height] = [view.clientWidth, view.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
   const [motion, part] = run.at(cursor);
   renderer.begin(camera, width, height, ratio);
   if (shown.grid) renderer.lines(grid.lines, { width: 1 });
@@ -469,7 +469,6 @@ function begin() {
   dark.addEventListener("change", () => (labelAll(), ask()));
   new ResizeObserver(ask).observe(byId("stage"));
   listenToPointers(byId("view"), () => camera, () => (touch(), ask()));
-  if (matchMedia("(min-width: 761px)").matches) byId("layers").open = true;
   follow();
   measured.loaded = performance.now();
   ask();

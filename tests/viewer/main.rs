@@ -212,6 +212,7 @@ fn both_languages_are_spoken() {
     let page = turned(folder.path(), 1);
     let browser = Browser::start(true);
     browser.open(&page, "");
+    browser.click("#layers summary");
     let words =
         "return document.body.innerText + [...document.querySelectorAll('[aria-label]')].map((one) => one.ariaLabel)";
     let spanish = browser.run(words).to_string();
@@ -237,7 +238,6 @@ fn both_languages_are_spoken() {
 }
 
 #[test]
-#[test]
 fn the_display_of_a_turning_says_what_is_in_force_at_blocks_without_motion() {
     if !chromium() {
         return;
@@ -261,6 +261,7 @@ fn the_display_of_a_turning_says_what_is_in_force_at_blocks_without_motion() {
     quiet(&browser);
 }
 
+#[test]
 fn metal_is_turned_away_as_the_program_goes_on() {
     if !chromium() {
         return;
