@@ -12,6 +12,8 @@ pub enum Ink {
     Cut,
     /// Where the ends of a wrapped template meet: long dashes.
     Seam,
+    /// The outline that a part is wanted to have.
+    Profile,
     /// Hidden or constructional line: thin and grey.
     Thin,
     /// Centre line: dash-dotted.

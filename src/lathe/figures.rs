@@ -43,17 +43,16 @@ pub fn figures(drawn: &Drawn, setups: &[Drawn]) -> Vec<Figure> {
     figures
 }
 
-/// The contour of the part at 1:1: both halves of the section, the axis, and the wanted profile.
+/// The contour of the part at 1:1: the whole section, the axis, and the wanted profile. Arcs of the contour are chords within
+/// the tolerance of the removal, as the metal was taken away.
 #[must_use]
 pub fn contour(drawn: &Drawn) -> Figure {
     let mut strokes: Vec<Stroke> = Vec::new();
     for contour in &drawn.part {
-        for side in [1.0, -1.0] {
-            strokes.push(Stroke::line(Ink::Cut, closed(contour).map(|[z, r]| [z, side * r]).collect()));
-        }
+        strokes.extend(section(contour).into_iter().map(|points| Stroke::line(Ink::Cut, points)));
     }
     if !drawn.wanted.is_empty() {
-        strokes.push(Stroke::line(Ink::Seam, drawn.wanted.clone()));
+        strokes.push(Stroke::line(Ink::Profile, drawn.wanted.clone()));
     }
     strokes.extend(axis(&drawn.part));
     Figure {
@@ -64,6 +63,30 @@ pub fn contour(drawn: &Drawn) -> Figure {
         labels: Vec::new(),
         legend: Vec::new(),
     }
+}
+
+/// The lines of a contour over the whole section, above and below the axis, each closed. What runs along the axis is no
+/// line of the part: there the two halves are one piece.
+fn section(contour: &Contour) -> Vec<Vec<[f64; 2]>> {
+    let bare = |point: &[f64; 2]| point[1] < 1e-7;
+    let count = contour.len();
+    let at = |index: usize| contour.get(index % count.max(1)).copied().unwrap_or_default();
+    let along: Vec<usize> = (0..count).filter(|&index| bare(&at(index)) && bare(&at(index + 1))).collect();
+    if along.is_empty() {
+        let lower = closed(contour).map(|[z, r]| [z, -r]).collect();
+        return vec![closed(contour).collect(), lower];
+    }
+    let ends = along.iter().skip(1).copied().chain(along.first().map(|first| first + count));
+    along
+        .iter()
+        .zip(ends)
+        .filter(|(from, to)| *to > *from + 2)
+        .map(|(from, to)| {
+            let upper: Vec<[f64; 2]> = (from + 1..=to).map(at).collect();
+            let lower = upper.iter().rev().skip(1).map(|&[z, r]| [z, -r]);
+            upper.iter().copied().chain(lower).collect()
+        })
+        .collect()
 }
 
 /// The points of a contour, the first one again at the end.
@@ -139,6 +162,11 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
     strokes.extend(some(&drawn.feed, Ink::Obverse));
     strokes.extend(axis(&drawn.part));
     let all = drawn.feed.len() <= MOTIONS && drawn.rapid.len() <= MOTIONS;
+    let what = if all {
+        t("Recorrido de las herramientas", "Path of the tools")
+    } else {
+        t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
+    };
     Figure {
         key,
         caption: Text::new(format!("{}{}", what.es, set_up.es), format!("{}{}", what.en, set_up.en)),
@@ -148,8 +176,24 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
         legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "at rapid"))],
     }
 }
-    let what = if all {
-        t("Recorrido de las herramientas", "Path of the tools")
-    } else {
-        t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
-    };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_axis_is_no_line_of_a_section() {
+        let solid = vec![[-9.0, 0.0], [-4.0, 0.0], [0.0, 0.0], [0.0, 5.0], [-9.0, 5.0]];
+        let whole = [[0.0, 0.0], [0.0, 5.0], [-9.0, 5.0], [-9.0, 0.0], [-9.0, -5.0], [0.0, -5.0], [0.0, 0.0]];
+        assert_eq!(section(&solid), [whole.to_vec()]);
+        // However the contour is begun.
+        let mut turned = solid;
+        turned.rotate_left(1);
+        assert_eq!(section(&turned), [whole.to_vec()]);
+        let tube = vec![[-9.0, 2.0], [0.0, 2.0], [0.0, 5.0], [-9.0, 5.0]];
+        let lines = section(&tube);
+        assert_eq!(lines.len(), 2);
+        assert!(lines.iter().all(|line| line.len() == 5 && line.first() == line.last()));
+        assert!(section(&Vec::new()).iter().all(Vec::is_empty));
+    }
+}
