@@ -295,11 +295,13 @@ fn outcome(
     tables.push(contour_table(&drawn.part));
     let paths = followed.iter().map(|one| one.drawn.clone()).collect::<Vec<Drawn>>();
     drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
+    let (mut lines, mut arcs) = (Vec::new(), Vec::new());
     if let Some(profile) = profile {
         findings.extend(compared(&drawn.part, &profile, &mut quantities));
         drawn.wanted = profile.points().unwrap_or_default();
+        (lines, arcs) = profile.drawn();
     }
-    let contour = figures::contour(&drawn);
+    let contour = figures::contour(&drawn.part, lines);
     let turned = Some(Turned {
         runs: followed.iter().map(Followed::run).collect(),
         supported: given.setup.stock.supported(&given.setup.lathe),
@@ -318,6 +320,7 @@ fn outcome(
             key: "contour",
             title: t("Contorno de la pieza", "Contour of the part"),
             figure: contour,
+            arcs,
             paper: None,
         }],
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),

@@ -11,7 +11,7 @@ pub mod pipe_insert;
 
 use std::sync::LazyLock;
 
-use crate::figure::{Figure, Paper};
+use crate::figure::{Arc, Figure, Paper};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
 use crate::number::grid::OutOfFormat;
@@ -70,6 +70,8 @@ pub struct Template {
     pub title: Text,
     /// The drawing, in millimetres.
     pub figure: Figure,
+    /// What of it is arcs of circles, drawn as such in DXF and SVG; a drawing that is printed has none.
+    pub arcs: Vec<Arc>,
     /// The paper that it is printed on at 1:1, over as many sheets as it takes; `None`: it is not printed.
     pub paper: Option<Paper>,
 }

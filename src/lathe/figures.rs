@@ -43,18 +43,16 @@ pub fn figures(drawn: &Drawn, setups: &[Drawn]) -> Vec<Figure> {
     figures
 }
 
-/// The contour of the part at 1:1: the whole section, the axis, and the wanted profile. Arcs of the contour are chords within
-/// the tolerance of the removal, as the metal was taken away.
+/// The contour of the part at 1:1: the whole section, the axis, and the straight lines of the wanted profile, whose arcs are
+/// drawn as such. Arcs of the contour are chords within the tolerance of the removal, as the metal was taken away.
 #[must_use]
-pub fn contour(drawn: &Drawn) -> Figure {
+pub fn contour(part: &[Contour], wanted: Vec<Vec<[f64; 2]>>) -> Figure {
     let mut strokes: Vec<Stroke> = Vec::new();
-    for contour in &drawn.part {
+    for contour in part {
         strokes.extend(section(contour).into_iter().map(|points| Stroke::line(Ink::Cut, points)));
     }
-    if !drawn.wanted.is_empty() {
-        strokes.push(Stroke::line(Ink::Profile, drawn.wanted.clone()));
-    }
-    strokes.extend(axis(&drawn.part));
+    strokes.extend(wanted.into_iter().map(|points| Stroke::line(Ink::Profile, points)));
+    strokes.extend(axis(part));
     Figure {
         key: "contour",
         caption: t("Contorno de la pieza torneada", "Contour of the turned part"),
