@@ -102,7 +102,8 @@ function showRemarks(run, go) {
     make("b", button, `${number}${where}${pick(remark.what)}`);
     const limit = remark.limit ? ` (${say("limit")} ${remark.limit})` : "";
     const at = remark.at ? `X ${decimals(remark.at[0], 3)}  Z ${decimals(remark.at[1], 3)} mm` : "";
-    const value = remark.value ? `${remark.value}${limit}` : "";
+    const deep = at && remark.value.endsWith(" mm") ? `${say("deep")} ` : "";
+    const value = remark.value ? `${deep}${remark.value}${limit}` : "";
     if (at || value) make("small", button, [at, value].filter(Boolean).join(" · "));
     if (pick(remark.remedy)) make("small", button, `→ ${pick(remark.remedy)}`);
     button.disabled = !remark.line && remark.motion === null;
