@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 
 use calamine::{Reader, Xlsx};
 use rodete::figure::Ink;
@@ -180,7 +180,17 @@ fn the_programs_of_a_lathe_stand_once_in_its_results_and_its_profile_on_a_layer_
     let outcome = job::run(&FORM, values, source).unwrap();
     let mut out = Cursor::new(Vec::new());
     workbook::results::write(&outcome, Language::En, &mut out).unwrap();
-    let sheets = Xlsx::new(Cursor::new(out.into_inner())).unwrap().sheet_names();
+    let bytes = out.into_inner();
+    let mut styles = String::new();
+    let mut package = zip::ZipArchive::new(Cursor::new(&bytes)).unwrap();
+    package.by_name("xl/styles.xml").unwrap().read_to_string(&mut styles).unwrap();
+    for alignment in styles.split("<alignment").skip(1).filter_map(|rest| rest.split('>').next()) {
+        assert!(
+            !alignment.contains("indent=") || alignment.contains("horizontal="),
+            "an indent without a side: {alignment}"
+        );
+    }
+    let sheets = Xlsx::new(Cursor::new(bytes)).unwrap().sheet_names();
     assert!(sheets.iter().any(|name| name == "PROGRAM"), "{sheets:?}");
     assert!(!sheets.iter().any(|name| name == "INCR" || name == "LISTING"), "{sheets:?}");
     let [template] = outcome.templates.as_slice() else { panic!("one drawing") };
