@@ -62,6 +62,8 @@ struct Followed {
     findings: Vec<Finding>,
     /// A budget ended before the program did.
     endless: bool,
+    /// A turning cycle was refused, and nothing after it was made.
+    uncut: bool,
     drawn: Drawn,
     account: Account,
 }
@@ -106,13 +108,14 @@ pub fn watched(
     };
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
-    let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
+    let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
         let left = followed.first().map(|one| one.simulation.contours()).unwrap_or_default();
         let part = turned_about(&left, &given.setup.stock, given.second);
         let setup = Setup { part: Some(part), ..given.setup.clone() };
+        let uncut = followed.iter().any(|one| one.uncut);
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
-        followed.push(follow("program-2", title, &second, &given, setup, watch)?);
+        followed.push(follow("program-2", title, &second, &given, (setup, uncut), watch)?);
     }
     Ok(outcome(form, values, source, &given, followed, profile))
 }
@@ -134,13 +137,13 @@ fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) 
     }
 }
 
-/// Follows one program.
+/// Follows one program from a set-up; with `uncut` it is read, and not made, for the part that it needs was not.
 fn follow(
     key: &'static str,
     title: Text,
     source: &text::Source,
     given: &Given,
-    setup: Setup,
+    (setup, uncut): (Setup, bool),
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
@@ -154,6 +157,7 @@ fn follow(
         alarms: Vec::new(),
         findings: Vec::new(),
         endless: false,
+        uncut,
         drawn: Drawn { stock, ..Drawn::default() },
         account: Account::default(),
     };
@@ -163,9 +167,11 @@ fn follow(
     let mut before = interpreter.position().1;
     interpreter.keep_stood();
     watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
+    // A control stops at a cycle that it refuses. What comes after it is read on for what else is wrong with it, and is not
+    // made: it would meet metal that the cycle has not taken away.
     loop {
         let item = interpreter.next();
-        for stood in interpreter.stood() {
+        for stood in interpreter.stood().into_iter().filter(|_| !one.uncut) {
             watch(Seen::Stood(&stood, &one.simulation, interpreter.file(stood.control.file)));
         }
         let Some(item) = item else { break };
@@ -175,6 +181,7 @@ fn follow(
                 faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
                 break;
             }
+            Ok(_) if one.uncut => {}
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
@@ -195,6 +202,7 @@ fn follow(
             }
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;
+                one.uncut |= fault.uncut;
                 total += 1;
                 if faults.len() < MOST {
                     faults.push(Finding::from(*fault));
