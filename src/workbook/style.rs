@@ -88,7 +88,7 @@ impl Default for Styles {
             symbol: ruled(top().set_bold()),
             text: ruled(wrapped()),
             faint: ruled(wrapped().set_font_color(FAINT)),
-            unit: ruled(top().set_align(FormatAlign::Left).set_indent(1)),
+            unit: ruled(top().set_indent(1)),
             input_number: input(Format::new().set_align(FormatAlign::Right).set_indent(1)),
             // As text, so that 007 stays 007 and =A1 stays what it is.
             input_text: input(
@@ -103,7 +103,7 @@ impl Default for Styles {
             number_header: header().set_align(FormatAlign::Right),
             number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
-            text_header: header().set_align(FormatAlign::Left).set_indent(1),
+            text_header: header().set_indent(1),
             // Away from the right-aligned numbers before it; without its side an indent is passed over.
             entry: wrapped().set_align(FormatAlign::Left).set_indent(1),
             block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
