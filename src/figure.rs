@@ -1,5 +1,8 @@
 //! A drawing: strokes and labels in millimetres of the thing drawn, to be scaled by whoever shows it.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::number::trig::atan2;
 use crate::parameter::{Choice, t};
 use crate::text::Text;
 
@@ -12,6 +15,8 @@ pub enum Ink {
     Cut,
     /// Where the ends of a wrapped template meet: long dashes.
     Seam,
+    /// The outline that a part is wanted to have.
+    Profile,
     /// Hidden or constructional line: thin and grey.
     Thin,
     /// Centre line: dash-dotted.
@@ -50,6 +55,40 @@ impl Stroke {
     #[must_use]
     pub const fn line(ink: Ink, points: Vec<[f64; 2]>) -> Self {
         Self { ink, points, filled: false, arrow: false }
+    }
+}
+
+/// An arc of a circle, drawn as one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// How it looks.
+    pub ink: Ink,
+    /// The centre.
+    pub centre: [f64; 2],
+    /// The radius.
+    pub radius: f64,
+    /// Where it begins and ends, anticlockwise.
+    pub ends: [[f64; 2]; 2],
+}
+
+impl Arc {
+    /// The angles of its ends from the x axis, rad; the second is the greater one, by less than a whole turn.
+    #[must_use]
+    pub fn angles(&self) -> [f64; 2] {
+        let [first, last] = self.ends.map(|[x, y]| atan2(y - self.centre[1], x - self.centre[0]));
+        [first, first + (last - first).rem_euclid(TAU)]
+    }
+
+    /// Its ends, and where it reaches farthest along x and y.
+    #[must_use]
+    pub fn reach(&self) -> Vec<[f64; 2]> {
+        let [first, last] = self.angles();
+        let [x, y] = self.centre;
+        let sides = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]].into_iter().zip([0.0, 1.0, 2.0, 3.0]);
+        let farthest = sides
+            .filter(|(_, quarter)| (quarter * FRAC_PI_2 - first).rem_euclid(TAU) < last - first)
+            .map(|([dx, dy], _)| [x + dx * self.radius, y + dy * self.radius]);
+        self.ends.into_iter().chain(farthest).collect()
     }
 }
 
@@ -120,3 +159,16 @@ impl Paper {
 
 /// The papers for a form.
 pub const PAPERS: &[Choice] = &[Choice { key: "a4", label: t("A4", "A4") }, Choice { key: "a3", label: t("A3", "A3") }];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_arc_reaches_beyond_its_ends_where_it_passes_an_axis() {
+        let arc = |ends| Arc { ink: Ink::Profile, centre: [1.0, 2.0], radius: 5.0, ends };
+        assert_eq!(arc([[6.0, 2.0], [1.0, 7.0]]).angles(), [0.0, FRAC_PI_2]);
+        assert_eq!(arc([[4.0, 6.0], [-2.0, 6.0]]).reach(), [[4.0, 6.0], [-2.0, 6.0], [1.0, 7.0]]);
+        assert_eq!(arc([[-2.0, 6.0], [4.0, 6.0]]).reach().len(), 5, "the long way round");
+    }
+}

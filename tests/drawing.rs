@@ -8,7 +8,7 @@ use std::process::Command;
 use quick_xml::events::Event;
 use rodete::drawing::template::NotPrinted;
 use rodete::drawing::{Drawing, NotDrawn, dxf, svg, template};
-use rodete::figure::{Figure, Ink, Label, Paper, Stroke};
+use rodete::figure::{Arc, Figure, Ink, Label, Paper, Stroke};
 use rodete::finding::Grade;
 use rodete::job::Source;
 use rodete::number::trig::cos;
@@ -60,7 +60,7 @@ fn source() -> Source {
 static TITLE: Text = Text::fixed("Plantilla del injerto", "Template of the branch");
 
 fn drawing<'a>(figure: &'a Figure, source: &'a Source) -> Drawing<'a> {
-    Drawing { figure, title: &TITLE, part: "P-17 <año>", source, language: Language::Es }
+    Drawing { figure, arcs: &[], title: &TITLE, part: "P-17 <año>", source, language: Language::Es }
 }
 
 // DXF
@@ -88,6 +88,25 @@ fn polylines(groups: &[(i32, String)]) -> Vec<(String, bool, Vec<[f64; 2]>)> {
         }
     }
     found
+}
+
+#[test]
+fn arcs_are_arcs_on_the_layer_of_their_ink_and_within_the_extents() {
+    let (figure, source) = (development(20.0, 8.0), source());
+    // From (40, 10) over the top at (30, 20) to (20, 10).
+    let arc = Arc { ink: Ink::Profile, centre: [30.0, 10.0], radius: 10.0, ends: [[40.0, 10.0], [20.0, 10.0]] };
+    let drawing = Drawing { arcs: &[arc], ..drawing(&figure, &source) };
+    let groups = groups(&dxf::dxf(&drawing).unwrap());
+    let entity = groups.chunk_by(|_, next| next.0 != 0).find(|entity| entity[0].1 == "ARC").expect("an arc");
+    let value = |code: i32| entity.iter().find(|group| group.0 == code).map(|group| group.1.as_str());
+    assert_eq!(value(8), Some("PERFIL"));
+    assert_eq!([10, 20, 40].map(value), [Some("30.0"), Some("10.0"), Some("10.0")]);
+    assert_eq!([50, 51].map(value), [Some("0.00000000"), Some("180.00000000")]);
+    let most = groups.iter().position(|group| group.1 == "$EXTMAX").expect("the extents");
+    assert_eq!([groups[most + 1].1.as_str(), groups[most + 2].1.as_str()], ["40.0", "20.0"]);
+    assert!(groups.iter().any(|group| *group == (2, "PERFIL".to_owned())), "the layer is in the table");
+    let svg = String::from_utf8(svg::svg(&drawing).unwrap()).unwrap();
+    assert!(svg.contains("class=\"perfil\" d=\"M44.425 12 A10 10 0 0 0 24.425 12\""), "{svg}");
 }
 
 #[test]

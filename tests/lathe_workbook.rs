@@ -2,12 +2,16 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 
+use calamine::{Reader, Xlsx};
+use rodete::figure::Ink;
 use rodete::finding::{CellPlace, Place, Refusal};
+use rodete::job::{self, Source};
 use rodete::lathe::catalogue;
 use rodete::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
 use rodete::lathe::setup::Given;
+use rodete::machine::axis::Axis;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
@@ -145,4 +149,52 @@ fn every_tool_of_the_catalogue_can_be_mounted() {
         let given = Given::of(&values).unwrap_or_else(|findings| panic!("{name}: {findings:?}"));
         assert_eq!(given.setup.turret.tools.len(), 1, "{name}");
     }
+}
+
+#[test]
+fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_among_them() {
+    for (index, case) in FORM.cases.iter().enumerate() {
+        let values = read(&book(index, Language::En, |_| ())).unwrap();
+        let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+        let outcome = job::run(&FORM, values, source).unwrap();
+        let turned = outcome.turned.as_ref().unwrap();
+        let [run] = turned.runs.as_slice() else { panic!("{}: one program", case.name) };
+        let time = outcome.quantities.iter().find(|quantity| quantity.symbol == "t").unwrap().value;
+        assert_eq!((run.key, run.seconds.to_bits(), run.timeless), ("program", time.to_bits(), 0), "{}", case.name);
+        let motions = outcome.table("blocks").unwrap().rows();
+        assert_eq!(usize::try_from(run.account.motions), Ok(motions), "{}", case.name);
+        assert!(run.account.feed_path > 100.0 && run.account.rapid_path > 100.0, "{:?}", run.account);
+        let reach = run.account.program.unwrap();
+        assert!(reach.of(Axis::Z)[0] < -10.0 && reach.of(Axis::Z)[1] > 30.0, "{reach:?}");
+        assert_eq!((turned.supported, turned.second), (false, None));
+        // The figures of the report: one path, and every key once.
+        let keys: Vec<_> = outcome.figures.iter().map(|figure| figure.key).collect();
+        assert_eq!(keys, ["cover", "half-section", "path"]);
+    }
+}
+
+#[test]
+fn the_programs_of_a_lathe_stand_once_in_its_results_and_its_profile_on_a_layer_of_its_own() {
+    let values = read(&book(1, Language::En, |_| ())).unwrap();
+    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+    let outcome = job::run(&FORM, values, source).unwrap();
+    let mut out = Cursor::new(Vec::new());
+    workbook::results::write(&outcome, Language::En, &mut out).unwrap();
+    let bytes = out.into_inner();
+    let mut styles = String::new();
+    let mut package = zip::ZipArchive::new(Cursor::new(&bytes)).unwrap();
+    package.by_name("xl/styles.xml").unwrap().read_to_string(&mut styles).unwrap();
+    // The blocks beside their lines' numbers: an indent without a side is passed over.
+    let alignments = styles.split("<alignment").skip(1).filter_map(|rest| rest.split('>').next());
+    let indented = alignments.filter(|one| one.contains("indent=\"1\"") && one.contains("wrapText"));
+    assert!(indented.clone().count() > 0 && indented.clone().all(|one| one.contains("horizontal=")), "{styles}");
+    let sheets = Xlsx::new(Cursor::new(bytes)).unwrap().sheet_names();
+    assert!(sheets.iter().any(|name| name == "PROGRAM"), "{sheets:?}");
+    assert!(!sheets.iter().any(|name| name == "INCR" || name == "LISTING"), "{sheets:?}");
+    let [template] = outcome.templates.as_slice() else { panic!("one drawing") };
+    assert!(template.arcs.iter().all(|arc| arc.ink == Ink::Profile) && template.arcs[0].radius == 15.0);
+    assert!(template.figure.strokes.iter().all(|stroke| matches!(stroke.ink, Ink::Cut | Ink::Profile | Ink::Centre)));
+    let along = |pair: &[[f64; 2]]| pair[0][1].abs() < 1e-9 && pair[1][1].abs() < 1e-9;
+    let drawn = template.figure.strokes.iter().filter(|stroke| stroke.points.windows(2).any(along));
+    assert_eq!(drawn.map(|stroke| stroke.ink).collect::<Vec<_>>(), [Ink::Centre], "the axis is a centre line only");
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::args::Build;
-use super::delivery::{Delivery, REPORT, endings, leftovers, program_name};
+use super::delivery::{self, Delivery, REPORT, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
 use super::plan::{self, Item};
 use super::terminal::Terminal;
@@ -134,8 +134,11 @@ fn typeset(
             name: printable(&name.to_string_lossy()),
         })
     });
-    let attachments: Vec<_> =
-        std::iter::once(input).chain(programs).chain(drawings::attachments(item, outcome, set)).collect();
+    let attachments: Vec<_> = std::iter::once(input)
+        .chain(programs)
+        .chain(drawings::attachments(item, outcome, set))
+        .chain(delivery::attachments(item, set))
+        .collect();
     let at_work = AtWork::begin();
     let report = report::typeset(outcome, &attachments, language, typst);
     drop(at_work);

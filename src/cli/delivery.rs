@@ -7,10 +7,12 @@ use super::kinds::FORMS;
 use super::plan::Item;
 use super::verdict::Verdict;
 use super::{drawings, show};
+use crate::escape::printable;
 use crate::finding::{Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
 use crate::job::Outcome;
 use crate::lathe::mesh;
+use crate::report::{Attachment, Content, Role};
 use crate::store::{self, Set};
 use crate::text::{Language, Text};
 use crate::view;
@@ -45,6 +47,27 @@ pub(super) struct Delivery<'a> {
     pub(super) outcome: &'a Outcome,
     /// The language of sheets and drawings.
     pub(super) language: Language,
+}
+
+/// What the report lists without carrying it: the results, and of a turning its solid and viewer.
+pub(super) fn attachments<'a>(item: &Item, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
+    let results = Text::fixed("Libro de resultados", "Results workbook");
+    let solid = Text::fixed("Pieza torneada, STL en mm", "Turned part, STL in mm");
+    let viewer = Text::fixed("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
+    let sheets = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
+    [(RESULTS, sheets, results), (SOLID, "model/stl", solid), (VIEWER, "text/html", viewer)]
+        .into_iter()
+        .filter_map(|(ending, mime, description)| {
+            let name = store::file_name(&item.stem, ending);
+            Some(Attachment {
+                role: Role::Beside,
+                mime,
+                description,
+                content: Content::File(set.draft(&name)?),
+                name: printable(&name.to_string_lossy()),
+            })
+        })
+        .collect()
 }
 
 impl Delivery<'_> {

@@ -36,6 +36,7 @@ fn name(item: &Item, template: &Template, extension: &str) -> OsString {
 fn drawing<'a>(outcome: &'a Outcome, template: &'a Template, language: Language) -> Drawing<'a> {
     Drawing {
         figure: &template.figure,
+        arcs: &template.arcs,
         title: &template.title,
         part: outcome.values.line("part"),
         source: &outcome.source,
@@ -138,6 +139,7 @@ mod tests {
                     labels: Vec::new(),
                     legend: Vec::new(),
                 },
+                arcs: Vec::new(),
                 paper,
             })
             .collect();

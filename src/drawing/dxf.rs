@@ -1,7 +1,7 @@
 //! A figure as DXF for CAD and for cutting machines.
 //!
 //! Written is the text form of release 12 (`AC1009`), which every reader takes, the import filters of plasma and laser
-//! machines among them: strokes as `POLYLINE` on a layer for each ink, labels as `TEXT`. Release 12 has no unit; the header
+//! machines among them: strokes as `POLYLINE` on a layer for each ink, arcs as `ARC`, labels as `TEXT`. Release 12 has no unit; the header
 //! variable `$INSUNITS` of release 2000 is given all the same (4, millimetres): readers that know it use it, others skip
 //! it. Letters are in code page 1252, the one that `$DWGCODEPAGE` names. Sources: Autodesk, *AutoCAD R12 Customization Manual*, chapter 11, and *DXF Reference*, header section.
 //!
@@ -13,7 +13,7 @@ use std::fmt::Display;
 use super::layer::{self, CENTRE, DASHED, FULL, Layer, layer};
 use super::{Drawing, LETTERS, NotDrawn, bounds};
 use crate::escape::printable;
-use crate::figure::Stroke;
+use crate::figure::{Arc, Stroke};
 
 /// Points of a stroke nearer to the last one are left out, in mm: half of what the file resolves. A polyline with a
 /// segment of no length stops some cutting programs.
@@ -31,7 +31,7 @@ const LINES: [(&str, &str, &[f64]); 3] = [
 /// # Errors
 /// Where there is nothing to draw, or a coordinate is not finite.
 pub fn dxf(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
-    let [[left, right], [bottom, top]] = bounds(drawing.figure, drawing.language)?;
+    let [[left, right], [bottom, top]] = bounds(drawing.figure, drawing.arcs, drawing.language)?;
     let mut file = Groups(Vec::new());
     let source = drawing.source;
     file.text(999, &format!("{} - {}", drawing.title.get(drawing.language), drawing.part));
@@ -55,6 +55,9 @@ pub fn dxf(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
     file.section("ENTITIES");
     for stroke in &drawing.figure.strokes {
         polyline(&mut file, stroke, &layer(stroke.ink), drawing);
+    }
+    for arc in drawing.arcs {
+        file.arc(layer(arc.ink).name.get(drawing.language), arc);
     }
     for label in &drawing.figure.labels {
         words(&mut file, label.at, label.text.get(drawing.language), drawing);
@@ -82,7 +85,8 @@ fn tables(file: &mut Groups, drawing: &Drawing<'_>) {
     }
     file.text(0, "ENDTAB");
     let mut layers: Vec<Layer> = Vec::new();
-    let used = drawing.figure.strokes.iter().map(|stroke| layer(stroke.ink));
+    let arcs = drawing.arcs.iter().map(|arc| layer(arc.ink));
+    let used = drawing.figure.strokes.iter().map(|stroke| layer(stroke.ink)).chain(arcs);
     for one in used.chain((!drawing.figure.labels.is_empty()).then_some(layer::WORDS)) {
         if !layers.iter().any(|other| other.name == one.name) {
             layers.push(one);
@@ -217,6 +221,18 @@ impl Groups {
         self.put(70, 0);
         self.put(62, colour);
         self.text(6, line);
+    }
+
+    /// An arc, anticlockwise from its first angle to its second; degrees, to 1e-8 so that its ends are where they belong.
+    fn arc(&mut self, layer: &str, arc: &Arc) {
+        self.text(0, "ARC");
+        self.text(8, layer);
+        self.point(arc.centre);
+        self.length(40, arc.radius);
+        for (code, angle) in [50, 51].into_iter().zip(arc.angles()) {
+            let degrees = angle.to_degrees().rem_euclid(360.0);
+            self.put(code, format!("{degrees:.8}"));
+        }
     }
 
     fn polyline(&mut self, layer: &str, points: &[[f64; 2]], closed: bool) {

@@ -33,6 +33,7 @@ pub(super) const fn layer(ink: Ink) -> Layer {
         Ink::Outline => of("CONTORNO", "OUTLINE", 7, FULL),
         Ink::Cut => of("CORTE", "CUT", 1, FULL),
         Ink::Seam => of("COSTURA", "SEAM", 5, DASHED),
+        Ink::Profile => of("PERFIL", "PROFILE", 5, FULL),
         Ink::Thin => of("AUXILIAR", "AUXILIARY", 8, FULL),
         Ink::Centre => of("EJES", "CENTRES", 4, CENTRE),
         Ink::Blade => of("ALABE", "BLADE", 5, FULL),

@@ -13,7 +13,7 @@ pub mod tiles;
 
 use thiserror::Error;
 
-use crate::figure::Figure;
+use crate::figure::{Arc, Figure};
 use crate::finding::{Finding, Place};
 use crate::job::Source;
 use crate::text::{Language, Text};
@@ -26,6 +26,8 @@ const LETTERS: f64 = 3.3;
 pub struct Drawing<'a> {
     /// What is drawn.
     pub figure: &'a Figure,
+    /// What of it is arcs of circles; none on paper.
+    pub arcs: &'a [Arc],
     /// What it is.
     pub title: &'a Text,
     /// The part's name.
@@ -79,11 +81,11 @@ impl NotDrawn {
     }
 }
 
-/// Least and greatest x, then y, of the strokes and of the boxes that labels take up; in mm.
+/// Least and greatest x, then y, of the strokes and arcs and of the boxes that labels take up; in mm.
 ///
 /// # Errors
 /// Where there is nothing to draw, or a coordinate is not finite.
-fn bounds(figure: &Figure, language: Language) -> Result<[[f64; 2]; 2], NotDrawn> {
+fn bounds(figure: &Figure, arcs: &[Arc], language: Language) -> Result<[[f64; 2]; 2], NotDrawn> {
     if !figure.strokes.iter().any(|stroke| stroke.points.len() > 1) {
         return Err(NotDrawn::Empty);
     }
@@ -94,7 +96,8 @@ fn bounds(figure: &Figure, language: Language) -> Result<[[f64; 2]; 2], NotDrawn
         [[x - half, y - LETTERS], [x + half, y + LETTERS]]
     });
     let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for point in figure.strokes.iter().flat_map(|stroke| &stroke.points).copied().chain(labels) {
+    let arcs = arcs.iter().flat_map(Arc::reach);
+    for point in figure.strokes.iter().flat_map(|stroke| &stroke.points).copied().chain(arcs).chain(labels) {
         for ([least, greatest], value) in found.iter_mut().zip(point) {
             if !value.is_finite() {
                 return Err(NotDrawn::NotFinite);
@@ -136,15 +139,15 @@ mod tests {
     #[test]
     fn bounds_hold_strokes_and_the_boxes_of_labels() {
         let mut figure = figure(vec![[0.0, 0.0], [10.0, -5.0]]);
-        assert_eq!(bounds(&figure, Language::En), Ok([[0.0, 10.0], [-5.0, 0.0]]));
+        assert_eq!(bounds(&figure, &[], Language::En), Ok([[0.0, 10.0], [-5.0, 0.0]]));
         figure.labels.push(Label { at: [10.0, 0.0], text: Text::same("abcd") });
-        let [[_, right], [_, top]] = bounds(&figure, Language::En).unwrap();
+        let [[_, right], [_, top]] = bounds(&figure, &[], Language::En).unwrap();
         assert!((right - 13.3).abs() < 1e-9 && (top - LETTERS).abs() < 1e-9);
     }
 
     #[test]
     fn what_cannot_be_drawn_says_so() {
-        assert_eq!(bounds(&figure(vec![[0.0, 0.0]]), Language::En), Err(NotDrawn::Empty));
-        assert_eq!(bounds(&figure(vec![[0.0, 0.0], [f64::NAN, 0.0]]), Language::En), Err(NotDrawn::NotFinite));
+        assert_eq!(bounds(&figure(vec![[0.0, 0.0]]), &[], Language::En), Err(NotDrawn::Empty));
+        assert_eq!(bounds(&figure(vec![[0.0, 0.0], [f64::NAN, 0.0]]), &[], Language::En), Err(NotDrawn::NotFinite));
     }
 }

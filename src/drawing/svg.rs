@@ -1,11 +1,12 @@
 //! A figure as SVG that prints at 1:1: width and height are in millimetres, and so is its unit.
 
+use std::f64::consts::PI;
 use std::fmt::Write as _;
 
 use super::layer::layer;
 use super::{Drawing, LETTERS, NotDrawn, bounds, number};
 use crate::escape::printable;
-use crate::figure::{Figure, Ink, Stroke};
+use crate::figure::{Arc, Figure, Ink, Stroke};
 use crate::report::pen::{face, pen};
 use crate::report::svg::{arrow_head, escape, word};
 use crate::text::{Language, Text};
@@ -18,7 +19,7 @@ const MARGIN: f64 = 2.0;
 /// # Errors
 /// Where there is nothing to draw, or a coordinate is not finite.
 pub fn svg(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
-    let [[left, right], [bottom, top]] = bounds(drawing.figure, drawing.language)?;
+    let [[left, right], [bottom, top]] = bounds(drawing.figure, drawing.arcs, drawing.language)?;
     let at = |[x, y]: [f64; 2]| [x - left + MARGIN, top - y + MARGIN];
     let (width, height) = (number(right - left + 2.0 * MARGIN), number(top - bottom + 2.0 * MARGIN));
     let source = drawing.source;
@@ -33,6 +34,9 @@ pub fn svg(drawing: &Drawing<'_>) -> Result<Vec<u8>, NotDrawn> {
         text(source.version)
     );
     strokes(&mut file, drawing.figure, drawing.language, at, None);
+    for arc in drawing.arcs {
+        round(&mut file, arc, at, drawing.language);
+    }
     labels(&mut file, drawing.figure, at, |words| printable(words.get(drawing.language)));
     file.push_str("</svg>\n");
     Ok(file.into_bytes())
@@ -148,6 +152,22 @@ fn line(file: &mut String, ink: Ink, points: &[[f64; 2]], before: f64, language:
         );
     }
     file.push_str("/>\n");
+}
+
+/// An arc of a circle; y goes down, so that anticlockwise is the negative sense.
+fn round(file: &mut String, arc: &Arc, at: impl Fn([f64; 2]) -> [f64; 2], language: Language) {
+    let pen = pen(arc.ink);
+    let [[x0, y0], [x1, y1]] = arc.ends.map(at).map(|end| end.map(number));
+    let [first, last] = arc.angles();
+    let _ = writeln!(
+        file,
+        "<path class=\"{}\" d=\"M{x0} {y0} A{r} {r} 0 {} 0 {x1} {y1}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"/>",
+        class(arc.ink, language),
+        u8::from(last - first > PI),
+        pen.colour,
+        number(pen.width),
+        r = number(arc.radius),
+    );
 }
 
 fn fill(file: &mut String, stroke: &Stroke, at: &impl Fn([f64; 2]) -> [f64; 2], language: Language) {

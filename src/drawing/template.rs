@@ -84,7 +84,7 @@ struct Sheet {
 /// Where there is nothing to draw, a coordinate is not finite, it takes more than [`super::tiles::MOST`] sheets, or typst
 /// does not do its work.
 pub fn pdf(drawing: &Drawing<'_>, paper: Paper, typst: &Typst) -> Result<Vec<u8>, NotPrinted> {
-    let bounds = bounds(drawing.figure, drawing.language).map_err(NotPrinted::Drawing)?;
+    let bounds = bounds(drawing.figure, drawing.arcs, drawing.language).map_err(NotPrinted::Drawing)?;
     let tiling = Tiling::over(bounds, paper).map_err(NotPrinted::Drawing)?;
     let mut words = Words::new(drawing.language);
     let mut files = vec![("template.typ".to_owned(), TEMPLATE.as_bytes().to_vec())];

@@ -38,6 +38,12 @@ impl Camera {
         Stroke::line(ink, points.into_iter().map(|point| self.see(&point)).collect())
     }
 
+    /// The direction from the part to the eye, of length 1.
+    #[must_use]
+    pub const fn towards(&self) -> Vector3<f64> {
+        self.towards
+    }
+
     /// True for a face with this normal that is seen from in front.
     #[must_use]
     pub fn faces(&self, normal: &Vector3<f64>) -> bool {
@@ -73,23 +79,30 @@ impl Scene {
     /// `edges` are the numbers of the corners at which a drawn edge begins. `nearer` moves the face towards the viewer
     /// when it is put in order (mm), for faces that lie on others.
     pub fn add(&mut self, corners: &[Vector3<f64>], edges: &[usize], ink: Ink, nearer: f64) {
-        let [a, b, c, ..] = corners else { return };
-        let across = corners.get(3).unwrap_or(a);
-        let Some(normal) = (c - a).cross(&(across - b)).try_normalize(1e-12) else { return };
-        if !self.camera.faces(&normal) {
-            return;
-        }
+        let Some(face) = self.face(corners) else { return };
         let count = f64::from(u32::try_from(corners.len()).unwrap_or(u32::MAX));
         let depth = corners.iter().map(|corner| self.camera.towards.dot(corner)).sum::<f64>() / count + nearer;
-        let seen: Vec<[f64; 2]> = corners.iter().map(|corner| self.camera.see(corner)).collect();
-        let shade = Ink::Face(brightness(normal.dot(&self.light)));
-        let mut strokes = vec![Stroke { ink: shade, points: seen.clone(), filled: true, arrow: false }];
+        let seen = face.points.clone();
+        let mut strokes = vec![face];
         for &edge in edges {
             if let (Some(&from), Some(&to)) = (seen.get(edge), seen.get((edge + 1) % seen.len())) {
                 strokes.push(Stroke::line(ink, vec![from, to]));
             }
         }
         self.faces.push(Face { depth, strokes });
+    }
+
+    /// A plane face by its corners, anticlockwise from outside, in its light; `None` for one that is seen from behind.
+    #[must_use]
+    pub fn face(&self, corners: &[Vector3<f64>]) -> Option<Stroke> {
+        let [a, b, c, ..] = corners else { return None };
+        let across = corners.get(3).unwrap_or(a);
+        let normal = (c - a).cross(&(across - b)).try_normalize(1e-12)?;
+        if !self.camera.faces(&normal) {
+            return None;
+        }
+        let shade = Ink::Face(brightness(normal.dot(&self.light)));
+        Some(Stroke { filled: true, ..self.camera.curve(shade, corners.iter().copied()) })
     }
 
     /// The strokes, far faces first.

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::interpreter::Stood;
 use crate::gcode::motion::Kind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
-use crate::job::{Outcome, Source, Template, Turned};
+use crate::job::{Outcome, Run, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
 use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
@@ -27,6 +28,7 @@ use crate::parameter::list::Row;
 use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
+use crate::verify::account::Account;
 
 /// Most findings of one program; the rest is counted. The table of alarms has them all.
 const MOST: usize = 50;
@@ -42,6 +44,9 @@ const TOLERANCE: f64 = 0.01;
 pub enum Seen<'a> {
     /// A program begins, with its text and the part as it is.
     Begin(&'a Program, &'a text::Source, &'a Simulation),
+    /// What is in force before the first block, or after one that changed it without a motion; with the name of the
+    /// subprogram's file that the block stands in.
+    Stood(&'a Stood, &'a Simulation, Option<&'a str>),
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
@@ -60,6 +65,15 @@ struct Followed {
     /// A turning cycle was refused, and nothing after it was made.
     uncut: bool,
     drawn: Drawn,
+    account: Account,
+}
+
+impl Followed {
+    /// What the program came to.
+    fn run(&self) -> Run {
+        let all = self.simulation.totals().all;
+        Run { key: self.program.key, account: self.account.clone(), seconds: all.seconds, timeless: all.timeless }
+    }
 }
 
 /// Follows the programs of a filled-in form.
@@ -145,13 +159,22 @@ fn follow(
         endless: false,
         uncut,
         drawn: Drawn { stock, ..Drawn::default() },
+        account: Account::default(),
     };
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
     let (mut faults, mut total) = (Vec::new(), 0);
+    let mut before = interpreter.position().1;
+    interpreter.keep_stood();
+    watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
     // A control stops at a cycle that it refuses. What comes after it is read on for what else is wrong with it, and is not
     // made: it would meet metal that the cycle has not taken away.
-    while let Some(item) = interpreter.next() {
+    loop {
+        let item = interpreter.next();
+        for stood in interpreter.stood().into_iter().filter(|_| !one.uncut) {
+            watch(Seen::Stood(&stood, &one.simulation, interpreter.file(stood.control.file)));
+        }
+        let Some(item) = item else { break };
         match item {
             Ok(motion) if one.rows.len() == MOST_MOTIONS => {
                 one.endless = true;
@@ -162,6 +185,8 @@ fn follow(
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
+                one.account.take(&motion, &before);
+                before = motion.machine;
                 let mut step = one.simulation.take(&motion, &control);
                 in_force.judge(&mut step);
                 for alarm in &step.alarms {
@@ -274,16 +299,24 @@ fn outcome(
     tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
     tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
     tables.push(turret_table(&given.setup.turret));
-    let last = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
-    tables.push(contour_table(&last.part));
-    let mut drawn = last;
+    let mut drawn = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
+    tables.push(contour_table(&drawn.part));
+    let paths = followed.iter().map(|one| one.drawn.clone()).collect::<Vec<Drawn>>();
     drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
+    let (mut lines, mut arcs) = (Vec::new(), Vec::new());
     if let Some(profile) = profile {
         findings.extend(compared(&drawn.part, &profile, &mut quantities));
         drawn.wanted = profile.points().unwrap_or_default();
+        (lines, arcs) = profile.drawn();
     }
-    let contour = figures::contour(&drawn);
-    let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE });
+    let contour = figures::contour(&drawn.part, lines);
+    let turned = Some(Turned {
+        runs: followed.iter().map(Followed::run).collect(),
+        supported: given.setup.stock.supported(&given.setup.lathe),
+        second: (followed.len() > 1).then_some(given.second),
+        contours: drawn.part.clone(),
+        tolerance: TOLERANCE,
+    });
     let endless = followed.iter().any(|one| one.endless);
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
     Outcome {
@@ -295,9 +328,10 @@ fn outcome(
             key: "contour",
             title: t("Contorno de la pieza", "Contour of the part"),
             figure: contour,
+            arcs,
             paper: None,
         }],
-        figures: LazyLock::new(Box::new(move || figures::figures(&drawn))),
+        figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs: if stopped { Vec::new() } else { programs },
         turned,
         findings,

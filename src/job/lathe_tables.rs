@@ -129,8 +129,12 @@ impl Rows {
                 name,
                 title: t("Movimientos del programa, bloque a bloque", "Motions of the program, block by block"),
                 source: t(
-                    "Leído por el intérprete; los ciclos, desarrollados. X en diámetro; t = 0 donde no se conoce",
-                    "Read by the interpreter, cycles expanded. X as a diameter; t = 0 where it is not known",
+                    "Leído por el intérprete; los ciclos, desarrollados. X en diámetro; t = 0 donde no se conoce; F por \
+                     minuto, dividido por S; V_c en el mayor diámetro d_c del contacto; a_p de una pasada de rosca, desde \
+                     el exterior",
+                    "Read by the interpreter, cycles expanded. X as a diameter; t = 0 where it is not known; F per minute \
+                     divided by S; V_c at the greatest diameter of contact d_c; a_p of a pass of a thread, from the \
+                     outside",
                 ),
                 index: Index::None,
                 columns: vec![
@@ -142,8 +146,8 @@ impl Rows {
                     Column::numbers("Z", Unit::Millimetre, "", rows.Z),
                     Column::numbers("t", Unit::Second, "", rows.seconds),
                     Column::numbers("S", Unit::RevolutionPerMinute, "", rows.S),
-                    Column::numbers("F", Unit::MillimetrePerRevolution, "", rows.F),
-                    Column::numbers("V_c", Unit::MetrePerMinute, "π d n/1000", rows.V_c),
+                    Column::numbers("F", Unit::MillimetrePerRevolution, "F; F/S (mm/min)", rows.F),
+                    Column::numbers("V_c", Unit::MetrePerMinute, "π d_c n/1000", rows.V_c),
                     Column::numbers("a_p", Unit::Millimetre, "", rows.a_p),
                     Column::numbers("V", Unit::CubicMillimetre, "", rows.volume),
                     Column::numbers("Q", Unit::CubicCentimetrePerMinute, "V/t", rows.rate),
@@ -202,7 +206,10 @@ pub fn lines_table(motions: &[Table]) -> Table {
         key: "lines",
         name: t("Por bloque", "By block"),
         title: t("Lo que hace cada bloque", "What each block does"),
-        source: t("Sumas sobre los movimientos de cada línea", "Sums over the motions of each line"),
+        source: t(
+            "Sumas sobre los movimientos de cada línea; de a_p, V_c y Q, el mayor valor; a_p de una rosca, desde el exterior",
+            "Sums over the motions of each line; of a_p, V_c and Q the greatest; a_p of a thread from the outside",
+        ),
         index: Index::None,
         columns: vec![
             Column::numbers(
@@ -284,7 +291,10 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
         key: "tools",
         name: t("Por herramienta", "By tool"),
         title: t("Lo que hace cada herramienta", "What each tool does"),
-        source: t("Sumas sobre los movimientos", "Sums over the motions"),
+        source: t(
+            "Sumas sobre los movimientos; de a_p, V_c y Q, el mayor valor",
+            "Sums over the motions; of a_p, V_c and Q the greatest",
+        ),
         index: Index::None,
         columns: vec![
             Column::numbers("T", Unit::Count, "", places.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>()),

@@ -11,13 +11,14 @@ pub mod pipe_insert;
 
 use std::sync::LazyLock;
 
-use crate::figure::{Figure, Paper};
+use crate::figure::{Arc, Figure, Paper};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Table};
 use crate::text::Text;
+use crate::verify::account::Account;
 
 /// Where an outcome comes from, for headers and reports. All of it is input: nothing below the edge reads a clock or a
 /// file.
@@ -69,13 +70,34 @@ pub struct Template {
     pub title: Text,
     /// The drawing, in millimetres.
     pub figure: Figure,
+    /// What of it is arcs of circles, drawn as such in DXF and SVG; a drawing that is printed has none.
+    pub arcs: Vec<Arc>,
     /// The paper that it is printed on at 1:1, over as many sheets as it takes; `None`: it is not printed.
     pub paper: Option<Paper>,
+}
+
+/// A turning program that was followed to its end.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The program's key.
+    pub key: &'static str,
+    /// How far it reaches and how long its path is, from where the turret stands at the start.
+    pub account: Account,
+    /// How long it takes, rapid moves included, s.
+    pub seconds: f64,
+    /// How many of its motions have no known time, and are not in `seconds`.
+    pub timeless: usize,
 }
 
 /// A part turned on a lathe.
 #[derive(Clone, Debug)]
 pub struct Turned {
+    /// What the programs came to, in their order.
+    pub runs: Vec<Run>,
+    /// The tailstock supports the stock.
+    pub supported: bool,
+    /// How far the part is shifted once it is turned about, Z_s in mm, where there is a second set-up.
+    pub second: Option<f64>,
     /// The contours of its half section, `[z, r]` in mm, counter-clockwise, holes clockwise.
     pub contours: Vec<Vec<[f64; 2]>>,
     /// How far the facets of its solid may be from it, mm.

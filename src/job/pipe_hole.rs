@@ -103,6 +103,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
             key: "template",
             title: t("Plantilla del agujero", "Template of the hole"),
             figure: template(&design),
+            arcs: Vec::new(),
             paper: Some(design.paper),
         }],
         figures: LazyLock::new(Box::new(move || figures(&design, &curve))),

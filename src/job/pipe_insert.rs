@@ -84,6 +84,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
             key: "template",
             title: t("Plantilla del injerto", "Template of the branch"),
             figure: template(&design),
+            arcs: Vec::new(),
             paper: Some(design.paper),
         }],
         figures: LazyLock::new(Box::new(move || figures(&design, cut.as_ref(), &curve))),

@@ -1,6 +1,7 @@
 //! How far the part is from what was wanted.
 
 use super::outline::beside;
+use crate::figure::{Arc, Ink};
 use crate::geometry::chords;
 use crate::geometry::exact::region::Ring;
 use crate::number::trig::{atan2, hypot};
@@ -59,16 +60,7 @@ impl Profile {
                     from = to;
                 }
                 Span::Arc { to, radius, clockwise } => {
-                    let [dz, dr] = [to[0] - from[0], to[1] - from[1]];
-                    let chord = hypot(dz, dr);
-                    let square = radius * radius - chord * chord / 4.0;
-                    // A half circle's end may be off by a rounding.
-                    if chord <= 0.0 || radius <= 0.0 || square < -1e-6 * radius * radius {
-                        return None;
-                    }
-                    // The centre of the shorter arc: to the left of the chord for a counter-clockwise one.
-                    let away = square.max(0.0).sqrt() / chord * if clockwise { -1.0 } else { 1.0 };
-                    let centre = [from[0] + dz / 2.0 - dr * away, from[1] + dr / 2.0 + dz * away];
+                    let centre = centre(from, to, radius, clockwise)?;
                     let angle = |point: [f64; 2]| atan2(point[1] - centre[1], point[0] - centre[0]);
                     let turn = (angle(to) - angle(from)).rem_euclid(std::f64::consts::TAU);
                     let sweep = if clockwise { turn - std::f64::consts::TAU } else { turn };
@@ -79,6 +71,46 @@ impl Profile {
         }
         Some(points)
     }
+
+    /// The profile as drawn: its straight lines, and its arcs.
+    #[must_use]
+    pub fn drawn(&self) -> (Vec<Vec<[f64; 2]>>, Vec<Arc>) {
+        let (mut lines, mut arcs): (Vec<Vec<[f64; 2]>>, Vec<Arc>) = (Vec::new(), Vec::new());
+        let (mut from, mut begun) = (self.start, false);
+        for span in &self.spans {
+            match *span {
+                Span::Line(to) => {
+                    match lines.last_mut().filter(|_| begun) {
+                        Some(line) => line.push(to),
+                        None => lines.push(vec![from, to]),
+                    }
+                    (from, begun) = (to, true);
+                }
+                Span::Arc { to, radius, clockwise } => {
+                    let ends = if clockwise { [to, from] } else { [from, to] };
+                    if let Some(centre) = centre(from, to, radius, clockwise) {
+                        arcs.push(Arc { ink: Ink::Profile, centre, radius, ends });
+                    }
+                    (from, begun) = (to, false);
+                }
+            }
+        }
+        (lines, arcs)
+    }
+}
+
+/// The centre of the shorter arc of a radius; `None` where that is less than half the way to its end.
+fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<[f64; 2]> {
+    let [dz, dr] = [to[0] - from[0], to[1] - from[1]];
+    let chord = hypot(dz, dr);
+    let square = radius * radius - chord * chord / 4.0;
+    // A half circle's end may be off by a rounding.
+    if chord <= 0.0 || radius <= 0.0 || square < -1e-6 * radius * radius {
+        return None;
+    }
+    // To the left of the chord for a counter-clockwise one.
+    let away = square.max(0.0).sqrt() / chord * if clockwise { -1.0 } else { 1.0 };
+    Some([from[0] + dz / 2.0 - dr * away, from[1] + dr / 2.0 + dz * away])
 }
 
 /// How far a part's contours are from a wanted profile, on either side.

@@ -1,12 +1,7 @@
 //! The drawings of a turning: the part in space, its half section in the chuck, the path of the tools.
 
-use std::f64::consts::TAU;
-
-use nalgebra::Vector3;
-
+use super::cover::cover;
 use crate::figure::{Figure, Ink, Label, Stroke};
-use crate::geometry::scene::{Camera, Scene};
-use crate::number::trig::{hypot, sin_cos};
 use crate::parameter::t;
 use crate::text::Text;
 
@@ -30,30 +25,34 @@ pub struct Drawn {
     pub rapid: Vec<Vec<[f64; 2]>>,
 }
 
-/// Sectors of the part in space.
-const SECTORS: u16 = 72;
 /// Most motions that are drawn.
 const MOTIONS: usize = 4_000;
 
-/// All figures, by the keys that the report's templates know.
+/// All figures, by the keys that the report's templates know: the part as it is left, and the path of each set-up.
 #[must_use]
-pub fn figures(drawn: &Drawn) -> Vec<Figure> {
-    vec![cover(drawn), half_section(drawn), path(drawn)]
+pub fn figures(drawn: &Drawn, setups: &[Drawn]) -> Vec<Figure> {
+    let mut figures = vec![cover(&drawn.part), half_section(drawn)];
+    figures.extend(setups.iter().zip(["path", "path-2"]).map(|(setup, key)| {
+        let set_up = match key {
+            _ if setups.len() < 2 => t("", ""),
+            "path" => t(", primera colocación", ", first set-up"),
+            _ => t(", segunda colocación", ", second set-up"),
+        };
+        path(setup, key, &set_up)
+    }));
+    figures
 }
 
-/// The contour of the part at 1:1: both halves of the section, the axis, and the wanted profile.
+/// The contour of the part at 1:1: the whole section, the axis, and the straight lines of the wanted profile, whose arcs are
+/// drawn as such. Arcs of the contour are chords within the tolerance of the removal, as the metal was taken away.
 #[must_use]
-pub fn contour(drawn: &Drawn) -> Figure {
+pub fn contour(part: &[Contour], wanted: Vec<Vec<[f64; 2]>>) -> Figure {
     let mut strokes: Vec<Stroke> = Vec::new();
-    for contour in &drawn.part {
-        for side in [1.0, -1.0] {
-            strokes.push(Stroke::line(Ink::Cut, closed(contour).map(|[z, r]| [z, side * r]).collect()));
-        }
+    for contour in part {
+        strokes.extend(section(contour).into_iter().map(|points| Stroke::line(Ink::Cut, points)));
     }
-    if !drawn.wanted.is_empty() {
-        strokes.push(Stroke::line(Ink::Seam, drawn.wanted.clone()));
-    }
-    strokes.extend(axis(&drawn.part));
+    strokes.extend(wanted.into_iter().map(|points| Stroke::line(Ink::Profile, points)));
+    strokes.extend(axis(part));
     Figure {
         key: "contour",
         caption: t("Contorno de la pieza torneada", "Contour of the turned part"),
@@ -62,6 +61,30 @@ pub fn contour(drawn: &Drawn) -> Figure {
         labels: Vec::new(),
         legend: Vec::new(),
     }
+}
+
+/// The lines of a contour over the whole section, above and below the axis, each closed. What runs along the axis is no
+/// line of the part: there the two halves are one piece.
+fn section(contour: &Contour) -> Vec<Vec<[f64; 2]>> {
+    let bare = |point: &[f64; 2]| point[1] < 1e-7;
+    let count = contour.len();
+    let at = |index: usize| contour.get(index % count.max(1)).copied().unwrap_or_default();
+    let along: Vec<usize> = (0..count).filter(|&index| bare(&at(index)) && bare(&at(index + 1))).collect();
+    if along.is_empty() {
+        let lower = closed(contour).map(|[z, r]| [z, -r]).collect();
+        return vec![closed(contour).collect(), lower];
+    }
+    let ends = along.iter().skip(1).copied().chain(along.first().map(|first| first + count));
+    along
+        .iter()
+        .zip(ends)
+        .filter(|(from, to)| *to > *from + 2)
+        .map(|(from, to)| {
+            let upper: Vec<[f64; 2]> = (from + 1..=to).map(at).collect();
+            let lower = upper.iter().rev().skip(1).map(|&[z, r]| [z, -r]);
+            upper.iter().copied().chain(lower).collect()
+        })
+        .collect()
 }
 
 /// The points of a contour, the first one again at the end.
@@ -76,93 +99,12 @@ fn axis(contours: &[Contour]) -> Option<Stroke> {
     (greatest > least).then(|| Stroke::line(Ink::Centre, vec![[least - beyond, 0.0], [greatest + beyond, 0.0]]))
 }
 
-/// The corners of a contour that are needed to draw it: those left out lie within `within` of the line between their
-/// neighbours, and no line is longer than `longest`, so that faces can be put in order.
-fn sketched(contour: &Contour, within: f64, longest: f64) -> Vec<[f64; 2]> {
-    let Some(&first) = contour.first() else { return Vec::new() };
-    let mut points = vec![first];
-    let mut from = first;
-    let mut skipped: Vec<[f64; 2]> = Vec::new();
-    for (&at, &next) in contour.iter().skip(1).zip(contour.iter().skip(2).chain([&first])) {
-        skipped.push(at);
-        let long = hypot(next[0] - from[0], next[1] - from[1]);
-        let off = |point: &[f64; 2]| {
-            if long == 0.0 {
-                return hypot(point[0] - from[0], point[1] - from[1]);
-            }
-            ((next[0] - from[0]) * (point[1] - from[1]) - (next[1] - from[1]) * (point[0] - from[0])).abs() / long
-        };
-        if skipped.iter().any(|point| off(point) > within) {
-            divide(&mut points, at, longest);
-            from = at;
-            skipped.clear();
-        }
-    }
-    divide(&mut points, first, longest);
-    points.pop();
-    points
-}
-
-/// Adds a point, and before it so many between it and the last one that none are farther apart than `longest`.
-fn divide(points: &mut Vec<[f64; 2]>, to: [f64; 2], longest: f64) {
-    let from = points.last().copied().unwrap_or(to);
-    let parts = (hypot(to[0] - from[0], to[1] - from[1]) / longest).ceil().clamp(1.0, 200.0);
-    let mut at = 1.0;
-    while at <= parts {
-        points.push([0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * at / parts));
-        at += 1.0;
-    }
-}
-
 /// Least and greatest z and r of contours.
 fn extent(contours: &[Contour]) -> [[f64; 2]; 2] {
     [0, 1].map(|axis| {
         let values = || contours.iter().flatten().map(|point| point[axis]);
         [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
     })
-}
-
-/// The part in space, its free end to the right.
-fn cover(drawn: &Drawn) -> Figure {
-    let mut scene = Scene::new(Camera::new(-62.0, 24.0));
-    let point = |[z, r]: [f64; 2], turn: f64| {
-        let (sin, cos) = sin_cos(turn);
-        Vector3::new(z, r * cos, r * sin)
-    };
-    let [[left, right], [_, high]] = extent(&drawn.part);
-    let size = (right - left).max(2.0 * high);
-    for contour in &drawn.part {
-        let points = sketched(contour, size / 2000.0, size / 40.0);
-        let anticlockwise = area(&points) > 0.0;
-        for (at, &from) in points.iter().enumerate() {
-            let to = points.get(at + 1).or(points.first()).copied().unwrap_or(from);
-            if from[1] <= 0.0 && to[1] <= 0.0 {
-                continue;
-            }
-            // Anticlockwise in (z, r) the metal lies to the left.
-            let (from, to) = if anticlockwise { (from, to) } else { (to, from) };
-            for sector in 0..SECTORS {
-                let turn = |sector: u16| TAU * f64::from(sector) / f64::from(SECTORS);
-                let (a, b) = (turn(sector), turn(sector + 1));
-                let corners = [point(from, a), point(from, b), point(to, b), point(to, a)];
-                scene.add(&corners, &[], Ink::Thin, 0.0);
-            }
-        }
-    }
-    Figure {
-        key: "cover",
-        caption: t("La pieza como queda torneada", "The part as it is turned"),
-        axes: None,
-        strokes: scene.strokes(),
-        labels: Vec::new(),
-        legend: Vec::new(),
-    }
-}
-
-/// Twice the signed area of a closed contour, positive where it runs anticlockwise.
-fn area(points: &[[f64; 2]]) -> f64 {
-    let next = points.iter().skip(1).chain(points.first());
-    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum()
 }
 
 /// The part in the chuck with the stock around it.
@@ -204,7 +146,7 @@ fn half_section(drawn: &Drawn) -> Figure {
 }
 
 /// The path of the tools over the part.
-fn path(drawn: &Drawn) -> Figure {
+fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
     let mut strokes: Vec<Stroke> = drawn
         .part
         .iter()
@@ -218,16 +160,38 @@ fn path(drawn: &Drawn) -> Figure {
     strokes.extend(some(&drawn.feed, Ink::Obverse));
     strokes.extend(axis(&drawn.part));
     let all = drawn.feed.len() <= MOTIONS && drawn.rapid.len() <= MOTIONS;
+    let what = if all {
+        t("Recorrido de las herramientas", "Path of the tools")
+    } else {
+        t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
+    };
     Figure {
-        key: "path",
-        caption: if all {
-            t("Recorrido de las herramientas", "Path of the tools")
-        } else {
-            t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
-        },
+        key,
+        caption: Text::new(format!("{}{}", what.es, set_up.es), format!("{}{}", what.en, set_up.en)),
         axes: None,
         strokes,
         labels: Vec::new(),
         legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "at rapid"))],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_axis_is_no_line_of_a_section() {
+        let solid = vec![[-9.0, 0.0], [-4.0, 0.0], [0.0, 0.0], [0.0, 5.0], [-9.0, 5.0]];
+        let whole = [[0.0, 0.0], [0.0, 5.0], [-9.0, 5.0], [-9.0, 0.0], [-9.0, -5.0], [0.0, -5.0], [0.0, 0.0]];
+        assert_eq!(section(&solid), [whole.to_vec()]);
+        // However the contour is begun.
+        let mut turned = solid;
+        turned.rotate_left(1);
+        assert_eq!(section(&turned), [whole.to_vec()]);
+        let tube = vec![[-9.0, 2.0], [0.0, 2.0], [0.0, 5.0], [-9.0, 5.0]];
+        let lines = section(&tube);
+        assert_eq!(lines.len(), 2);
+        assert!(lines.iter().all(|line| line.len() == 5 && line.first() == line.last()));
+        assert!(section(&Vec::new()).iter().all(Vec::is_empty));
     }
 }

@@ -12,6 +12,7 @@ pub mod alarm;
 pub mod cases;
 pub mod catalogue;
 pub mod contact;
+mod cover;
 pub mod deviation;
 pub mod figures;
 pub mod in_force;

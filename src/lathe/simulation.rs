@@ -20,7 +20,7 @@ use crate::gcode::motion::{Feed, Kind, Motion, Thread};
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::region::Ring;
-use crate::machine::axis::Axis;
+use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::hypot;
 use crate::text::Text;
 
@@ -233,14 +233,21 @@ impl Simulation {
         &self.totals
     }
 
+    /// Where the programmed point of a turret's place stands with the turret at a place of the machine, `[z, r]` from W1,
+    /// mm.
+    #[must_use]
+    pub fn point(&self, tool: u32, machine: &Pose) -> [f64; 2] {
+        let [over_x, over_z] = self.tools.get(&tool).map_or([0.0, 0.0], |ready| ready.tool.overhang);
+        let zero = self.setup.stock.zero(&self.setup.lathe);
+        [machine.get(Axis::Z) - over_z - zero, machine.get(Axis::X) - over_x]
+    }
+
     /// Makes one motion.
     pub fn take(&mut self, motion: &Motion, control: &Control) -> Step {
-        let ready = self.tools.get(&control.tool);
-        let [over_x, over_z] = ready.map_or([0.0, 0.0], |ready| ready.tool.overhang);
-        let zero = self.setup.stock.zero(&self.setup.lathe);
         let reference = [motion.machine.get(Axis::Z), motion.machine.get(Axis::X)];
         // Where the programmed point ends on the grid.
-        let to = [reference[0] - over_z - zero - self.middle, reference[1] - over_x];
+        let [z, r] = self.point(control.tool, &motion.machine);
+        let to = [z - self.middle, r];
         let shift = [motion.to.get(Axis::Z) - to[0], motion.to.get(Axis::X) - to[1]];
         let lathe = &self.setup.lathe;
         let mut pieces = std::mem::take(&mut self.pieces);

@@ -31,7 +31,8 @@ pub(super) fn files(
         };
         let name = file_name(&words.line(&attachment.name));
         let twice = files.iter().any(|file: &File| file.name == name);
-        let copy = (!twice && bytes <= CARRIED - carried).then(|| format!("attachment-{at}"));
+        let beside = attachment.role == Role::Beside;
+        let copy = (!twice && !beside && bytes <= CARRIED - carried).then(|| format!("attachment-{at}"));
         match &copy {
             Some(copy) => {
                 carried += bytes;
@@ -40,7 +41,7 @@ pub(super) fn files(
                     Content::File(path) => fs::copy(path, folder.join(copy)).map(drop)?,
                 }
             }
-            None if twice => {}
+            None if twice || beside => {}
             None => findings.push(
                 Finding::note(
                     Place::File,
@@ -85,4 +86,30 @@ fn digest(mut bytes: impl Read) -> io::Result<String> {
         hash.update(buffer.get(..count).unwrap_or_default());
     }
     Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::Language;
+
+    #[test]
+    fn what_lies_beside_the_report_is_listed_and_not_carried() {
+        let folder = tempfile::tempdir().unwrap();
+        let attachment = |name: &str, role| Attachment {
+            name: name.to_owned(),
+            role,
+            mime: "text/plain",
+            description: Text::same(name),
+            content: Content::Bytes(b"abc"),
+        };
+        let given = [attachment("a.svg", Role::Result), attachment("a.stl", Role::Beside)];
+        let mut findings = Vec::new();
+        let listed = files(&given, folder.path(), &mut Words::new(Language::En), &mut findings).unwrap();
+        let told: Vec<_> = listed.iter().map(|file| (file.name.as_str(), file.carried.is_some())).collect();
+        assert_eq!(told, [("a.svg", true), ("a.stl", false)]);
+        assert!(listed.iter().all(|file| file.sha256.starts_with("ba7816bf")), "SHA-256 of abc");
+        assert!(findings.is_empty(), "it is not too large");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
 }

@@ -17,7 +17,7 @@ use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::summary::Summary;
-use crate::job::{Outcome, checks};
+use crate::job::{Outcome, Run, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::{Kind, Parameter, Value};
 use crate::table::{Entry, Index, Table};
@@ -46,7 +46,8 @@ pub(super) fn write(
     for program in &outcome.programs {
         let file =
             attachments.iter().position(|one| one.role == Role::Program(program.key)).and_then(|at| files.get(at));
-        programs.push(listed(program, file, &mut words)?);
+        let run = outcome.turned.iter().flat_map(|turned| &turned.runs).find(|run| run.key == program.key);
+        programs.push(listed(program, run, file, &mut words)?);
     }
     let mut figures = BTreeMap::new();
     for (at, figure) in outcome.figures.iter().enumerate() {
@@ -81,6 +82,8 @@ pub(super) fn write(
             .collect(),
         figures,
         programs,
+        supported: outcome.turned.as_ref().map(|turned| turned.supported),
+        second: outcome.turned.as_ref().and_then(|turned| turned.second).map(|by| number::trimmed(by, 4)),
         checks: Vec::new(),
         files,
     };
@@ -224,12 +227,12 @@ fn drawing(figure: &Figure, at: usize, folder: &Path, words: &mut Words) -> io::
     Ok(Some(Drawing { file, caption: words.text(&figure.caption), legend }))
 }
 
-fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Result<Listed> {
+fn listed(program: &Program, run: Option<&Run>, file: Option<&File>, words: &mut Words) -> io::Result<Listed> {
     let mut listing = Listing::of(program)?;
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);
     }
-    let mut summary = summary(program);
+    let mut summary = summary(program, run.map(|run| &run.account));
     if summary.blocks == 0 {
         // A program that stands on a sheet line by line.
         summary.blocks = program.parts.len() as u64;
@@ -245,7 +248,12 @@ fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Resu
         bytes: number::grouped(summary.bytes),
         path: if summary.path > 0.0 { number::fixed(summary.path, 1) } else { String::new() },
         start: if summary.path > 0.0 { start(program) } else { String::new() },
-        time: summary.seconds.map(number::duration).unwrap_or_default(),
+        time: match run {
+            Some(run) => {
+                format!("{}{}", if run.timeless > 0 { "≥ " } else { "" }, number::duration(run.seconds))
+            }
+            None => summary.seconds.map(number::duration).unwrap_or_default(),
+        },
         extents: summary
             .extents
             .iter()
@@ -259,10 +267,10 @@ fn listed(program: &Program, file: Option<&File>, words: &mut Words) -> io::Resu
     })
 }
 
-/// What a program amounts to; one that is written block by block is read back for it.
-fn summary(program: &Program) -> Summary {
+/// What a program amounts to; one that is written block by block is read back for it, if its account is not known.
+fn summary(program: &Program, known: Option<&Account>) -> Summary {
     let summary = program.summary();
-    let account = if summary.path > 0.0 { None } else { Account::of(program) };
+    let account = if summary.path > 0.0 { None } else { known.cloned().or_else(|| Account::of(program)) };
     let Some(account) = account else { return summary };
     let extents = account.program.map(|extents| {
         let turning = program.dialect.reading.diameter;

@@ -25,6 +25,10 @@ pub(super) struct Document {
     pub tables: Vec<Sheet>,
     pub figures: BTreeMap<&'static str, Drawing>,
     pub programs: Vec<Listed>,
+    /// The tailstock supports the stock; `None` where there is no lathe.
+    pub supported: Option<bool>,
+    /// How far the part is shifted for its second set-up, mm, where there is one.
+    pub second: Option<String>,
     pub checks: Vec<Check>,
     pub files: Vec<File>,
 }

@@ -48,6 +48,8 @@ pub enum Role {
     Program(&'static str),
     /// Anything else that was written beside the report.
     Result,
+    /// The same, listed with its SHA-256 and not carried: what would make the report large, and comes of the workbook again.
+    Beside,
 }
 
 /// A file that the report lists with its SHA-256 and carries.

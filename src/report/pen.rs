@@ -25,6 +25,7 @@ pub(crate) const fn pen(ink: Ink) -> Pen {
         Ink::Outline => of("#1d232b", 0.24, FULL, "#e9edf1"),
         Ink::Cut => of("#000000", 0.35, FULL, "#e9edf1"),
         Ink::Seam => of("#1f4fa3", 0.25, &[6.0, 1.5], "#d5dff2"),
+        Ink::Profile => of("#1f4fa3", 0.25, FULL, "#d5dff2"),
         Ink::Thin => of("#8d97a3", 0.13, FULL, "#f4f6f8"),
         Ink::Centre => of("#6b7682", 0.15, &[3.0, 0.8, 0.5, 0.8], "#f4f6f8"),
         Ink::Blade => of("#163a63", 0.5, FULL, "#cfdceb"),

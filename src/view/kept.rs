@@ -21,7 +21,22 @@ const MOST_REMARKS: usize = 200;
 /// Exit 7 for more motions than [`MOST_MOTIONS`].
 pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(Exit, Vec<Finding>), Refusal> {
     let (mut faults, mut total, mut exit): (Vec<Fault>, usize, Exit) = (Vec::new(), 0, Exit::Done);
-    while let Some(item) = text.next() {
+    text.keep_stood();
+    let mut moved = false;
+    loop {
+        let item = text.next();
+        for stood in text.stood() {
+            // Where the machine stands before its first motion no program says.
+            let motion = item.as_ref().and_then(|item| item.as_ref().ok());
+            let at = if moved { Some(&stood.at) } else { motion.map(|motion| &motion.to) };
+            if let Some(at) = at
+                && program.motions() < MOST_MOTIONS
+            {
+                program.stand(stood.line, &stood.control, at);
+            }
+        }
+        let Some(item) = item else { break };
+        moved |= item.is_ok();
         match item {
             Ok(motion) if program.motions() < MOST_MOTIONS => program.push(&motion, text.control()),
             Ok(_) => return Err(too_many(&program.title)),

@@ -7,6 +7,8 @@ use super::program::Program;
 use super::scene::{Remark, Scene, Shape, Tool};
 use super::turning::{Fixture, Turning};
 use crate::finding::Place;
+use crate::gcode::control::Control;
+use crate::gcode::interpreter::Stood;
 use crate::gcode::motion::Motion;
 use crate::job::lathe::Seen;
 use crate::lathe::alarm::Alarm;
@@ -38,6 +40,7 @@ impl Watching {
             Seen::Begin(program, source, simulation) => {
                 self.begin(program.title.clone(), program.dialect, source, simulation)
             }
+            Seen::Stood(stood, simulation, file) => self.stood(stood, simulation, file),
             Seen::Step(step, simulation, file) => self.step(step, simulation, file),
             Seen::End(findings) => {
                 let before = &self.before;
@@ -79,6 +82,7 @@ impl Watching {
         let setup = simulation.setup();
         let mut program = Program::new(title, dialect, Frame::Turning, &text);
         program.tools = tools(setup);
+        program.known = true;
         let mut turning = Turning::new(simulation.contours());
         let fixtures = setup.stock.fixtures(&setup.lathe);
         turning.fixtures = fixtures
@@ -87,6 +91,14 @@ impl Watching {
             .collect();
         program.turning = Some(turning);
         self.programs.push(program);
+    }
+
+    fn stood(&mut self, stood: &Stood, simulation: &Simulation, file: Option<&str>) {
+        let before = file.and_then(|name| self.before.get(name)).copied().unwrap_or_default();
+        let Some(program) = self.programs.last_mut() else { return };
+        let [z, r] = simulation.point(stood.control.tool, &stood.machine);
+        program.shift = [r - stood.at.get(Axis::X), 0.0, z - stood.at.get(Axis::Z)];
+        program.stand(stood.line + before, &Control { file: 0, ..stood.control }, &stood.at);
     }
 
     fn step(&mut self, step: &Step, simulation: &Simulation, file: Option<&str>) {
@@ -98,7 +110,8 @@ impl Watching {
             program.shift = [r - motion.to.get(Axis::X), 0.0, z - motion.to.get(Axis::Z)];
         }
         let index = program.motions();
-        program.push(&motion, &step.control);
+        // Lines of subprograms have been numbered on.
+        program.push(&motion, &Control { file: 0, ..step.control });
         if (step.removed.volume > 0.0 || step.removed.parted > 0.0)
             && let Some(turning) = &mut program.turning
         {
@@ -117,6 +130,7 @@ fn remark(alarm: &Alarm, line: usize, index: usize) -> Remark {
     remark.number = Some(u32::from(alarm.cause.number()));
     remark.what = alarm.cause.text();
     (remark.line, remark.motion) = (Some(line), Some(index));
+    remark.at = Some(alarm.place);
     remark
 }
 

@@ -160,8 +160,8 @@ function frame(now) {
 const ghost = (paint) => (paint === "ghost" ? 0.28 : paint === "fixture" ? 0.6 : 1);
 
 function draw() {
-  const stage = byId("stage"), ratio = Math.min(devicePixelRatio || 1, 2);
-  const [width, height] = [stage.clientWidth, stage.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
+  const view = byId("view"), ratio = Math.min(devicePixelRatio || 1, 2);
+  const [width, height] = [view.clientWidth, view.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
   const [motion, part] = run.at(cursor);
   renderer.begin(camera, width, height, ratio);
   if (shown.grid) renderer.lines(grid.lines, { width: 1 });
@@ -353,7 +353,7 @@ function labelAll() {
   const notes = byId("notes"), { assumed } = run.data;
   notes.replaceChildren();
   const said = run.data.notes.map(pick);
-  if (run.count === 0) said.push(say("empty"));
+  if (run.still) said.push(say("empty"));
   if (assumed[0]) said.push(say("assumedRapid"));
   if (assumed[1]) said.push(say("assumedFeed"));
   if (renderer.name === "2d") said.push(say("flat"));
@@ -469,7 +469,6 @@ function begin() {
   dark.addEventListener("change", () => (labelAll(), ask()));
   new ResizeObserver(ask).observe(byId("stage"));
   listenToPointers(byId("view"), () => camera, () => (touch(), ask()));
-  if (matchMedia("(min-width: 761px)").matches) byId("layers").open = true;
   follow();
   measured.loaded = performance.now();
   ask();

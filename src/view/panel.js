@@ -31,7 +31,8 @@ class Readout {
     }
     const technology = byId("technology");
     technology.replaceChildren();
-    this.technology = ["S", "F", "T"].map((letter) => {
+    // The cutting speed has a row of its own, so that nothing moves when it comes into force.
+    this.technology = (run.data.diameter ? ["S", "V", "F", "T"] : ["S", "F", "T"]).map((letter) => {
       const row = make("div", technology);
       make("b", row, letter);
       return [make("span", row), make("small", row)];
@@ -57,7 +58,8 @@ class Readout {
     const feeds = [inch ? decimals(feed / 25.4, 2) : decimals(feed, 1), length(feed), decimals(feed, 3), decimals(feed, 3)];
     const tool = state.tool === 0 ? "–" : String(state.tool);
     const rows = [
-      [turns, state.surface ? `rpm · ${decimals(state.speed, 0)} m/min` : "rpm"],
+      [turns, "rpm"],
+      ...(run.data.diameter ? [[state.surface ? decimals(state.speed, 0) : "–", "m/min"]] : []),
       [feeds[per], [`${unit}/min`, `${unit}/rev`, "1/min", "s"][per]],
       [tool, state.offset ? `D${state.offset}` : ""],
     ];
@@ -65,13 +67,15 @@ class Readout {
       this.technology[at][0].textContent = value;
       this.technology[at][1].textContent = small;
     });
-    const codes = run.data.feed_codes, move = ["G0", "G1", "G2", "G3", codes[0] === "G98" ? "G32" : "G33", "G4"][kind];
+    const codes = run.data.feed_codes;
+    const modal = ["G0", "G1", "G2", "G3", codes[0] === "G98" ? "G32" : "G33", "–", "–"][run.modal[motion]];
+    const move = kind === DWELL ? `${modal} G4` : modal;
     const cells = [
       [["M5", "M3", "M4"][state.spindle], state.spindle > 0],
       [state.coolant ? "M8" : "M9", state.coolant],
       [SYSTEMS[state.system] ?? "", state.system > 1],
       [codes[state.feed], false],
-      [move, kind !== RAPID],
+      [move, run.modal[motion] !== RAPID && !stands(run.modal[motion])],
       [`G${state.compensation}`, state.compensation !== 40],
     ];
     cells.forEach(([text, on], at) => {
@@ -87,7 +91,8 @@ class Readout {
 function showRemarks(run, go) {
   const box = byId("remarks"), list = run.data.remarks;
   box.replaceChildren();
-  byId("count").textContent = list.length ? `(${list.length})` : "";
+  const notes = list.filter((remark) => remark.grade === "note").length;
+  byId("count").textContent = `(${list.length - notes})${notes ? ` · ${say("noteCount")} ${notes}` : ""}`;
   byId("count").className = list.some((remark) => remark.grade === "stop") ? "bad" : "";
   if (list.length === 0) make("p", box, say("noRemarks"));
   for (const remark of list) {
@@ -96,7 +101,10 @@ function showRemarks(run, go) {
     const where = remark.line ? `${say("line")} ${remark.line}: ` : "", number = remark.number ? `${remark.number} · ` : "";
     make("b", button, `${number}${where}${pick(remark.what)}`);
     const limit = remark.limit ? ` (${say("limit")} ${remark.limit})` : "";
-    if (remark.value) make("small", button, `${remark.value}${limit}`);
+    const at = remark.at ? `X ${decimals(remark.at[0], 3)}  Z ${decimals(remark.at[1], 3)} mm` : "";
+    const deep = at && remark.value.endsWith(" mm") ? `${say("deep")} ` : "";
+    const value = remark.value ? `${deep}${remark.value}${limit}` : "";
+    if (at || value) make("small", button, [at, value].filter(Boolean).join(" · "));
     if (pick(remark.remedy)) make("small", button, `→ ${pick(remark.remedy)}`);
     button.disabled = !remark.line && remark.motion === null;
     button.addEventListener("click", () => go(remark));

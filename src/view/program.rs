@@ -32,6 +32,7 @@ const CLOCKWISE: u8 = 2;
 const COUNTER_CLOCKWISE: u8 = 3;
 const THREAD: u8 = 4;
 const DWELL: u8 = 5;
+const STILL: u8 = 6;
 
 /// States before the one in force that a motion may return to.
 const STATES: usize = 16;
@@ -78,7 +79,7 @@ pub struct Program {
     /// The line of each motion.
     #[serde(serialize_with = "column::wholes")]
     line: Vec<u32>,
-    /// 0 rapid, 1 feed, 2 and 3 arcs, 4 thread, 5 dwell.
+    /// 0 rapid, 1 feed, 2 and 3 arcs, 4 thread, 5 dwell, 6 a block without motion.
     #[serde(serialize_with = "column::bytes")]
     kind: Vec<u8>,
     #[serde(serialize_with = "column::singles")]
@@ -111,6 +112,9 @@ pub struct Program {
     arcs: Vec<u32>,
     #[serde(serialize_with = "column::points")]
     arc_shapes: Vec<[f64; 4]>,
+    /// It is known where the machine stands before the next motion.
+    #[serde(skip)]
+    pub known: bool,
     #[serde(skip)]
     frame: Frame,
     #[serde(skip)]
@@ -156,6 +160,7 @@ impl Program {
             jump_poses: Vec::new(),
             arcs: Vec::new(),
             arc_shapes: Vec::new(),
+            known: false,
             frame,
             before: None,
         }
@@ -175,11 +180,12 @@ impl Program {
 
     /// Adds the next motion with what is in force.
     ///
-    /// Where the first one is rapid it has no way: no program says where the machine stood before. A motion whose time is
+    /// Where the first one is rapid it has no way, unless it is [`known`](Self::known) where the machine stood before. A motion whose time is
     /// not known is given that at [`RAPID`] or [`FEED`], and the page says so.
     pub fn push(&mut self, motion: &Motion, control: &Control) {
         let rapid = motion.kind == Kind::Rapid;
-        let from = if self.before.is_none() && rapid { motion.to } else { motion.from };
+        let from = if !self.known && rapid { motion.to } else { motion.from };
+        self.known = true;
         let (kind, feed) = match motion.kind {
             Kind::Rapid => (RAPID_CODE, Feed::default().value),
             Kind::Feed(feed) => (FEED_CODE, feed.value),
@@ -190,7 +196,7 @@ impl Program {
         };
         self.columns(&from, &motion.to);
         if self.before.is_none_or(|before| before != (from, self.shift)) {
-            let Stand { point, axis } = self.stand(&from);
+            let Stand { point, axis } = self.placed(&from);
             self.jumps.push(whole(self.kind.len()));
             self.jump_points.push(point.into());
             self.jump_poses.push(from.0);
@@ -212,7 +218,20 @@ impl Program {
         self.before = Some((motion.to, self.shift));
     }
 
-    fn stand(&self, pose: &Pose) -> Stand {
+    /// Adds a block without motion that stands at a line, 0 before the first: what it puts into force, and where the
+    /// machine stands.
+    pub fn stand(&mut self, line: usize, control: &Control, at: &Pose) {
+        let motion =
+            Motion { line, n: None, kind: Kind::Dwell(0.0), from: *at, to: *at, machine: *at, seconds: Some(0.0) };
+        let known = self.known;
+        self.push(&motion, control);
+        self.known = known;
+        if let Some(kind) = self.kind.last_mut() {
+            *kind = STILL;
+        }
+    }
+
+    fn placed(&self, pose: &Pose) -> Stand {
         let Stand { point, axis } = self.frame.stand(pose);
         Stand { point: point + Vector3::from(self.shift), axis }
     }
@@ -285,7 +304,7 @@ impl Program {
                 Kind::Arc(arc, _) => along(&arc, from, &to, part),
                 _ => between(from, &to, part),
             };
-            let Stand { point, axis } = self.stand(&pose);
+            let Stand { point, axis } = self.placed(&pose);
             self.points.push(point.into());
             if !straight {
                 self.directions.push(axis.into());

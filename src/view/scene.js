@@ -16,7 +16,9 @@ function numbers(column) {
   return Float64Array.from(new Int32Array(bytesOf(column.i).buffer), (whole) => whole / 1e4);
 }
 
-const RAPID = 0, FEED = 1, CLOCKWISE = 2, COUNTER = 3, THREAD = 4, DWELL = 5;
+const RAPID = 0, FEED = 1, CLOCKWISE = 2, COUNTER = 3, THREAD = 4, DWELL = 5, NONE = 6;
+/** True for what moves nothing: a dwell, a block without motion. */
+const stands = (kind) => kind === DWELL || kind === NONE;
 /** First axis, second axis and the axis across, of the planes XY, ZX, YZ. */
 const PLANES = [[0, 1, 2], [2, 0, 1], [1, 2, 0]];
 const LETTERS = "XYZABCUVW";
@@ -51,8 +53,12 @@ class Run {
     this.total = this.times[this.count];
     this.feed = numbers(data.feed);
     for (let at = 1; at < this.count; at++) {
-      if (this.kind[at] === RAPID || this.kind[at] === DWELL) this.feed[at] = this.feed[at - 1];
+      if (this.kind[at] === RAPID || stands(this.kind[at])) this.feed[at] = this.feed[at - 1];
     }
+    // The motion code in force at each: a dwell and a block without motion leave it as it is.
+    this.modal = this.kind.slice();
+    for (let at = 0; at < this.count; at++) if (stands(this.kind[at])) this.modal[at] = at ? this.modal[at - 1] : NONE;
+    this.still = this.kind.every((kind) => kind === NONE);
     // The first motion of each line, −1 where it has none.
     this.ofLine = new Int32Array(this.blocks.length + 2).fill(-1);
     for (let at = this.count - 1; at >= 0; at--) {
@@ -74,6 +80,8 @@ class Run {
 
   /** The cursor at a time. */
   cursorAt(time) {
+    // At the beginning no block has been executed, though the first ones may take no time.
+    if (time <= 0) return 0;
     const motion = this.motionAt(time);
     if (motion >= this.count) return this.count;
     const takes = this.times[motion + 1] - this.times[motion];
@@ -207,7 +215,7 @@ class Run {
     };
     let size = 0;
     for (let motion = 0; motion < this.count; motion++) {
-      if (this.kind[motion] !== DWELL) size += steps(motion) + (this.jumpAt[motion] >= 0 ? 1 : 0);
+      size += (stands(this.kind[motion]) ? 0 : steps(motion)) + (this.jumpAt[motion] >= 0 ? 1 : 0);
     }
     const path = new Float32Array(5 * size);
     this.pieceOf = new Uint32Array(this.count + 1);
@@ -217,8 +225,8 @@ class Run {
     };
     for (let motion = 0; motion < this.count; motion++) {
       this.pieceOf[motion] = at / 5;
-      if (this.kind[motion] === DWELL) continue;
       if (this.jumpAt[motion] >= 0) add(this.startOf(motion), motion, -1);
+      if (stands(this.kind[motion])) continue;
       const count = steps(motion);
       if (this.arcAt[motion] >= 0) {
         for (let step = 1; step <= count; step++) add(this.point(motion, step / count), motion + step / count, this.kind[motion]);

@@ -148,6 +148,8 @@ pub struct Remark {
     pub line: Option<usize>,
     /// The motion, counted from 0, where one is meant that is not the line's first.
     pub motion: Option<usize>,
+    /// Of a turning's alarm where it is, X as a diameter and Z in program coordinates, mm.
+    pub at: Option<[f64; 2]>,
 }
 
 impl From<&Finding> for Remark {
@@ -172,6 +174,7 @@ impl From<&Finding> for Remark {
                 _ => None,
             },
             motion: None,
+            at: None,
         }
     }
 }

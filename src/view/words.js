@@ -22,6 +22,8 @@ const WORDS = {
   tabs: ["Paneles", "Panels"],
   blocks: ["Bloques", "Blocks"],
   remarks: ["Alarmas", "Alarms"],
+  noteCount: ["notas", "notes"],
+  deep: ["profundidad", "depth"],
   help: ["Ayuda", "Help"],
   wanted: ["N60, línea o texto", "N60, line or text"],
   go: ["Ir", "Go"],

@@ -10,10 +10,13 @@ use super::long_rows::{Rows, Source};
 use super::page::Page;
 use super::style::Styles;
 use crate::gcode::program::Program;
-use crate::text::Language;
+use crate::text::{Language, Text};
 
 /// The sheet's name, in both languages.
 pub const NAME: &str = "INCR";
+
+/// The sheet's name for the user's own programs, where one is too long for the sheet that it is read from.
+pub static OWN: Text = Text::fixed("LISTADO", "LISTING");
 
 /// The rows of a sheet.
 pub const ROWS: u64 = 1_048_576;

@@ -19,6 +19,7 @@ use super::table_sheet::{FIRST, TableSheet};
 use super::template::{HOW, OPTIONAL, write_lists};
 use crate::gcode::program::Program;
 use crate::job::{Chart, Outcome, checks};
+use crate::lathe::parameters::PROGRAM_KEY;
 use crate::table::Table;
 use crate::text::{Language, Text};
 
@@ -144,12 +145,20 @@ impl<'a> Results<'a> {
         Ok(())
     }
 
+    /// The programs, where they do not stand on sheets of the form: a turning's are the user's own.
     fn write_programs(&mut self) -> Result<(), WriteError> {
+        if !self.outcome.values.rows(PROGRAM_KEY).is_empty() {
+            return Ok(());
+        }
         let Some(programs) = ProgramSheet::new(&self.outcome.programs, self.outcome.form.programs, program_sheet::ROWS)
         else {
             return Ok(());
         };
-        let name = self.names.take(program_sheet::NAME);
+        let name = match self.outcome.turned {
+            Some(_) => program_sheet::OWN.get(self.language),
+            None => program_sheet::NAME,
+        };
+        let name = self.names.take(name);
         let index = self.workbook.worksheets().len();
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         programs.write(worksheet, self.language, &self.styles, &self.page)?;

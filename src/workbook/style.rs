@@ -104,8 +104,8 @@ impl Default for Styles {
             number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
             text_header: header().set_indent(1),
-            // Away from the right-aligned numbers before it.
-            entry: wrapped().set_indent(1),
+            // Away from the right-aligned numbers before it; without its side an indent is passed over.
+            entry: wrapped().set_align(FormatAlign::Left).set_indent(1),
             block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
             block: Format::new().set_font_name("Consolas").set_font_size(10),
         }

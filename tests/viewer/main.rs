@@ -169,7 +169,8 @@ fn a_named_block_is_gone_to_and_its_coordinates_are_those_of_the_program() {
     // In inches where the program counts in them, and with the start of the first cut in view.
     fs::write(folder.path().join("inch.ngc"), "G20 G90\nG0 X2 Y1\nG1 X0.5 F10\nM2\n").expect("a program");
     rodete(folder.path(), &["view", "inch.ngc"]);
-    let inch = browser.open(&folder.path().join("inch.html"), "step=2");
+    // The block that says so is a step of its own.
+    let inch = browser.open(&folder.path().join("inch.html"), "step=3");
     assert_eq!([&inch["said"]["X"], &inch["said"]["Y"], &inch["said"]["F"]], ["0.5000", "1.0000", "10.00"]);
     let seen = browser.run("return [camera.box[0][0], camera.box[1][0]].map((x) => Math.round(x * 100) / 100)");
     assert_eq!(seen, json!([12.7, 50.8]));
@@ -211,6 +212,7 @@ fn both_languages_are_spoken() {
     let page = turned(folder.path(), 1);
     let browser = Browser::start(true);
     browser.open(&page, "");
+    browser.click("#layers summary");
     let words =
         "return document.body.innerText + [...document.querySelectorAll('[aria-label]')].map((one) => one.ariaLabel)";
     let spanish = browser.run(words).to_string();
@@ -232,6 +234,30 @@ fn both_languages_are_spoken() {
     // An alarm leads to its block.
     let status = browser.click("#remarks button");
     assert_eq!((&status["line"], &status["said"]["Z"]), (&json!(20), &json!("-55.000")));
+    quiet(&browser);
+}
+
+#[test]
+fn the_display_of_a_turning_says_what_is_in_force_at_blocks_without_motion() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    rodete(folder.path(), &["new", "lathe", "shaft.xlsx", "--case", "shaft"]);
+    rodete(folder.path(), &["view", "shaft.xlsx"]);
+    let page = folder.path().join("shaft.html");
+    let browser = Browser::start(true);
+    let said =
+        |fragment: &str, what: &str| browser.open(&page, fragment)["said"][what].as_str().unwrap_or("").to_owned();
+    // Before the first block the turret stands at its reference point, and nothing runs.
+    assert_eq!([said("time=0", "X"), said("time=0", "Z"), said("time=0", "S")], ["230.000", "151.000", "0"]);
+    assert!(said("time=0", "cells").starts_with("M5 M9"));
+    // The first rapid motion is on its way.
+    let x: f64 = said("time=0.3", "X").parse().expect("a number");
+    assert!(54.0 < x && x < 110.0, "{x}");
+    assert_eq!([said("goto=N200", "T"), said("goto=N195", "T")], ["5", "4"]);
+    assert!(said("goto=N155", "cells").contains("G1 G4"), "a dwell leaves the motion code in force");
+    assert!(said("time=9999", "cells").starts_with("M5 M9") && said("time=9999", "S") == "0");
     quiet(&browser);
 }
 

@@ -112,6 +112,7 @@ pub fn scene(repeat: usize) -> Scene {
         remedy: Text::fixed("acorte el movimiento", "shorten the motion"),
         line: Some(20),
         motion: None,
+        at: None,
     }];
     Scene {
         title: "turned.nc".to_owned(),

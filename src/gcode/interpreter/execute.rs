@@ -503,6 +503,7 @@ impl Interpreter<'_> {
             seconds,
         };
         self.current = to;
+        self.moved();
         if self.reading.diameter {
             self.hand_out(motion);
         } else {

@@ -50,6 +50,7 @@ mod point;
 mod read;
 mod setting;
 mod source;
+mod stood;
 mod structure;
 mod subprogram;
 mod system;
@@ -77,6 +78,8 @@ use self::parameters::Parameters;
 pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
+use self::stood::Standing;
+pub use self::stood::Stood;
 use self::structure::Structure;
 use crate::finding::{Exit, Finding, Grade, Place};
 use crate::gcode::control::Control;
@@ -120,6 +123,7 @@ pub struct Interpreter<'a> {
     queue: VecDeque<Result<(Motion, Control), Box<Fault>>>,
     compensator: Compensator,
     run: Option<Run>,
+    standing: Standing,
     remarks: Remarks,
     flow: Flow,
     stage: Stage,
@@ -188,6 +192,7 @@ impl<'a> Interpreter<'a> {
             queue: VecDeque::new(),
             compensator: Compensator::new(!reading.system_a),
             run: None,
+            standing: Standing::default(),
             remarks,
             flow: Flow::default(),
             stage: Stage::Opening,
@@ -255,6 +260,7 @@ impl<'a> Interpreter<'a> {
         let mut line = std::mem::take(&mut self.buffer);
         let result = self.next_line(&mut line);
         self.buffer = line;
+        self.executed();
         result.map_err(|mut fault| {
             if fault.line == 0 {
                 fault.line = self.line.max(1);
@@ -381,6 +387,7 @@ impl Iterator for Interpreter<'_> {
             if let Some(item) = self.queue.pop_front() {
                 return Some(item.map(|(motion, control)| {
                     self.control = control;
+                    self.handed_out(Some(&motion));
                     motion
                 }));
             }
@@ -389,6 +396,7 @@ impl Iterator for Interpreter<'_> {
             } else if self.stage == Stage::Ended {
                 self.flush();
                 if self.queue.is_empty() {
+                    self.handed_out::<Motion>(None);
                     return None;
                 }
                 continue;

@@ -1,0 +1,125 @@
+//! Blocks without motion: what they put into force.
+
+use std::collections::VecDeque;
+
+use super::Interpreter;
+use crate::gcode::control::Control;
+use crate::machine::axis::Pose;
+
+/// Most blocks kept between two motions: a loop that moves nothing must not fill the memory.
+const MOST: usize = 10_000;
+
+/// What is in force after a block that made no motion, or after the motions of one that changed it behind them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stood {
+    /// The line of the block.
+    pub line: usize,
+    /// What is in force, with the number of the block's file.
+    pub control: Control,
+    /// Where the machine stands, in program coordinates.
+    pub at: Pose,
+    /// The same in machine coordinates.
+    pub machine: Pose,
+}
+
+/// The blocks without motion since the last motion that was handed out.
+#[derive(Debug, Default)]
+pub(super) struct Standing {
+    kept: bool,
+    last: Option<(Control, Pose)>,
+    /// Motions made, and those handed out.
+    made: u64,
+    given: u64,
+    /// With how many motions were made before each.
+    blocks: VecDeque<(u64, Stood)>,
+}
+
+impl Interpreter<'_> {
+    /// From now on keeps what blocks without motion change; see [`Interpreter::stood`].
+    pub fn keep_stood(&mut self) {
+        self.standing.kept = true;
+        self.standing.last = Some((self.modal.control(), self.current));
+    }
+
+    /// What is in force at the block that was read last, and where the machine stands.
+    #[must_use]
+    pub fn stands(&self) -> Stood {
+        let control = Control { file: self.at, ..self.modal.control() };
+        Stood { line: self.line, control, at: self.current, machine: self.frame.to_machine(&self.current) }
+    }
+
+    /// The blocks that changed what is in force without a motion, before the motion last handed out or, at the end of the
+    /// program, behind it. Each is given once.
+    pub fn stood(&mut self) -> Vec<Stood> {
+        let Standing { blocks, given, .. } = &mut self.standing;
+        let before = blocks.iter().take_while(|(made, _)| made < given).count();
+        blocks.drain(..before).map(|(_, stood)| stood).collect()
+    }
+
+    /// A motion was handed out; `None`: there are no more.
+    pub(super) fn handed_out<T>(&mut self, item: Option<&T>) {
+        self.standing.given = if item.is_some() { self.standing.given + 1 } else { u64::MAX };
+    }
+
+    /// A motion was made.
+    pub(super) fn moved(&mut self) {
+        self.standing.made += 1;
+        if self.standing.kept {
+            self.standing.last = Some((self.modal.control(), self.current));
+        }
+    }
+
+    /// A block was executed: what it changed without a motion is kept.
+    pub(super) fn executed(&mut self) {
+        if !self.standing.kept || self.run.is_some() || self.standing.blocks.len() == MOST {
+            return;
+        }
+        let now = (self.modal.control(), self.current);
+        if self.standing.last.replace(now) != Some(now) {
+            let stood = self.stands();
+            self.standing.blocks.push_back((self.standing.made, stood));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::control::Spindle;
+    use crate::gcode::dialect::FANUC_LATHE_A;
+    use crate::gcode::interpreter::Setting;
+    use crate::machine::axis::Axis;
+
+    #[test]
+    fn a_block_without_motion_says_what_is_in_force_behind_it() {
+        let text = b"O0001\nG21 G97 S1000 M3\n(nothing)\nG0 X50. Z2. M8\nG1 Z-5. F0.1\nM5\nG4 X1.\nT0202\nM4\nG0 X60. M5\nM30\n";
+        let mut interpreter = Interpreter::over(text, Setting::new(&FANUC_LATHE_A));
+        interpreter.keep_stood();
+        assert_eq!(interpreter.stands().control.spindle, Spindle::Stopped);
+        let mut seen: Vec<(usize, bool, bool, u32)> = Vec::new();
+        loop {
+            let item = interpreter.next();
+            for stood in interpreter.stood() {
+                let turns = stood.control.spindle != Spindle::Stopped;
+                seen.push((stood.line, turns, stood.control.coolant, stood.control.tool));
+            }
+            let Some(motion) = item else { break };
+            let motion = motion.unwrap();
+            let control = interpreter.control();
+            seen.push((motion.line, control.spindle != Spindle::Stopped, control.coolant, control.tool));
+        }
+        let lines: Vec<usize> = seen.iter().map(|one| one.0).collect();
+        assert_eq!(lines, [2, 4, 5, 6, 7, 8, 9, 10, 10, 11], "a block that changes nothing is left out");
+        assert_eq!(seen[0], (2, true, false, 0));
+        assert_eq!(seen[3], (6, false, true, 0), "M5 behind the last motion at feed");
+        assert_eq!(seen[5].3, 2, "the turret has turned");
+        assert_eq!((seen[7].1, seen[8].1), (true, false), "the spindle is stopped behind the motion of its block");
+        assert_eq!(interpreter.stands().at.get(Axis::Z), -5.0);
+    }
+
+    #[test]
+    fn what_nobody_asks_for_is_not_kept() {
+        let mut interpreter = Interpreter::over(b"G97 S1000 M3\nM5\nM30\n", Setting::new(&FANUC_LATHE_A));
+        assert!(interpreter.next().is_none() && interpreter.stood().is_empty());
+    }
+}
