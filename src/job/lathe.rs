@@ -57,6 +57,8 @@ struct Followed {
     findings: Vec<Finding>,
     /// A budget ended before the program did.
     endless: bool,
+    /// A block of it was refused, or one of a program before it.
+    lost: bool,
     drawn: Drawn,
 }
 
@@ -92,13 +94,14 @@ pub fn watched(
     };
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
-    let mut followed = vec![follow("program", title, &first, &given, given.setup.clone(), watch)?];
+    let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
         let left = followed.first().map(|one| one.simulation.contours()).unwrap_or_default();
         let part = turned_about(&left, &given.setup.stock, given.second);
         let setup = Setup { part: Some(part), ..given.setup.clone() };
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
-        followed.push(follow("program-2", title, &second, &given, setup, watch)?);
+        let lost = followed.iter().any(|one| one.lost);
+        followed.push(follow("program-2", title, &second, &given, (setup, lost), watch)?);
     }
     Ok(outcome(form, values, source, &given, followed, profile))
 }
@@ -120,13 +123,16 @@ fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) 
     }
 }
 
-/// Follows one program.
+/// Follows one program over a set-up, of which it is said whether the program before it went wrong.
+///
+/// The motions behind a block that was refused are not those that the program means: they are followed for what the
+/// interpreter has to say about the blocks, and their alarms, which would follow from that block, are not raised.
 fn follow(
     key: &'static str,
     title: Text,
     source: &text::Source,
     given: &Given,
-    setup: Setup,
+    (setup, lost): (Setup, bool),
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
@@ -140,11 +146,14 @@ fn follow(
         alarms: Vec::new(),
         findings: Vec::new(),
         endless: false,
+        lost,
         drawn: Drawn { stock, ..Drawn::default() },
     };
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
-    let (mut faults, mut total) = (Vec::new(), 0);
+    let (mut faults, mut more) = (Vec::new(), 0);
+    // Where following stopped to be judged, and whether anything was still followed.
+    let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
     while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) if one.rows.len() == MOST_MOTIONS => {
@@ -157,6 +166,10 @@ fn follow(
                 let file = interpreter.file(control.file);
                 let mut step = one.simulation.take(&motion, &control);
                 in_force.judge(&mut step);
+                if last.is_some() {
+                    step.alarms.clear();
+                    unjudged = true;
+                }
                 for alarm in &step.alarms {
                     let place = source.place(file, alarm.line, Vec::new());
                     one.alarms.push(Raised { alarm: *alarm, place, file: control.file });
@@ -170,15 +183,21 @@ fn follow(
             }
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;
-                total += 1;
+                let fault = Finding::from(*fault);
+                last.get_or_insert_with(|| fault.place.clone());
+                // A cycle reads the blocks of its contour, and they are read again where they stand.
+                if faults.contains(&fault) {
+                    continue;
+                }
                 if faults.len() < MOST {
-                    faults.push(Finding::from(*fault));
+                    faults.push(fault);
+                } else {
+                    more += 1;
                 }
             }
         }
     }
-    if total > faults.len() {
-        let more = total - faults.len();
+    if more > 0 {
         faults.push(Finding::note(
             Place::File,
             Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
@@ -186,6 +205,12 @@ fn follow(
     }
     one.program.parts = source.whole((1..).map_while(|number| interpreter.file(number)));
     faults.extend(interpreter.remarks());
+    if let Some(place) = last {
+        one.lost = true;
+        if unjudged {
+            faults.push(unjudged_from(place));
+        }
+    }
     watch(Seen::End(&faults));
     one.findings =
         faults.into_iter().map(|finding| Finding { place: source.placed(finding.place), ..finding }).collect();
@@ -194,14 +219,34 @@ fn follow(
     Ok(one)
 }
 
-/// The stop of a program of more motions than a sheet has rows.
-fn too_many(file: Option<&str>, line: usize) -> Finding {
-    let place = match file {
+/// A line of the program, or of the file of a subprogram.
+fn at_line(file: Option<&str>, line: usize) -> Place {
+    match file {
         None => Place::Line { line, columns: Vec::new() },
         Some(file) => Place::Subprogram { file: file.to_owned(), line, columns: Vec::new() },
+    }
+}
+
+/// The note on where the judging of motions stopped; the file as a whole where that was before the program.
+fn unjudged_from(place: Place) -> Finding {
+    let what = if place == Place::File {
+        t(
+            "no se juzgan los movimientos de este programa: la colocación anterior no queda como se pide",
+            "the motions of this program are not judged: the set-up before it does not end as it is meant to",
+        )
+    } else {
+        t(
+            "desde este bloque no se juzgan los movimientos: sus alarmas serían consecuencia de él",
+            "from this block on motions are not judged: their alarms would follow from it",
+        )
     };
+    Finding::note(place, what)
+}
+
+/// The stop of a program of more motions than a sheet has rows.
+fn too_many(file: Option<&str>, line: usize) -> Finding {
     Finding::stop(
-        place,
+        at_line(file, line),
         Text::new(
             format!("el programa hace más de {MOST_MOTIONS} movimientos"),
             format!("the program makes more than {MOST_MOTIONS} motions"),
