@@ -1,6 +1,6 @@
 //! The lathe as a whole: a turning program followed over its stock, with what it removes, how long it takes, and its alarms.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
@@ -152,6 +152,7 @@ fn follow(
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
     let (mut faults, mut more) = (Vec::new(), 0);
+    let mut without_zero = BTreeSet::new();
     // Where following stopped to be judged, and whether anything was still followed.
     let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
     while let Some(item) = interpreter.next() {
@@ -164,6 +165,13 @@ fn follow(
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
+                if let Some(fault) = given.without_zero(&motion, &control)
+                    && without_zero.insert(control.system)
+                {
+                    let fault = Finding { place: at_line(file, motion.line), ..fault };
+                    last.get_or_insert_with(|| fault.place.clone());
+                    faults.push(fault);
+                }
                 let mut step = one.simulation.take(&motion, &control);
                 in_force.judge(&mut step);
                 if last.is_some() {
