@@ -7,6 +7,8 @@
 mod bench;
 #[path = "lathe_inputs/command.rs"]
 mod command;
+#[path = "lathe_inputs/figures.rs"]
+mod figures;
 #[path = "lathe_inputs/lost.rs"]
 mod lost;
 #[path = "lathe_inputs/programs.rs"]

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, TOUCH};
-use super::contact::{Contact, Ride, depth};
+use super::contact::{Bite, Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
-use super::spindle::{Turning, revolutions};
+use super::spindle::{Engaged, Turning, revolutions};
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, Stock};
 use super::tool::{Cutter, Tool};
@@ -102,10 +102,20 @@ struct Tally<'a> {
     index: usize,
     /// From `[z, r]` on the grid to program coordinates.
     shift: [f64; 2],
+    turning: Turning,
+    /// The greatest cutting speed, m/min.
+    speed: f64,
     alarms: Vec<Alarm>,
 }
 
 impl Tally<'_> {
+    /// Notes what a cutter met on its way along a piece, on this side of the axis or mirrored across it.
+    fn met(&mut self, Bite { reach: [low, high], metal, .. }: Bite, [from, to]: Piece, mirrored: bool) {
+        let (side, reach) = if mirrored { (-1.0, [-high, -low]) } else { (1.0, [low, high]) };
+        let engaged = Engaged { from: side * from[1], to: side * to[1], shift: side * self.shift[1], reach, metal };
+        self.speed = self.speed.max(self.turning.cutting_speed(&engaged));
+    }
+
     fn raise(&mut self, cause: Cause, [z, r]: [f64; 2], depth: Option<f64>) {
         let place = [2.0 * (r + self.shift[1]), z + self.shift[0]];
         // Of one cause in one motion, the deepest.
@@ -243,8 +253,8 @@ impl Simulation {
         let mut pieces = std::mem::take(&mut self.pieces);
         path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
 
-        let mut tally = Tally { motion, index: self.steps, shift, alarms: Vec::new() };
         let turning = Turning::new(control, lathe);
+        let mut tally = Tally { motion, index: self.steps, shift, turning, speed: 0.0, alarms: Vec::new() };
         let seconds = match motion.kind {
             Kind::Rapid => None,
             _ => motion.seconds,
@@ -264,7 +274,7 @@ impl Simulation {
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
         let cuts = contact.real && motion.kind != Kind::Rapid;
-        let cutting_speed = if cuts { cutting_speed(control, &contact, speed) } else { 0.0 };
+        let cutting_speed = if cuts { tally.speed } else { 0.0 };
         let rate = match seconds {
             Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
             _ => None,
@@ -307,12 +317,15 @@ impl Simulation {
             removed.volume += more.volume;
             removed.parted += more.parted;
         };
-        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex| {
+        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex, tally: &mut Tally| {
             let Some(at) = Point::near(at) else { return };
             for cutter in &ready.outline.cutter {
                 if cutter.polygon.sweep(at, at, swept) {
                     add(part.cut(swept, |meeting, mirrored| {
-                        contact.add_rib(meeting, &Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored });
+                        let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
+                        if let Some(bite) = contact.add_rib(meeting, &ride) {
+                            tally.met(bite, [at.mm(); 2], mirrored);
+                        }
                     }));
                 }
             }
@@ -322,7 +335,7 @@ impl Simulation {
                 // Blocks of a thread that follow one another go on in its revolution; a new pass begins with one.
                 let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
                 let left = goes_on.map_or(0.0, |led| led.left);
-                ribs(thread, piece, left).for_each(|at| ring(at, part, swept));
+                ribs(thread, piece, left).for_each(|at| ring(at, part, swept, tally));
                 let length = extent(piece);
                 let turned = revolutions(thread, length).unwrap_or(0.0) - left;
                 let left = if thread.lead > 0.0 { turned.ceil() - turned } else { 0.0 };
@@ -334,7 +347,7 @@ impl Simulation {
             && near(led.at, from)
         {
             // Where the thread ends in metal, the spindle turns on while the tool stands: there it cuts a ring.
-            ring(from, part, swept);
+            ring(from, part, swept, tally);
         }
         for &piece in pieces {
             let [from, to] = piece;
@@ -357,7 +370,10 @@ impl Simulation {
                             tally.raise(Cause::RapidInMetal, place, Some(deep));
                         }
                     } else {
-                        contact.add(meeting, &Ride { part: cutter, from: first.mm(), way, mirrored });
+                        let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
+                        if let Some(bite) = contact.add(meeting, &ride) {
+                            tally.met(bite, [first.mm(), last.mm()], mirrored);
+                        }
                     }
                 }));
             }
@@ -531,17 +547,5 @@ fn travel(tally: &mut Tally, pieces: &[Piece], to_reference: [f64; 2], lathe: &L
                 tally.raise(Cause::Travel(axis), *point, Some(over));
             }
         }
-    }
-}
-
-/// The greatest cutting speed, m/min: π d n at the greatest diameter met, with the speed of the spindle there. At a
-/// constant surface speed that speed belongs to the programmed point's diameter, and falls off as the diameter grows.
-fn cutting_speed(control: &Control, contact: &Contact, speed: [f64; 2]) -> f64 {
-    let at_rim = |n: f64| 2.0 * std::f64::consts::PI * contact.radius * n / 1000.0;
-    let [low, high] = [speed[0].min(speed[1]), speed[0].max(speed[1])];
-    match control.speed {
-        Speed::Revolutions(_) => at_rim(high),
-        // While the diameter changes, the rim is where the spindle is slowest.
-        Speed::Surface(_) => at_rim(low),
     }
 }

@@ -1,0 +1,71 @@
+//! Speeds, times and rates: by hand, and the same in every table.
+
+use std::path::Path;
+
+use calamine::{Data, Reader, Xlsx, open_workbook};
+use rodete::text::Language;
+use serde_json::Value as Json;
+
+use crate::bench::{Book, bilingual, build, program, quantity, run};
+
+fn near(value: f64, wanted: f64) {
+    assert!((value - wanted).abs() < 1e-6 * wanted.abs().max(1.0), "{value} {wanted}");
+}
+
+/// The document of blocks behind the head, over a bar of 50 by 120 mm.
+fn simulate(blocks: &str) -> Json {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("p.nc"), program(blocks).join("\n")).unwrap();
+    let said = run(
+        folder.path(),
+        &[
+            "simulate",
+            "p.nc",
+            "--dialect",
+            "fanuc-lathe-a",
+            "--stock",
+            "D50xL120",
+            "--decimal-point",
+            "calculator",
+            "--json",
+        ],
+    );
+    let document = serde_json::from_str(&said.out).unwrap_or_else(|_| panic!("{}", said.err));
+    bilingual(&document);
+    document
+}
+
+/// Number, line, X and Z of every alarm.
+fn alarms(document: &Json) -> Vec<(u64, u64, f64, f64)> {
+    let one = |alarm: &Json| {
+        let real = |key: &str| alarm[key].as_f64().unwrap();
+        (alarm["number"].as_u64().unwrap(), alarm["line"].as_u64().unwrap(), real("x_mm"), real("z_mm"))
+    };
+    document["alarms"].as_array().unwrap().iter().map(one).collect()
+}
+
+#[test]
+fn a_constant_surface_speed_is_that_at_the_metal() {
+    let fastest = |blocks: &str| simulate(blocks)["totals"]["greatest_cutting_speed_m_min"].as_f64().unwrap();
+    // Faced from beyond the bar to the axis: the programmed diameter is the one that is cut.
+    near(fastest("G96 S180|G0 X80. Z-1.|G1 X-1.6 F0.2"), 180.0);
+    near(fastest("G96 S180|G0 X54. Z-1.|G1 X30. F0.2"), 180.0);
+    // Turned from 50 to 46 mm: the spindle turns for 46 and the bar's surface is at 50.
+    near(fastest("G96 S180|G0 X46.|G1 Z-20. F0.2|U8."), 180.0 * 50.0 / 46.0);
+    // 2500 rpm at the most.
+    near(fastest("G96 S400|G0 X46.|G1 Z-20. F0.2|U8."), std::f64::consts::PI * 50.0 * 2.5);
+    near(fastest("G97 S900|G0 X80. Z-1.|G1 X-1.6 F0.2"), std::f64::consts::PI * 50.0 * 0.9);
+}
+
+/// The columns of a sheet of results below its headings.
+fn column(path: &Path, sheet: &str, heading: &str) -> Vec<f64> {
+    let mut book: Xlsx<_> = open_workbook(path).unwrap();
+    let range = book.worksheet_range(sheet).unwrap();
+    let cell = |row: &[Data]| row.iter().position(|cell| *cell == Data::String(heading.to_owned()));
+    let (row, at) = range.rows().enumerate().find_map(|(row, cells)| Some((row, cell(cells)?))).unwrap();
+    let number = |cells: &[Data]| match cells.get(at) {
+        Some(Data::Float(value)) => Some(*value),
+        _ => None,
+    };
+    range.rows().skip(row + 1).filter_map(number).collect()
+}
