@@ -69,3 +69,26 @@ fn column(path: &Path, sheet: &str, heading: &str) -> Vec<f64> {
     };
     range.rows().skip(row + 1).filter_map(number).collect()
 }
+
+#[test]
+fn times_volumes_and_rates_are_the_same_in_every_table() {
+    let (folder, document, exit) = build(&Book::of(Language::En).bytes());
+    assert_eq!(exit, 0);
+    let results = folder.path().join("out/part-results.xlsx");
+    let column = |sheet: &str, heading: &str| column(&results, sheet, heading);
+    let sum = |sheet: &str, heading: &str| column(sheet, heading).iter().sum::<f64>();
+    for (heading, symbol) in [("t", "t"), ("t_c", "t_c"), ("V", "V_r")] {
+        for sheet in ["By block", "By tool"] {
+            near(sum(sheet, heading), quantity(&document, symbol));
+        }
+    }
+    let most = |sheet: &str, heading: &str| column(sheet, heading).into_iter().fold(0.0, f64::max);
+    for heading in ["Q", "V_c", "a_p"] {
+        for sheet in ["Motions", "By block", "By tool"] {
+            near(most(sheet, heading), quantity(&document, heading));
+        }
+    }
+    // The thread's block and its tool are one: what it takes away when it is pulled out at rapid is no cut.
+    let (blocks, thread) = (column("By block", "Q"), column("By tool", "Q")[3]);
+    assert!(thread > 0.0 && blocks.iter().any(|block| (block - thread).abs() < 1e-9), "{thread} {blocks:?}");
+}
