@@ -328,7 +328,8 @@ fn outcome(
         drawn.wanted = profile.points().unwrap_or_default();
     }
     let contour = figures::contour(&drawn);
-    let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE });
+    let alarms = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.alarms)).collect();
+    let turned = Some(Turned { contours: drawn.part.clone(), tolerance: TOLERANCE, alarms });
     let endless = followed.iter().any(|one| one.endless);
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
     Outcome {
