@@ -103,6 +103,8 @@ struct Tally<'a> {
     /// From `[z, r]` on the grid to program coordinates.
     shift: [f64; 2],
     turning: Turning,
+    /// Where the programmed point is when the cut begins, `[z, r]` on the grid.
+    begins: Option<[f64; 2]>,
     /// The greatest cutting speed, m/min.
     speed: f64,
     alarms: Vec<Alarm>,
@@ -110,7 +112,10 @@ struct Tally<'a> {
 
 impl Tally<'_> {
     /// Notes what a cutter met on its way along a piece, on this side of the axis or mirrored across it.
-    fn met(&mut self, Bite { reach: [low, high], metal, .. }: Bite, [from, to]: Piece, mirrored: bool) {
+    fn met(&mut self, Bite { along, reach: [low, high], metal }: Bite, [from, to]: Piece, mirrored: bool) {
+        let long = hypot(to[0] - from[0], to[1] - from[1]);
+        let part = if long > 0.0 { (along / long).clamp(0.0, 1.0) } else { 0.0 };
+        self.begins.get_or_insert([0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part));
         let (side, reach) = if mirrored { (-1.0, [-high, -low]) } else { (1.0, [low, high]) };
         let engaged = Engaged { from: side * from[1], to: side * to[1], shift: side * self.shift[1], reach, metal };
         self.speed = self.speed.max(self.turning.cutting_speed(&engaged));
@@ -254,7 +259,8 @@ impl Simulation {
         path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
 
         let turning = Turning::new(control, lathe);
-        let mut tally = Tally { motion, index: self.steps, shift, turning, speed: 0.0, alarms: Vec::new() };
+        let mut tally =
+            Tally { motion, index: self.steps, shift, turning, begins: None, speed: 0.0, alarms: Vec::new() };
         let seconds = match motion.kind {
             Kind::Rapid => None,
             _ => motion.seconds,
@@ -445,7 +451,7 @@ impl Simulation {
             (Cause::OffAxis, ready.tool.axial() && start[1].abs().max(end[1].abs()) > TOUCH),
         ] {
             if watch.begins(cause, holds, control.tool) {
-                tally.raise(cause, contact.place, None);
+                tally.raise(cause, tally.begins.unwrap_or(start), None);
             }
         }
         if let Some(edge) = contact.edge {

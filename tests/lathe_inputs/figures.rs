@@ -92,3 +92,18 @@ fn times_volumes_and_rates_are_the_same_in_every_table() {
     let (blocks, thread) = (column("By block", "Q"), column("By tool", "Q")[3]);
     assert!(thread > 0.0 && blocks.iter().any(|block| (block - thread).abs() < 1e-9), "{thread} {blocks:?}");
 }
+
+#[test]
+fn what_is_wrong_in_a_cut_is_told_where_it_begins() {
+    let document = simulate("M9|G96 S180 M4|G0 X54. Z-1.|G1 X-1.6 F0.2");
+    let found = alarms(&document);
+    assert_eq!(found.iter().map(|(number, line, ..)| (*number, *line)).collect::<Vec<_>>(), [(154, 9), (161, 9)]);
+    for (_, _, x, z) in found {
+        near(x, 50.0);
+        near(z, -1.0);
+    }
+    let stopped = simulate("M5|G98|G0 X46. Z5.|G1 Z-20. F100.");
+    let (number, line, x, z) = alarms(&stopped)[0];
+    assert_eq!((number, line, x), (153, 9, 46.0));
+    assert!((0.0..1.0).contains(&z), "{z}");
+}
