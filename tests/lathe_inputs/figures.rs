@@ -107,3 +107,33 @@ fn what_is_wrong_in_a_cut_is_told_where_it_begins() {
     assert_eq!((number, line, x), (153, 9, 46.0));
     assert!((0.0..1.0).contains(&z), "{z}");
 }
+
+#[test]
+fn a_feed_meant_the_other_way_is_cautioned_and_one_of_turning_is_not() {
+    let count = |blocks: &str| alarms(&simulate(blocks)).iter().filter(|(number, ..)| *number == 172).count();
+    for (feed, wanted) in [
+        ("G98|G1 Z-20. F0.2", 1),
+        ("G98|G1 Z-20. F180.", 0),
+        ("G98|G1 Z-20. F20.", 0),
+        ("G99|G1 Z-20. F180.", 1),
+        ("G99|G1 Z-20. F0.02", 0),
+        ("G99|G1 Z-20. F1.5", 0),
+        // Twice at the same feed is once; out of the cut it is nothing.
+        ("G98|G1 Z-20. F0.2|G0 X54.|Z2.|X42.|G1 Z-20.", 1),
+        ("G98|G1 Z1.9 F0.2", 0),
+    ] {
+        assert_eq!(count(&format!("G0 X46.|{feed}|G0 X54.|G99")), wanted, "{feed}");
+    }
+    let feed = &simulate("G0 X46.|G98|G1 Z-20. F0.2|G0 X54.")["alarms"][0];
+    assert_eq!((feed["grade"].as_str(), feed["line"].as_u64()), (Some("caution"), Some(8)));
+}
+
+#[test]
+fn a_thread_at_a_constant_surface_speed_is_cautioned_once() {
+    let numbers = |blocks: &str| alarms(&simulate(blocks)).iter().map(|(number, ..)| *number).collect::<Vec<_>>();
+    let passes = "G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.|X48.6|G0 X60.";
+    assert_eq!(numbers(&format!("T0404|G96 S100|{passes}")), [145]);
+    assert_eq!(numbers(&format!("T0404|G97 S600|{passes}")), Vec::<u64>::new());
+    // The limit holds in all passes: the speed is one.
+    assert_eq!(numbers(&format!("G50 S300|T0404|G96 S100|{passes}")), Vec::<u64>::new());
+}
