@@ -100,14 +100,63 @@ pub fn watched(
         let part = turned_about(&left, &given.setup.stock, given.second);
         let setup = Setup { part: Some(part), ..given.setup.clone() };
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
-        let lost = followed.iter().any(|one| one.lost);
-        followed.push(follow("program-2", title, &second, &given, (setup, lost), watch)?);
+        let held = values.locate(held(&setup));
+        let lost = followed.iter().any(|one| one.lost) || held.grade == Grade::Stop;
+        let mut one = follow("program-2", title, &second, &given, (setup, lost), watch)?;
+        one.findings.push(held);
+        followed.push(one);
     }
     Ok(outcome(form, values, source, &given, followed, profile))
 }
 
 fn refused(findings: Vec<Finding>) -> Refusal {
     Refusal { exit: Exit::Refused, findings }
+}
+
+/// The least length along which a part is held at all, mm: less is a line.
+const HELD: f64 = 1.0;
+
+/// The least length along which a part is held well, mm, and as a share of the jaws'. The more of the two. Chosen here.
+const HELD_WELL: (f64, f64) = (5.0, 0.25);
+
+/// How the jaws hold the part that was turned about: a stop where they do not, a caution where they hardly do.
+fn held(setup: &Setup) -> Finding {
+    let Setup { lathe, stock, .. } = setup;
+    let place = Place::Parameters(vec!["Z_s", "L4"]);
+    let [left, right] = stock.held(lathe).map(|at| shown(at, 3));
+    let remedy = Text::new(
+        format!("cambie Z_s (o L4) hasta que entre Z{left} y Z{right}, donde están las garras, haya un cilindro"),
+        format!("change Z_s (or L4) until a cylinder lies between Z{left} and Z{right}, where the jaws are"),
+    );
+    let Some(grip) = setup.part.as_deref().and_then(|part| stock.grip(lathe, part)) else {
+        return Finding::stop(
+            place,
+            t(
+                "en la segunda colocación no hay material entre las garras: nada sujeta la pieza",
+                "in the second set-up there is no metal between the jaws: nothing holds the part",
+            ),
+            remedy,
+        );
+    };
+    let (X, long) = (shown(grip.diameter, 3), format!("{} mm", shown(grip.length, 3)));
+    let least = HELD_WELL.0.max(HELD_WELL.1 * lathe.chuck.jaws);
+    let short = Text::new(
+        format!("en la segunda colocación las garras, cerradas en X{X}, apenas sujetan la pieza a lo largo de Z"),
+        format!("in the second set-up the jaws, closed on X{X}, hardly hold the part along Z"),
+    );
+    if grip.length < HELD {
+        Finding::stop(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
+    } else if grip.length < least {
+        Finding::caution(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
+    } else {
+        Finding::note(
+            place,
+            Text::new(
+                format!("en la segunda colocación las garras se cierran en X{X} y sujetan {long}"),
+                format!("in the second set-up the jaws close on X{X} and hold {long}"),
+            ),
+        )
+    }
 }
 
 /// The program as it stands on its sheet; its subprograms are not known before it has been read.
@@ -239,8 +288,8 @@ fn at_line(file: Option<&str>, line: usize) -> Place {
 fn unjudged_from(place: Place) -> Finding {
     let what = if place == Place::File {
         t(
-            "no se juzgan los movimientos de este programa: la colocación anterior no queda como se pide",
-            "the motions of this program are not judged: the set-up before it does not end as it is meant to",
+            "no se juzgan los movimientos de este programa: la pieza no es la que se pide, o nada la sujeta",
+            "the motions of this program are not judged: the part is not what is meant, or nothing holds it",
         )
     } else {
         t(
@@ -322,7 +371,8 @@ fn outcome(
     let last = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
     tables.push(contour_table(&last.part));
     let mut drawn = last;
-    drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
+    let standing = followed.last().map(|one| one.simulation.setup().fixtures()).unwrap_or_default();
+    drawn.chuck = standing.into_iter().map(|(_, ring)| ring).collect();
     if let Some(profile) = profile {
         findings.extend(compared(&drawn.part, &profile, &mut quantities));
         drawn.wanted = profile.points().unwrap_or_default();

@@ -48,6 +48,13 @@ impl Setup {
     pub const fn new(lathe: Lathe, stock: Stock, turret: Turret) -> Self {
         Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false }
     }
+
+    /// What stands still about the work; the jaws are closed on the part where there is one.
+    #[must_use]
+    pub fn fixtures(&self) -> Vec<(Fixture, Ring)> {
+        let grip = self.part.as_deref().and_then(|part| self.stock.grip(&self.lathe, part));
+        self.stock.fixtures(&self.lathe, grip.map_or(self.stock.diameter, |grip| grip.diameter))
+    }
 }
 
 /// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
@@ -187,7 +194,7 @@ impl Simulation {
         let (Some(part), true) = (part, faults.is_empty()) else {
             return Err(Refusal { exit: Exit::Refused, findings: faults });
         };
-        let fixtures = (setup.stock.fixtures(&setup.lathe).into_iter())
+        let fixtures = (setup.fixtures().into_iter())
             .filter_map(|(fixture, ring)| {
                 let near = |at: f64| at.clamp(-1070.0, 1070.0);
                 let ring: Vec<_> = ring.iter().map(|&[z, r]| [near(z - middle), near(r)]).collect();

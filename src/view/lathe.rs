@@ -80,7 +80,7 @@ impl Watching {
         let mut program = Program::new(title, dialect, Frame::Turning, &text);
         program.tools = tools(setup);
         let mut turning = Turning::new(simulation.contours());
-        let fixtures = setup.stock.fixtures(&setup.lathe);
+        let fixtures = setup.fixtures();
         turning.fixtures = fixtures
             .into_iter()
             .map(|(fixture, outline)| Fixture { name: name(fixture), outline: upper(&outline) })
