@@ -150,7 +150,7 @@ fn a_stock_that_is_none_is_refused_before_anything_is_read() {
         ("D5000xL100", "D5000 is out of range"),
         ("D50xL100xd50", "the bore d must be less than D"),
         ("D50xL100xL2", "L is given twice"),
-        ("D50,5xL100", "'D50,5' is no size"),
+        ("D50,5xL100", "'D50,5': write the decimal with a point, D50.5"),
         ("DnanxL100", "'Dnan' is no size"),
         ("D-50xL100", "'D-50' is no size"),
     ] {
