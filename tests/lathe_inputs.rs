@@ -11,6 +11,8 @@ mod command;
 mod figures;
 #[path = "lathe_inputs/lost.rs"]
 mod lost;
+#[path = "lathe_inputs/messages.rs"]
+mod messages;
 #[path = "lathe_inputs/programs.rs"]
 mod programs;
 #[path = "lathe_inputs/second.rs"]

@@ -328,10 +328,13 @@ fn alarms(alarms: &[Raised]) -> Vec<Finding> {
             let mut finding = Finding { place: place.clone(), ..alarm.finding() };
             if count > 1 {
                 let Text { es, en } = &finding.what;
-                finding.what = Text::new(
-                    format!("{es}, y otras {} veces en la línea", count - 1),
-                    format!("{en}, and {} more times on the line", count - 1),
-                );
+                finding.what = match count - 1 {
+                    1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
+                    more => Text::new(
+                        format!("{es}, y otras {more} veces en la línea"),
+                        format!("{en}, and {more} more times on the line"),
+                    ),
+                };
             }
             finding
         })
@@ -343,8 +346,8 @@ fn alarms(alarms: &[Raised]) -> Vec<Finding> {
         found.push(Finding::note(
             Place::File,
             Text::new(
-                format!("y {more} alarmas más: están en la tabla de alarmas"),
-                format!("and {more} more alarms: they are in the table of alarms"),
+                format!("y {more} alarmas más: rodete view las muestra en la pieza"),
+                format!("and {more} more alarms: rodete view shows them on the part"),
             ),
         ));
     }
@@ -491,9 +494,11 @@ fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Vec<Quantity>
     Some(Finding::note(
         Place::File,
         Text::new(
-            format!("frente al perfil deseado sobran hasta {over} mm{plus} y faltan hasta {under} mm{minus}"),
             format!(
-                "against the wanted profile up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
+                "frente al perfil de la hoja PERFIL del libro sobran hasta {over} mm{plus} y faltan hasta {under} mm{minus}"
+            ),
+            format!(
+                "against the profile on the workbook's sheet PROFILE up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
             ),
         ),
     ))

@@ -133,7 +133,7 @@ pub struct Alarm {
 impl Moving {
     const fn name(self) -> [&'static str; 2] {
         match self {
-            Self::Cutter => ["la plaquita o broca", "the insert or drill"],
+            Self::Cutter => ["la placa o broca", "the insert or drill"],
             Self::Holder => ["el portaherramientas", "the holder"],
             Self::Turret => ["la torreta", "the turret"],
         }
@@ -208,7 +208,7 @@ impl Cause {
         match self {
             Self::RapidInMetal => t("Avance rápido a través del material", "Rapid motion through metal"),
             Self::BackInMetal => t(
-                "Un lado sin filo de la plaquita entra en el material",
+                "Un lado sin filo de la placa entra en el material",
                 "A side of the insert that does not cut runs into metal",
             ),
             Self::BodyInMetal(moving) => {
@@ -232,7 +232,7 @@ impl Cause {
             ),
             Self::NoLead => t("Rosca sin paso", "Thread without a lead"),
             Self::Lead { .. } => {
-                t("El paso no es de los de la plaquita de roscar", "The lead is none of the threading insert's")
+                t("El paso no es de los de la placa de roscar", "The lead is none of the threading insert's")
             }
             Self::LeadDiffers { .. } => t(
                 "El avance de la rosca no es el paso de las pasadas anteriores",
@@ -298,6 +298,10 @@ impl Cause {
             Self::BodyInMetal(_) => {
                 t("Elija una herramienta más larga o más estrecha", "Choose a longer or a narrower tool")
             }
+            Self::Collision(_, Fixture::Tailstock) => t(
+                "Retire el contrapunto (en el libro, tailstock: no), o limite el movimiento",
+                "Withdraw the tailstock (in the workbook, tailstock: no), or keep the motion away",
+            ),
             Self::Collision(..) => t(
                 "Sujete la pieza más afuera o limite el movimiento",
                 "Clamp the work farther out, or keep the motion away",
@@ -307,7 +311,7 @@ impl Cause {
             }
             Self::DepthOfCut { .. } => t("Reparta el corte en más pasadas", "Divide the cut into more passes"),
             Self::NoLead => t("Escriba el paso con F", "Write the lead with F"),
-            Self::Lead { .. } => t("Cambie de plaquita o corrija F", "Change the insert or correct F"),
+            Self::Lead { .. } => t("Cambie de placa o corrija F", "Change the insert or correct F"),
             Self::LeadDiffers { .. } => t("Use el mismo paso en todas las pasadas", "Use the same lead in all passes"),
             Self::NoThreader => t("Llame a la herramienta de roscar", "Call the threading tool"),
             Self::ThreadSpeed { .. } => t("Rosque con G97 y S en rpm", "Cut threads with G97 and S in rpm"),
