@@ -13,6 +13,8 @@ mod figures;
 mod lost;
 #[path = "lathe_inputs/messages.rs"]
 mod messages;
+#[path = "lathe_inputs/parted.rs"]
+mod parted;
 #[path = "lathe_inputs/programs.rs"]
 mod programs;
 #[path = "lathe_inputs/second.rs"]

@@ -8,6 +8,7 @@ use crate::gcode::motion::Kind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
+use crate::geometry::revolution::volume;
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
@@ -96,7 +97,7 @@ pub fn watched(
     let title = t("Programa", "Program");
     let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
-        let left = followed.first().map(|one| one.simulation.contours()).unwrap_or_default();
+        let left = followed.first().map(|one| one.drawn.part.clone()).unwrap_or_default();
         let part = turned_about(&left, &given.setup.stock, given.second);
         let setup = Setup { part: Some(part), ..given.setup.clone() };
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
@@ -272,7 +273,7 @@ fn follow(
     one.findings =
         faults.into_iter().map(|finding| Finding { place: source.placed(finding.place), ..finding }).collect();
     one.findings.extend(alarms(&one.alarms));
-    one.drawn.part = one.simulation.contours();
+    one.drawn.part = one.simulation.product();
     Ok(one)
 }
 
@@ -519,7 +520,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         f64::from(u32::try_from(counted).unwrap_or(u32::MAX))
     };
     let none = || t("", "");
-    let left = followed.last().map_or(0.0, |one| one.simulation.volume());
+    let left = followed.last().map_or(0.0, |one| one.drawn.part.iter().map(|ring| volume(ring)).sum());
     let mm3 = Unit::CubicMillimetre;
     vec![
         quantity("L3", t("Voladizo", "Overhang"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),

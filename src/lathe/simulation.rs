@@ -13,7 +13,7 @@ use super::stock::{Fixture, Stock};
 use super::tool::{Cutter, Tool};
 use super::turret::Turret;
 use super::watch::Watch;
-use super::workpiece::{Removed, Workpiece};
+use super::workpiece::{CHIP, Removed, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::control::{Control, Speed};
 use crate::gcode::motion::{Feed, Kind, Motion, Thread};
@@ -86,6 +86,8 @@ pub struct Simulation {
     totals: Totals,
     steps: usize,
     contour: Ring,
+    /// The last cut parted a piece off, and this is it.
+    fallen: Vec<Ring>,
     /// The thread that the last motion cut.
     led: Option<Led>,
     // Kept so as not to allocate for each motion.
@@ -212,6 +214,7 @@ impl Simulation {
             totals: Totals::default(),
             steps: 0,
             contour: Ring::new(),
+            fallen: Vec::new(),
             led: None,
             pieces: Vec::new(),
             swept: Convex::default(),
@@ -230,6 +233,18 @@ impl Simulation {
     #[must_use]
     pub fn contours(&self) -> Vec<Ring> {
         let mut rings = self.part.rings();
+        rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
+        rings
+    }
+
+    /// What the program makes, contours as [`Self::contours`] gives them: the piece that its last cut has parted off, of one
+    /// piece; else what is in the chuck. A program that goes on cutting after a piece has fallen off makes what is left.
+    #[must_use]
+    pub fn product(&self) -> Vec<Ring> {
+        if self.fallen.is_empty() {
+            return self.contours();
+        }
+        let mut rings = self.fallen.clone();
         rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
         rings
     }
@@ -281,6 +296,12 @@ impl Simulation {
         self.judge(control, &pieces, &contact, &mut tally);
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
+        }
+
+        if removed.parted > 0.0 {
+            self.fallen = self.part.fallen().to_vec();
+        } else if motion.kind != Kind::Rapid && removed.volume > CHIP {
+            self.fallen.clear();
         }
 
         let start = pieces.first().map_or(to, |piece| piece[0]);

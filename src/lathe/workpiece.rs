@@ -8,7 +8,7 @@ use crate::geometry::exact::region::{Region, Ring};
 use crate::geometry::revolution::{frustum, volume};
 
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
-const CHIP: f64 = 1.0;
+pub const CHIP: f64 = 1.0;
 
 /// What a cut took away.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,13 +24,15 @@ pub struct Removed {
 pub struct Workpiece {
     region: Region,
     meeting: Meeting,
+    /// What fell off last, if it was one piece.
+    fallen: Vec<Ring>,
 }
 
 impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
-        Self { region: Region::new(rings), meeting: Meeting::default() }
+        Self { region: Region::new(rings), meeting: Meeting::default(), fallen: Vec::new() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -43,6 +45,12 @@ impl Workpiece {
     #[must_use]
     pub fn volume(&self) -> f64 {
         self.region.rings().iter().map(|ring| volume(ring)).sum()
+    }
+
+    /// The contours of the piece that fell off last, mm; none where nothing has or where it was more than one.
+    #[must_use]
+    pub fn fallen(&self) -> &[Ring] {
+        &self.fallen
     }
 
     /// How many edges its contours have.
@@ -77,11 +85,14 @@ impl Workpiece {
             let inner: f64 = part.meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
             removed.volume += outer - inner;
             if part.region.cut(polygon, &part.meeting) == Cut::Apart {
-                let pieces: f64 = part.region.keep_first().iter().map(|ring| volume(ring)).sum();
+                let fallen = part.region.keep_first();
+                let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
                 if pieces < CHIP {
                     removed.volume += pieces;
                 } else {
                     removed.parted += pieces;
+                    let one = fallen.iter().filter(|ring| volume(ring) >= CHIP).count() == 1;
+                    part.fallen = if one { fallen } else { Vec::new() };
                 }
             }
         });
