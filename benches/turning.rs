@@ -1,18 +1,25 @@
-//! Turning: cutting motions a second, and whether a motion's cost grows with the motions before it.
+//! Turning: cutting motions a second, and whether a motion's cost grows with the motions before it; of motions as the
+//! removal gets them, and of G71 programs read by the interpreter and followed with tables and alarms.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use rodete::finding::Grade;
 use rodete::gcode::control::{Control, Speed, Spindle};
 use rodete::gcode::motion::{Feed, FeedMode, Kind, Motion};
+use rodete::job::lathe::{Seen, watched};
 use rodete::lathe::machine::Lathe;
+use rodete::lathe::parameters::FORM;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::stock::Stock;
+use rodete::lathe::text::{Source, Text};
 use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
 use rodete::lathe::turret::Turret;
 use rodete::machine::axis::{Axis, Pose};
-use rodete::text::Text;
+use rodete::parameter::{Value, Values};
+use rodete::text::{Language, Text as Name};
 
 const FEED: Kind = Kind::Feed(Feed { mode: FeedMode::PerRevolution, value: 0.2 });
 
@@ -47,7 +54,7 @@ impl Program {
 fn setup() -> Setup {
     let stock = Stock { overhang: 500.0, ..Stock::bar(100.0, 550.0) };
     let tool = Tool {
-        name: Text::same("55°"),
+        name: Name::same("55°"),
         cutter: Cutter::Insert { shape: Shape::D, circle: 12.7, main: 93.0, auxiliary: 32.0, nose: 0.4 },
         hand: Hand::Right,
         tip: Tip::OutsideLeft,
@@ -108,6 +115,71 @@ fn run(motions: &[Motion]) -> f64 {
     volume
 }
 
+/// A G71 program over a bar of D 200: three shafts one inside the other, each with cone, fillet and shoulder, in passes of a
+/// depth, mm.
+fn cycles(depth: f64) -> String {
+    let mut text = "O0001\nG50 S2500\nT0101\nG96 S180 M3\nM8\n".to_owned();
+    for (zone, top) in [200.0, 162.0, 124.0].into_iter().enumerate() {
+        let (from, to) = (10 * (2 * zone + 1), 10 * (2 * zone + 2));
+        let (start, foot) = (top + 2.0, top - 38.0);
+        let _ = write!(
+            text,
+            "G0 X{start:.1} Z2.\nG71 U{depth:.4} R0.002\nG71 P{from} Q{to} U0.5 W0.1 F0.25\nN{from} G0 X{foot:.1}\n\
+             G1 Z-20. F0.12\nX{:.1} Z-30.\nZ-40.\nG2 X{:.1} Z-45. R5.\nN{to} G1 X{start:.1}\nG0 X{:.1} Z2.\n",
+            foot + 10.0,
+            foot + 20.0,
+            start + 2.0,
+        );
+    }
+    text + "G0 X300. Z50. M9\nM30\n"
+}
+
+/// The values of the example, with a bar of D 200 and 150 mm.
+fn values() -> Values {
+    let mut values = Values { language: Language::En, ..Values::default() };
+    values.values.extend(FORM.cases[0].values(Language::En));
+    values.lists.push(rodete::lathe::cases::turret(Language::En));
+    for (key, value) in [("D", 200.0), ("L", 150.0), ("L4", 40.0), ("L5", 0.0)] {
+        values.values.insert(key, Value::Real(value));
+    }
+    values
+}
+
+/// The whole job: how many motions it makes, and how many of them cut.
+fn job(text: &str) -> (u64, u64) {
+    let program = Source { main: Text::of_file(text.to_owned()), subprograms: BTreeMap::new() };
+    let source = rodete::job::Source {
+        workbook: "g71.nc".to_owned(),
+        sha256: String::new(),
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    let (mut motions, mut cutting) = (0, 0);
+    let outcome = watched(&FORM, values(), source, Some(program), &mut |seen| {
+        if let Seen::Step(step, ..) = seen {
+            motions += 1;
+            cutting += u64::from(step.removed.volume > 0.0);
+        }
+    });
+    let outcome = outcome.expect("a program that can be followed");
+    assert!(outcome.findings.iter().all(|finding| finding.grade != Grade::Stop), "{:?}", outcome.findings.first());
+    (motions, cutting)
+}
+
+fn bench_cycles(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("g71");
+    group.sample_size(10);
+    for depth in [0.2, 0.02, 0.0024] {
+        let text = cycles(depth);
+        let (motions, cutting) = job(&text);
+        println!("g71/{motions}: {cutting} motions cut");
+        group.throughput(Throughput::Elements(cutting));
+        group.bench_with_input(BenchmarkId::from_parameter(motions), &text, |bencher, text| {
+            bencher.iter(|| job(black_box(text)));
+        });
+    }
+    group.finish();
+}
+
 fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("turning");
     group.sample_size(10);
@@ -123,5 +195,5 @@ fn bench(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, bench);
+criterion_group!(benches, bench, bench_cycles);
 criterion_main!(benches);

@@ -21,6 +21,8 @@ mod programs;
 mod second;
 #[path = "lathe_inputs/sheets.rs"]
 mod sheets;
+#[path = "lathe_inputs/shop.rs"]
+mod shop;
 #[path = "lathe_inputs/subprograms.rs"]
 mod subprograms;
 #[path = "lathe_inputs/view.rs"]

@@ -1,12 +1,15 @@
 //! Turning on a lathe: what the tool takes away, against closed forms.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod removal {
     mod alarms;
+    mod collisions;
     mod exact;
+    mod judged;
     mod lathe;
     mod part;
+    mod raised;
     mod tools;
     mod volumes;
 }

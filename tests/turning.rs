@@ -10,6 +10,16 @@ mod cycles;
 mod judged;
 #[path = "turning/lines.rs"]
 mod lines;
+#[path = "turning/linuxcnc.rs"]
+mod linuxcnc;
+#[path = "turning/linuxcnc_holes.rs"]
+mod linuxcnc_holes;
+#[path = "turning/linuxcnc_nose.rs"]
+mod linuxcnc_nose;
+#[path = "turning/linuxcnc_roughing.rs"]
+mod linuxcnc_roughing;
+#[path = "turning/linuxcnc_threads.rs"]
+mod linuxcnc_threads;
 #[path = "turning/machine.rs"]
 mod machine;
 #[path = "turning/passes.rs"]

@@ -96,13 +96,13 @@ fn follow(
     let mut before = start;
     let (mut faults, mut total): (Vec<Fault>, usize) = (Vec::new(), 0);
     let mut canon = String::new();
-    for item in interpreter.by_ref() {
+    while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) => {
                 read.account.take(&motion, &before);
                 before = motion.machine;
                 if arguments.canon {
-                    canon.push_str(&line(&motion).to_string());
+                    canon.push_str(&line(&motion, interpreter.file(interpreter.control().file)).to_string());
                     canon.push('\n');
                     if canon.len() > CHUNK {
                         terminal.out(&canon);
@@ -138,9 +138,12 @@ fn pose(pose: &Pose) -> Value {
     Value::Object(named.map(|axis| (axis.letter().to_string(), json!(pose.get(axis) + 0.0))).collect())
 }
 
-/// A canonical motion as JSON: mm, degrees, seconds.
-fn line(motion: &Motion) -> Value {
+/// A canonical motion as JSON: mm, degrees, seconds; with the file of its block where that is a subprogram's own.
+fn line(motion: &Motion, file: Option<&str>) -> Value {
     let mut object = Map::new();
+    if let Some(file) = file {
+        object.insert("file".into(), json!(file));
+    }
     object.insert("line".into(), json!(motion.line));
     object.insert("n".into(), json!(motion.n));
     let name = match motion.kind {

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::io::BufRead;
 use std::path::Path;
 
-use super::args::{Control, View};
+use super::args::View;
 use super::program::{Shared, told_from};
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
@@ -13,6 +13,7 @@ use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
+use crate::gcode::dialect::told::told;
 use crate::gcode::interpreter::Interpreter;
 use crate::lathe::parameters as lathe;
 use crate::store::{self, Existing, Folder, Set, Written};
@@ -66,15 +67,15 @@ fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusa
     let mut file = workbook::open_program(input)?;
     let package = file.fill_buf().is_ok_and(|head| head.starts_with(PACKAGE));
     let title = printable(&input.file_name().unwrap_or_default().to_string_lossy());
-    let dialect = turned(control)?;
-    if arguments.stock.is_some() && (package || dialect.is_none()) {
+    let turned = !package && is_turned(arguments, file.fill_buf().unwrap_or_default())?;
+    if arguments.stock.is_some() && !turned {
         return Err(no_stock());
     }
     let scene = if package {
         drop(file);
         placed(of_workbook(arguments, title, verdict), verdict)
-    } else if let Some(dialect) = dialect {
-        placed(of_turning(arguments, title, dialect, verdict).map(Some), verdict)
+    } else if turned {
+        placed(of_turning(arguments, title, verdict).map(Some), verdict)
     } else {
         Some(of_program(arguments, title, &mut file, verdict)?)
     };
@@ -108,31 +109,34 @@ fn no_stock() -> Refusal {
     )
 }
 
-/// The dialect of a turning program that is to be followed over its stock; `None` for a milling program, and for one that
-/// is read with LinuxCNC's tables, which say nothing of a stock.
-fn turned(control: &Control) -> Result<Option<&'static Dialect>, Refusal> {
-    let dialect = control.dialect.as_deref().and_then(Dialect::named).filter(|dialect| dialect.reading.diameter);
-    let tables = match &control.tools {
-        Some(tools) => !workbook::open_as(workbook::Input::ToolTable, tools)?.starts_with(PACKAGE),
-        None => false,
+/// True for a turning program that is to be followed over its stock; not for a milling program, nor for one that is read
+/// with LinuxCNC's tables, which say nothing of a stock.
+fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
+    let control = &arguments.control;
+    let machine = match &control.tools {
+        Some(tools) => Some(workbook::open_as(workbook::Input::ToolTable, tools)?.starts_with(PACKAGE)),
+        None => None,
     };
-    Ok(dialect.filter(|_| !tables && control.var.is_none() && !control.inch))
+    if machine == Some(false) || control.var.is_some() || control.inch {
+        return Ok(false);
+    }
+    let ending = arguments.input.extension().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(match control.dialect.as_deref().and_then(Dialect::named) {
+        Some(dialect) => dialect.reading.diameter,
+        // A lathe's workbook is given for a turning program alone.
+        None => machine == Some(true) || told(head, &ending).reading.diameter,
+    })
 }
 
 /// The scene of a turning program over its stock.
-fn of_turning(
-    arguments: &View,
-    title: String,
-    dialect: &'static Dialect,
-    verdict: &mut Verdict,
-) -> Result<Scene, Refusal> {
+fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Scene, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
     let language = arguments.lang.unwrap_or_default();
     let wanted = Wanted {
         program: input,
         bytes: &bytes,
-        dialect: Some(dialect),
+        dialect: control.dialect.as_deref().and_then(Dialect::named),
         point: control.decimal_point,
         block_delete: control.block_delete,
         stock: arguments.stock,

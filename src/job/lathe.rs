@@ -60,6 +60,8 @@ struct Followed {
     endless: bool,
     /// A block of it was refused, or one of a program before it.
     lost: bool,
+    /// A turning cycle was refused, and nothing after it was made.
+    uncut: bool,
     drawn: Drawn,
 }
 
@@ -95,16 +97,19 @@ pub fn watched(
     };
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
-    let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false), watch)?];
+    let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false, false), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
         let left = followed.first().map(|one| one.drawn.part.clone()).unwrap_or_default();
         let part = turned_about(&left, &given.setup.stock, given.second);
         let setup = Setup { part: Some(part), ..given.setup.clone() };
+        let uncut = followed.iter().any(|one| one.uncut);
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
-        let held = values.locate(held(&setup));
-        let lost = followed.iter().any(|one| one.lost) || held.grade == Grade::Stop;
-        let mut one = follow("program-2", title, &second, &given, (setup, lost), watch)?;
-        one.findings.push(held);
+        let lost = followed.iter().any(|one| one.lost);
+        // How a part is held that is not the one meant says nothing.
+        let held = (!lost).then(|| values.locate(held(&setup)));
+        let lost = lost || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
+        let mut one = follow("program-2", title, &second, &given, (setup, lost, uncut), watch)?;
+        one.findings.extend(held);
         followed.push(one);
     }
     Ok(outcome(form, values, source, &given, followed, profile))
@@ -177,12 +182,15 @@ fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) 
 ///
 /// The motions behind a block that was refused are not those that the program means: they are followed for what the
 /// interpreter has to say about the blocks, and their alarms, which would follow from that block, are not raised.
+///
+/// Behind a cycle that was refused, and with `uncut` from the start, the program is read and not made, for the part that it
+/// needs was not.
 fn follow(
     key: &'static str,
     title: Text,
     source: &text::Source,
     given: &Given,
-    (setup, lost): (Setup, bool),
+    (setup, lost, uncut): (Setup, bool, bool),
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
@@ -197,6 +205,7 @@ fn follow(
         findings: Vec::new(),
         endless: false,
         lost,
+        uncut,
         drawn: Drawn { stock, ..Drawn::default() },
     };
     let mut interpreter = source.read(given.setting());
@@ -212,6 +221,7 @@ fn follow(
                 faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
                 break;
             }
+            Ok(_) if one.uncut => unjudged = true,
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
@@ -241,6 +251,7 @@ fn follow(
             }
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;
+                one.uncut |= fault.uncut;
                 let fault = Finding::from(*fault);
                 last.get_or_insert_with(|| fault.place.clone());
                 // A cycle reads the blocks of its contour, and they are read again where they stand.

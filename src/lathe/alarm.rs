@@ -9,6 +9,14 @@ use crate::text::Text;
 /// Depths up to this are contact and no collision, mm.
 pub const TOUCH: f64 = 0.001;
 
+/// How deep a retraction may scrape without being a stop, mm.
+///
+/// An edge of lead angle φ1 > 90° leans away from the shoulder in front of which it stops, and leaves there a wedge of
+/// a tan(φ1 − 90°) at a depth of cut a: 0.44 mm at 95° and 5 mm. A tool that is taken straight up the shoulder, by a program
+/// or by a cycle whose way out no program changes, takes it away with its nose, and a finishing allowance with it. That is
+/// metal, cut at rapid, but no crash. Anything deeper is no leftover of the edge's own. Derived here.
+pub const SCRAPE: f64 = 0.5;
+
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moving {
@@ -25,6 +33,8 @@ pub enum Moving {
 pub enum Cause {
     /// A rapid motion goes through metal.
     RapidInMetal,
+    /// The tool is taken off its cut at rapid and scrapes metal, no deeper than [`SCRAPE`].
+    RetractionInMetal,
     /// An edge of the cutter that does not cut runs into metal.
     BackInMetal,
     /// The holder or the turret runs into metal.
@@ -155,7 +165,7 @@ impl Cause {
     #[must_use]
     pub const fn number(self) -> u16 {
         match self {
-            Self::RapidInMetal => 101,
+            Self::RapidInMetal | Self::RetractionInMetal => 101,
             Self::BackInMetal => 102,
             Self::BodyInMetal(Moving::Turret) => 104,
             Self::BodyInMetal(_) => 103,
@@ -188,7 +198,8 @@ impl Cause {
     pub const fn grade(self) -> Grade {
         match self {
             Self::NoCoolant | Self::PartedOff(_) => Grade::Note,
-            Self::BackCutting
+            Self::RetractionInMetal
+            | Self::BackCutting
             | Self::Lead { .. }
             | Self::LeadDiffers { .. }
             | Self::NoThreader
@@ -207,6 +218,9 @@ impl Cause {
         let t = Text::fixed;
         match self {
             Self::RapidInMetal => t("Avance rápido a través del material", "Rapid motion through metal"),
+            Self::RetractionInMetal => {
+                t("La retirada raspa el material en avance rápido", "The retraction scrapes metal at rapid")
+            }
             Self::BackInMetal => t(
                 "Un lado sin filo de la placa entra en el material",
                 "A side of the insert that does not cut runs into metal",
@@ -290,6 +304,10 @@ impl Cause {
             Self::RapidInMetal => t(
                 "Aleje el punto de partida o haga este movimiento con avance de trabajo",
                 "Start farther away, or make this motion at feed",
+            ),
+            Self::RetractionInMetal => t(
+                "Retire con avance o a 45°, termine el contorno del ciclo fuera del bruto, o use una herramienta con φ1 de 90° o menos",
+                "Retract at feed or at 45°, end the cycle's contour outside the stock, or use a tool with φ1 of 90° or less",
             ),
             Self::BackInMetal | Self::BackCutting => t(
                 "Elija una herramienta de otra mano o con más ángulo libre, o cambie el sentido de la pasada",

@@ -42,12 +42,13 @@ pub struct Bite {
 }
 
 /// How deep a polygon was in the metal, mm, and where: the greatest distance of the outline taken away from the new one or
-/// of the new one from it, at the ends and middles of their stretches.
+/// of the new one from it, at the ends and middles of their stretches. The axis bounds the half section and not the metal.
 #[must_use]
 pub fn depth(meeting: &Meeting) -> (f64, [f64; 2]) {
     let mut deepest = (0.0, [0.0; 2]);
     let new = || meeting.inserted.iter().map(|(stretch, _)| *stretch);
-    let old = || meeting.removed.iter().copied();
+    let metal = |one: &Stretch| one.from[1] != 0.0 || one.to[1] != 0.0;
+    let old = || meeting.removed.iter().copied().filter(metal);
     let mut look = |stretch: Stretch, off: &dyn Fn([f64; 2]) -> f64| {
         for point in [stretch.from, middle(stretch), stretch.to] {
             let far = off(point);
@@ -58,12 +59,12 @@ pub fn depth(meeting: &Meeting) -> (f64, [f64; 2]) {
     };
     // A piece that is covered as a whole leaves no new outline: how deep is how wide it was.
     if meeting.inserted.is_empty() {
-        if let Some(first) = meeting.removed.first() {
+        if let Some(first) = old().next() {
             old().for_each(|stretch| look(stretch, &|[z, r]| hypot(z - first.from[0], r - first.from[1])));
         }
         return deepest;
     }
-    if meeting.removed.is_empty() {
+    if old().next().is_none() {
         if let Some((first, _)) = meeting.inserted.first() {
             new().for_each(|stretch| look(stretch, &|[z, r]| hypot(z - first.from[0], r - first.from[1])));
         }

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::io::{self, Write};
 
 use crate::geometry::exact::region::Ring;
-use crate::number::trig::{acos, sin_cos};
+use crate::number::trig::{acos, hypot, sin_cos};
 
 /// The fewest and the most sectors about the axis.
 const SECTORS: [f64; 2] = [12.0, 3600.0];
@@ -24,7 +24,8 @@ pub fn sectors(radius: f64, tolerance: f64) -> u32 {
 /// Writes the body that contours make when turned about the axis as binary STL; gives back the number of triangles.
 ///
 /// Contours `[z, r]` in mm with r ≥ 0, counter-clockwise, holes clockwise. In the mesh Z is the axis and X, Y are across
-/// it, with the corners on the body's surface and chords within the tolerance. Every edge belongs to two triangles: corners
+/// it, with the corners on the body's surface, chords about the axis within the tolerance, and of the contours only the
+/// corners that keep them within a quarter of it. Every edge belongs to two triangles: corners
 /// are worked out once for each corner of a contour, corners that fall together in the format's single precision are one,
 /// and what lies on the axis is one corner.
 ///
@@ -36,6 +37,7 @@ pub fn write_stl(rings: &[Ring], tolerance: f64, out: &mut impl Write) -> io::Re
     let turns: Vec<(f64, f64)> = (0..count).map(|at| sin_cos(TAU * f64::from(at) / f64::from(count))).collect();
     let mut triangles: Vec<[[f32; 3]; 3]> = Vec::new();
     for ring in rings {
+        let ring = thinned(ring, tolerance / 4.0);
         let mut corners: Vec<[f64; 2]> = ring.iter().map(|&[z, r]| [z, if r < 1e-7 { 0.0 } else { r }]).collect();
         corners.dedup_by_key(|corner| single(*corner));
         while corners.len() > 1 && corners.first().map(|&one| single(one)) == corners.last().map(|&one| single(one)) {
@@ -70,6 +72,41 @@ pub fn write_stl(rings: &[Ring], tolerance: f64, out: &mut impl Write) -> io::Re
         out.write_all(&record)?;
     }
     Ok(total)
+}
+
+/// A ring with fewer of its corners, none of the others farther from the edges between them than a distance, mm.
+fn thinned(ring: &[[f64; 2]], within: f64) -> Ring {
+    let mut kept: Ring = Vec::new();
+    let mut at = 0;
+    while at < ring.len() {
+        kept.push(ring[at]);
+        let reaches = |to: usize| {
+            let (from, end) = (ring[at], ring[to % ring.len()]);
+            ring[at + 1..to].iter().all(|&corner| corner[1] > 0.0 && off(corner, from, end) <= within)
+        };
+        let (mut step, mut reached) = (1, at + 1);
+        // Twice as far while it can be, then half as far, until the next corner more is one too many.
+        while at + step < ring.len() && reaches((reached + step).min(ring.len())) {
+            reached = (reached + step).min(ring.len());
+            step *= 2;
+        }
+        while step > 0 {
+            while reached + step <= ring.len() && reaches(reached + step) {
+                reached += step;
+            }
+            step /= 2;
+        }
+        at = reached;
+    }
+    if kept.len() < 3 { ring.to_vec() } else { kept }
+}
+
+/// How far a point is from a stretch, mm.
+fn off(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let (along, by) = ([to[0] - from[0], to[1] - from[1]], [point[0] - from[0], point[1] - from[1]]);
+    let square = along[0] * along[0] + along[1] * along[1];
+    let share = if square > 0.0 { ((along[0] * by[0] + along[1] * by[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
+    hypot(by[0] - share * along[0], by[1] - share * along[1])
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "STL holds single precision")]

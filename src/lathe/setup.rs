@@ -7,12 +7,12 @@ use crate::gcode::control::Control;
 use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
 use crate::gcode::interpreter::{DecimalPoint, Setting, Tool as Offset, Tools};
 use crate::gcode::motion::Motion;
-use crate::gcode::turning::nose::{Nose, Tip as Orientation};
+use crate::gcode::turning::nose::{Nose, Tip};
 use crate::lathe::machine::{Chuck, Lathe};
 use crate::lathe::parameters::TOOLS_KEY;
 use crate::lathe::simulation::Setup;
 use crate::lathe::stock::{Stock, Support};
-use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
+use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tool};
 use crate::lathe::turret::Turret;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
@@ -357,7 +357,7 @@ fn turret(rows: &[Row], tolerance: f64, findings: &mut Vec<Finding>) -> (BTreeMa
         let mut offset = Pose::default();
         offset.set(Axis::X, tool.overhang[0]);
         offset.set(Axis::Z, tool.overhang[1]);
-        let nose = Orientation::new(tool.tip.number()).map(|tip| Nose { radius: tool.nose(), tip });
+        let nose = Some(Nose { radius: tool.nose(), tip: tool.tip });
         if offsets.insert(D, Offset { offset, nose, ..Offset::default() }).is_some() {
             findings.push(Finding::stop(
                 Place::Cells(cells(row, &["tools/D", "tools/T"])),
@@ -458,7 +458,7 @@ fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
         name: Text::same(row.line("tools/name")),
         cutter,
         hand,
-        tip: number.and_then(Tip::of).unwrap_or(usual),
+        tip: number.and_then(Tip::new).unwrap_or(usual),
         holder,
         overhang: [need("tools/Q_x")?, need("tools/Q_z")?],
     })

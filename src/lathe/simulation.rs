@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::alarm::{Alarm, Cause, Moving, TOUCH};
+use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
 use super::contact::{Bite, Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
@@ -90,6 +90,8 @@ pub struct Simulation {
     fallen: Vec<Ring>,
     /// The thread that the last motion cut.
     led: Option<Led>,
+    /// The tool that stands where it worked last, `[z, r]` on the grid.
+    stands: Option<(u32, [f64; 2])>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
@@ -216,6 +218,7 @@ impl Simulation {
             contour: Ring::new(),
             fallen: Vec::new(),
             led: None,
+            stands: None,
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -308,6 +311,9 @@ impl Simulation {
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
         let cuts = contact.real && motion.kind != Kind::Rapid;
+        if !pieces.is_empty() {
+            self.stands = (motion.kind != Kind::Rapid).then_some((control.tool, to));
+        }
         let cutting_speed = if cuts { tally.speed } else { 0.0 };
         let rate = match seconds {
             Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
@@ -347,6 +353,7 @@ impl Simulation {
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
         let (part, swept) = (&mut self.part, &mut self.swept);
         let rapid = tally.motion.kind == Kind::Rapid;
+        let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
         let mut add = |more: Removed| {
             removed.volume += more.volume;
             removed.parted += more.parted;
@@ -392,7 +399,7 @@ impl Simulation {
                 if !cutter.polygon.sweep(first, last, swept) {
                     continue;
                 }
-                collide(&self.fixtures, swept, Moving::Cutter, first.mm(), tally);
+                collide(&self.fixtures, swept, Moving::Cutter, tally);
                 if matches!(tally.motion.kind, Kind::Thread(_)) {
                     continue;
                 }
@@ -401,7 +408,9 @@ impl Simulation {
                         let (deep, place) = depth(meeting);
                         if deep > TOUCH {
                             let place = if mirrored { [place[0], -place[1]] } else { place };
-                            tally.raise(Cause::RapidInMetal, place, Some(deep));
+                            let scrapes = leaves && deep <= SCRAPE;
+                            let cause = if scrapes { Cause::RetractionInMetal } else { Cause::RapidInMetal };
+                            tally.raise(cause, place, Some(deep));
                         }
                     } else {
                         let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
@@ -416,7 +425,7 @@ impl Simulation {
                 if !body.sweep(first, last, swept) {
                     continue;
                 }
-                collide(&self.fixtures, swept, moving, first.mm(), tally);
+                collide(&self.fixtures, swept, moving, tally);
                 part.probe(swept, |meeting, _| {
                     let (deep, place) = depth(meeting);
                     if deep > TOUCH {
@@ -424,6 +433,7 @@ impl Simulation {
                     }
                 });
             }
+            add(part.drop_loose());
         }
         removed
     }
@@ -528,6 +538,13 @@ fn watch_thread(
     }
 }
 
+/// True where a tool goes from where it has worked towards the side on which its own body lies.
+fn retracts(tool: &Tool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
+    let body = tool.tip.mirror();
+    let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);
+    stands == place && pieces.first().is_some_and(|piece| near(at, piece[0])) && pieces.iter().all(aside)
+}
+
 fn near(one: [f64; 2], two: [f64; 2]) -> bool {
     hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
 }
@@ -554,14 +571,14 @@ fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2
 }
 
 /// Raises what runs into something that stands.
-fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, place: [f64; 2], tally: &mut Tally) {
+fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, tally: &mut Tally) {
     let (low, high) = swept.extent();
     for (fixture, polygon) in fixtures {
         let (from, to) = polygon.extent();
         if low.z >= to.z || from.z >= high.z || low.r >= to.r || from.r >= high.r {
             continue;
         }
-        if let Some(deep) = swept.overlap(polygon)
+        if let Some((deep, place)) = swept.overlap(polygon)
             && deep > TOUCH
         {
             tally.raise(Cause::Collision(moving, *fixture), place, Some(deep));

@@ -1,6 +1,7 @@
 //! Turning tools by their catalogue values.
 
 use crate::gcode::control::Spindle;
+pub use crate::gcode::turning::nose::Tip;
 use crate::text::Text;
 
 /// The shape of an indexable insert, by its letter in ISO 1832.
@@ -74,82 +75,6 @@ pub enum Hand {
     Left,
     /// N.
     Neutral,
-}
-
-/// Where the tip points, seen from the nose's centre: the nine numbers that turning controls ask for.
-///
-/// The programmed point is the imaginary tip: where the tangents to the nose meet that are parallel to the axes. For 5
-/// to 8 it is on the tangent across the way the tip points, level with the nose's centre; for 9 it is that centre.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tip {
-    /// 1: to +X and +Z, boring away from the chuck.
-    InsideRight,
-    /// 2: to +X and −Z, boring towards the chuck.
-    InsideLeft,
-    /// 3: to −X and −Z, turning towards the chuck.
-    #[default]
-    OutsideLeft,
-    /// 4: to −X and +Z, turning away from the chuck.
-    OutsideRight,
-    /// 5: to +Z.
-    Right,
-    /// 6: to +X, grooves and threads inside.
-    Inside,
-    /// 7: to −Z, drills.
-    Left,
-    /// 8: to −X, grooves and threads outside.
-    Outside,
-    /// 9, also 0: the nose's centre is programmed.
-    Centre,
-}
-
-impl Tip {
-    /// All of them, by number.
-    pub const ALL: [Self; 9] = [
-        Self::InsideRight,
-        Self::InsideLeft,
-        Self::OutsideLeft,
-        Self::OutsideRight,
-        Self::Right,
-        Self::Inside,
-        Self::Left,
-        Self::Outside,
-        Self::Centre,
-    ];
-
-    /// The control's number, 1 to 9.
-    #[must_use]
-    pub const fn number(self) -> u8 {
-        self as u8 + 1
-    }
-
-    /// The tip of a number; 0 is 9.
-    #[must_use]
-    pub fn of(number: u8) -> Option<Self> {
-        if number == 0 { Some(Self::Centre) } else { Self::ALL.get(usize::from(number) - 1).copied() }
-    }
-
-    /// The signs by which `[z, r]` of a tool of tip 3 is turned into this one.
-    #[must_use]
-    pub const fn mirror(self) -> [f64; 2] {
-        match self {
-            Self::OutsideLeft | Self::Left | Self::Outside | Self::Centre => [1.0, 1.0],
-            Self::OutsideRight | Self::Right => [-1.0, 1.0],
-            Self::InsideLeft | Self::Inside => [1.0, -1.0],
-            Self::InsideRight => [-1.0, -1.0],
-        }
-    }
-
-    /// True along z and along r where the programmed point is level with the nose's centre.
-    #[must_use]
-    pub const fn level(self) -> [bool; 2] {
-        match self {
-            Self::InsideRight | Self::InsideLeft | Self::OutsideLeft | Self::OutsideRight => [false, false],
-            Self::Right | Self::Left => [false, true],
-            Self::Inside | Self::Outside => [true, false],
-            Self::Centre => [true, true],
-        }
-    }
 }
 
 /// What cuts. Lengths in mm, angles in degrees.
@@ -296,17 +221,6 @@ impl Tool {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn tips_have_the_numbers_of_the_controls() {
-        for (at, tip) in Tip::ALL.into_iter().enumerate() {
-            assert_eq!(usize::from(tip.number()), at + 1);
-            assert_eq!(Tip::of(tip.number()), Some(tip));
-        }
-        assert_eq!(Tip::of(0), Some(Tip::Centre));
-        assert_eq!(Tip::of(10), None);
-        assert_eq!(Tip::OutsideLeft.number(), 3);
-    }
 
     #[test]
     fn shapes_are_known_by_their_letters() {

@@ -24,6 +24,8 @@ pub struct Removed {
 pub struct Workpiece {
     region: Region,
     meeting: Meeting,
+    /// A cut has come through, and what is loose has not fallen off yet.
+    apart: bool,
     /// What fell off last, if it was one piece.
     fallen: Vec<Ring>,
 }
@@ -32,7 +34,7 @@ impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
-        Self { region: Region::new(rings), meeting: Meeting::default(), fallen: Vec::new() }
+        Self { region: Region::new(rings), meeting: Meeting::default(), apart: false, fallen: Vec::new() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -71,8 +73,7 @@ impl Workpiece {
     }
 
     /// Takes away what a polygon covers while the part turns: both what lies on this side of the axis and what comes round
-    /// from the other. What is held no longer falls off: of several pieces the one that reaches farthest to the left, into
-    /// the chuck, stays.
+    /// from the other. What is held no longer stays until [`Self::drop_loose`].
     pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool)) -> Removed {
         let mut removed = Removed::default();
         self.both_sides(polygon, |part, polygon, mirrored| {
@@ -84,18 +85,26 @@ impl Workpiece {
             let outer: f64 = part.meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
             let inner: f64 = part.meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
             removed.volume += outer - inner;
-            if part.region.cut(polygon, &part.meeting) == Cut::Apart {
-                let fallen = part.region.keep_first();
-                let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
-                if pieces < CHIP {
-                    removed.volume += pieces;
-                } else {
-                    removed.parted += pieces;
-                    let one = fallen.iter().filter(|ring| volume(ring) >= CHIP).count() == 1;
-                    part.fallen = if one { fallen } else { Vec::new() };
-                }
-            }
+            part.apart |= part.region.cut(polygon, &part.meeting) == Cut::Apart;
         });
+        removed
+    }
+
+    /// Lets fall off what is held no longer: of several pieces the one that reaches farthest to the left, into the chuck,
+    /// stays. Called once a cut is judged, for until it comes through the tool is beside both.
+    pub fn drop_loose(&mut self) -> Removed {
+        let mut removed = Removed::default();
+        if std::mem::take(&mut self.apart) {
+            let fallen = self.region.keep_first();
+            let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
+            if pieces < CHIP {
+                removed.volume += pieces;
+            } else {
+                removed.parted += pieces;
+                let one = fallen.iter().filter(|ring| volume(ring) >= CHIP).count() == 1;
+                self.fallen = if one { fallen } else { Vec::new() };
+            }
+        }
         removed
     }
 

@@ -52,37 +52,25 @@ impl Row {
     /// A real number; `None` where the cell is empty.
     #[must_use]
     pub fn real(&self, key: &str) -> Option<f64> {
-        match self.values.get(key) {
-            Some(Value::Real(value)) => Some(*value),
-            _ => None,
-        }
+        self.values.get(key)?.real()
     }
 
     /// A whole number; `None` where the cell is empty.
     #[must_use]
     pub fn whole(&self, key: &str) -> Option<u32> {
-        match self.values.get(key) {
-            Some(Value::Whole(value)) => Some(*value),
-            _ => None,
-        }
+        self.values.get(key)?.whole()
     }
 
     /// The key of a choice; `None` where the cell is empty.
     #[must_use]
     pub fn choice(&self, key: &str) -> Option<&'static str> {
-        match self.values.get(key) {
-            Some(Value::Choice(value)) => Some(value),
-            _ => None,
-        }
+        self.values.get(key)?.choice()
     }
 
     /// A line of text; empty where the cell is empty.
     #[must_use]
     pub fn line(&self, key: &str) -> &str {
-        match self.values.get(key) {
-            Some(Value::Line(value)) => value,
-            _ => "",
-        }
+        self.values.get(key).and_then(Value::line).unwrap_or_default()
     }
 
     /// The cell of a column, as the place of a finding; none where the sheet has no such column.

@@ -174,6 +174,24 @@ pub enum Value {
     Line(String),
 }
 
+impl Value {
+    const fn real(&self) -> Option<f64> {
+        if let Self::Real(value) = self { Some(*value) } else { None }
+    }
+
+    const fn whole(&self) -> Option<u32> {
+        if let Self::Whole(value) = self { Some(*value) } else { None }
+    }
+
+    const fn choice(&self) -> Option<&'static str> {
+        if let Self::Choice(value) = self { Some(value) } else { None }
+    }
+
+    fn line(&self) -> Option<&str> {
+        if let Self::Line(value) = self { Some(value) } else { None }
+    }
+}
+
 /// The values of a filled-in form, each known to be within its own limits, with the cells they came from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Values {
@@ -191,37 +209,25 @@ impl Values {
     /// A real number; `None` where the cell is empty.
     #[must_use]
     pub fn real(&self, key: &str) -> Option<f64> {
-        match self.values.get(key) {
-            Some(Value::Real(value)) => Some(*value),
-            _ => None,
-        }
+        self.values.get(key)?.real()
     }
 
     /// A whole number; `None` where the cell is empty.
     #[must_use]
     pub fn whole(&self, key: &str) -> Option<u32> {
-        match self.values.get(key) {
-            Some(Value::Whole(value)) => Some(*value),
-            _ => None,
-        }
+        self.values.get(key)?.whole()
     }
 
     /// The key of a choice; `None` where the cell is empty.
     #[must_use]
     pub fn choice(&self, key: &str) -> Option<&'static str> {
-        match self.values.get(key) {
-            Some(Value::Choice(value)) => Some(value),
-            _ => None,
-        }
+        self.values.get(key)?.choice()
     }
 
     /// A line of text; empty where the cell is empty.
     #[must_use]
     pub fn line(&self, key: &str) -> &str {
-        match self.values.get(key) {
-            Some(Value::Line(value)) => value,
-            _ => "",
-        }
+        self.values.get(key).and_then(Value::line).unwrap_or_default()
     }
 
     /// The rows of a list's sheet; none where it is absent.

@@ -245,7 +245,7 @@ impl Over {
     fn take(&mut self, motion: &Motion, control: &Control) {
         for (way, simulation) in self.ways.iter_mut().enumerate() {
             for alarm in simulation.take(motion, control).alarms {
-                if alarm.cause == Cause::RapidInMetal {
+                if matches!(alarm.cause, Cause::RapidInMetal | Cause::RetractionInMetal) {
                     if self.rapid.is_none_or(|deepest| alarm.depth > deepest.depth) {
                         self.rapid = Some(alarm);
                     }

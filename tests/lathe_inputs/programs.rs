@@ -5,6 +5,8 @@ use std::fs;
 use serde_json::Value as Json;
 
 use crate::bench::{HEAD, TAIL, bilingual, lines, run};
+use rodete::gcode::dialect::FANUC_LATHE_A;
+use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting};
 
 /// The start of a program for a Fagor 8055 T.
 const FAGOR: [&str; 5] = ["N1 G92 S2500", "N2 T1 D1", "N3 M8", "N4 G97 S900 M3", "N5 G0 X54 Z2"];
@@ -249,7 +251,7 @@ fn a_roughing_cycle_is_checked_before_it_is_made() {
             "P10 Q20",
             "N10 G0 X20.|T0202|N20 G1 Z-20. F0.1",
             3,
-            "stop 9:1 PS0325: tool change inside the contour of G71",
+            "stop 9:1 a tool change inside the contour of G71 is not supported",
         ),
         with(
             "D42 beyond the start",
@@ -266,6 +268,49 @@ fn a_roughing_cycle_is_checked_before_it_is_made() {
             "stop 6:1 the first block of G71",
         ),
     ]);
+}
+
+#[test]
+fn a_refused_cycle_is_one_fault_and_nothing_after_it_is_made() {
+    const BACK: &str = "N10 G0 X20.|G1 Z-20. F0.1|X30. Z-10.|N20 Z-30.";
+    const TOOL: &str = "N10 G0 X20.|T0202|N20 G1 Z-20. F0.1";
+    // What would meet metal that the cycle has left: the contour's own blocks, its finish, a rapid motion, a groove.
+    const AFTER: &str = "G70 P10 Q20|G0 X54.|Z-10.|X30.|X54.";
+    for (cycle, contour, found) in [
+        ("G71 U2. R0.5|G71 P10 Q20 U0.5 F0.2", BACK, "stop 10 PS0064"),
+        ("G72 W2. R0.5|G72 P10 Q20 U0.5 F0.2", "N10 G0 Z-20.|G1 X30. F0.1|X40.|N20 X20. Z2.", "stop 10 PS0329"),
+        (
+            "G71 U2. R0.5|G71 P10 Q20 U0.5 F0.2",
+            TOOL,
+            "stop 9:1 a tool change inside the contour of G71 is not supported",
+        ),
+        ("G73 U8. W2. R0|G73 P10 Q20 U0.5 F0.2", BACK, "stop 7:1 PS0321"),
+        ("G71 R0.5|G71 P10 Q20 U0.5 F0.2", BACK, "stop 7:1 U is missing"),
+        ("G71 U0. R0.5|G71 P10 Q20 U0.5 F0.2", BACK, "stop 7:1 PS0062"),
+    ] {
+        for (more, others) in [("", 0), ("|G5 X1.", 1)] {
+            let blocks = format!("{cycle}|{contour}|{AFTER}{more}");
+            let text = HEAD.into_iter().chain(blocks.split('|')).chain(TAIL).collect::<Vec<_>>().join("\n");
+            let (document, exit) =
+                simulate(&text, &[], &["--dialect", "fanuc-lathe-a", "--decimal-point", "calculator"]);
+            let lines: Vec<_> = lines(&document).into_iter().filter(|line| !line.starts_with("note")).collect();
+            assert_eq!((exit, lines.len()), (3, 1 + others), "{cycle} {lines:?}");
+            assert!(lines.iter().any(|line| line.starts_with(found)), "{found} {lines:?}");
+            assert_eq!(document["totals"]["removed_volume_mm3"], 0.0, "{cycle}");
+        }
+    }
+}
+
+#[test]
+fn the_contour_of_a_refused_cycle_is_no_way_of_the_tool() {
+    let text = "G0 X54. Z2.\nG71 U2. R0.5\nG71 P10 Q20 U0.5 F0.2\nN10 G0 X20.\nG1 Z-20. F0.1\nX30. Z-10.\nN20 Z-30.\n\
+        G70 P10 Q20\nG0 X60.\nM30\n";
+    let setting = Setting { point: Some(DecimalPoint::Calculator), ..Setting::new(&FANUC_LATHE_A) };
+    let read: Vec<_> = Interpreter::over(text.as_bytes(), setting).collect();
+    let motions: Vec<_> = read.iter().filter_map(|item| item.as_ref().ok()).map(|motion| motion.line).collect();
+    let faults: Vec<_> =
+        read.iter().filter_map(|item| item.as_ref().err()).map(|fault| (fault.line, fault.uncut)).collect();
+    assert_eq!((motions, faults), (vec![1, 9], vec![(6, true)]));
 }
 
 #[test]

@@ -83,6 +83,17 @@ fn both_programs_are_delivered_and_both_have_their_motions() {
 }
 
 #[test]
+fn nothing_is_made_of_the_second_program_where_the_first_one_lacks_a_cycle() {
+    let first = "G71 U0. R0.5|G71 P10 Q20 U0.5 F0.2|N10 G0 X30.|N20 G1 Z-40.";
+    let second = program("G0 X40. Z10.|Z-10.|G5 X1.");
+    let (_folder, document, exit) = build(&Book::new(&program(first)).second(&second).bytes());
+    let stops: Vec<_> = lines(&document).into_iter().filter(|line| !line.starts_with("note")).collect();
+    assert_eq!((exit, stops.len()), (3, 2), "{stops:?}");
+    assert!(stops[0].starts_with("stop PROGRAM!") && stops[0].contains(" PS0062: "), "{stops:?}");
+    assert!(stops[1].starts_with("stop PROGRAM 2!"), "{stops:?}");
+}
+
+#[test]
 fn an_alarm_of_the_second_program_stands_in_its_own_sheet() {
     let second = program("G0 X40. Z-10.|G0 X54.|Z2.");
     let (_folder, document, exit) = build(&Book::new(&program(FIRST)).second(&second).bytes());

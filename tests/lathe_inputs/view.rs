@@ -79,6 +79,10 @@ fn a_turning_program_is_shown_over_its_stock() {
         [&["--stock", "D50xL120"][..], &["--stock", "D51xL120"], &["--tools", "part.xlsx"]].map(stock);
     assert!(given != other && given != of_workbook && other != of_workbook);
     stock(&[]);
+    // Named or told: a T of four digits turns.
+    let (page, exit) = page(folder.path(), &["view", "p.nc", "--stock", "D50xL120"], "p.html");
+    assert_eq!(exit, 0);
+    assert!(turned(&page));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use rodete::gcode::control::{Control, Speed, Spindle};
 use rodete::gcode::motion::{Arc, Feed, FeedMode, Kind, Motion, Plane, Thread};
+use rodete::lathe::alarm::Alarm;
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::step::Step;
@@ -75,7 +76,8 @@ impl Run {
         let over = setup.turret.tools.get(&self.control.tool).map_or([0.0, 0.0], |tool| tool.overhang);
         let machine = pose([to[0] + over[0], to[1] + over[1] + setup.stock.zero(&setup.lathe)]);
         let line = self.steps.len() + 1;
-        let motion = Motion { line, n: None, kind, from: pose(self.at), to: pose(to), machine, seconds: None };
+        let n = u32::try_from(10 * line).ok();
+        let motion = Motion { line, n, kind, from: pose(self.at), to: pose(to), machine, seconds: None };
         let step = self.simulation.take(&motion, &self.control);
         self.steps.push(step);
         self.at = to;
@@ -113,6 +115,27 @@ impl Run {
 
     pub fn last(&self) -> &Step {
         self.steps.last().unwrap()
+    }
+
+    /// All alarms.
+    pub fn raised(&self) -> Vec<Alarm> {
+        self.steps.iter().flat_map(|step| &step.alarms).copied().collect()
+    }
+
+    /// The last motion alone raises an alarm, and one alone, of a number; with its block.
+    #[track_caller]
+    pub fn only(&self, number: u16) -> Alarm {
+        let alarms = self.raised();
+        let [alarm] = alarms[..] else { panic!("{number} alone, but {alarms:?}") };
+        let line = self.steps.len();
+        let block = (alarm.cause.number(), alarm.line, alarm.n, alarm.motion);
+        assert_eq!(block, (number, line, u32::try_from(10 * line).ok(), line - 1), "{alarm:?}");
+        alarm
+    }
+
+    #[track_caller]
+    pub fn silent(&self) {
+        assert!(self.raised().is_empty(), "{:?}", self.raised());
     }
 
     /// The numbers of all alarms.

@@ -194,3 +194,23 @@ fn the_mesh_is_closed_and_holds_the_volume() {
     }
     assert!(sectors(25.0, 0.01) < sectors(25.0, 0.001));
 }
+
+#[test]
+fn a_contour_of_many_corners_makes_a_mesh_of_few_within_its_tolerance() {
+    // A cone in steps of a micrometre, and a straight one.
+    let steps = 5_000;
+    let mut ring = vec![[-10.0, 0.0], [0.0, 0.0]];
+    for step in 0..=steps {
+        let at = f64::from(step) * 0.001;
+        ring.extend([[-at, 10.0 + at], [-at, 10.0 + at + 0.001]]);
+    }
+    ring.push([-10.0, 10.0 + f64::from(steps + 1) * 0.001]);
+    let straight = vec![[-10.0, 0.0], [0.0, 0.0], [0.0, 10.0], [-5.0, 15.0], [-10.0, 15.0]];
+    let (edges, found, _) = mesh(&[ring], 0.01);
+    let (wanted, right, _) = mesh(&[straight], 0.01);
+    assert!(edges.len() < 2 * wanted.len(), "{} {}", edges.len(), wanted.len());
+    assert!((found - right).abs() < 0.0025 * 2.0 * PI * 15.0 * 20.0, "{found} {right}");
+    for ([from, to], count) in &edges {
+        assert_eq!(edges.get(&[*to, *from]), Some(count), "{from:?} {to:?}");
+    }
+}

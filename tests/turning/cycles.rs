@@ -1,8 +1,9 @@
 //! G70 to G76: from their words to motions, and the contour that they name.
 
 use rodete::gcode::control::Speed;
+use rodete::gcode::motion::Kind;
 
-use crate::lines::{line, moves, read, read_with, remarked, setting};
+use crate::lines::{line, moves, read, read_with, refusal, remarked, setting};
 
 /// X50 Z5 is the start. The contour: to X30 at rapid, along Z to −10, out to X50.
 const CONTOUR: &str = "N10 G0 X30.\nG1 Z-10. F0.1\nN20 X50.\n";
@@ -228,4 +229,53 @@ fn a_contour_is_found_in_its_own_subprogram() {
         lines,
         ["G0 X50 Z5", "G0 X30 Z5", "G1 X30 Z-10 F0.2", "G1 X50 Z-10 F0.2", "G0 X50 Z5", "G0 X51 Z5", "G0 X52 Z5"]
     );
+}
+
+#[test]
+fn s_and_f_of_a_contour_hold_in_its_finishing_from_the_block_that_says_them_and_afterwards() {
+    // S in a block of its own, S before the first motion, and a trailing S.
+    for (contour, speeds) in [
+        ("N10 G0 X40.\nS1500\nG1 Z-10. F.1\nN30 X50.", [1000.0, 1500.0, 1500.0, 1500.0]),
+        ("N10 S1500\nG0 X40.\nG1 Z-10. F.1\nN30 X50.", [1500.0, 1500.0, 1500.0, 1500.0]),
+        ("N10 G0 X40.\nG1 Z-10. F.1\nX50.\nN30 S1500", [1000.0, 1000.0, 1000.0, 1500.0]),
+    ] {
+        let program = format!("T0101 M3 S1000\nG0 X50. Z5.\nG70 P10 Q30\nG0 X60.\nM30\n{contour}\n");
+        let read = read_with(&program, setting());
+        assert!(read.faults.is_empty(), "{:?}", read.faults);
+        let said: Vec<_> = read.controls.iter().skip(1).take(3).map(|control| control.speed).collect();
+        let behind = read.controls.last().map(|control| control.speed);
+        let wanted = speeds.map(Speed::Revolutions);
+        assert_eq!(said, wanted[..3], "{contour}");
+        assert_eq!(behind, Some(wanted[3]), "{contour}");
+        // No move of the contour is without F.
+        assert!(!remarked(&read, "feed move without F"), "{contour}");
+    }
+}
+
+#[test]
+fn a_cones_r_holds_from_one_single_cycle_to_another_until_a_one_shot_code() {
+    moves(
+        "G90 X46. Z-20. R-3. F.2\nG92 X44. F1.5",
+        &[
+            "G0 X40 Z5",
+            "G1 X46 Z-20 F0.2",
+            "G1 X50 Z-20 F0.2",
+            "G0 X50 Z5",
+            "G0 X38 Z5",
+            "G32 X44 Z-20 F1.5",
+            "G0 X50 Z-20",
+            "G0 X50 Z5",
+        ],
+    );
+    let cylinder = ["G0 X44 Z5", "G1 X44 Z-20 F0.2", "G1 X50 Z-20 F0.2", "G0 X50 Z5"];
+    let read =
+        |between: &str| read(&format!("S1000 M3 F.2\nG0 X50. Z5.\nG90 X46. Z-20. R-3.\n{between}\nG90 X44. Z-20."));
+    for (between, start) in [("G50 S2000", "G0 X44 Z5"), ("G4 X1.", "G0 X38 Z5"), ("", "G0 X38 Z5")] {
+        let lines: Vec<_> =
+            read(between).motions.iter().filter(|motion| !matches!(motion.kind, Kind::Dwell(_))).map(line).collect();
+        assert_eq!(lines[5], start, "{between}");
+        assert_eq!(lines[6..], cylinder[1..], "{between}");
+    }
+    let refused = refusal("S1000 M3 F.2\nG0 X50. Z5.\nG90 X46. Z-20.\nG50 S2000\nX44.\nM30\n");
+    assert!(refused.starts_with("5"), "{refused}");
 }

@@ -1,5 +1,6 @@
 //! Turret, coordinate systems, reference points, and what is in force during a motion.
 
+use rodete::finding::Grade;
 use rodete::gcode::control::{Speed, Spindle};
 use rodete::gcode::dialect::FAGOR_8055_T;
 use rodete::gcode::motion::Motion;
@@ -70,6 +71,39 @@ fn g53_is_in_machine_coordinates_for_its_block() {
 }
 
 #[test]
+fn g53_is_made_at_rapid_whatever_is_in_force_and_that_is_in_force_again_afterwards() {
+    // The zero is the machine's: program and machine coordinates are one.
+    moves("G1 X40. F.3\nG53 X100. Z100.\nX90.", &["G1 X40 Z5 F0.3", "G0 X100 Z100", "G1 X90 Z100 F0.3"]);
+    moves("G2 X60. Z0 R5.\nG53 X100. Z100.", &["G2 X60 Z0 C60,5 F0.2", "G0 X100 Z100"]);
+    moves("G0 G53 X100.\nX90.", &["G0 X100 Z5", "G0 X90 Z5"]);
+}
+
+#[test]
+fn a_motion_code_beside_a_one_shot_code_is_in_force_from_there_on() {
+    moves("G1 X40. F.3\nG00 G28 U0 W0\nX90.", &["G1 X40 Z5 F0.3", "G0 X300 Z400", "G0 X90 Z400"]);
+    moves("G28 G00 U0\nG28 W0", &["G0 X300 Z5", "G0 X300 Z400"]);
+    moves("G0 G50 S2000\nG30 P2 U0 W0", &["G0 X200 Z250"]);
+    let refused = refusal("G30 P3 U0\nM30\n");
+    assert!(refused.starts_with("1:5 G30 P3: the third and fourth reference points are not supported"), "{refused}");
+}
+
+#[test]
+fn x_beyond_the_axis_is_told_of_increments_too() {
+    for (block, grade) in [("G1 U-51.", Grade::Note), ("G1 U-80.", Grade::Caution), ("G1 X-30.", Grade::Caution)] {
+        let read = read(&format!("T0101 M3 S1000 F0.2\nG0 X50. Z5.\n{block}"));
+        let found: Vec<_> = read.remarks.iter().map(|remark| (remark.grade, remark.what.en.as_ref())).collect();
+        assert_eq!(found, [(grade, "negative X: the programmed point is beyond the axis")], "{block}");
+    }
+}
+
+#[test]
+fn codes_of_the_builder_are_noted_and_not_run() {
+    let read = read("M41\nG0 X1. M19\nM13");
+    assert_eq!(read.remarks.len(), 3);
+    assert!(remarked(&read, "M41 is a code of the machine's own: it is not run"));
+}
+
+#[test]
 fn g50_sets_the_position_or_the_limit() {
     moves("G50 X100. Z50.\nG0 X100. Z50.\nX90.", &["G0 X100 Z50", "G0 X90 Z50"]);
     assert_eq!(machine("G0 X50. Z5.\nG50 X100. Z50.\nG0 X90. Z40."), [[50.0, 5.0], [40.0, -5.0]]);
@@ -126,6 +160,10 @@ fn a_comment_stands_in_parentheses_or_behind_a_semicolon() {
     assert_eq!(read.motions.len(), 1);
     let refused = refusal("G0 X40. ; Z5.\nM30\n");
     assert!(refused.starts_with("1:9 there is a block after the end of block"), "{refused}");
+    for text in ["T1 roughing", "Z0 face", "N10", "", " G0 fast"] {
+        moves(&format!("G0 X40. ; {text}"), &["G0 X40 Z5"]);
+    }
+    moves("/1 G0 X40.\n/9G0X30.", &["G0 X40 Z5", "G0 X30 Z5"]);
     let refused = refusal("G0 X40. /Z5.\nM30\n");
     assert!(refused.starts_with("1:9 character '/' is not allowed"), "{refused}");
 }

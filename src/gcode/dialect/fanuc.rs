@@ -37,7 +37,8 @@ pub static LATHE_A: Reading = Reading {
     most_machine_codes: 3,
 };
 
-const MACRO: Name = ("macros", "macros");
+const MACRO: Name =
+    ("macros, interrupciones y llamadas a otros dispositivos", "macros, interrupts and calls of other devices");
 
 const SETTING: Name = ("ajuste de datos por programa", "data setting by program");
 const POLAR: Name = ("interpolación polar y cilíndrica", "polar and cylindrical interpolation");
@@ -138,9 +139,12 @@ fn machine_code(number: u32) -> Option<M> {
         7 | 8 => M::Coolant(true),
         9 => M::Coolant(false),
         38 | 39 => M::Door,
+        96 | 198 => M::Refused(&MACRO),
         97 => M::CallBlock,
         98 => M::Call,
         99 => M::Return,
+        // The machine's builder defines the others: gears, clamps, chuck, spindle orientation.
+        6 | 10..=199 => M::User,
         _ => return None,
     })
 }

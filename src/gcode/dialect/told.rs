@@ -6,7 +6,7 @@ use crate::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 ///
 /// `.ngc` is LinuxCNC. A first line `%name,MX--,` is a Fagor 8055, `%number-name` a Fagor 8070. An M code from M10 to M18
 /// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
-/// 8055. Everything else is LinuxCNC.
+/// 8055. A T of four digits, place and offset as in `T0101`, is a Fanuc lathe of system A. Everything else is LinuxCNC.
 #[must_use]
 pub fn told(head: &[u8], ending: &str) -> &'static Dialect {
     if ending.eq_ignore_ascii_case("ngc") {
@@ -22,6 +22,9 @@ pub fn told(head: &[u8], ending: &str) -> &'static Dialect {
             return &FAGOR_8070;
         }
     }
+    if text.lines().any(place_and_offset) {
+        return &FANUC_LATHE_A;
+    }
     if text.lines().any(builders_code) { &FAGOR_8055 } else { &LINUXCNC }
 }
 
@@ -34,10 +37,19 @@ pub fn told_turning(head: &[u8]) -> &'static Dialect {
     if named || text.lines().any(tool_and_offset) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
 }
 
+/// A line without its comment and its blanks.
+fn code(line: &str) -> String {
+    line.split(['(', ';']).next().unwrap_or_default().to_ascii_uppercase().replace([' ', '\t'], "")
+}
+
+/// True where a line has a T with four digits.
+fn place_and_offset(line: &str) -> bool {
+    code(line).split('T').skip(1).any(|rest| rest.chars().take_while(char::is_ascii_digit).count() == 4)
+}
+
 /// True where a line has a T with a D or a point behind its number.
 fn tool_and_offset(line: &str) -> bool {
-    let code = line.split(['(', ';']).next().unwrap_or_default().to_ascii_uppercase().replace([' ', '\t'], "");
-    code.split_once('T').is_some_and(|(_, rest)| {
+    code(line).split_once('T').is_some_and(|(_, rest)| {
         let behind = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());
         behind.len() < rest.len() && behind.starts_with(['D', '.'])
     })
@@ -45,9 +57,8 @@ fn tool_and_offset(line: &str) -> bool {
 
 /// True where a line has an M code that a machine's builder gave a Fagor.
 fn builders_code(line: &str) -> bool {
-    let code = line.split(['(', ';']).next().unwrap_or_default().to_ascii_uppercase();
-    code.split('M').skip(1).any(|rest| {
-        let digits: String = rest.trim_start().chars().take_while(char::is_ascii_digit).collect();
+    code(line).split('M').skip(1).any(|rest| {
+        let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
         matches!(digits.parse::<u32>(), Ok(10..=18 | 20..=29))
     })
 }
@@ -65,6 +76,9 @@ mod tests {
             ("%0001-A,MX--,\r\nG71\r\n", "nc", "fagor-8055"),
             ("%0001-A\r\nG71\r\n", "nc", "fagor-8070"),
             ("%\nG21\nM30\n%\n", "nc", "linuxcnc"),
+            ("O0001\nN10 G50 S2500\nN20 T0101 M41\n", "nc", "fanuc-lathe-a"),
+            ("O0001\nN20 T0101\n", "ngc", "linuxcnc"),
+            ("T12 M6 (T0101)\nG0 X1\n", "nc", "linuxcnc"),
             ("(M11)\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("G0 X1 M3 M19\nM2\n", "nc", "linuxcnc"),
         ] {

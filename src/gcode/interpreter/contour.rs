@@ -32,7 +32,7 @@ pub(super) struct ContourBlock {
     pub(super) line: usize,
     /// Its number.
     pub(super) n: Option<u32>,
-    /// Its S.
+    /// The S in force in it, where the contour has said one so far.
     pub(super) speed: Option<f64>,
     /// The compensation in force in it.
     pub(super) side: Compensation,
@@ -61,6 +61,13 @@ pub(super) struct Ends {
     first: Numbered,
     last: Numbered,
     numbers: [u32; 2],
+}
+
+impl Ends {
+    /// The line of the first block.
+    pub(super) const fn first_line(&self) -> usize {
+        self.first.line()
+    }
 }
 
 impl Interpreter<'_> {
@@ -193,6 +200,7 @@ impl Interpreter<'_> {
             contour.compensation = Some(side);
         }
         let speed = self.block.get(letter::S).map(|S| self.surface(S));
+        let speed = speed.or_else(|| contour.blocks.last().and_then(|block| block.speed));
         let side = contour.compensation.unwrap_or(self.modal.compensation);
         contour.blocks.push(ContourBlock { line: self.line, n: self.block.n, speed, side });
         if let Some(F) = self.block.get(letter::F) {
@@ -248,29 +256,37 @@ impl Interpreter<'_> {
     /// Refuses what may not stand in a contour.
     fn contour_refuses(&self, cycle: u8) -> Outcome<()> {
         let alarm = self.alarm(325);
-        let refuse = |column: usize, what: (String, String)| {
-            Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("{alarm}{} dentro del contorno de G{cycle}", what.0),
-                    format!("{alarm}{} inside the contour of G{cycle}", what.1),
-                ),
-                Text::fixed(
-                    "un contorno lleva G0, G1, G2, G3, sus cotas, F y S; escriba lo demás fuera",
-                    "a contour has G0, G1, G2, G3, their dimensions, F and S; write the rest outside",
-                ),
-            ))
+        let remedy = || {
+            Text::fixed(
+                "un contorno lleva G0, G1, G2, G3, sus cotas, F y S; escriba lo demás fuera",
+                "a contour has G0, G1, G2, G3, their dimensions, F and S; write the rest outside",
+            )
+        };
+        let refuse = |column: usize, (es, en): (&str, &str)| {
+            let what = Text::new(
+                format!("{alarm}{es} dentro del contorno de G{cycle}"),
+                format!("{alarm}{en} inside the contour of G{cycle}"),
+            );
+            Err(Fault::at(&[column], what, remedy()))
+        };
+        // What a Fanuc obeys in G70 and passes over in roughing.
+        let unsupported = |column: usize, (es, en): (&str, &str)| {
+            let what = Text::new(
+                format!("{es} dentro del contorno de G{cycle} no está implementado"),
+                format!("{en} inside the contour of G{cycle} is not supported"),
+            );
+            Err(Fault::at(&[column], what, remedy()))
         };
         let block = &self.block;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {
-            return refuse(block.m_column(4), ("llamada a un subprograma".into(), "call of a subprogram".into()));
+            return refuse(block.m_column(4), ("llamada a un subprograma", "call of a subprogram"));
         }
         if block.has(letter::T) {
-            return refuse(block.column(letter::T), ("cambio de herramienta".into(), "tool change".into()));
+            return unsupported(block.column(letter::T), ("un cambio de herramienta", "a tool change"));
         }
         if block.machine_codes > 0 {
             let column = (0..=10).find(|&group| block.m(group).is_some()).map_or(0, |group| block.m_column(group));
-            return refuse(column, ("código M".into(), "M code".into()));
+            return unsupported(column, ("un código M", "an M code"));
         }
         let groups = block.groups & !(1 << Group::Motion as u16) & !(1 << Group::CutterCompensation as u16);
         let odd = match block.g(Group::Motion) {
@@ -278,7 +294,14 @@ impl Interpreter<'_> {
             Some(_) => groups | 1 << Group::Motion as u16,
         };
         if odd != 0 {
-            return refuse(block.group_column(odd), ("código G".into(), "G code".into()));
+            let obeyed = 1 << Group::Speed as u16 | 1 << Group::Feed as u16;
+            let dwell = block.g(Group::NonModal) == Some(G::Dwell);
+            let others = odd & !obeyed & !if dwell { 1 << Group::NonModal as u16 } else { 0 };
+            return if others == 0 && self.reading.system_a {
+                unsupported(block.group_column(odd), ("este código G", "this G code"))
+            } else {
+                refuse(block.group_column(others.max(odd & !obeyed)), ("código G", "G code"))
+            };
         }
         let idle = block.present & !LETTERS.mask();
         if idle != 0 { Err(self.unused(idle)) } else { Ok(()) }
@@ -311,6 +334,23 @@ impl Interpreter<'_> {
             );
         }
         self.source().go_to(contour.behind)
+    }
+
+    /// Goes on behind the contour of a cycle that was refused: its blocks are none of the program's own motions.
+    pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Outcome<()> {
+        // Where the blocks are not found there is no contour to pass over, and the cycle was refused for that.
+        let Ok(ends) = self.contour_ends(cycle, [letter::P, letter::Q]) else { return Ok(()) };
+        let contour = (self.at, ends.first_line());
+        if !self.modal.refused.contains(&contour) {
+            self.modal.refused.push(contour);
+        }
+        let here = self.source().position();
+        if ends.last.line() <= here.lines {
+            return Ok(());
+        }
+        self.source().go_to(ends.last.at)?;
+        self.source().next_line(&mut Vec::new())?;
+        Ok(())
     }
 
     /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.

@@ -86,6 +86,15 @@ impl<'l> Cursor<'l> {
         found
     }
 
+    /// Passes `/` if it stands next, with the number of its switch, as Fanuc and Fagor have them.
+    pub(super) fn accept_delete(&mut self, numbered: bool) -> bool {
+        let found = self.accept(b'/');
+        if found && numbered && matches!(self.peek(), b'1'..=b'9') {
+            self.pass();
+        }
+        found
+    }
+
     /// Passes a word of lower-case letters if it stands next.
     pub(super) fn accept_word(&mut self, word: &str) -> bool {
         let start = self.at;
@@ -327,16 +336,41 @@ pub(super) fn comments(line: &[u8], form: Comments) -> Outcome<Vec<(usize, &[u8]
     }
 }
 
-/// True where a text begins as a block does, with a letter and a number.
+/// True where a text reads as a block: words all through, up to a comment, one of them more than its number.
 fn reads_as_words(text: &[u8]) -> bool {
-    let mut text = text.trim_ascii_start().iter();
-    text.next().is_some_and(u8::is_ascii_alphabetic)
-        && text.find(|byte| **byte != b' ').is_some_and(|byte| byte.is_ascii_digit() || b"+-.".contains(byte))
+    let end = memchr::memchr2(b'(', b';', text).unwrap_or(text.len());
+    let mut rest = text[..end].trim_ascii();
+    let mut words = false;
+    while let [letter, tail @ ..] = rest {
+        let tail = tail.trim_ascii_start();
+        let number = tail.iter().take_while(|byte| byte.is_ascii_digit() || b"+-.".contains(byte)).count();
+        if !letter.is_ascii_alphabetic() || !tail[..number].iter().any(u8::is_ascii_digit) {
+            return false;
+        }
+        words |= !letter.eq_ignore_ascii_case(&b'N');
+        rest = tail[number..].trim_ascii_start();
+    }
+    words
 }
 
 /// A character that no block may hold, by its name.
 fn strange(line: &[u8], column: usize, character: u8) -> Box<Fault> {
     if character == b',' {
+        let next = line.get(column + 1).map(u8::to_ascii_uppercase);
+        if let Some(letter) = next.filter(|letter| b"CRA".contains(letter)) {
+            let name = char::from(letter);
+            return Fault::at(
+                &[column],
+                Text::new(
+                    format!("«,{name}» no está implementado: chaflanes, redondeos y ángulos en el bloque"),
+                    format!("',{name}' is not supported: chamfers, corners and angles in a block"),
+                ),
+                Text::fixed(
+                    "escriba el chaflán o el arco en un bloque propio",
+                    "write the chamfer or arc as a block of its own",
+                ),
+            );
+        }
         return Fault::at(
             &[column],
             Text::fixed("carácter «,» no admitido", "character ',' is not allowed"),

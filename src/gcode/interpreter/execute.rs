@@ -4,7 +4,7 @@
 //! LinuxCNC, G-code overview, "G-code order of execution".
 
 use crate::finding::Grade;
-use crate::gcode::code::{Cycle, G, Group, M};
+use crate::gcode::code::{Cycle, G, Group, M, Pass};
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
@@ -119,6 +119,15 @@ impl Interpreter<'_> {
         if let Some(code) = self.block.g(Group::SetPosition) {
             self.change_position(code);
         }
+        if self.reading.system_a
+            && let Some(code) = at_once.filter(|code| *code != G::Dwell)
+        {
+            self.modal.pass = None;
+            if let Some(under) = self.block.g(Group::Motion).filter(|_| one_shot(code)) {
+                self.lathe_motion(under);
+                self.modal.motion = under;
+            }
+        }
         if let Some(motion) = motion {
             self.make_motion(motion)?;
         }
@@ -164,6 +173,8 @@ impl Interpreter<'_> {
                 return Err(self.axes_without_use(Text::fixed("palabras de eje con G80", "axis words with G80")));
             }
             Some(G::Cancel) => Some(G::Cancel),
+            // The axis words are the one-shot code's; the motion code is in force from here on.
+            Some(G::Rapid | G::Linear | G::Arc(_)) if self.reading.system_a && at_once.is_some_and(one_shot) => None,
             Some(_) if takes_axes => {
                 return Err(Fault::at(
                     &[block.g_column(Group::NonModal), block.g_column(Group::Motion)],
@@ -208,7 +219,8 @@ impl Interpreter<'_> {
                 Text::fixed("indique los ejes, o G92.1 para anularlo", "name the axes, or G92.1 to cancel it"),
             ));
         }
-        if at_once == Some(G::MachineCoordinates) && !matches!(motion, Some(G::Rapid | G::Linear)) {
+        let by_rapid = self.reading.system_a && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
+        if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
             return Err(Fault::at(
                 &[block.g_column(Group::NonModal)],
                 Text::fixed("G53 sin G0 ni G1 en vigor", "G53 without G0 or G1 in force"),
@@ -243,6 +255,7 @@ impl Interpreter<'_> {
         let mut used = match at_once {
             Some(G::SetOffsets) => Letters::of("LPRQIJ").mask(),
             Some(G::Turning(cycle)) => cycle.letters().mask(),
+            Some(G::Reference(true)) if self.reading.system_a => Letters::of("P").mask(),
             _ => 0,
         };
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
@@ -289,6 +302,22 @@ impl Interpreter<'_> {
     pub(super) fn unused(&self, idle: u32) -> Box<Fault> {
         let index = idle.trailing_zeros() as usize;
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
+        let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
+        let meant = match (motion, name) {
+            (G::Linear, 'R') => Some(("redondear una esquina", "rounding a corner")),
+            (G::Linear, 'C' | 'I' | 'K') => Some(("achaflanar una esquina", "chamfering a corner")),
+            (G::Thread(_) | G::Pass(Pass::Thread), 'Q') => {
+                Some(("el ángulo inicial de la rosca", "a thread's start angle"))
+            }
+            _ => None,
+        };
+        if let Some((es, en)) = meant.filter(|_| self.reading.system_a) {
+            return Fault::at(
+                &[self.block.column(index)],
+                Text::new(format!("{name} no está implementado: {es}"), format!("{name} is not supported: {en}")),
+                Text::fixed("escriba los movimientos sin ella", "write the motions without it"),
+            );
+        }
         Fault::at(
             &[self.block.column(index)],
             Text::new(
@@ -309,6 +338,15 @@ impl Interpreter<'_> {
             self.lathe_motion(motion);
         }
         match motion {
+            _ if self.reading.system_a && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) => {
+                // Fanuc's G53 moves at rapid whatever is in force, which is so again afterwards.
+                self.modal.motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
+                if self.block.present & AXIS_WORDS != 0 {
+                    let to = self.end_point();
+                    self.emit(Kind::Rapid, to, None);
+                }
+                Ok(())
+            }
             G::Rapid | G::Linear => {
                 let feed = if motion == G::Linear { Some(self.feed()?) } else { None };
                 self.modal.motion = motion;
@@ -410,8 +448,8 @@ impl Interpreter<'_> {
                 }
             }
         }
-        if self.reading.diameter && !machine && to.get(Axis::X) < 0.0 && self.block.has(letter::X) {
-            self.remark_beyond_axis();
+        if self.reading.diameter && !machine && to.get(Axis::X) < 0.0 {
+            self.remark_beyond_axis(&to);
         }
         if machine { self.frame.to_program(&to) } else { to }
     }
@@ -471,6 +509,11 @@ impl Interpreter<'_> {
             self.queue.push_back(Ok((motion, self.modal.control())));
         }
     }
+}
+
+/// True for codes of Fanuc beside which a motion code may stand: it comes in force behind them.
+const fn one_shot(code: G) -> bool {
+    matches!(code, G::Reference(_) | G::SetPositionOrSpeed)
 }
 
 /// Letters that a drilling cycle of a lathe uses beside the axes.

@@ -47,7 +47,7 @@ impl Interpreter<'_> {
         };
         // F of the block is not the feed of the passes.
         self.block.take(letter::F);
-        let feed = self.feed()?;
+        let feed = self.feed_of(&moves)?;
         self.make_moves(moves, feed);
         Ok(())
     }

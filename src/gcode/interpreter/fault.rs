@@ -20,6 +20,9 @@ pub struct Fault {
     pub remedy: Text,
     /// True where nothing can be read after it.
     pub fatal: bool,
+    /// True where the motions of a turning cycle are not made because of it: what comes after it meets another part than
+    /// the program reckons with.
+    pub uncut: bool,
 }
 
 impl Fault {
@@ -33,6 +36,7 @@ impl Fault {
             what,
             remedy,
             fatal: false,
+            uncut: false,
         })
     }
 

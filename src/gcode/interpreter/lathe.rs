@@ -130,6 +130,16 @@ impl Interpreter<'_> {
             .filter(|&(_, absolute, incremental)| self.block.has(absolute) || self.block.has(incremental))
             .map(|(axis, ..)| axis)
             .collect();
+        if let Some(P) = self.block.get(letter::P).filter(|&P| second && P != 2.0) {
+            return Err(Fault::at(
+                &[self.block.column(letter::P)],
+                Text::new(
+                    format!("G30 P{P}: el tercer y el cuarto punto de referencia no están implementados"),
+                    format!("G30 P{P}: the third and fourth reference points are not supported"),
+                ),
+                Text::fixed("use G30 P2 o G53", "use G30 P2, or G53"),
+            ));
+        }
         if named.is_empty() {
             return Err(Fault::at(
                 &[column],
@@ -184,13 +194,14 @@ impl Interpreter<'_> {
 
     /// X has been given below the axis. Facing ends a little beyond it, by the nose of the tool; farther is a slip of the
     /// sign.
-    pub(super) fn remark_beyond_axis(&mut self) {
+    pub(super) fn remark_beyond_axis(&mut self, to: &Pose) {
         let line = self.line;
-        let facing = self.block.get(letter::X).is_some_and(|X| self.modal.unit.to_mm(X) >= -FACING);
+        let Some(word) = [letter::X, letter::U].into_iter().find(|&word| self.block.has(word)) else { return };
+        let facing = 2.0 * to.get(Axis::X) >= -FACING;
         self.remarks.add(
             if facing { Grade::Note } else { Grade::Caution },
             line,
-            Some(self.block.column(letter::X)),
+            Some(self.block.column(word)),
             Text::fixed(
                 "X negativo: el punto programado pasa del eje de giro",
                 "negative X: the programmed point is beyond the axis",

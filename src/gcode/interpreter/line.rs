@@ -49,11 +49,8 @@ impl Interpreter<'_> {
             return Ok(None);
         }
         self.block.clear();
-        if first == b'/' {
-            if self.setting.block_delete {
-                return Ok(None);
-            }
-            cursor.pass();
+        if cursor.accept_delete(!self.reading.expressions) && self.setting.block_delete {
+            return Ok(None);
         }
         if cursor.accept(b'n') {
             self.block.n = Some(block_number(&mut cursor)?);

@@ -64,6 +64,8 @@ pub(super) struct Modal {
     pub(super) first: Vec<(Turning, First)>,
     /// The work offset in force, 1 to 9.
     pub(super) system: u8,
+    /// The sources and the lines where contours begin whose cycle was refused.
+    pub(super) refused: Vec<(usize, usize)>,
 }
 
 impl Modal {
@@ -95,6 +97,7 @@ impl Modal {
             shifted: false,
             first: Vec::new(),
             system,
+            refused: Vec::new(),
         }
     }
 

@@ -45,6 +45,14 @@ impl Interpreter<'_> {
         self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks, speeds }));
     }
 
+    /// The feed of the moves that do not say their own: it need not be given where there are none.
+    pub(super) fn feed_of(&mut self, moves: &[Move]) -> Outcome<Feed> {
+        if moves.iter().any(|one| matches!(one.way, Way::Feed(None) | Way::Arc { feed: None, .. })) {
+            return self.feed();
+        }
+        Ok(Feed { mode: self.modal.feed_mode, value: self.modal.feed })
+    }
+
     /// Makes the next motions of the run in hand.
     pub(super) fn go_on(&mut self) -> Outcome<()> {
         match self.run.take() {
@@ -54,6 +62,8 @@ impl Interpreter<'_> {
                 if let Some(next) = run.moves.next() {
                     self.make_move(&next, &run);
                     self.run = Some(Run::Moves(run));
+                } else if let Some(S) = run.blocks.last().and_then(|block| block.speed).filter(|_| run.speeds) {
+                    self.modal.speed = S;
                 }
                 Ok(())
             }

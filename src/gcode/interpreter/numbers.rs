@@ -50,7 +50,7 @@ impl Numbers {
                 break;
             }
             let mut cursor = Cursor::new(&line, comments);
-            cursor.accept(b'/');
+            cursor.accept_delete(true);
             if cursor.accept(b'o') {
                 // A bad number is refused when its line is executed.
                 if let Ok(number) = block_number(&mut cursor) {

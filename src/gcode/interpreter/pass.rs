@@ -3,7 +3,8 @@
 //! # Path of a pass
 //! From the start S to the end E `(X, Z)`, with R the change of the cone along the pass: G90 and G92 at rapid to the radius of
 //! the cut's start, E's and R, along the cut to E, out to S's radius (G90 at feed, G92 at rapid), at rapid back along Z; G94 the
-//! same with X and Z exchanged, its R along Z. A block with X, Z or R alone makes another pass; what it does not give stays.
+//! same with X and Z exchanged, its R along Z. A block with X, Z or R alone makes another pass; what it does not give stays,
+//! from one of the three codes to another too, until another motion code or a one-shot code other than G4.
 //!
 //! # References
 //! The lathe simulator's figures of G90, G92 and G94; Fanuc Series 0i-T operator's manual, single cycles (R against the direction
@@ -90,7 +91,7 @@ impl Interpreter<'_> {
     /// G90, G92 and G94.
     pub(super) fn pass(&mut self, pass: Pass) -> Outcome<()> {
         let number = pass.number();
-        let before = self.modal.pass.filter(|_| self.modal.motion == G::Pass(pass));
+        let before = self.modal.pass;
         let named = [
             self.block.has(letter::X) || self.block.has(letter::U),
             self.block.has(letter::Z) || self.block.has(letter::W),

@@ -72,7 +72,11 @@ fn tool(words: &str, unit: LengthUnit) -> Result<(u32, Tool), (usize, String)> {
                 tool.diameter = unit.to_mm(value);
                 below = (value < 0.0).then(wrong);
             }
-            'Q' => orientation = Some(digits.parse().ok().and_then(Tip::of_linuxcnc).ok_or_else(wrong)?),
+            'Q' => {
+                let tip = digits.parse().ok().and_then(Tip::of_linuxcnc).ok_or_else(wrong)?;
+                // 0 stands for no orientation.
+                orientation = Some(tip).filter(|_| value != 0.0);
+            }
             'P' | 'I' | 'J' => {}
             _ => {
                 let axis = Axis::ALL.into_iter().find(|axis| axis.letter() == letter).ok_or_else(wrong)?;
@@ -80,7 +84,6 @@ fn tool(words: &str, unit: LengthUnit) -> Result<(u32, Tool), (usize, String)> {
             }
         }
     }
-    let orientation = orientation.filter(|&tip| tip != Tip::default());
     if let (Some(_), Some(below)) = (orientation, below) {
         return Err(below);
     }

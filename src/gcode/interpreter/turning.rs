@@ -10,7 +10,6 @@
 use crate::gcode::code::{G, Group, Turning};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::contour::Contour;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::Feed;
@@ -33,18 +32,36 @@ const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W
 impl Interpreter<'_> {
     /// The turning cycle of the block in hand.
     pub(super) fn turning(&mut self, cycle: Turning) -> Outcome<()> {
+        self.turn(cycle).map_err(|mut fault| {
+            fault.uncut = true;
+            fault
+        })
+    }
+
+    fn turn(&mut self, cycle: Turning) -> Outcome<()> {
         match cycle {
             Turning::Finish => {
-                let contour = self.named_contour(cycle)?;
-                let feed = self.feed()?;
+                let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
+                // What was refused once is not refused again, nor finished where it was not roughed.
+                if self.modal.refused.contains(&(self.at, ends.first_line())) {
+                    return Ok(());
+                }
+                let contour = self.contour(cycle.number(), ends)?;
                 let moves = self.told(finish(&contour.profile, None))?;
+                let feed = self.feed_of(&moves)?;
                 if let Some(side) = contour.compensation {
                     self.modal.compensation = side;
                 }
                 self.make_contour_moves(moves, feed, contour.blocks, true);
                 Ok(())
             }
-            Turning::Axial | Turning::Radial | Turning::Repeat => self.roughing(cycle),
+            Turning::Axial | Turning::Radial | Turning::Repeat => {
+                let result = self.roughing(cycle);
+                if result.is_err() {
+                    self.pass_over_contour(cycle.number())?;
+                }
+                result
+            }
             Turning::GrooveFace | Turning::GrooveOutside => self.grooving(cycle),
             Turning::Thread => self.threading(cycle),
             Turning::Fagor(number) => self.fagor(number),
@@ -63,7 +80,8 @@ impl Interpreter<'_> {
         let depth = unit.to_mm(self.first(cycle, depth)?);
         let retract = self.first(cycle, letter::R)?;
         let axial = if cycle == Turning::Repeat { unit.to_mm(self.first(cycle, letter::W)?) } else { 0.0 };
-        let contour = self.named_contour(cycle)?;
+        let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
+        let contour = self.contour(cycle.number(), ends)?;
         self.go_behind(cycle.number(), &contour)?;
         let feed = self.feed()?;
         let U = length(self.block.get(letter::U)).unwrap_or(0.0) / 2.0;
@@ -193,11 +211,6 @@ impl Interpreter<'_> {
             }
             fault
         })
-    }
-
-    fn named_contour(&mut self, cycle: Turning) -> Outcome<Contour> {
-        let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
-        self.contour(cycle.number(), ends)
     }
 
     /// Keeps the words of the first block of a cycle; those that it does not give stay.

@@ -6,6 +6,11 @@
 //! # Units
 //! A point is `[X, Z]` in program coordinates, X the *radius*, mm. Angles count from +Z towards +X, so that G3 is
 //! counter-clockwise in a drawing with Z to the right and X up.
+//!
+//! # What the rules rest on
+//! The lathe simulator's text, the published turning program and the figures of LinuxCNC's own lathe programs are tested
+//! against. Where the manuals of Fanuc and Fagor are named, their rules stand as they are known among programmers: no copy of
+//! them could be held against this code. What is ours is named "Derived here".
 
 pub mod fagor;
 pub mod finish;

@@ -107,14 +107,16 @@ impl Convex {
     }
 
     /// How deep this polygon and another are in each other, mm: how far one has to move, straight across one of the edges of
-    /// either, until they only touch; `None` where they do not overlap.
+    /// either, until they only touch; and where, `[z, r]` in mm: the middle of what lies deepest behind that edge, of
+    /// two as near the other's. `None` where they do not overlap.
     ///
     /// Two convex polygons are apart if and only if an edge of one of them has the other on its outer side.
     #[must_use]
-    pub fn overlap(&self, other: &Self) -> Option<f64> {
+    pub fn overlap(&self, other: &Self) -> Option<(f64, [f64; 2])> {
         let mut least = f64::INFINITY;
-        for (one, two) in [(self, other), (other, self)] {
-            for line in &one.lines {
+        let mut across = None;
+        for (one, two) in [(other, self), (self, other)] {
+            for (edge, line) in one.lines.iter().enumerate() {
                 let deepest = two.corners.iter().map(|&corner| line.at(corner)).max()?;
                 if deepest <= 0 {
                     return None;
@@ -122,10 +124,49 @@ impl Convex {
                 let Point { z, r } = line.direction();
                 #[expect(clippy::cast_precision_loss, reason = "a depth to show, and to hold against a micrometre")]
                 let deep = deepest as f64 / hypot(z as f64, r as f64) / UNITS;
-                least = least.min(deep);
+                if deep < least {
+                    (least, across) = (deep, Some((one, edge)));
+                }
             }
         }
-        least.is_finite().then_some(least)
+        let (one, edge) = across?;
+        let shared = self.shared(other);
+        let far: Vec<f64> = shared.iter().map(|&point| one.inside(edge, point)).collect();
+        let most = far.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        // Corners of what is shared that lie equally deep are the ends of one edge.
+        let ends = || shared.iter().zip(&far).filter(|(_, far)| **far > most - 1e-7).map(|(point, _)| *point);
+        let bound = |axis: usize, pick: fn(f64, f64) -> f64| ends().map(|end| end[axis]).reduce(pick);
+        let middle = |axis: usize| Some(f64::midpoint(bound(axis, f64::min)?, bound(axis, f64::max)?));
+        Some((least, [middle(0)?, middle(1)?]))
+    }
+
+    /// How far a point lies to the left of an edge, mm.
+    fn inside(&self, edge: usize, [z, r]: [f64; 2]) -> f64 {
+        let count = self.corners.len();
+        let ([z1, r1], [z2, r2]) = (self.corners[edge % count].mm(), self.corners[(edge + 1) % count].mm());
+        ((z2 - z1) * (r - r1) - (r2 - r1) * (z - z1)) / hypot(z2 - z1, r2 - r1)
+    }
+
+    /// The corners of what this polygon and another have in common, mm: this one's, cut off at each edge of the other
+    /// (Sutherland and Hodgman).
+    fn shared(&self, other: &Self) -> Vec<[f64; 2]> {
+        let mut corners: Vec<[f64; 2]> = self.corners.iter().map(|corner| corner.mm()).collect();
+        for edge in 0..other.len() {
+            let next = corners.iter().cycle().skip(1);
+            let mut left = Vec::with_capacity(corners.len() + 1);
+            for (&from, &to) in corners.iter().zip(next) {
+                let (one, two) = (other.inside(edge, from), other.inside(edge, to));
+                if one >= 0.0 {
+                    left.push(from);
+                }
+                if (one > 0.0 && two < 0.0) || (one < 0.0 && two > 0.0) {
+                    let part = one / (one - two);
+                    left.push([0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part));
+                }
+            }
+            corners = left;
+        }
+        corners
     }
 
     /// The polygon's mirror image across the axis r = 0.
@@ -237,8 +278,12 @@ mod tests {
         assert_eq!(square().overlap(&at(4, 1)), None, "side by side");
         assert_eq!(square().overlap(&at(4, 4)), None, "corner to corner");
         assert_eq!(square().overlap(&at(9, 0)), None, "apart");
-        assert!((square().overlap(&at(3, 1)).unwrap() - 1e-6).abs() < 1e-15);
-        assert!((square().overlap(&at(-2, 1)).unwrap() - 2e-6).abs() < 1e-15);
+        // Behind the left edge of a square 1 nm inside from the right lies deepest this one's right, from (4, 1) to (4, 4).
+        for (other, deep, place) in [(at(3, 1), 1e-6, [4e-6, 2.5e-6]), (at(-2, 1), 2e-6, [0.0, 2.5e-6])] {
+            let (found, [z, r]) = square().overlap(&other).unwrap();
+            assert!((found - deep).abs() < 1e-15, "{found}");
+            assert!((z - place[0]).abs() < 1e-15 && (r - place[1]).abs() < 1e-15, "{z} {r}");
+        }
     }
 
     #[test]

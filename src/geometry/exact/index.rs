@@ -9,7 +9,7 @@ pub(super) const NONE: u32 = u32::MAX;
 const FINEST: u32 = 14;
 
 /// The least and the greatest coordinates of what lies somewhere.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Bounds {
     pub low: Point,
     pub high: Point,
@@ -22,6 +22,14 @@ impl Bounds {
             && self.low.r <= other.high.r
             && other.low.r <= self.high.r
     }
+
+    /// Extends these bounds over others; false where they held them already.
+    fn extend(&mut self, other: &Self) -> bool {
+        let before = *self;
+        self.low = Point { z: self.low.z.min(other.low.z), r: self.low.r.min(other.low.r) };
+        self.high = Point { z: self.high.z.max(other.high.z), r: self.high.r.max(other.high.r) };
+        *self != before
+    }
 }
 
 /// A square holds edges that begin in it, with the least of their coordinates, and are no longer than its side, but longer
@@ -30,7 +38,7 @@ impl Bounds {
 struct Square {
     low: Point,
     level: u32,
-    /// Where everything lies that it and its quarters can hold.
+    /// Where everything lies that it and its quarters hold, and have held.
     reach: Bounds,
     parent: u32,
     quarters: [u32; 4],
@@ -62,7 +70,6 @@ pub(super) struct Index {
     squares: Vec<Square>,
     free: Vec<u32>,
     held: Vec<Held>,
-    all: Bounds,
 }
 
 const fn side(level: u32) -> i64 {
@@ -78,16 +85,13 @@ fn level(length: i64) -> u32 {
 impl Index {
     /// An index for edges within bounds.
     pub(super) fn new(all: Bounds) -> Self {
-        let mut index = Self { all, ..Self::default() };
+        let mut index = Self::default();
         let length = (all.high.z - all.low.z).max(all.high.r - all.low.r);
-        index.add(all.low, level(length), NONE);
+        index.add(all.low, level(length), NONE, all);
         index
     }
 
-    fn add(&mut self, low: Point, level: u32, parent: u32) -> u32 {
-        let far = 2 * side(level);
-        let high = Point { z: (low.z + far).min(self.all.high.z), r: (low.r + far).min(self.all.high.r) };
-        let reach = Bounds { low, high };
+    fn add(&mut self, low: Point, level: u32, parent: u32, reach: Bounds) -> u32 {
         let square = Square { low, level, reach, parent, quarters: [NONE; 4], first: NONE, count: 0 };
         if let Some(slot) = self.free.pop() {
             self.squares[slot as usize] = square;
@@ -109,6 +113,10 @@ impl Index {
             let within = |at: i64, from: i64| at >= from && at < from + side(level);
             if square.level == level && within(low.z, square.low.z) && within(low.r, square.low.r) {
                 self.held[slot].bounds = bounds;
+                let mut at = self.held[slot].square;
+                while at != NONE && self.squares[at as usize].reach.extend(&bounds) {
+                    at = self.squares[at as usize].parent;
+                }
                 return;
             }
             self.take(edge);
@@ -117,6 +125,7 @@ impl Index {
         loop {
             let square = &mut self.squares[at as usize];
             square.count += 1;
+            square.reach.extend(&bounds);
             if square.level <= level {
                 break;
             }
@@ -129,7 +138,7 @@ impl Index {
                     z: square.low.z + if right { half } else { 0 },
                     r: square.low.r + if upper { half } else { 0 },
                 };
-                let made = self.add(corner, below, at);
+                let made = self.add(corner, below, at, bounds);
                 self.squares[at as usize].quarters[quarter] = made;
                 at = made;
             } else {

@@ -13,6 +13,10 @@
 //! - lines that carry on one another are one edge, so that the number of edges depends on the shape alone and no
 //!   simplification with a tolerance is needed: there is nothing that could grow from pass to pass.
 //!
+//! This is why no library of polygons does it: those that are robust hold corners on a grid, so that each cut rounds the
+//! corners that the cuts before it made. One of them judges it instead, in the tests: what is left is the same to 10⁻⁸ mm²
+//! after forty motions of a tool.
+//!
 //! The only errors are those of the polygons themselves: their corners are at most half a nanometre off in each
 //! direction, and arcs are chords within a stated tolerance.
 

@@ -1,11 +1,11 @@
-(stock D50xL120)
+(stock D26xL100)
 (alarms 191@8)
 O0100
 T0303
 G97 S600 M3
 M8
-G0 X54. Z-10.
+G0 X30. Z-10.
 G1 X-0.5 F0.06
-G0 X54.
+G0 X30.
 X100. Z50. M9
 M30

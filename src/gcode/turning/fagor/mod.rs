@@ -1,8 +1,9 @@
 //! Turning cycles of the Fagor CNC 8055 T.
 //!
 //! # References
-//! Fagor Automation, CNC 8055 T programming manual, canned cycles G81 to G89. What the manual leaves open, or what could not
-//! be checked against its text, is named under "Derived here" in each cycle.
+//! Fagor Automation, CNC 8055 T programming manual, canned cycles G81 to G89, as far as its rules are known (see
+//! [`crate::gcode::turning`]); G85 against the published program. What they leave open is named under "Derived here" in each
+//! cycle.
 
 pub mod drill;
 pub mod groove;

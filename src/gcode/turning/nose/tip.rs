@@ -5,66 +5,102 @@ use crate::gcode::turning::nose::element::Point;
 /// Where the imaginary tip lies, seen from the centre of the nose: the number that stands beside the nose radius in the
 /// control's offset table.
 ///
-/// | number | X | Z | such as |
-/// |---|---|---|---|
-/// | 0, 9 | 0 | 0 | the centre itself is programmed |
-/// | 1 | + | + | boring towards the tailstock |
-/// | 2 | + | − | boring towards the chuck |
-/// | 3 | − | − | turning towards the chuck |
-/// | 4 | − | + | turning towards the tailstock |
-/// | 5 | 0 | + | facing from behind |
-/// | 6 | + | 0 | a round insert in a bore |
-/// | 7 | 0 | − | facing |
-/// | 8 | − | 0 | a round insert on the outside |
+/// The imaginary tip is where the tangents to the nose meet that are parallel to the axes. For 5 to 8 it is on the tangent
+/// across the way the tip points, level with the nose's centre; for 9, and for 0, it is that centre.
 ///
 /// The signs are those of the axes, whatever side of the spindle the turret is on: Fanuc Series 0i-T operator's manual,
 /// imaginary tool nose; the same table stands in Haas's lathe operator's manual, imaginary tool tip and direction. Fagor's
 /// location codes F0 to F9 keep the tool's position to the axes likewise and are read by the same table. LinuxCNC's
 /// orientations have X the other way round: its 2 is 3 here, its 1 is 4, its 6 is 8, and back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tip(u8);
+pub enum Tip {
+    /// 1: to +X and +Z, boring away from the chuck.
+    InsideRight,
+    /// 2: to +X and −Z, boring towards the chuck.
+    InsideLeft,
+    /// 3: to −X and −Z, turning towards the chuck.
+    #[default]
+    OutsideLeft,
+    /// 4: to −X and +Z, turning away from the chuck.
+    OutsideRight,
+    /// 5: to +Z, facing from behind.
+    Right,
+    /// 6: to +X, grooves and threads inside.
+    Inside,
+    /// 7: to −Z, drills, facing.
+    Left,
+    /// 8: to −X, grooves and threads outside.
+    Outside,
+    /// 9, also 0: the nose's centre is programmed.
+    Centre,
+}
 
 impl Tip {
-    /// The orientation with a number, 0 to 9.
+    /// All of them, by number.
+    pub const ALL: [Self; 9] = [
+        Self::InsideRight,
+        Self::InsideLeft,
+        Self::OutsideLeft,
+        Self::OutsideRight,
+        Self::Right,
+        Self::Inside,
+        Self::Left,
+        Self::Outside,
+        Self::Centre,
+    ];
+
+    /// The tip of a number, 0 to 9; 0 is 9.
     #[must_use]
-    pub const fn new(number: u8) -> Option<Self> {
-        if number <= 9 { Some(Self(number)) } else { None }
+    pub fn new(number: u8) -> Option<Self> {
+        if number == 0 { Some(Self::Centre) } else { Self::ALL.get(usize::from(number) - 1).copied() }
     }
 
-    /// The orientation that LinuxCNC's tool table gives by a number, 0 to 9.
+    /// The tip that LinuxCNC's tool table gives by an orientation, 0 to 9.
     #[must_use]
-    pub const fn of_linuxcnc(number: u8) -> Option<Self> {
-        match number {
-            1 => Some(Self(4)),
-            2 => Some(Self(3)),
-            3 => Some(Self(2)),
-            4 => Some(Self(1)),
-            6 => Some(Self(8)),
-            8 => Some(Self(6)),
-            other => Self::new(other),
-        }
+    pub fn of_linuxcnc(orientation: u8) -> Option<Self> {
+        Self::new(match orientation {
+            1 => 4,
+            2 => 3,
+            3 => 2,
+            4 => 1,
+            6 => 8,
+            8 => 6,
+            other => other,
+        })
     }
 
-    /// The number.
+    /// The number, 1 to 9.
     #[must_use]
     pub const fn number(self) -> u8 {
-        self.0
+        self as u8 + 1
     }
 
     /// From the centre of the nose to the tip, in nose radii, `[Z, X]`.
     #[must_use]
     pub const fn vector(self) -> Point {
-        match self.0 {
-            1 => [1.0, 1.0],
-            2 => [-1.0, 1.0],
-            3 => [-1.0, -1.0],
-            4 => [1.0, -1.0],
-            5 => [1.0, 0.0],
-            6 => [0.0, 1.0],
-            7 => [-1.0, 0.0],
-            8 => [0.0, -1.0],
-            _ => [0.0, 0.0],
+        match self {
+            Self::InsideRight => [1.0, 1.0],
+            Self::InsideLeft => [-1.0, 1.0],
+            Self::OutsideLeft => [-1.0, -1.0],
+            Self::OutsideRight => [1.0, -1.0],
+            Self::Right => [1.0, 0.0],
+            Self::Inside => [0.0, 1.0],
+            Self::Left => [-1.0, 0.0],
+            Self::Outside => [0.0, -1.0],
+            Self::Centre => [0.0, 0.0],
         }
+    }
+
+    /// The signs by which `[Z, X]` of a tool of tip 3 is turned into this one.
+    #[must_use]
+    pub fn mirror(self) -> Point {
+        self.vector().map(|share| if share > 0.0 { -1.0 } else { 1.0 })
+    }
+
+    /// True along Z and along X where the tip is level with the nose's centre.
+    #[must_use]
+    pub fn level(self) -> [bool; 2] {
+        self.vector().map(|share| share == 0.0)
     }
 }
 
@@ -82,5 +118,21 @@ impl Nose {
     #[must_use]
     pub fn to_tip(&self) -> Point {
         self.tip.vector().map(|share| share * self.radius)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tips_have_the_numbers_of_the_controls() {
+        for (at, tip) in Tip::ALL.into_iter().enumerate() {
+            assert_eq!(usize::from(tip.number()), at + 1);
+            assert_eq!(Tip::new(tip.number()), Some(tip));
+        }
+        assert_eq!(Tip::new(0), Some(Tip::Centre));
+        assert_eq!(Tip::new(10), None);
+        assert_eq!(Tip::OutsideLeft.number(), 3);
     }
 }

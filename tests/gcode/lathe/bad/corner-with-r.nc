@@ -1,0 +1,5 @@
+(expected: 4:9 R is not supported: rounding a corner)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G1 X20. R1.
+M30

@@ -1,0 +1,5 @@
+(expected: 4:5 G30 P3: the third and fourth reference points are not supported)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G30 P3 U0
+M30

@@ -1,0 +1,5 @@
+(expected: 4:1 M198 is not supported)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+M198 P1
+M30
