@@ -7,7 +7,7 @@ use super::contact::{Bite, Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
-use super::spindle::{Engaged, Turning, revolutions};
+use super::spindle::{Engaged, Turning, extent, revolutions, ribs};
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, Stock};
 use super::tool::{Cutter, Tool};
@@ -62,8 +62,6 @@ impl Setup {
 const WITHIN: f64 = 780.0;
 /// The most a tool's outline may reach from its programmed point to stay on the grid with that.
 const REACH: f64 = 290.0;
-/// The most ribs of a thread's pass.
-const RIBS: u32 = 100_000;
 
 /// A tool made ready.
 #[derive(Debug)]
@@ -547,27 +545,6 @@ fn retracts(tool: &Tool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Pi
 
 fn near(one: [f64; 2], two: [f64; 2]) -> bool {
     hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
-}
-
-/// How far a piece goes along the axis that moves more, mm.
-fn extent([from, to]: Piece) -> f64 {
-    (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
-}
-
-/// Where a thread's tool stands each time the same side of the work comes past it: once the revolution that had begun is
-/// over, of which `left` is left as a share, and then a lead on after each one; `[z, r]`.
-fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2]> {
-    let ([from, to], length) = (piece, extent(piece));
-    let step = [to[0] - from[0], to[1] - from[1]];
-    let turns =
-        revolutions(thread, length).filter(|_| length > 0.0).map_or(-1.0, |turns| (turns - left + 1e-9).floor());
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
-    let count = (turns + 1.0).clamp(0.0, f64::from(RIBS)) as u32;
-    (0..count).map(move |turn| {
-        let k = f64::from(turn) + left;
-        let part = (thread.lead * k + thread.change * k * k / 2.0) / length;
-        [from[0] + step[0] * part, from[1] + step[1] * part]
-    })
 }
 
 /// Raises what runs into something that stands.

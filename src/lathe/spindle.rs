@@ -8,6 +8,9 @@ use crate::gcode::control::{Control, Speed, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion, Thread};
 use crate::number::trig::hypot;
 
+/// The most ribs of a thread's pass.
+const RIBS: u32 = 100_000;
+
 /// The spindle during a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
@@ -154,6 +157,28 @@ pub fn revolutions(thread: Thread, length: f64) -> Option<f64> {
     // The root that stays for a small change, in the form that does not divide by it.
     let under = lead * lead + 2.0 * change * length;
     (under >= 0.0).then(|| 2.0 * length / (lead + under.sqrt()))
+}
+
+/// How far a piece goes along the axis that moves more, mm.
+#[must_use]
+pub fn extent([from, to]: Piece) -> f64 {
+    (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
+}
+
+/// Where a thread's tool stands each time the same side of the work comes past it: once the revolution that had begun is
+/// over, of which `left` is left as a share, and then a lead on after each one; `[z, r]`.
+pub fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2]> {
+    let ([from, to], length) = (piece, extent(piece));
+    let step = [to[0] - from[0], to[1] - from[1]];
+    let turns =
+        revolutions(thread, length).filter(|_| length > 0.0).map_or(-1.0, |turns| (turns - left + 1e-9).floor());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
+    let count = (turns + 1.0).clamp(0.0, f64::from(RIBS)) as u32;
+    (0..count).map(move |turn| {
+        let k = f64::from(turn) + left;
+        let part = (thread.lead * k + thread.change * k * k / 2.0) / length;
+        [from[0] + step[0] * part, from[1] + step[1] * part]
+    })
 }
 
 #[cfg(test)]
