@@ -7,6 +7,14 @@
 mod bench;
 #[path = "lathe_inputs/command.rs"]
 mod command;
+#[path = "lathe_inputs/figures.rs"]
+mod figures;
+#[path = "lathe_inputs/lost.rs"]
+mod lost;
+#[path = "lathe_inputs/messages.rs"]
+mod messages;
+#[path = "lathe_inputs/parted.rs"]
+mod parted;
 #[path = "lathe_inputs/programs.rs"]
 mod programs;
 #[path = "lathe_inputs/second.rs"]

@@ -71,6 +71,9 @@ fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
 /// What was found, with value and limit where the sentence does not name them already.
 fn sentence(finding: &Finding, language: Language) -> String {
     let what = printable(finding.what.get(language));
+    if let Some(count) = finding.value.strip_suffix(" ×") {
+        return format!("{what}, {count} {}", Text::fixed("veces", "times").get(language));
+    }
     let limit = Text::fixed("límite", "limit");
     let value = if what.contains(finding.value.as_str()) { "" } else { finding.value.as_str() };
     let bound = if what.contains(finding.limit.as_str()) { "" } else { finding.limit.as_str() };
@@ -186,6 +189,13 @@ mod tests {
     fn value_and_limit_are_named_once() {
         let finding = Finding::note(Place::File, Text::fixed("cierre", "closure")).with("0.000 mm", "0.001 mm");
         assert!(plain(&finding, Language::En, None).starts_with("note: closure: 0.000 mm (limit 0.001 mm)\n"));
+    }
+
+    #[test]
+    fn how_often_something_was_seen_is_said_in_words() {
+        let finding = Finding::note(Place::File, Text::fixed("X negativa", "negative X")).with("2 ×", "");
+        assert!(plain(&finding, Language::En, None).starts_with("note: negative X, 2 times\n"));
+        assert!(plain(&finding, Language::Es, None).starts_with("nota: X negativa, 2 veces\n"));
     }
 
     #[test]

@@ -11,9 +11,11 @@ use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
 use super::verdict::{Verdict, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
-use crate::finding::{Exit, Grade, Refusal};
+use crate::finding::{Exit, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
+use crate::job::lathe_tables::Raised;
 use crate::store::{self, Existing, Folder, Set};
+use crate::table::Unit;
 use crate::view::lathe::Watching;
 use crate::workbook::{self, Input};
 
@@ -73,6 +75,26 @@ fn simulate(arguments: &Simulate, verdict: &mut Verdict) -> Result<Followed, Ref
     Ok(followed)
 }
 
+/// An alarm with its figures: X is a diameter, and `file` that of the subprogram where `line` stands in one.
+fn alarm(Raised { alarm, place, .. }: &Raised) -> serde_json::Value {
+    let file = match place {
+        Place::Subprogram { file, .. } => Some(file),
+        _ => None,
+    };
+    let [x, z] = alarm.place;
+    json!({
+        "number": alarm.cause.number(),
+        "grade": alarm.cause.grade(),
+        "text": alarm.cause.text(),
+        "file": file,
+        "line": alarm.line,
+        "block": alarm.n,
+        "x_mm": x,
+        "z_mm": z,
+        "depth_mm": alarm.depth,
+    })
+}
+
 fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>) -> serde_json::Value {
     let totals: serde_json::Map<String, serde_json::Value> = verdict
         .quantities
@@ -94,9 +116,14 @@ fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>
                 "dev_minus" => "deviation_minus_mm",
                 _ => return None,
             };
-            Some((name.to_owned(), json!(one.value)))
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count")]
+            let value = if one.unit == Unit::Count { json!(one.value as u64) } else { json!(one.value) };
+            Some((name.to_owned(), value))
         })
         .collect();
+    let alarms: Vec<serde_json::Value> = followed
+        .and_then(|one| one.outcome.turned.as_ref())
+        .map_or_else(Vec::new, |turned| turned.alarms.iter().map(alarm).collect());
     let motions = followed.and_then(|followed| followed.outcome.table("blocks")).map(crate::table::Table::rows);
     json!({
         "rodete": env!("CARGO_PKG_VERSION"),
@@ -109,6 +136,7 @@ fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>
         "stock": followed.map(|followed| followed.stock.clone()),
         "motions": motions,
         "totals": totals,
+        "alarms": alarms,
         "findings": verdict.findings,
         "files": json::files(verdict),
     })

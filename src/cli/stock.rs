@@ -11,7 +11,8 @@ pub(super) struct Stock {
     pub(super) d: Option<f64>,
 }
 
-/// Reads the stock: the letters D, L and d with decimal numbers in mm, each once, with `x` between.
+/// Reads the stock: the letters D, L and d with decimal numbers in mm, each once, with `x` between. Small letters do as well:
+/// without a capital D the first d is the diameter.
 ///
 /// # Errors
 /// What is wrong, as the end of a sentence that names the argument.
@@ -20,8 +21,16 @@ pub(super) fn parse(text: &str) -> Result<Stock, String> {
     for part in text.split(['x', 'X']) {
         let wrong = || format!("'{part}' is no size: write D, L or d and a number in mm, as D50xL100");
         let mut letters = part.chars();
-        let letter = letters.next().filter(|letter| matches!(letter, 'D' | 'L' | 'd')).ok_or_else(wrong)?;
+        let letter = match letters.next() {
+            Some('d') if D.is_none() && !text.contains('D') => 'D',
+            Some(letter @ ('D' | 'd')) => letter,
+            Some('L' | 'l') => 'L',
+            _ => return Err(wrong()),
+        };
         let digits = letters.as_str();
+        if digits.contains(',') {
+            return Err(format!("'{part}': write the decimal with a point, {}", part.replace(',', ".")));
+        }
         let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
         let value: f64 = digits.parse().ok().filter(|_| plain).ok_or_else(wrong)?;
         let slot = match letter {
@@ -60,6 +69,9 @@ mod tests {
     fn a_stock_is_read_in_any_order() {
         assert_eq!(parse("D50xL100"), Ok(Stock { D: 50.0, L: 100.0, d: None }));
         assert_eq!(parse("L100.5XD50xd20"), Ok(Stock { D: 50.0, L: 100.5, d: Some(20.0) }));
+        assert_eq!(parse("d20xD50xL100"), Ok(Stock { D: 50.0, L: 100.0, d: Some(20.0) }));
+        assert_eq!(parse("d50xl100"), Ok(Stock { D: 50.0, L: 100.0, d: None }));
+        assert_eq!(parse("d50xl100xd20"), Ok(Stock { D: 50.0, L: 100.0, d: Some(20.0) }));
     }
 
     #[test]
@@ -68,6 +80,7 @@ mod tests {
             ("50x100", "'50' is no size: write D, L or d and a number in mm, as D50xL100"),
             ("D50", "D and L must both be given, as D50xL100"),
             ("D50xL1e3", "'L1e3' is no size: write D, L or d and a number in mm, as D50xL100"),
+            ("D50,5xL100", "'D50,5': write the decimal with a point, D50.5"),
             ("D50xL-3", "'L-3' is no size: write D, L or d and a number in mm, as D50xL100"),
             ("D50xL100xL3", "L is given twice"),
             ("D50xL100xd50", "the bore d must be less than D"),

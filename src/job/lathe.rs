@@ -1,6 +1,6 @@
 //! The lathe as a whole: a turning program followed over its stock, with what it removes, how long it takes, and its alarms.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
@@ -9,6 +9,7 @@ use crate::gcode::motion::Kind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
+use crate::geometry::revolution::volume;
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Run, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
@@ -62,6 +63,8 @@ struct Followed {
     findings: Vec<Finding>,
     /// A budget ended before the program did.
     endless: bool,
+    /// A block of it was refused, or one of a program before it.
+    lost: bool,
     /// A turning cycle was refused, and nothing after it was made.
     uncut: bool,
     drawn: Drawn,
@@ -108,20 +111,72 @@ pub fn watched(
     };
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
-    let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false), watch)?];
+    let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false, false), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
-        let left = followed.first().map(|one| one.simulation.contours()).unwrap_or_default();
+        let left = followed.first().map(|one| one.drawn.part.clone()).unwrap_or_default();
         let part = turned_about(&left, &given.setup.stock, given.second);
         let setup = Setup { part: Some(part), ..given.setup.clone() };
         let uncut = followed.iter().any(|one| one.uncut);
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
-        followed.push(follow("program-2", title, &second, &given, (setup, uncut), watch)?);
+        let lost = followed.iter().any(|one| one.lost);
+        // How a part is held that is not the one meant says nothing.
+        let held = (!lost).then(|| values.locate(held(&setup)));
+        let lost = lost || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
+        let mut one = follow("program-2", title, &second, &given, (setup, lost, uncut), watch)?;
+        one.findings.extend(held);
+        followed.push(one);
     }
     Ok(outcome(form, values, source, &given, followed, profile))
 }
 
 fn refused(findings: Vec<Finding>) -> Refusal {
     Refusal { exit: Exit::Refused, findings }
+}
+
+/// The least length along which a part is held at all, mm: less is a line.
+const HELD: f64 = 1.0;
+
+/// The least length along which a part is held well, mm, and as a share of the jaws'. The more of the two. Chosen here.
+const HELD_WELL: (f64, f64) = (5.0, 0.25);
+
+/// How the jaws hold the part that was turned about: a stop where they do not, a caution where they hardly do.
+fn held(setup: &Setup) -> Finding {
+    let Setup { lathe, stock, .. } = setup;
+    let place = Place::Parameters(vec!["Z_s", "L4"]);
+    let [left, right] = stock.held(lathe).map(|at| shown(at, 3));
+    let remedy = Text::new(
+        format!("cambie Z_s (o L4) hasta que entre Z{left} y Z{right}, donde están las garras, haya un cilindro"),
+        format!("change Z_s (or L4) until a cylinder lies between Z{left} and Z{right}, where the jaws are"),
+    );
+    let Some(grip) = setup.part.as_deref().and_then(|part| stock.grip(lathe, part)) else {
+        return Finding::stop(
+            place,
+            t(
+                "en la segunda colocación no hay material entre las garras: nada sujeta la pieza",
+                "in the second set-up there is no metal between the jaws: nothing holds the part",
+            ),
+            remedy,
+        );
+    };
+    let (X, long) = (shown(grip.diameter, 3), format!("{} mm", shown(grip.length, 3)));
+    let least = HELD_WELL.0.max(HELD_WELL.1 * lathe.chuck.jaws);
+    let short = Text::new(
+        format!("en la segunda colocación las garras, cerradas en X{X}, apenas sujetan la pieza a lo largo de Z"),
+        format!("in the second set-up the jaws, closed on X{X}, hardly hold the part along Z"),
+    );
+    if grip.length < HELD {
+        Finding::stop(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
+    } else if grip.length < least {
+        Finding::caution(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
+    } else {
+        Finding::note(
+            place,
+            Text::new(
+                format!("en la segunda colocación las garras se cierran en X{X} y sujetan {long}"),
+                format!("in the second set-up the jaws close on X{X} and hold {long}"),
+            ),
+        )
+    }
 }
 
 /// The program as it stands on its sheet; its subprograms are not known before it has been read.
@@ -137,13 +192,19 @@ fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) 
     }
 }
 
-/// Follows one program from a set-up; with `uncut` it is read, and not made, for the part that it needs was not.
+/// Follows one program over a set-up, of which it is said whether the program before it went wrong.
+///
+/// The motions behind a block that was refused are not those that the program means: they are followed for what the
+/// interpreter has to say about the blocks, and their alarms, which would follow from that block, are not raised.
+///
+/// Behind a cycle that was refused, and with `uncut` from the start, the program is read and not made, for the part that it
+/// needs was not.
 fn follow(
     key: &'static str,
     title: Text,
     source: &text::Source,
     given: &Given,
-    (setup, uncut): (Setup, bool),
+    (setup, lost, uncut): (Setup, bool, bool),
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
@@ -157,18 +218,20 @@ fn follow(
         alarms: Vec::new(),
         findings: Vec::new(),
         endless: false,
+        lost,
         uncut,
         drawn: Drawn { stock, ..Drawn::default() },
         account: Account::default(),
     };
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
-    let (mut faults, mut total) = (Vec::new(), 0);
+    let (mut faults, mut more) = (Vec::new(), 0);
+    let mut without_zero = BTreeSet::new();
+    // Where following stopped to be judged, and whether anything was still followed.
+    let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
     let mut before = interpreter.position().1;
     interpreter.keep_stood();
     watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
-    // A control stops at a cycle that it refuses. What comes after it is read on for what else is wrong with it, and is not
-    // made: it would meet metal that the cycle has not taken away.
     loop {
         let item = interpreter.next();
         for stood in interpreter.stood().into_iter().filter(|_| !one.uncut) {
@@ -181,14 +244,25 @@ fn follow(
                 faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
                 break;
             }
-            Ok(_) if one.uncut => {}
+            Ok(_) if one.uncut => unjudged = true,
             Ok(motion) => {
                 let control = *interpreter.control();
                 let file = interpreter.file(control.file);
                 one.account.take(&motion, &before);
                 before = motion.machine;
+                if let Some(fault) = given.without_zero(&motion, &control)
+                    && without_zero.insert(control.system)
+                {
+                    let fault = Finding { place: at_line(file, motion.line), ..fault };
+                    last.get_or_insert_with(|| fault.place.clone());
+                    faults.push(fault);
+                }
                 let mut step = one.simulation.take(&motion, &control);
                 in_force.judge(&mut step);
+                if last.is_some() {
+                    step.alarms.clear();
+                    unjudged = true;
+                }
                 for alarm in &step.alarms {
                     let place = source.place(file, alarm.line, Vec::new());
                     one.alarms.push(Raised { alarm: *alarm, place, file: control.file });
@@ -203,15 +277,21 @@ fn follow(
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;
                 one.uncut |= fault.uncut;
-                total += 1;
+                let fault = Finding::from(*fault);
+                last.get_or_insert_with(|| fault.place.clone());
+                // A cycle reads the blocks of its contour, and they are read again where they stand.
+                if faults.contains(&fault) {
+                    continue;
+                }
                 if faults.len() < MOST {
-                    faults.push(Finding::from(*fault));
+                    faults.push(fault);
+                } else {
+                    more += 1;
                 }
             }
         }
     }
-    if total > faults.len() {
-        let more = total - faults.len();
+    if more > 0 {
         faults.push(Finding::note(
             Place::File,
             Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
@@ -219,22 +299,48 @@ fn follow(
     }
     one.program.parts = source.whole((1..).map_while(|number| interpreter.file(number)));
     faults.extend(interpreter.remarks());
+    if let Some(place) = last {
+        one.lost = true;
+        if unjudged {
+            faults.push(unjudged_from(place));
+        }
+    }
     watch(Seen::End(&faults));
     one.findings =
         faults.into_iter().map(|finding| Finding { place: source.placed(finding.place), ..finding }).collect();
     one.findings.extend(alarms(&one.alarms));
-    one.drawn.part = one.simulation.contours();
+    one.drawn.part = one.simulation.product();
     Ok(one)
+}
+
+/// A line of the program, or of the file of a subprogram.
+fn at_line(file: Option<&str>, line: usize) -> Place {
+    match file {
+        None => Place::Line { line, columns: Vec::new() },
+        Some(file) => Place::Subprogram { file: file.to_owned(), line, columns: Vec::new() },
+    }
+}
+
+/// The note on where the judging of motions stopped; the file as a whole where that was before the program.
+fn unjudged_from(place: Place) -> Finding {
+    let what = if place == Place::File {
+        t(
+            "no se juzgan los movimientos de este programa: la pieza no es la que se pide, o nada la sujeta",
+            "the motions of this program are not judged: the part is not what is meant, or nothing holds it",
+        )
+    } else {
+        t(
+            "desde este bloque no se juzgan los movimientos: sus alarmas serían consecuencia de él",
+            "from this block on motions are not judged: their alarms would follow from it",
+        )
+    };
+    Finding::note(place, what)
 }
 
 /// The stop of a program of more motions than a sheet has rows.
 fn too_many(file: Option<&str>, line: usize) -> Finding {
-    let place = match file {
-        None => Place::Line { line, columns: Vec::new() },
-        Some(file) => Place::Subprogram { file: file.to_owned(), line, columns: Vec::new() },
-    };
     Finding::stop(
-        place,
+        at_line(file, line),
         Text::new(
             format!("el programa hace más de {MOST_MOTIONS} movimientos"),
             format!("the program makes more than {MOST_MOTIONS} motions"),
@@ -259,10 +365,13 @@ fn alarms(alarms: &[Raised]) -> Vec<Finding> {
             let mut finding = Finding { place: place.clone(), ..alarm.finding() };
             if count > 1 {
                 let Text { es, en } = &finding.what;
-                finding.what = Text::new(
-                    format!("{es}, y otras {} veces en la línea", count - 1),
-                    format!("{en}, and {} more times on the line", count - 1),
-                );
+                finding.what = match count - 1 {
+                    1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
+                    more => Text::new(
+                        format!("{es}, y otras {more} veces en la línea"),
+                        format!("{en}, and {more} more times on the line"),
+                    ),
+                };
             }
             finding
         })
@@ -274,8 +383,8 @@ fn alarms(alarms: &[Raised]) -> Vec<Finding> {
         found.push(Finding::note(
             Place::File,
             Text::new(
-                format!("y {more} alarmas más: están en la tabla de alarmas"),
-                format!("and {more} more alarms: they are in the table of alarms"),
+                format!("y {more} alarmas más: rodete view las muestra en la pieza"),
+                format!("and {more} more alarms: rodete view shows them on the part"),
             ),
         ));
     }
@@ -302,7 +411,8 @@ fn outcome(
     let mut drawn = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
     tables.push(contour_table(&drawn.part));
     let paths = followed.iter().map(|one| one.drawn.clone()).collect::<Vec<Drawn>>();
-    drawn.chuck = given.setup.stock.fixtures(&given.setup.lathe).into_iter().map(|(_, ring)| ring).collect();
+    let standing = followed.last().map(|one| one.simulation.setup().fixtures()).unwrap_or_default();
+    drawn.chuck = standing.into_iter().map(|(_, ring)| ring).collect();
     let (mut lines, mut arcs) = (Vec::new(), Vec::new());
     if let Some(profile) = profile {
         findings.extend(compared(&drawn.part, &profile, &mut quantities));
@@ -310,12 +420,14 @@ fn outcome(
         (lines, arcs) = profile.drawn();
     }
     let contour = figures::contour(&drawn.part, lines);
+    let alarms = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.alarms)).collect();
     let turned = Some(Turned {
         runs: followed.iter().map(Followed::run).collect(),
         supported: given.setup.stock.supported(&given.setup.lathe),
         second: (followed.len() > 1).then_some(given.second),
         contours: drawn.part.clone(),
         tolerance: TOLERANCE,
+        alarms,
     });
     let endless = followed.iter().any(|one| one.endless);
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
@@ -429,9 +541,11 @@ fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Vec<Quantity>
     Some(Finding::note(
         Place::File,
         Text::new(
-            format!("frente al perfil deseado sobran hasta {over} mm{plus} y faltan hasta {under} mm{minus}"),
             format!(
-                "against the wanted profile up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
+                "frente al perfil de la hoja PERFIL del libro sobran hasta {over} mm{plus} y faltan hasta {under} mm{minus}"
+            ),
+            format!(
+                "against the profile on the workbook's sheet PROFILE up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
             ),
         ),
     ))
@@ -452,7 +566,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         f64::from(u32::try_from(counted).unwrap_or(u32::MAX))
     };
     let none = || t("", "");
-    let left = followed.last().map_or(0.0, |one| one.simulation.volume());
+    let left = followed.last().map_or(0.0, |one| one.drawn.part.iter().map(|ring| volume(ring)).sum());
     let mm3 = Unit::CubicMillimetre;
     vec![
         quantity("L3", t("Voladizo", "Overhang"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),

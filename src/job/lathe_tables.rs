@@ -112,7 +112,7 @@ impl Rows {
         self.V_c.push(step.cutting_speed);
         self.a_p.push(step.depth);
         self.volume.push(step.removed.volume + 0.0);
-        self.rate.push(step.rate.unwrap_or_default() + 0.0);
+        self.rate.push(step.rate.filter(|_| step.cuts()).unwrap_or_default() + 0.0);
         let numbers: Vec<String> = step.alarms.iter().map(|alarm| alarm.cause.number().to_string()).collect();
         self.alarms.push(Text::same(numbers.join(", ")));
     }
@@ -186,7 +186,9 @@ pub fn lines_table(motions: &[Table]) -> Table {
                 lines.len() - 1
             });
             let Some(one) = lines.get_mut(at) else { continue };
-            let cutting = if number("V", row) > 0.0 { number("t", row) } else { 0.0 };
+            // As a step tells it: see Step::cuts.
+            let cuts = number("V", row) > 0.0 && text("motion", row).en != name(Kind::Rapid).en;
+            let cutting = if cuts { number("t", row) } else { 0.0 };
             for (sum, more) in one.sums.iter_mut().zip([1.0, number("t", row), cutting, number("V", row)]) {
                 *sum += more;
             }

@@ -5,7 +5,7 @@ pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
 pub mod lathe;
-mod lathe_tables;
+pub(crate) mod lathe_tables;
 pub mod pipe_hole;
 pub mod pipe_insert;
 
@@ -102,6 +102,8 @@ pub struct Turned {
     pub contours: Vec<Vec<[f64; 2]>>,
     /// How far the facets of its solid may be from it, mm.
     pub tolerance: f64,
+    /// Every alarm of its programs, in their order.
+    pub alarms: Vec<lathe_tables::Raised>,
 }
 
 /// What came of a design.

@@ -70,6 +70,13 @@ pub enum Cause {
     },
     /// A thread is cut with a tool for something else.
     NoThreader,
+    /// The spindle's speed is not the same in all passes of a thread.
+    ThreadSpeed {
+        /// The speed in this pass, rpm.
+        speed: f64,
+        /// Another in this pass, or that of an earlier one, rpm.
+        before: f64,
+    },
     /// A constant surface speed without a greatest speed asks for more than the spindle can.
     NoGreatestSpeed {
         /// The speed asked for, rpm; infinite on the axis.
@@ -94,6 +101,13 @@ pub enum Cause {
     NoCoolant,
     /// A feed of 0.
     NoFeed,
+    /// A feed in the cut that is none of turning, in mm a revolution: F is meant the other way, in mm/min or per revolution.
+    ImplausibleFeed {
+        /// What the tool is fed with each revolution, mm.
+        feed: f64,
+        /// Between what it is taken as it stands, mm.
+        limits: [f64; 2],
+    },
     /// The turret has no tool in this place.
     UnknownTool(u32),
     /// The offset in force is none of the tool's; 0: none is.
@@ -129,7 +143,7 @@ pub struct Alarm {
 impl Moving {
     const fn name(self) -> [&'static str; 2] {
         match self {
-            Self::Cutter => ["la plaquita o broca", "the insert or drill"],
+            Self::Cutter => ["la placa o broca", "the insert or drill"],
             Self::Holder => ["el portaherramientas", "the holder"],
             Self::Turret => ["la torreta", "the turret"],
         }
@@ -163,6 +177,7 @@ impl Cause {
             Self::Lead { .. } => 142,
             Self::LeadDiffers { .. } => 143,
             Self::NoThreader => 144,
+            Self::ThreadSpeed { .. } => 145,
             Self::NoGreatestSpeed { .. } => 151,
             Self::TooFast { .. } => 152,
             Self::SpindleStopped => 153,
@@ -170,6 +185,7 @@ impl Cause {
             Self::FeedStands => 155,
             Self::NoCoolant => 161,
             Self::NoFeed => 171,
+            Self::ImplausibleFeed { .. } => 172,
             Self::UnknownTool(_) => 181,
             Self::OffAxis => 182,
             Self::OtherOffset { .. } => 183,
@@ -187,6 +203,8 @@ impl Cause {
             | Self::Lead { .. }
             | Self::LeadDiffers { .. }
             | Self::NoThreader
+            | Self::ThreadSpeed { .. }
+            | Self::ImplausibleFeed { .. }
             | Self::NoGreatestSpeed { .. }
             | Self::OtherOffset { .. }
             | Self::TooFast { .. } => Grade::Caution,
@@ -204,7 +222,7 @@ impl Cause {
                 t("La retirada raspa el material en avance rápido", "The retraction scrapes metal at rapid")
             }
             Self::BackInMetal => t(
-                "Un lado sin filo de la plaquita entra en el material",
+                "Un lado sin filo de la placa entra en el material",
                 "A side of the insert that does not cut runs into metal",
             ),
             Self::BodyInMetal(moving) => {
@@ -228,7 +246,7 @@ impl Cause {
             ),
             Self::NoLead => t("Rosca sin paso", "Thread without a lead"),
             Self::Lead { .. } => {
-                t("El paso no es de los de la plaquita de roscar", "The lead is none of the threading insert's")
+                t("El paso no es de los de la placa de roscar", "The lead is none of the threading insert's")
             }
             Self::LeadDiffers { .. } => t(
                 "El avance de la rosca no es el paso de las pasadas anteriores",
@@ -237,6 +255,10 @@ impl Cause {
             Self::NoThreader => t(
                 "Se rosca con una herramienta que no es de roscar",
                 "A thread is cut with a tool that is not for threads",
+            ),
+            Self::ThreadSpeed { .. } => t(
+                "El giro del husillo cambia entre las pasadas de la rosca: no entran en el mismo filete",
+                "The spindle's speed changes between the passes of the thread: they do not enter the same groove",
             ),
             Self::NoGreatestSpeed { .. } => t(
                 "Velocidad de corte constante sin giro máximo: cerca del eje el husillo llega a su límite",
@@ -261,6 +283,10 @@ impl Cause {
             }
             Self::NoCoolant => t("Corte sin refrigerante", "Cutting without coolant"),
             Self::NoFeed => t("Movimiento de trabajo con avance 0", "Motion at feed with a feed of 0"),
+            Self::ImplausibleFeed { .. } => t(
+                "El avance por vuelta en el corte no es propio del torneado",
+                "The feed per revolution in the cut is none of turning",
+            ),
             Self::UnknownTool(place) => Text::new(
                 format!("No hay herramienta en el puesto {place} de la torreta"),
                 format!("There is no tool in place {place} of the turret"),
@@ -290,6 +316,10 @@ impl Cause {
             Self::BodyInMetal(_) => {
                 t("Elija una herramienta más larga o más estrecha", "Choose a longer or a narrower tool")
             }
+            Self::Collision(_, Fixture::Tailstock) => t(
+                "Retire el contrapunto (en el libro, tailstock: no), o limite el movimiento",
+                "Withdraw the tailstock (in the workbook, tailstock: no), or keep the motion away",
+            ),
             Self::Collision(..) => t(
                 "Sujete la pieza más afuera o limite el movimiento",
                 "Clamp the work farther out, or keep the motion away",
@@ -299,9 +329,10 @@ impl Cause {
             }
             Self::DepthOfCut { .. } => t("Reparta el corte en más pasadas", "Divide the cut into more passes"),
             Self::NoLead => t("Escriba el paso con F", "Write the lead with F"),
-            Self::Lead { .. } => t("Cambie de plaquita o corrija F", "Change the insert or correct F"),
+            Self::Lead { .. } => t("Cambie de placa o corrija F", "Change the insert or correct F"),
             Self::LeadDiffers { .. } => t("Use el mismo paso en todas las pasadas", "Use the same lead in all passes"),
             Self::NoThreader => t("Llame a la herramienta de roscar", "Call the threading tool"),
+            Self::ThreadSpeed { .. } => t("Rosque con G97 y S en rpm", "Cut threads with G97 and S in rpm"),
             Self::NoGreatestSpeed { .. } => t("Limite el giro con G50 S (G92 S)", "Limit the speed with G50 S (G92 S)"),
             Self::TooFast { .. } => t("Reduzca S", "Reduce S"),
             Self::OtherOffset { .. } => {
@@ -313,6 +344,10 @@ impl Cause {
             Self::SpindleWrongWay => t("Cambie M3 por M4 o al revés", "Change M3 to M4 or the other way"),
             Self::NoCoolant => t("Programe M8 si el material lo pide", "Program M8 if the material asks for it"),
             Self::NoFeed => t("Programe F", "Program F"),
+            Self::ImplausibleFeed { .. } => t(
+                "Compruebe F y si es por vuelta (G99; G95 en Fagor) o por minuto (G98; G94)",
+                "Check F, and whether it is per revolution (G99; on a Fagor G95) or per minute (G98; G94)",
+            ),
             Self::UnknownTool(_) => t("Monte la herramienta o corrija T", "Mount the tool or correct T"),
             Self::OffAxis => t("Lleve la broca a X0", "Bring the drill to X0"),
             Self::PartedOff(_) => t("", ""),
@@ -344,6 +379,10 @@ impl Alarm {
             Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
             Cause::Lead { lead, leads: [low, high] } => (mm(lead), format!("{} – {}", shown(low, 3), mm(high))),
             Cause::LeadDiffers { lead, before } => (mm(lead), mm(before)),
+            Cause::ThreadSpeed { speed, before } => (rpm(speed), rpm(before)),
+            Cause::ImplausibleFeed { feed, limits: [low, high] } => {
+                (format!("{} mm", shown(feed, 6)), format!("{} – {}", shown(low, 3), mm(high)))
+            }
             Cause::NoGreatestSpeed { asked, most } | Cause::TooFast { asked, most } => (rpm(asked), rpm(most)),
             Cause::PartedOff(volume) => (format!("{} mm³", shown(volume, 1)), String::new()),
             _ => (self.depth.map(mm).unwrap_or_default(), String::new()),

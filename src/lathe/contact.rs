@@ -32,8 +32,17 @@ pub struct Contact {
     pub dragged: Option<f64>,
     /// Where, `[z, r]`.
     pub place: [f64; 2],
-    /// The greatest radius at which metal was met.
-    pub radius: f64,
+}
+
+/// What a part of a cutter met on its way, more than a film; mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bite {
+    /// How far along the way the first of the metal lies.
+    pub along: f64,
+    /// Between which distances outwards from the programmed point it lies, measured across the way.
+    pub reach: [f64; 2],
+    /// Its least and its greatest radius.
+    pub metal: [f64; 2],
 }
 
 /// How deep a polygon was in the metal, mm, and where: the greatest distance of the outline taken away from the new one or
@@ -210,13 +219,24 @@ fn ordered([one, two]: [f64; 2]) -> [f64; 2] {
     [one.min(two), one.max(two)]
 }
 
+/// What was met, with the distances outwards as they are.
+fn bite(meeting: &Meeting, ride: &Ride) -> Bite {
+    let ends = || meeting.removed.iter().flat_map(|one| [one.from, one.to]);
+    let span = |of: &dyn Fn([f64; 2]) -> f64| {
+        ends().map(of).fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+    };
+    let [along, _] = span(&|end| {
+        let [z, r] = ride.flip(end);
+        ride.way[0] * (z - ride.from[0]) + ride.way[1] * (r - ride.from[1])
+    });
+    Bite { along, reach: span(&|end| ride.flip(end)[1] - ride.from[1]), metal: span(&|[_, r]| r) }
+}
+
 impl Contact {
-    /// Adds what a part of a cutter met on its way.
-    pub fn add(&mut self, meeting: &Meeting, ride: &Ride) {
-        let most = |most: f64, one: &Stretch| most.max(one.from[1]).max(one.to[1]);
-        self.radius = meeting.removed.iter().fold(self.radius, most);
+    /// Adds what a part of a cutter met on its way; `None` for a film.
+    pub fn add(&mut self, meeting: &Meeting, ride: &Ride) -> Option<Bite> {
         if film(meeting) < TOUCH / 2.0 {
-            return;
+            return None;
         }
         let mut cut = [f64::INFINITY, f64::NEG_INFINITY];
         for stretch in meeting.removed.iter().chain(meeting.inserted.iter().map(|(stretch, _)| stretch)) {
@@ -231,15 +251,15 @@ impl Contact {
         self.real = true;
         self.judge_backs(meeting, ride, cut);
         self.judge_surface(meeting, ride);
+        // The normal to the left of a way [dz, dr] is [-dr, dz].
+        Some(Bite { reach: ordered(cut.map(|aside| aside * ride.way[0])), ..bite(meeting, ride) })
     }
 
-    /// Adds what a threading cutter met in one place of a thread: how deep, against its profile.
-    pub fn add_rib(&mut self, meeting: &Meeting, ride: &Ride) {
+    /// Adds what a threading cutter met in one place of a thread: how deep, against its profile; `None` for a film.
+    pub fn add_rib(&mut self, meeting: &Meeting, ride: &Ride) -> Option<Bite> {
         if film(meeting) < TOUCH / 2.0 {
-            return;
+            return None;
         }
-        let most = |most: f64, one: &Stretch| most.max(one.from[1]).max(one.to[1]);
-        self.radius = meeting.removed.iter().fold(self.radius, most);
         let place = meeting.removed.first().map_or(self.place, |one| ride.flip(one.from));
         // From the tip, in the direction of the profile.
         let all = meeting.removed.iter().flat_map(|one| [one.from, one.to]).map(|end| ride.flip(end)[1] - ride.from[1]);
@@ -254,6 +274,7 @@ impl Contact {
         if deep > profile + TOUCH {
             self.edge = Some(profile);
         }
+        Some(Bite { along: 0.0, ..bite(meeting, ride) })
     }
 
     /// Edges without a cutting edge that look forward, and metal ahead of them. Where a cutting edge beside them faces the

@@ -134,7 +134,7 @@ impl Tool {
             let place = |point: [f64; 2]| self.place(point);
             let points: Vec<_> = points.into_iter().map(place).collect();
             let polygon = Convex::hull_mm(&points)
-                .ok_or_else(|| refuse("la plaquita no tiene superficie", "the insert has no area"))?;
+                .ok_or_else(|| refuse("la placa no tiene superficie", "the insert has no area"))?;
             let marks: Vec<_> = (marks.into_iter())
                 .map(|mark| match mark {
                     Mark::Line(from, to, role) => Mark::Line(self.place(from), self.place(to), role),
@@ -173,7 +173,7 @@ impl Tool {
                 let sum = main + auxiliary + shape.angle();
                 if !round && ((sum - 180.0).abs() > 0.5 || auxiliary < 0.0 || main <= 0.0) {
                     return bad(
-                        "φ1 + φ2 + el ángulo de la plaquita no son 180°",
+                        "φ1 + φ2 + el ángulo de la placa no son 180°",
                         "φ1 + φ2 + the insert's angle are not 180°",
                     );
                 }
@@ -221,10 +221,7 @@ impl Tool {
     /// origin and the body along +z.
     fn parts(&self, tolerance: f64) -> Result<Vec<Marked>, Text> {
         let large = || {
-            refuse(
-                "el radio de punta es demasiado grande para la plaquita",
-                "the nose radius is too large for the insert",
-            )
+            refuse("el radio de punta es demasiado grande para la placa", "the nose radius is too large for the insert")
         };
         let one = |points, marks| Ok(vec![(points, marks)]);
         match self.cutter {

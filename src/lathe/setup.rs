@@ -3,8 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::{CellPlace, Finding, Place};
+use crate::gcode::control::Control;
 use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
 use crate::gcode::interpreter::{DecimalPoint, Setting, Tool as Offset, Tools};
+use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::lathe::machine::{Chuck, Lathe};
 use crate::lathe::parameters::TOOLS_KEY;
@@ -47,7 +49,13 @@ pub struct Given {
     first_offset: u32,
     /// The zeros W2 to W6, `[X as a radius, Z]` from M, where they are given.
     zeros: [[f64; 2]; 5],
+    /// Of each of them that has no Z its empty cells; no cell where there is no workbook.
+    empty: BTreeMap<u8, Vec<CellPlace>>,
 }
+
+/// The cells of W2 to W6, X and Z.
+const ZEROS: [[&str; 2]; 5] =
+    [["W2_X", "W2_Z"], ["W3_X", "W3_Z"], ["W4_X", "W4_Z"], ["W5_X", "W5_Z"], ["W6_X", "W6_Z"]];
 
 impl Given {
     /// The set-up of a filled-in form.
@@ -169,8 +177,16 @@ impl Given {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let zeros = [["W2_X", "W2_Z"], ["W3_X", "W3_Z"], ["W4_X", "W4_Z"], ["W5_X", "W5_Z"], ["W6_X", "W6_Z"]]
-            .map(|[X, Z]| [real(X) / 2.0, real(Z)]);
+        let zeros = ZEROS.map(|[X, Z]| [real(X) / 2.0, real(Z)]);
+        // An X that is not given is 0, on the axis; a Z has no such place.
+        let empty = (2..)
+            .zip(ZEROS)
+            .filter(|(_, [_, Z])| values.real(Z).is_none())
+            .map(|(system, keys)| {
+                let empty = keys.into_iter().filter(|key| values.real(key).is_none());
+                (system, empty.filter_map(|key| values.cells.get(key).cloned()).collect())
+            })
+            .collect();
         Ok(Self {
             setup: Setup { lathe, stock, turret: Turret { tools, body: None }, tolerance, part: None, record: false },
             dialect,
@@ -181,7 +197,48 @@ impl Given {
             offsets,
             first_offset,
             zeros,
+            empty,
         })
+    }
+
+    /// The stop of a motion whose coordinates count from the machine's zero M, for the zero of the system in force is not
+    /// given. `None` where it is, and where the program has put the system somewhere itself, with G50 or with G54 to G59 and
+    /// X or Z: the program's zero then is what is left of the machine's position without the position in the program and
+    /// without the tool's offset, and not 0.
+    #[must_use]
+    pub fn without_zero(&self, motion: &Motion, control: &Control) -> Option<Finding> {
+        let cells = self.empty.get(&control.system)?;
+        let offset = self.offsets.get(&control.offset).map_or(0.0, |tool| tool.offset.get(Axis::Z));
+        let origin = motion.machine.get(Axis::Z) - motion.to.get(Axis::Z) - offset;
+        if origin.abs() > 1e-6 {
+            return None;
+        }
+        let code = System::from_number(control.system.into())?.name();
+        let W = format!("W{}", control.system);
+        let place = Place::Line { line: motion.line, columns: Vec::new() };
+        if cells.is_empty() {
+            return Some(Finding::stop(
+                place,
+                Text::new(
+                    format!("se usa {code}, pero sin libro no se sabe dónde está {W}"),
+                    format!("{code} is used, but without a workbook it is not known where {W} is"),
+                ),
+                Text::new(
+                    format!("indique con --tools un libro de torno con {W}, o use G54"),
+                    format!("name a lathe workbook with {W} with --tools, or use G54"),
+                ),
+            ));
+        }
+        let names: Vec<String> = cells.iter().map(|cell| format!("{}!{}", cell.sheet, cell.cell)).collect();
+        let names = names.join(", ");
+        Some(Finding::stop(
+            place,
+            Text::new(
+                format!("se usa {code}, pero {W} está vacío en el libro: {names}"),
+                format!("{code} is used, but {W} is empty in the workbook: {names}"),
+            ),
+            Text::new(format!("rellene {names}, o use G54"), format!("fill in {names}, or use G54")),
+        ))
     }
 
     /// The reference point, where the turret stands at the start and to which G28 goes, `[X as a radius, Z]` from M: 30 mm

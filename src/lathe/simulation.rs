@@ -3,17 +3,17 @@
 use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
-use super::contact::{Contact, Ride, depth};
+use super::contact::{Bite, Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
-use super::spindle::{Turning, revolutions};
+use super::spindle::{Engaged, Turning, extent, revolutions, ribs};
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, Stock};
 use super::tool::{Cutter, Tool};
 use super::turret::Turret;
 use super::watch::Watch;
-use super::workpiece::{Removed, Workpiece};
+use super::workpiece::{CHIP, Removed, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::control::{Control, Speed};
 use crate::gcode::motion::{Feed, Kind, Motion, Thread};
@@ -48,6 +48,13 @@ impl Setup {
     pub const fn new(lathe: Lathe, stock: Stock, turret: Turret) -> Self {
         Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false }
     }
+
+    /// What stands still about the work; the jaws are closed on the part where there is one.
+    #[must_use]
+    pub fn fixtures(&self) -> Vec<(Fixture, Ring)> {
+        let grip = self.part.as_deref().and_then(|part| self.stock.grip(&self.lathe, part));
+        self.stock.fixtures(&self.lathe, grip.map_or(self.stock.diameter, |grip| grip.diameter))
+    }
 }
 
 /// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
@@ -55,8 +62,6 @@ impl Setup {
 const WITHIN: f64 = 780.0;
 /// The most a tool's outline may reach from its programmed point to stay on the grid with that.
 const REACH: f64 = 290.0;
-/// The most ribs of a thread's pass.
-const RIBS: u32 = 100_000;
 
 /// A tool made ready.
 #[derive(Debug)]
@@ -79,6 +84,8 @@ pub struct Simulation {
     totals: Totals,
     steps: usize,
     contour: Ring,
+    /// The last cut parted a piece off, and this is it.
+    fallen: Vec<Ring>,
     /// The thread that the last motion cut.
     led: Option<Led>,
     /// The tool that stands where it worked last, `[z, r]` on the grid.
@@ -104,10 +111,25 @@ struct Tally<'a> {
     index: usize,
     /// From `[z, r]` on the grid to program coordinates.
     shift: [f64; 2],
+    turning: Turning,
+    /// Where the programmed point is when the cut begins, `[z, r]` on the grid.
+    begins: Option<[f64; 2]>,
+    /// The greatest cutting speed, m/min.
+    speed: f64,
     alarms: Vec<Alarm>,
 }
 
 impl Tally<'_> {
+    /// Notes what a cutter met on its way along a piece, on this side of the axis or mirrored across it.
+    fn met(&mut self, Bite { along, reach: [low, high], metal }: Bite, [from, to]: Piece, mirrored: bool) {
+        let long = hypot(to[0] - from[0], to[1] - from[1]);
+        let part = if long > 0.0 { (along / long).clamp(0.0, 1.0) } else { 0.0 };
+        self.begins.get_or_insert([0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part));
+        let (side, reach) = if mirrored { (-1.0, [-high, -low]) } else { (1.0, [low, high]) };
+        let engaged = Engaged { from: side * from[1], to: side * to[1], shift: side * self.shift[1], reach, metal };
+        self.speed = self.speed.max(self.turning.cutting_speed(&engaged));
+    }
+
     fn raise(&mut self, cause: Cause, [z, r]: [f64; 2], depth: Option<f64>) {
         let place = [2.0 * (r + self.shift[1]), z + self.shift[0]];
         // Of one cause in one motion, the deepest.
@@ -174,7 +196,7 @@ impl Simulation {
         let (Some(part), true) = (part, faults.is_empty()) else {
             return Err(Refusal { exit: Exit::Refused, findings: faults });
         };
-        let fixtures = (setup.stock.fixtures(&setup.lathe).into_iter())
+        let fixtures = (setup.fixtures().into_iter())
             .filter_map(|(fixture, ring)| {
                 let near = |at: f64| at.clamp(-1070.0, 1070.0);
                 let ring: Vec<_> = ring.iter().map(|&[z, r]| [near(z - middle), near(r)]).collect();
@@ -192,6 +214,7 @@ impl Simulation {
             totals: Totals::default(),
             steps: 0,
             contour: Ring::new(),
+            fallen: Vec::new(),
             led: None,
             stands: None,
             pieces: Vec::new(),
@@ -211,6 +234,18 @@ impl Simulation {
     #[must_use]
     pub fn contours(&self) -> Vec<Ring> {
         let mut rings = self.part.rings();
+        rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
+        rings
+    }
+
+    /// What the program makes, contours as [`Self::contours`] gives them: the piece that its last cut has parted off, of one
+    /// piece; else what is in the chuck. A program that goes on cutting after a piece has fallen off makes what is left.
+    #[must_use]
+    pub fn product(&self) -> Vec<Ring> {
+        if self.fallen.is_empty() {
+            return self.contours();
+        }
+        let mut rings = self.fallen.clone();
         rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
         rings
     }
@@ -253,8 +288,9 @@ impl Simulation {
         let mut pieces = std::mem::take(&mut self.pieces);
         path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
 
-        let mut tally = Tally { motion, index: self.steps, shift, alarms: Vec::new() };
         let turning = Turning::new(control, lathe);
+        let mut tally =
+            Tally { motion, index: self.steps, shift, turning, begins: None, speed: 0.0, alarms: Vec::new() };
         let seconds = match motion.kind {
             Kind::Rapid => None,
             _ => motion.seconds,
@@ -270,6 +306,12 @@ impl Simulation {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
         }
 
+        if removed.parted > 0.0 {
+            self.fallen = self.part.fallen().to_vec();
+        } else if motion.kind != Kind::Rapid && removed.volume > CHIP {
+            self.fallen.clear();
+        }
+
         let start = pieces.first().map_or(to, |piece| piece[0]);
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
@@ -277,7 +319,7 @@ impl Simulation {
         if !pieces.is_empty() {
             self.stands = (motion.kind != Kind::Rapid).then_some((control.tool, to));
         }
-        let cutting_speed = if cuts { cutting_speed(control, &contact, speed) } else { 0.0 };
+        let cutting_speed = if cuts { tally.speed } else { 0.0 };
         let rate = match seconds {
             Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
             _ => None,
@@ -321,12 +363,15 @@ impl Simulation {
             removed.volume += more.volume;
             removed.parted += more.parted;
         };
-        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex| {
+        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex, tally: &mut Tally| {
             let Some(at) = Point::near(at) else { return };
             for cutter in &ready.outline.cutter {
                 if cutter.polygon.sweep(at, at, swept) {
                     add(part.cut(swept, |meeting, mirrored| {
-                        contact.add_rib(meeting, &Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored });
+                        let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
+                        if let Some(bite) = contact.add_rib(meeting, &ride) {
+                            tally.met(bite, [at.mm(); 2], mirrored);
+                        }
                     }));
                 }
             }
@@ -336,7 +381,7 @@ impl Simulation {
                 // Blocks of a thread that follow one another go on in its revolution; a new pass begins with one.
                 let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
                 let left = goes_on.map_or(0.0, |led| led.left);
-                ribs(thread, piece, left).for_each(|at| ring(at, part, swept));
+                ribs(thread, piece, left).for_each(|at| ring(at, part, swept, tally));
                 let length = extent(piece);
                 let turned = revolutions(thread, length).unwrap_or(0.0) - left;
                 let left = if thread.lead > 0.0 { turned.ceil() - turned } else { 0.0 };
@@ -348,7 +393,7 @@ impl Simulation {
             && near(led.at, from)
         {
             // Where the thread ends in metal, the spindle turns on while the tool stands: there it cuts a ring.
-            ring(from, part, swept);
+            ring(from, part, swept, tally);
         }
         for &piece in pieces {
             let [from, to] = piece;
@@ -373,7 +418,10 @@ impl Simulation {
                             tally.raise(cause, place, Some(deep));
                         }
                     } else {
-                        contact.add(meeting, &Ride { part: cutter, from: first.mm(), way, mirrored });
+                        let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
+                        if let Some(bite) = contact.add(meeting, &ride) {
+                            tally.met(bite, [first.mm(), last.mm()], mirrored);
+                        }
                     }
                 }));
             }
@@ -446,7 +494,7 @@ impl Simulation {
             (Cause::OffAxis, ready.tool.axial() && start[1].abs().max(end[1].abs()) > TOUCH),
         ] {
             if watch.begins(cause, holds, control.tool) {
-                tally.raise(cause, contact.place, None);
+                tally.raise(cause, tally.begins.unwrap_or(start), None);
             }
         }
         if let Some(edge) = contact.edge {
@@ -506,27 +554,6 @@ fn near(one: [f64; 2], two: [f64; 2]) -> bool {
     hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
 }
 
-/// How far a piece goes along the axis that moves more, mm.
-fn extent([from, to]: Piece) -> f64 {
-    (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
-}
-
-/// Where a thread's tool stands each time the same side of the work comes past it: once the revolution that had begun is
-/// over, of which `left` is left as a share, and then a lead on after each one; `[z, r]`.
-fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2]> {
-    let ([from, to], length) = (piece, extent(piece));
-    let step = [to[0] - from[0], to[1] - from[1]];
-    let turns =
-        revolutions(thread, length).filter(|_| length > 0.0).map_or(-1.0, |turns| (turns - left + 1e-9).floor());
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
-    let count = (turns + 1.0).clamp(0.0, f64::from(RIBS)) as u32;
-    (0..count).map(move |turn| {
-        let k = f64::from(turn) + left;
-        let part = (thread.lead * k + thread.change * k * k / 2.0) / length;
-        [from[0] + step[0] * part, from[1] + step[1] * part]
-    })
-}
-
 /// Raises what runs into something that stands.
 fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, tally: &mut Tally) {
     let (low, high) = swept.extent();
@@ -555,17 +582,5 @@ fn travel(tally: &mut Tally, pieces: &[Piece], to_reference: [f64; 2], lathe: &L
                 tally.raise(Cause::Travel(axis), *point, Some(over));
             }
         }
-    }
-}
-
-/// The greatest cutting speed, m/min: π d n at the greatest diameter met, with the speed of the spindle there. At a
-/// constant surface speed that speed belongs to the programmed point's diameter, and falls off as the diameter grows.
-fn cutting_speed(control: &Control, contact: &Contact, speed: [f64; 2]) -> f64 {
-    let at_rim = |n: f64| 2.0 * std::f64::consts::PI * contact.radius * n / 1000.0;
-    let [low, high] = [speed[0].min(speed[1]), speed[0].max(speed[1])];
-    match control.speed {
-        Speed::Revolutions(_) => at_rim(high),
-        // While the diameter changes, the rim is where the spindle is slowest.
-        Speed::Surface(_) => at_rim(low),
     }
 }

@@ -8,6 +8,9 @@ use crate::gcode::control::{Control, Speed, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion, Thread};
 use crate::number::trig::hypot;
 
+/// The most ribs of a thread's pass.
+const RIBS: u32 = 100_000;
+
 /// The spindle during a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
@@ -15,6 +18,21 @@ pub struct Turning {
     /// The greatest speed that program and machine allow, rpm.
     limit: f64,
     stopped: bool,
+}
+
+/// A tool on a straight way in a cut; radii and lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Engaged {
+    /// The radius at which the tool's point starts.
+    pub from: f64,
+    /// And where it ends.
+    pub to: f64,
+    /// What the program's radius is more than that: the program's zero need not lie on the axis.
+    pub shift: f64,
+    /// Between which distances outwards from the tool's point the cut lies.
+    pub reach: [f64; 2],
+    /// The least and the greatest radius of the metal that is met.
+    pub metal: [f64; 2],
 }
 
 impl Turning {
@@ -43,6 +61,31 @@ impl Turning {
         // The limit holds on the axis too, where a surface speed of 0 asks for no number.
         let asked = self.asked(radius);
         if asked.is_nan() { 0.0 } else { asked.min(self.limit) }
+    }
+
+    /// The greatest cutting speed in m/min, π d n with n and d of the same moment, while a tool goes straight along a cut.
+    ///
+    /// The cutting edge is taken as a line across the way, as for the depth of cut: with the tool at the radius r it meets
+    /// metal between r + low and r + high, and of it only what lies between the least and the greatest radius of the metal.
+    /// At a constant surface speed n is 1000 V/(2π |r + shift|) up to the limit; so n times that diameter grows or falls
+    /// all along between the ends of the cut, the radius where the limit is reached, and the one where the edge leaves the
+    /// metal: the greatest is at one of them. Derived here.
+    #[must_use]
+    pub fn cutting_speed(&self, cut: &Engaged) -> f64 {
+        let Engaged { from, to, shift, reach: [low, high], metal: [least, greatest] } = *cut;
+        let [first, last] = [from.min(to), from.max(to)];
+        // A nose may meet metal from where the line across its point does not reach any yet.
+        let start = (least - high).clamp(first, last);
+        let end = (greatest - low).clamp(start, last);
+        let limited = self.asked(1.0) / self.limit;
+        [start, end, limited - shift, -limited - shift, greatest - high, 0.0]
+            .into_iter()
+            .filter(|at| (start..=end).contains(at))
+            .map(|at| {
+                let rim = (at + low).abs().max((at + high).abs()).clamp(least, greatest);
+                2.0 * PI * rim * self.at(at + shift) / 1000.0
+            })
+            .fold(0.0, f64::max)
     }
 
     /// Minutes a revolution, on average while the programmed point goes straight from one radius to another; infinite
@@ -116,6 +159,28 @@ pub fn revolutions(thread: Thread, length: f64) -> Option<f64> {
     (under >= 0.0).then(|| 2.0 * length / (lead + under.sqrt()))
 }
 
+/// How far a piece goes along the axis that moves more, mm.
+#[must_use]
+pub fn extent([from, to]: Piece) -> f64 {
+    (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
+}
+
+/// Where a thread's tool stands each time the same side of the work comes past it: once the revolution that had begun is
+/// over, of which `left` is left as a share, and then a lead on after each one; `[z, r]`.
+pub fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f64; 2]> {
+    let ([from, to], length) = (piece, extent(piece));
+    let step = [to[0] - from[0], to[1] - from[1]];
+    let turns =
+        revolutions(thread, length).filter(|_| length > 0.0).map_or(-1.0, |turns| (turns - left + 1e-9).floor());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
+    let count = (turns + 1.0).clamp(0.0, f64::from(RIBS)) as u32;
+    (0..count).map(move |turn| {
+        let k = f64::from(turn) + left;
+        let part = (thread.lead * k + thread.change * k * k / 2.0) / length;
+        [from[0] + step[0] * part, from[1] + step[1] * part]
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -128,6 +193,38 @@ mod tests {
         }
         assert_eq!(revolutions(Thread { lead: 1.0, change: -0.5 }, 1.5), None, "it never gets there");
         assert_eq!(revolutions(Thread { lead: 0.0, change: 0.0 }, 1.5), None);
+    }
+
+    #[test]
+    fn a_cutting_speed_is_that_of_one_moment() {
+        let turning = |speed, greatest_speed| {
+            let control = Control { speed, spindle: Spindle::Clockwise, greatest_speed, ..Control::default() };
+            Turning::new(&control, &Lathe::default())
+        };
+        let surface = turning(Speed::Surface(180.0), Some(2500.0));
+        let facing = Engaged { from: 40.0, to: -0.8, shift: 0.0, reach: [0.0, 0.0], metal: [0.0, 25.0] };
+        let near = |value: f64, wanted: f64| assert!((value - wanted).abs() < 1e-9, "{value} {wanted}");
+        // Ø50 faced from X80 over the axis: at each moment the metal is at the programmed diameter.
+        near(surface.cutting_speed(&facing), 180.0);
+        // Ø50 turned at X40: the surface of the bar goes by faster than the programmed point.
+        let along = Engaged { from: 20.0, to: 20.0, reach: [0.0, 5.0], metal: [20.0, 25.0], ..facing };
+        near(surface.cutting_speed(&along), 180.0 * 25.0 / 20.0);
+        // Bored to X40 from X30: the programmed point is the farthest out.
+        near(surface.cutting_speed(&Engaged { reach: [-5.0, 0.0], metal: [15.0, 20.0], ..along }), 180.0);
+        // A drill on the axis turns at the limit.
+        let drill = Engaged { from: 0.0, to: 0.0, reach: [0.0, 6.0], metal: [0.0, 6.0], ..facing };
+        near(surface.cutting_speed(&drill), PI * 12.0 * 2.5);
+        // Within the limit all the way in the speed is that of the limit at the outside.
+        near(turning(Speed::Surface(180.0), Some(500.0)).cutting_speed(&facing), PI * 50.0 * 0.5);
+        near(turning(Speed::Revolutions(1000.0), None).cutting_speed(&facing), PI * 50.0);
+        near(surface.cutting_speed(&Engaged { to: 30.0, metal: [24.8, 25.0], ..facing }), 180.0 * 25.0 / 30.0);
+        // A cut down a cone, the sum over small steps.
+        let cone = Engaged { from: 25.0, to: 8.0, shift: 0.5, reach: [-0.3, 2.0], metal: [8.0, 25.0] };
+        let wanted = (0..=200_000)
+            .map(|step| 25.0 - 17.0 * f64::from(step) / 200_000.0)
+            .map(|at| surface.at(at + 0.5) * 2.0 * PI * (at + 2.0).min(25.0) / 1000.0)
+            .fold(0.0, f64::max);
+        assert!((surface.cutting_speed(&cone) / wanted - 1.0).abs() < 1e-4);
     }
 
     #[test]

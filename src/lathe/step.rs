@@ -72,6 +72,14 @@ pub struct Step {
     pub edit: Option<Edit>,
 }
 
+impl Step {
+    /// True of a motion that cuts: it takes metal away, and not at rapid, which is an alarm and no cut.
+    #[must_use]
+    pub fn cuts(&self) -> bool {
+        self.motion.kind != Kind::Rapid && self.removed.volume > 0.0
+    }
+}
+
 /// A sum over motions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Total {
@@ -106,7 +114,7 @@ impl Total {
                 self.seconds += seconds;
                 if step.motion.kind == Kind::Rapid {
                     self.rapid_seconds += seconds;
-                } else if step.removed.volume > 0.0 {
+                } else if step.cuts() {
                     self.cutting_seconds += seconds;
                 }
             }
@@ -114,8 +122,7 @@ impl Total {
         }
         self.volume += step.removed.volume;
         self.parted += step.removed.parted;
-        // Metal at rapid is an alarm and no cut.
-        if step.motion.kind != Kind::Rapid {
+        if step.cuts() {
             self.depth = self.depth.max(step.depth);
             self.rate = self.rate.max(step.rate.unwrap_or(0.0));
             self.cutting_speed = self.cutting_speed.max(step.cutting_speed);

@@ -122,11 +122,36 @@ impl Stock {
         vec![[left, low], [right, low], [right, high], [left, high]]
     }
 
-    /// What stands still about the blank, as convex polygons of `[z, r]`: body of the chuck, jaws, and the quill where it
-    /// supports the blank.
+    /// Between which Z the jaws hold: along their length, or along L4 where they have none.
     #[must_use]
-    pub fn fixtures(&self, lathe: &Lathe) -> Vec<(Fixture, Ring)> {
-        let (chuck, work) = (&lathe.chuck, self.diameter / 2.0);
+    pub fn held(&self, lathe: &Lathe) -> [f64; 2] {
+        let face = self.facing - self.overhang;
+        let long = if lathe.chuck.jaws > 0.0 { lathe.chuck.jaws } else { self.length - self.overhang };
+        [face - long, face]
+    }
+
+    /// How the jaws hold a part, contours from W1: they close on the greatest diameter of what lies between them, and hold it
+    /// where the contour is within 0.02 mm of it. `None` where no metal lies between them.
+    #[must_use]
+    pub fn grip(&self, lathe: &Lathe, part: &[Ring]) -> Option<Grip> {
+        let [left, right] = self.held(lathe);
+        // What of each edge lies between the jaws.
+        let edges: Vec<[[f64; 2]; 2]> = part
+            .iter()
+            .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)))
+            .filter_map(|(&from, &to)| within([from, to], 0, left, right))
+            .collect();
+        let top = edges.iter().flatten().map(|point| point[1]).fold(0.0, f64::max);
+        let along =
+            |edge: [[f64; 2]; 2]| within(edge, 1, top - FLAT, top).map_or(0.0, |[from, to]| (to[0] - from[0]).abs());
+        (top > 0.0).then(|| Grip { diameter: 2.0 * top, length: edges.into_iter().map(along).sum() })
+    }
+
+    /// What stands still about the work, as convex polygons of `[z, r]`: body of the chuck, jaws closed on a diameter, and
+    /// the quill where it supports the blank.
+    #[must_use]
+    pub fn fixtures(&self, lathe: &Lathe, gripped: f64) -> Vec<(Fixture, Ring)> {
+        let (chuck, work) = (&lathe.chuck, gripped / 2.0);
         let face = self.facing - self.overhang;
         let front = face - chuck.jaws;
         let boxed = |z: [f64; 2], r: [f64; 2]| vec![[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]];
@@ -145,6 +170,29 @@ impl Stock {
     }
 }
 
+/// How the jaws hold a part, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grip {
+    /// The diameter that they close on.
+    pub diameter: f64,
+    /// How much of their length they hold it along.
+    pub length: f64,
+}
+
+/// How far below the greatest diameter, in radius, the jaws still hold, mm: what jaws and part give way.
+const FLAT: f64 = 0.02;
+
+/// The part of an edge on which one of its coordinates is within bounds; `None` where there is none.
+fn within([from, to]: [[f64; 2]; 2], axis: usize, low: f64, high: f64) -> Option<[[f64; 2]; 2]> {
+    let step = to[axis] - from[axis];
+    if step == 0.0 {
+        return (from[axis] >= low && from[axis] <= high).then_some([from, to]);
+    }
+    let [one, two] = [low, high].map(|bound| (bound - from[axis]) / step);
+    let (start, end) = (one.min(two).max(0.0), one.max(two).min(1.0));
+    (start <= end).then(|| [start, end].map(|part| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part)))
+}
+
 /// What stands still about the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fixture {
@@ -156,7 +204,7 @@ pub enum Fixture {
     Tailstock,
 }
 
-/// A part turned about for its second set-up: mirrored along Z about the middle of the original blank, then shifted; the
+/// A part, of a bar the piece that was parted off, turned about for its second set-up: mirrored along Z about the middle of the original blank, then shifted; the
 /// work zeros stay. Contours counter-clockwise, holes clockwise, as the removal gives them and takes them.
 #[must_use]
 pub fn turned_about(rings: &[Ring], stock: &Stock, shift: f64) -> Vec<Ring> {

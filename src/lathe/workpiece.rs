@@ -8,7 +8,7 @@ use crate::geometry::exact::region::{Region, Ring};
 use crate::geometry::revolution::{frustum, volume};
 
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
-const CHIP: f64 = 1.0;
+pub const CHIP: f64 = 1.0;
 
 /// What a cut took away.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,13 +26,15 @@ pub struct Workpiece {
     meeting: Meeting,
     /// A cut has come through, and what is loose has not fallen off yet.
     apart: bool,
+    /// What fell off last, if it was one piece.
+    fallen: Vec<Ring>,
 }
 
 impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
-        Self { region: Region::new(rings), meeting: Meeting::default(), apart: false }
+        Self { region: Region::new(rings), meeting: Meeting::default(), apart: false, fallen: Vec::new() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -45,6 +47,12 @@ impl Workpiece {
     #[must_use]
     pub fn volume(&self) -> f64 {
         self.region.rings().iter().map(|ring| volume(ring)).sum()
+    }
+
+    /// The contours of the piece that fell off last, mm; none where nothing has or where it was more than one.
+    #[must_use]
+    pub fn fallen(&self) -> &[Ring] {
+        &self.fallen
     }
 
     /// How many edges its contours have.
@@ -87,11 +95,14 @@ impl Workpiece {
     pub fn drop_loose(&mut self) -> Removed {
         let mut removed = Removed::default();
         if std::mem::take(&mut self.apart) {
-            let pieces: f64 = self.region.keep_first().iter().map(|ring| volume(ring)).sum();
+            let fallen = self.region.keep_first();
+            let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
             if pieces < CHIP {
                 removed.volume += pieces;
             } else {
                 removed.parted += pieces;
+                let one = fallen.iter().filter(|ring| volume(ring) >= CHIP).count() == 1;
+                self.fallen = if one { fallen } else { Vec::new() };
             }
         }
         removed

@@ -84,7 +84,7 @@ impl Watching {
         program.tools = tools(setup);
         program.known = true;
         let mut turning = Turning::new(simulation.contours());
-        let fixtures = setup.stock.fixtures(&setup.lathe);
+        let fixtures = setup.fixtures();
         turning.fixtures = fixtures
             .into_iter()
             .map(|(fixture, outline)| Fixture { name: name(fixture), outline: upper(&outline) })

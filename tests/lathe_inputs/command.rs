@@ -40,8 +40,8 @@ fn the_document_has_these_keys_and_these_units() {
     assert_eq!(
         keys,
         [
-            "command", "dialect", "exit", "files", "findings", "motions", "program", "rodete", "sha256", "status",
-            "stock", "totals"
+            "alarms", "command", "dialect", "exit", "files", "findings", "motions", "program", "rodete", "sha256",
+            "status", "stock", "totals"
         ]
     );
     for (key, wanted) in
@@ -76,6 +76,29 @@ fn the_document_has_these_keys_and_these_units() {
     assert!(total("time_s") > total("cutting_time_s") + total("rapid_time_s"));
     // Seven to the bar and along it, one away, and a pass of four.
     assert_eq!(document["motions"], 6);
+}
+
+#[test]
+fn the_alarms_of_the_document_are_figures() {
+    let folder = bench("N10 G0 X40. Z-10.|N20 X54.");
+    let said = simulate(folder.path(), &["--stock", "D50xL120", "--json"]);
+    let document: Json = serde_json::from_str(&said.out).unwrap();
+    let alarms = document["alarms"].as_array().unwrap();
+    assert_eq!(
+        (&document["totals"]["alarms"], &document["totals"]["stops"]),
+        (&Json::from(alarms.len()), &Json::from(alarms.len()))
+    );
+    let first = &alarms[0];
+    let keys: Vec<_> = first.as_object().unwrap().keys().map(String::as_str).collect();
+    assert_eq!(keys, ["block", "depth_mm", "file", "grade", "line", "number", "text", "x_mm", "z_mm"]);
+    assert_eq!(
+        (&first["number"], &first["line"], &first["block"]),
+        (&Json::from(101), &Json::from(6), &Json::from(10))
+    );
+    assert_eq!((&first["grade"], &first["file"]), (&Json::from("stop"), &Json::Null));
+    assert_eq!(first["text"]["es"], "Avance rápido a través del material");
+    assert!(first["depth_mm"].as_f64().unwrap() > 4.0 && first["z_mm"].as_f64().unwrap() < 0.0, "{first}");
+    assert!((40.0..=50.0).contains(&first["x_mm"].as_f64().unwrap()), "{first}");
 }
 
 #[test]
@@ -127,7 +150,7 @@ fn a_stock_that_is_none_is_refused_before_anything_is_read() {
         ("D5000xL100", "D5000 is out of range"),
         ("D50xL100xd50", "the bore d must be less than D"),
         ("D50xL100xL2", "L is given twice"),
-        ("D50,5xL100", "'D50,5' is no size"),
+        ("D50,5xL100", "'D50,5': write the decimal with a point, D50.5"),
         ("DnanxL100", "'Dnan' is no size"),
         ("D-50xL100", "'D-50' is no size"),
     ] {

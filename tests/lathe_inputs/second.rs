@@ -126,3 +126,56 @@ fn the_second_set_up_takes_away_nothing_that_is_gone() {
     let (_folder, document, _) = build(&book.bytes());
     near(quantity(&document, "V_r"), ring(50.0, 40.0, 60.0) + ring(50.0, 44.0, 60.0));
 }
+
+/// The findings on how the jaws hold the part in the second set-up.
+fn held(book: &Book) -> (Vec<String>, Vec<String>, i32) {
+    let (_folder, document, exit) = build(&book.bytes());
+    let (held, others) = lines(&document).into_iter().partition(|line| line.contains("second set-up"));
+    (held, others, exit)
+}
+
+#[test]
+fn the_jaws_close_on_what_is_left_of_the_part() {
+    let new = || Book::new(&program(FIRST)).sharp().second(&program("G0 X100."));
+    // Between the jaws, from Z-130 to Z-90, is the neck of 40 mm up to its end at Z-120.
+    let (found, _, exit) = held(&new());
+    assert_eq!(
+        (found, exit),
+        (vec!["note DATA!C48 DATA!C19 in the second set-up the jaws close on X40 and hold 30 mm".to_owned()], 0)
+    );
+    // At the end of the bar they hold 2 mm, and a part pushed out of them they do not hold.
+    let (found, _, exit) = held(&new().put("Z_s", Value::Real(28.0)));
+    assert_eq!(
+        found,
+        ["caution DATA!C48 DATA!C19 in the second set-up the jaws, closed on X40, hardly hold the part along Z"]
+    );
+    assert_eq!(exit, 0);
+    let (found, _, exit) = held(&new().put("Z_s", Value::Real(29.5)));
+    assert!(
+        found[0].starts_with("stop DATA!C48 DATA!C19 in the second set-up the jaws, closed on X40, hardly"),
+        "{found:?}"
+    );
+    assert_eq!(exit, 3);
+    let (found, others, exit) = held(&new().put("Z_s", Value::Real(500.0)));
+    assert_eq!(
+        found,
+        ["stop DATA!C48 DATA!C19 in the second set-up there is no metal between the jaws: nothing holds the part"]
+    );
+    assert_eq!(exit, 3);
+    assert!(!others.iter().any(|line| line.starts_with("stop")), "what follows is not judged: {others:?}");
+}
+
+#[test]
+fn collisions_are_judged_with_the_jaws_where_they_close() {
+    // The neck is 40 mm wide and 100 long: the jaws, from X40 to X120 in front of Z-90, are closed farther in than on the bar.
+    let first = program("G0 X46.|G1 Z-80. F0.2|U8.|G0 Z2.|X42.|G1 Z-80.|U12.|G0 Z2.");
+    let at = |z: f64, jaws: f64| {
+        let second = program(&format!("G0 X{}. Z5.|G1 Z{z} F0.2|G0 X100.", jaws));
+        held(&Book::new(&first).second(&second).put("Z_s", Value::Real(0.0))).1
+    };
+    // At X46 a tool that goes past the jaws' face would have passed under jaws open at 50 mm.
+    let through = at(-91.0, 46.0);
+    assert!(through.iter().any(|line| line.contains(" 112 ")), "{through:?}");
+    let short = at(-88.0, 46.0);
+    assert!(!short.iter().any(|line| line.contains(" 112 ")), "{short:?}");
+}

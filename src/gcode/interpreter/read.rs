@@ -171,8 +171,8 @@ impl Interpreter<'_> {
                 format!("{letter}{value} does not exist in the dialect {dialect}"),
             ),
             Text::fixed(
-                "corríjalo, o indique el dialecto del programa con --dialect",
-                "correct it, or name the program's dialect with --dialect",
+                "corríjalo, o indique el dialecto del programa: con --dialect, o en la hoja DATOS de un libro",
+                "correct it, or name the program's dialect: with --dialect, or on the sheet DATA of a workbook",
             ),
         )
     }
@@ -241,8 +241,8 @@ impl Interpreter<'_> {
                     format!("letter {name} cannot stand here in the dialect {dialect}"),
                 ),
                 Text::fixed(
-                    "quítela, o indique el dialecto con --dialect",
-                    "take it out, or name the dialect with --dialect",
+                    "quítela, o indique el dialecto: con --dialect, o en la hoja DATOS de un libro",
+                    "take it out, or name the dialect: with --dialect, or on the sheet DATA of a workbook",
                 ),
             )
         }

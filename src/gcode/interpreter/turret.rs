@@ -75,7 +75,17 @@ impl Interpreter<'_> {
         Err(Fault::at(
             &[column],
             Text::new(format!("{es} {number} no está en la tabla"), format!("{en} {number} is not in the tool table")),
-            Text::fixed("añádalo a la tabla de herramientas", "add it to the tool table"),
+            if offset {
+                Text::fixed(
+                    "añádalo a una herramienta: en un libro, hoja HERRAMIENTAS, columna D",
+                    "give it to a tool: in a workbook on the sheet TOOLS, column D",
+                )
+            } else {
+                Text::fixed(
+                    "añádala a la torreta: en un libro, hoja HERRAMIENTAS, columna T",
+                    "mount it in the turret: in a workbook on the sheet TOOLS, column T",
+                )
+            },
         ))
     }
 
