@@ -1,6 +1,6 @@
 //! The lathe as a whole: a turning program followed over its stock, with what it removes, how long it takes, and its alarms.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
@@ -10,9 +10,9 @@ use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
 use crate::geometry::revolution::volume;
+use crate::job::lathe_findings::{MOST, MOST_MOTIONS, alarms, at_line, too_many, unjudged_from};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Run, Source, Template, Turned};
-use crate::lathe::alarm::Alarm;
 use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::in_force::InForce;
@@ -30,12 +30,6 @@ use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
 use crate::verify::account::Account;
-
-/// Most findings of one program; the rest is counted. The table of alarms has them all.
-const MOST: usize = 50;
-
-/// Most motions of one program: each has a row on the sheet of motions.
-const MOST_MOTIONS: usize = 1_000_000;
 
 /// How far the facets of the solid may be from the round part, mm.
 const TOLERANCE: f64 = 0.01;
@@ -313,84 +307,6 @@ fn follow(
     Ok(one)
 }
 
-/// A line of the program, or of the file of a subprogram.
-fn at_line(file: Option<&str>, line: usize) -> Place {
-    match file {
-        None => Place::Line { line, columns: Vec::new() },
-        Some(file) => Place::Subprogram { file: file.to_owned(), line, columns: Vec::new() },
-    }
-}
-
-/// The note on where the judging of motions stopped; the file as a whole where that was before the program.
-fn unjudged_from(place: Place) -> Finding {
-    let what = if place == Place::File {
-        t(
-            "no se juzgan los movimientos de este programa: la pieza no es la que se pide, o nada la sujeta",
-            "the motions of this program are not judged: the part is not what is meant, or nothing holds it",
-        )
-    } else {
-        t(
-            "desde este bloque no se juzgan los movimientos: sus alarmas serían consecuencia de él",
-            "from this block on motions are not judged: their alarms would follow from it",
-        )
-    };
-    Finding::note(place, what)
-}
-
-/// The stop of a program of more motions than a sheet has rows.
-fn too_many(file: Option<&str>, line: usize) -> Finding {
-    Finding::stop(
-        at_line(file, line),
-        Text::new(
-            format!("el programa hace más de {MOST_MOTIONS} movimientos"),
-            format!("the program makes more than {MOST_MOTIONS} motions"),
-        ),
-        t("divídalo, o repita menos los subprogramas", "split it, or repeat its subprograms less often"),
-    )
-}
-
-/// The alarms as findings: of one number on one line the deepest, the gravest first, at most so many.
-fn alarms(alarms: &[Raised]) -> Vec<Finding> {
-    let mut worst: BTreeMap<(usize, usize, u16), (usize, &Alarm, &Place)> = BTreeMap::new();
-    for Raised { alarm, place, file } in alarms {
-        let known = worst.entry((*file, alarm.line, alarm.cause.number())).or_insert((0, alarm, place));
-        known.0 += 1;
-        if alarm.depth > known.1.depth {
-            (known.1, known.2) = (alarm, place);
-        }
-    }
-    let mut found: Vec<Finding> = worst
-        .into_values()
-        .map(|(count, alarm, place)| {
-            let mut finding = Finding { place: place.clone(), ..alarm.finding() };
-            if count > 1 {
-                let Text { es, en } = &finding.what;
-                finding.what = match count - 1 {
-                    1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
-                    more => Text::new(
-                        format!("{es}, y otras {more} veces en la línea"),
-                        format!("{en}, and {more} more times on the line"),
-                    ),
-                };
-            }
-            finding
-        })
-        .collect();
-    found.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let more = found.len().saturating_sub(MOST);
-    found.truncate(MOST);
-    if more > 0 {
-        found.push(Finding::note(
-            Place::File,
-            Text::new(
-                format!("y {more} alarmas más: rodete view las muestra en la pieza"),
-                format!("and {more} more alarms: rodete view shows them on the part"),
-            ),
-        ));
-    }
-    found
-}
-
 fn outcome(
     form: &'static Form,
     values: Values,
@@ -436,13 +352,17 @@ fn outcome(
         quantities,
         tables,
         charts: Vec::new(),
-        templates: vec![Template {
-            key: "contour",
-            title: t("Contorno de la pieza", "Contour of the part"),
-            figure: contour,
-            arcs,
-            paper: None,
-        }],
+        // Of a part of which nothing is left there is nothing to draw.
+        templates: (!drawn.part.is_empty())
+            .then(|| Template {
+                key: "contour",
+                title: t("Contorno de la pieza", "Contour of the part"),
+                figure: contour,
+                arcs,
+                paper: None,
+            })
+            .into_iter()
+            .collect(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs: if stopped { Vec::new() } else { programs },
         turned,

@@ -5,6 +5,7 @@ pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
 pub mod lathe;
+mod lathe_findings;
 pub(crate) mod lathe_tables;
 pub mod pipe_hole;
 pub mod pipe_insert;

@@ -209,7 +209,11 @@ impl Ride<'_> {
                 };
                 part.map(|part| [0, 1].map(|axis| stretch.from[axis] + (stretch.to[axis] - stretch.from[axis]) * part))
             })
-            .map(|point| if meeting.inserted.is_empty() { f64::INFINITY } else { off(point, new()) })
+            .map(|point| match meeting.removed.first() {
+                // A piece that is covered as a whole leaves no new outline.
+                Some(first) if meeting.inserted.is_empty() => hypot(point[0] - first.from[0], point[1] - first.from[1]),
+                _ => off(point, new()),
+            })
             .fold(0.0, f64::max);
         (deepest > TOUCH).then_some(deepest)
     }

@@ -280,6 +280,7 @@ impl Given {
             }
         }
         setting.tools = Some(self.offsets.clone());
+        setting.places = Some(self.setup.turret.tools.keys().copied().collect());
         setting.point = self.point;
         setting.block_delete = self.block_delete;
         setting

@@ -202,13 +202,15 @@ impl Tool {
     /// upon a tool whose face looks up. A right-hand tool that feeds towards the chuck lies face up in front of the axis,
     /// and behind it face down, where the surface comes up: M3 for both. A left-hand tool that feeds towards the chuck is
     /// the mirror image: M4. Feeding away from the chuck turns each about. Boring bars follow the same rule. A neutral
-    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Derived here.
+    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Blades for grooves and threads cut to both sides,
+    /// whichever of their corners is programmed. Derived here.
     #[must_use]
     pub const fn spindle(&self, behind: bool) -> Spindle {
         if self.axial() {
             return Spindle::Clockwise;
         }
-        let away = matches!(self.tip, Tip::InsideRight | Tip::OutsideRight | Tip::Right);
+        let away = matches!(self.cutter, Cutter::Insert { .. })
+            && matches!(self.tip, Tip::InsideRight | Tip::OutsideRight | Tip::Right);
         let clockwise = match self.hand {
             Hand::Right => !away,
             Hand::Left => away,

@@ -97,7 +97,7 @@ fn a_lathe_program_is_followed_with_its_subprogram_and_the_rule_for_numbers_with
     let canon = String::from_utf8(canon.stdout).expect("text");
     let motions: Vec<Json> = canon.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     let places: Vec<_> = motions.iter().map(|motion| (motion["file"].as_str(), motion["line"].as_u64())).collect();
-    assert_eq!(places, [(None, Some(3)), (Some("O0005.nc"), Some(2)), (Some("O0005.nc"), Some(2))]);
+    assert_eq!(places, [(None, Some(3)), (Some("O0005"), Some(2)), (Some("O0005"), Some(2))]);
     rodete(&folder)
         .args(["verify", "part.nc", "--dialect", "fanuc-lathe-a"])
         .assert()

@@ -4,9 +4,10 @@ use std::fs;
 
 use serde_json::Value as Json;
 
-use crate::bench::{HEAD, TAIL, bilingual, lines, run};
+use crate::bench::{Book, HEAD, TAIL, bilingual, build, lines, program, run};
 use rodete::gcode::dialect::FANUC_LATHE_A;
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting};
+use rodete::parameter::Value;
 
 /// The start of a program for a Fagor 8055 T.
 const FAGOR: [&str; 5] = ["N1 G92 S2500", "N2 T1 D1", "N3 M8", "N4 G97 S900 M3", "N5 G0 X54 Z2"];
@@ -450,4 +451,42 @@ fn a_long_program_is_followed_to_its_end() {
     let ring = std::f64::consts::PI / 4.0 * (2500.0 - 40.0004 * 40.0004) * 50.0;
     assert!(removed < ring && removed > ring - 100.0, "{removed} {ring}");
     assert_eq!(document["motions"], 100_002);
+}
+
+#[test]
+fn a_place_takes_another_offset_than_its_own_number() {
+    let blocks = |tool: &str| {
+        program("G0 X46.|G1 Z-20. F0.2|U8.").iter().map(|line| line.replace("T0101", tool)).collect::<Vec<_>>()
+    };
+    let book = Book::new(&blocks("T0111")).change("tools", |rows| {
+        rows[0].values.insert("tools/D", Value::Whole(11));
+    });
+    let (_folder, document, exit) = build(&book.bytes());
+    assert_eq!(exit, 0, "{:?}", lines(&document));
+    let (_folder, document, exit) = build(
+        &Book::new(&blocks("T0911"))
+            .change("tools", |rows| {
+                rows[0].values.insert("tools/D", Value::Whole(11));
+            })
+            .bytes(),
+    );
+    assert_eq!(exit, 3);
+    assert!(
+        lines(&document).iter().any(|line| line.contains("tool 9 is not in the tool table")),
+        "{:?}",
+        lines(&document)
+    );
+}
+
+#[test]
+fn a_part_of_which_nothing_is_left_is_refused_with_its_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "O1\nG50 S2500\nT0505\nG97 S600 M3\nM8\nG0 X0. Z3.\nG1 Z-14. F0.1\nG0 Z5.\nM30\n";
+    std::fs::write(folder.path().join("p.nc"), text).unwrap();
+    let dialect = ["--dialect", "fanuc-lathe-a", "--decimal-point", "calculator"];
+    let arguments = [&["simulate", "p.nc", "--stock", "D8xL10", "-o", "out"][..], &dialect].concat();
+    let said = run(folder.path(), &arguments);
+    assert_eq!(said.exit, 3, "{}", said.err);
+    assert!(folder.path().join("out/p-results.xlsx").exists());
+    assert!(!folder.path().join("out/p-contour.dxf").exists());
 }

@@ -1,6 +1,6 @@
 //! What a program is read with: dialect, machine unit, var file, tools, switches, budgets.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::gcode::dialect::Dialect;
 use crate::gcode::turning::nose::Nose;
@@ -88,6 +88,8 @@ pub struct Setting {
     pub var_file: VarFile,
     /// The tool table; `None` where it is not known: every tool is then taken as one of length 0, and said so.
     pub tools: Option<Tools>,
+    /// The places of a turret, where they are known beside the table, whose numbers are then those of the offsets alone.
+    pub places: Option<BTreeSet<u32>>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
     pub point: Option<DecimalPoint>,
     /// Blocks that begin with `/` are skipped.
@@ -112,6 +114,7 @@ impl Setting {
             start: Start::default(),
             var_file: VarFile::default(),
             tools: None,
+            places: None,
             point: None,
             block_delete: false,
             keep_g92: true,

@@ -36,7 +36,7 @@ impl Interpreter<'_> {
                 Text::fixed("dé un número entero", "give a whole number"),
             ));
         };
-        if self.setting.tools.is_some() && number != 0 && !self.tools.contains_key(&number) {
+        if !self.has_place(number) {
             return Err(Fault::at(
                 &[column],
                 Text::new(

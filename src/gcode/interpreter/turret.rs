@@ -68,7 +68,12 @@ impl Interpreter<'_> {
 
     /// Refuses a place or an offset that the table does not hold.
     fn known(&self, column: usize, number: u32, offset: bool) -> Outcome<()> {
-        if number == 0 || self.setting.tools.is_none() || self.tools.contains_key(&number) {
+        let there = if offset {
+            number == 0 || self.setting.tools.is_none() || self.tools.contains_key(&number)
+        } else {
+            self.has_place(number)
+        };
+        if there {
             return Ok(());
         }
         let (es, en) = if offset { ("el corrector", "offset") } else { ("la herramienta", "tool") };
@@ -87,6 +92,15 @@ impl Interpreter<'_> {
                 )
             },
         ))
+    }
+
+    /// True for a place or a tool that is there, and where none is known.
+    pub(super) fn has_place(&self, number: u32) -> bool {
+        let known = match &self.setting.places {
+            Some(places) => places.contains(&number),
+            None => self.setting.tools.is_none() || self.tools.contains_key(&number),
+        };
+        number == 0 || known
     }
 
     fn put_in(&mut self, place: u32, offset: u32) {

@@ -1,0 +1,95 @@
+//! What is said of a turning program: its alarms, and where following it ended.
+
+use std::collections::BTreeMap;
+
+use crate::finding::{Finding, Grade, Place};
+use crate::job::lathe_tables::Raised;
+use crate::lathe::alarm::Alarm;
+use crate::parameter::t;
+use crate::text::Text;
+
+/// Most findings of one program; the rest is counted. The table of alarms has them all.
+pub(super) const MOST: usize = 50;
+
+/// Most motions of one program: each has a row on the sheet of motions.
+pub(super) const MOST_MOTIONS: usize = 1_000_000;
+
+/// A line of the program, or of the file of a subprogram.
+pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {
+    match file {
+        None => Place::Line { line, columns: Vec::new() },
+        Some(file) => Place::Subprogram { file: file.to_owned(), line, columns: Vec::new() },
+    }
+}
+
+/// The note on where the judging of motions stopped; the file as a whole where that was before the program.
+pub(super) fn unjudged_from(place: Place) -> Finding {
+    let what = if place == Place::File {
+        t(
+            "no se juzgan los movimientos de este programa: la pieza no es la que se pide, o nada la sujeta",
+            "the motions of this program are not judged: the part is not what is meant, or nothing holds it",
+        )
+    } else {
+        t(
+            "desde este bloque no se juzgan los movimientos: sus alarmas serían consecuencia de él",
+            "from this block on motions are not judged: their alarms would follow from it",
+        )
+    };
+    Finding::note(place, what)
+}
+
+/// The stop of a program of more motions than a sheet has rows.
+pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
+    Finding::stop(
+        at_line(file, line),
+        Text::new(
+            format!("el programa hace más de {MOST_MOTIONS} movimientos"),
+            format!("the program makes more than {MOST_MOTIONS} motions"),
+        ),
+        t("divídalo, o repita menos los subprogramas", "split it, or repeat its subprograms less often"),
+    )
+}
+
+/// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many.
+pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
+    // A number may be a stop or a caution: a shallow stop is not hidden by a deeper caution.
+    let mut worst: BTreeMap<(usize, usize, u16, Grade), (usize, &Alarm, &Place)> = BTreeMap::new();
+    for Raised { alarm, place, file } in alarms {
+        let key = (*file, alarm.line, alarm.cause.number(), alarm.cause.grade());
+        let known = worst.entry(key).or_insert((0, alarm, place));
+        known.0 += 1;
+        if alarm.depth > known.1.depth {
+            (known.1, known.2) = (alarm, place);
+        }
+    }
+    let mut found: Vec<Finding> = worst
+        .into_values()
+        .map(|(count, alarm, place)| {
+            let mut finding = Finding { place: place.clone(), ..alarm.finding() };
+            if count > 1 {
+                let Text { es, en } = &finding.what;
+                finding.what = match count - 1 {
+                    1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
+                    more => Text::new(
+                        format!("{es}, y otras {more} veces en la línea"),
+                        format!("{en}, and {more} more times on the line"),
+                    ),
+                };
+            }
+            finding
+        })
+        .collect();
+    found.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let more = found.len().saturating_sub(MOST);
+    found.truncate(MOST);
+    if more > 0 {
+        found.push(Finding::note(
+            Place::File,
+            Text::new(
+                format!("y {more} alarmas más: rodete view las muestra en la pieza"),
+                format!("and {more} more alarms: rodete view shows them on the part"),
+            ),
+        ));
+    }
+    found
+}
