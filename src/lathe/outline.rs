@@ -150,6 +150,18 @@ impl Tool {
         Ok(Outline { cutter, holder })
     }
 
+    /// What holds a boring bar behind its free length, about the programmed point: twice as thick as the bar and three of its
+    /// diameters long, as its sleeves and blocks are at least. None for other tools. Derived here.
+    #[must_use]
+    pub fn clamp(&self) -> Option<Convex> {
+        let Holder::Bar { diameter, length, reach } = self.holder else { return None };
+        if self.axial() {
+            return None;
+        }
+        let (z, r) = ([length, length + 3.0 * diameter], [reach - diameter, reach + diameter]);
+        Convex::hull_mm(&[[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]].map(|point| self.place(point)))
+    }
+
     /// From the frame in which a tool of tip 3 has its tip at the origin to that of this tip.
     fn place(&self, [z, r]: [f64; 2]) -> [f64; 2] {
         let [level_z, level_r] = match self.cutter {

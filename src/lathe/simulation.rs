@@ -172,6 +172,7 @@ impl Simulation {
                         let z = [low[0] + z, (high[0] + z).min(REACH)];
                         Convex::hull_mm(&[[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]])
                     });
+                    let body = body.or_else(|| tool.clamp());
                     tools.insert(place, Ready { tool: tool.clone(), outline, body });
                 }
                 Err(why) => {

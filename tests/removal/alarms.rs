@@ -6,6 +6,7 @@ use rodete::gcode::control::{Speed, Spindle};
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::{Stock, Support};
+use rodete::lathe::tool::Holder;
 
 #[track_caller]
 fn raised(run: &Run, number: u16) -> rodete::lathe::alarm::Alarm {
@@ -123,6 +124,15 @@ fn chuck_jaws_and_tailstock_are_told_from_the_room_beside_them() {
     raised(&face(Support::Always), 113);
     let long = Stock { overhang: 160.0, ..Stock::bar(50.0, 200.0) };
     assert!(long.supported(&Lathe::default()) && !bar().supported(&Lathe::default()));
+}
+
+#[test]
+fn a_boring_bar_goes_no_deeper_than_it_is_long() {
+    let tube = || Run::new(Stock { bore: 24.0, ..bar() }).tool(7).rapid(26.0, 2.0);
+    let Holder::Bar { length, .. } = tube().simulation.setup().turret.tools[&7].holder else { panic!("no bar") };
+    silent(&tube().cut(26.0, 0.05 - length));
+    let alarm = raised(&tube().cut(26.0, -length - 5.0), 104);
+    assert!((alarm.depth.unwrap() - 5.0).abs() < 1e-6, "{:?}", alarm.depth);
 }
 
 #[test]
