@@ -53,10 +53,10 @@ pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
 /// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many.
 pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
     // A number may be a stop or a caution: a shallow stop is not hidden by a deeper caution.
-    let mut worst: BTreeMap<(usize, usize, u16, Grade), (usize, &Alarm, &Place)> = BTreeMap::new();
+    let mut worst = BTreeMap::new();
     for Raised { alarm, place, file } in alarms {
         let key = (*file, alarm.line, alarm.cause.number(), alarm.cause.grade());
-        let known = worst.entry(key).or_insert((0, alarm, place));
+        let known: &mut (usize, &Alarm, &Place) = worst.entry(key).or_insert((0, alarm, place));
         known.0 += 1;
         if alarm.depth > known.1.depth {
             (known.1, known.2) = (alarm, place);
