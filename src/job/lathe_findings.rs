@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::{Finding, Place};
 use crate::job::lathe_tables::Raised;
 use crate::lathe::alarm::Alarm;
 use crate::parameter::t;
