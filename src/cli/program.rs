@@ -14,6 +14,9 @@ use crate::machine::var_file::VarFile;
 use crate::text::Text;
 use crate::workbook::{self, Input};
 
+/// How the file of a workbook begins: it is a package.
+pub(super) const PACKAGE: &[u8] = b"PK\x03\x04";
+
 /// Subprograms that stand beside the program.
 pub(super) struct Beside(PathBuf);
 

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use super::program::PACKAGE;
 use super::program::{Beside, told_from};
 use super::stock::Stock;
 use super::verdict::Verdict;
-use super::view::PACKAGE;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
@@ -88,7 +88,7 @@ pub(super) fn follow(
     let program = text::Source { main, subprograms };
     let mut values = for_program(values, wanted, dialect, &program);
     if let Some(stock) = wanted.stock {
-        put_stock(&mut values, stock);
+        put_stock(&mut values, stock, wanted.tools.is_some());
     } else if wanted.tools.is_none() {
         let stock = enclosing(&values, &program).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
         verdict.findings.push(Finding::note(
@@ -98,7 +98,7 @@ pub(super) fn follow(
                 format!("no stock given: {stock} is taken, which encloses the path at feed"),
             ),
         ));
-        put_stock(&mut values, stock);
+        put_stock(&mut values, stock, false);
     }
     let stock = stock_of(&values).to_string();
     let source = Source {
@@ -216,12 +216,15 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
     values
 }
 
-fn put_stock(values: &mut Values, stock: Stock) {
-    let held = HELD.min(stock.L / 4.0);
+/// Puts another bar into the jaws: of a workbook that was named, what is held and what is faced off stay where they fit.
+fn put_stock(values: &mut Values, stock: Stock, of_workbook: bool) {
+    let stays = |key: &str| values.real(key).filter(|length| of_workbook && *length < stock.L);
+    let held = stays("L4").unwrap_or(HELD.min(stock.L / 4.0));
+    let faced = stays("L5").filter(|faced| *faced < stock.L - held).unwrap_or(0.0);
     values.values.insert("D", Value::Real(stock.D));
     values.values.insert("L", Value::Real(stock.L));
     values.values.insert("L4", Value::Real(held));
-    values.values.insert("L5", Value::Real(0.0));
+    values.values.insert("L5", Value::Real(faced));
     match stock.d {
         Some(d) => values.values.insert("d", Value::Real(d)),
         None => values.values.remove("d"),

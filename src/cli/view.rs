@@ -5,7 +5,7 @@ use std::io::BufRead;
 use std::path::Path;
 
 use super::args::View;
-use super::program::{Shared, told_from};
+use super::program::{PACKAGE, Shared, told_from};
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
 use super::verdict::{Verdict, gravest};
@@ -21,9 +21,6 @@ use crate::text::{Language, Text};
 use crate::view::lathe::Watching;
 use crate::view::{self, Frame, Program, Remark, Scene, Shape, Tool};
 use crate::workbook;
-
-/// How the file of a workbook begins: it is a package.
-pub(super) const PACKAGE: &[u8] = b"PK\x03\x04";
 
 /// Writes the file and says where it is.
 pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {

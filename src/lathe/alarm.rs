@@ -161,6 +161,12 @@ impl Fixture {
 }
 
 impl Cause {
+    /// What one alarm is told from another by: its number, and the axis that is at the end of its travel.
+    #[must_use]
+    pub const fn key(self) -> (u16, Option<u8>) {
+        (self.number(), if let Self::Travel(axis) = self { Some(axis as u8) } else { None })
+    }
+
     /// The alarm's number.
     #[must_use]
     pub const fn number(self) -> u16 {

@@ -133,7 +133,7 @@ impl Tally<'_> {
     fn raise(&mut self, cause: Cause, [z, r]: [f64; 2], depth: Option<f64>) {
         let place = [2.0 * (r + self.shift[1]), z + self.shift[0]];
         // Of one cause in one motion, the deepest.
-        if let Some(other) = self.alarms.iter_mut().find(|other| other.cause.number() == cause.number()) {
+        if let Some(other) = self.alarms.iter_mut().find(|other| other.cause.key() == cause.key()) {
             if depth > other.depth {
                 (other.cause, other.place, other.depth) = (cause, place, depth);
             }

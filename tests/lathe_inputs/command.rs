@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use rodete::parameter::Value;
 use rodete::text::Language;
 use serde_json::Value as Json;
 use tempfile::TempDir;
@@ -261,4 +262,26 @@ fn the_dialect_is_told_where_nobody_names_it() {
         assert_eq!(document["dialect"], dialect, "{document}");
         assert!(lines(&document).contains(&format!("note file dialect not named: read as {dialect}")));
     }
+}
+
+#[test]
+fn another_bar_is_held_and_faced_as_the_workbook_says() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.nc"), program("G0 X46.|G1 Z-20. F0.2|U8.").join("\n")).unwrap();
+    let book = Book::of(Language::En).put("L4", Value::Real(41.0)).put("L5", Value::Real(1.5));
+    fs::write(folder.path().join("part.xlsx"), book.bytes()).unwrap();
+    let overhang = |more: &[&str]| {
+        let arguments = [
+            &["simulate", "p.nc", "--stock", "D50xL120", "--dialect", "fanuc-lathe-a", "--decimal-point"][..],
+            &["calculator"],
+            more,
+        ]
+        .concat();
+        let said = run(folder.path(), &arguments);
+        let line =
+            said.out.lines().find(|line| line.contains("L3")).unwrap_or_else(|| panic!("{}", said.err)).to_owned();
+        line.split_whitespace().find_map(|word| word.parse::<f64>().ok()).unwrap()
+    };
+    assert_eq!(overhang(&["--tools", "part.xlsx"]), 79.0);
+    assert_eq!(overhang(&[]), 90.0);
 }

@@ -157,6 +157,8 @@ fn the_end_of_travel_is_told_from_what_is_past_it() {
     let arc = run().rapid(60.0, 155.0).arc(60.0, 155.0, [40.0, 155.0], 180.0);
     assert!(!arc.alarms().contains(&121));
     assert!(run().rapid(60.0, 161.0).alarms().contains(&121));
+    let both = run().rapid(300.0, 161.0);
+    assert_eq!(both.alarms().iter().filter(|number| **number == 121).count(), 2, "each axis");
 }
 
 #[test]
