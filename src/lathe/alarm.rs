@@ -50,7 +50,8 @@ pub enum Cause {
         /// What the edge has.
         edge: f64,
     },
-    /// The far end of the auxiliary edge leaves its mark on the part: the nose is not what makes the surface.
+    /// The auxiliary edge makes the surface and not the nose: its far end leaves its mark, or it takes away again what the nose
+    /// has just made.
     BackCutting,
     /// A thread without a lead.
     NoLead,
@@ -247,8 +248,8 @@ impl Cause {
                 t("La profundidad de corte es mayor que el filo", "The depth of cut is greater than the cutting edge")
             }
             Self::BackCutting => t(
-                "El perfil queda fuera del alcance: corta el extremo del filo auxiliar, no la punta",
-                "The profile is out of reach: the end of the auxiliary edge cuts, not the nose",
+                "El perfil queda fuera del alcance: corta el filo auxiliar, no la punta",
+                "The profile is out of reach: the auxiliary edge cuts, not the nose",
             ),
             Self::NoLead => t("Rosca sin paso", "Thread without a lead"),
             Self::Lead { .. } => {

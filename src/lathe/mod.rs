@@ -11,6 +11,7 @@
 pub mod alarm;
 pub mod cases;
 pub mod catalogue;
+mod chain;
 pub mod contact;
 mod cover;
 pub mod deviation;

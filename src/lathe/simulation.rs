@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
+use super::chain::Chain;
 use super::contact::{Bite, Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
@@ -90,6 +91,8 @@ pub struct Simulation {
     led: Option<Led>,
     /// The tool that stands where it worked last, `[z, r]` on the grid.
     stands: Option<(u32, [f64; 2])>,
+    /// The way at feed under way.
+    chain: Chain,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
@@ -218,6 +221,7 @@ impl Simulation {
             fallen: Vec::new(),
             led: None,
             stands: None,
+            chain: Chain::default(),
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -357,8 +361,12 @@ impl Simulation {
     fn cut(&mut self, pieces: &[Piece], control: &Control, contact: &mut Contact, tally: &mut Tally) -> Removed {
         let mut removed = Removed::default();
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
-        let (part, swept) = (&mut self.part, &mut self.swept);
+        let (part, swept, chain) = (&mut self.part, &mut self.swept, &mut self.chain);
         let rapid = tally.motion.kind == Kind::Rapid;
+        let insert = matches!(ready.tool.cutter, Cutter::Insert { .. });
+        if !matches!(tally.motion.kind, Kind::Feed(_) | Kind::Arc(..)) {
+            chain.end();
+        }
         let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
         let mut add = |more: Removed| {
             removed.volume += more.volume;
@@ -422,6 +430,11 @@ impl Simulation {
                         let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
                         if let Some(bite) = contact.add(meeting, &ride) {
                             tally.met(bite, [first.mm(), last.mm()], mirrored);
+                        }
+                        if let Some(gouge) =
+                            chain.take(control.tool, cutter, meeting, way).filter(|_| insert && !mirrored)
+                        {
+                            contact.gouged(gouge);
                         }
                     }
                 }));

@@ -7,6 +7,7 @@ use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::{Stock, Support};
 use rodete::lathe::tool::Holder;
+use rodete::number::trig::{sin_cos, tan};
 
 #[track_caller]
 fn raised(run: &Run, number: u16) -> rodete::lathe::alarm::Alarm {
@@ -124,6 +125,28 @@ fn chuck_jaws_and_tailstock_are_told_from_the_room_beside_them() {
     raised(&face(Support::Always), 113);
     let long = Stock { overhang: 160.0, ..Stock::bar(50.0, 200.0) };
     assert!(long.supported(&Lathe::default()) && !bar().supported(&Lathe::default()));
+}
+
+#[test]
+fn what_the_auxiliary_edge_takes_of_the_surface_just_made_is_told_from_what_it_may_cut() {
+    // φ2 = 52°, R 0.4: the cylinder of D 46 is made up to Z−9.6, below the nose's centre. At the end of the way inwards that
+    // centre stands at Z−10.1, r 20.4, and the edge 0.4 beside it.
+    let steep = |z: f64| {
+        Run::new(bar()).tool(8).rapid(46.0, 2.0).cut(46.0, -10.0).cut(40.0, z).cut(40.0, -20.0).cut(54.0, -20.0)
+    };
+    let alarm = raised(&steep(-10.5), 132);
+    let (sin, cos) = sin_cos(52.0_f64.to_radians());
+    let right = 0.4 - (0.5 * sin - 2.6 * cos);
+    assert!((alarm.depth.unwrap() - right).abs() < 0.005, "{:?} {right}", alarm.depth);
+    assert!((alarm.place[0] - 46.0).abs() < 1e-6 && (alarm.place[1] + 9.6).abs() < 0.01, "{:?}", alarm.place);
+    // 50 degrees.
+    silent(&steep(-10.0 - 3.0 / tan(50.0_f64.to_radians())));
+    // An arc inwards that gets steeper than the edge.
+    let arc = Run::new(bar()).tool(8).rapid(46.0, 2.0).cut(46.0, -10.0).arc(36.0, -15.0, [36.0, -10.0], 90.0);
+    assert!(arc.alarms().contains(&132), "{:?}", arc.alarms());
+    // Facing with the same edge, from the outside and from a cut within.
+    silent(&Run::new(bar()).tool(1).rapid(54.0, -1.0).cut(20.0, -1.0));
+    silent(&Run::new(bar()).tool(1).rapid(44.0, 2.0).cut(44.0, -1.0).cut(20.0, -1.0));
 }
 
 #[test]

@@ -1,0 +1,15 @@
+(stock D50xL120)
+(alarms 132@11)
+(the second edge, at 52 degrees, cannot follow a shoulder as steep as this)
+O1
+G50 S2500
+T0202
+G97 S600 M3
+M8
+G0 X46. Z2.
+G1 Z-10. F0.2
+X40. Z-10.5
+Z-20.
+X54.
+G0 X100. Z50. M9
+M30
