@@ -204,8 +204,8 @@ pub enum Fixture {
     Tailstock,
 }
 
-/// A part, of a bar the piece that was parted off, turned about for its second set-up: mirrored along Z about the middle of the original blank, then shifted; the
-/// work zeros stay. Contours counter-clockwise, holes clockwise, as the removal gives them and takes them.
+/// A part, of a bar the piece that was parted off, turned about for its second set-up: mirrored along Z about the middle of
+/// the original blank, then shifted; the work zeros stay. Contours counter-clockwise, holes clockwise, as the removal gives them and takes them.
 #[must_use]
 pub fn turned_about(rings: &[Ring], stock: &Stock, shift: f64) -> Vec<Ring> {
     let [left, right] = stock.ends();
