@@ -500,7 +500,7 @@ impl Simulation {
             return;
         }
         let stopped = turning.at(start[1] + tally.shift[1]) <= 0.0;
-        let right = ready.tool.spindle(lathe.turret_behind);
+        let right = ready.tool.spindle(lathe.turret_behind, start[1].max(end[1]) < -TOUCH);
         for (cause, holds) in [
             (Cause::SpindleStopped, stopped),
             (Cause::SpindleWrongWay, !stopped && control.spindle != right),

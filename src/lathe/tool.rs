@@ -203,9 +203,10 @@ impl Tool {
     /// and behind it face down, where the surface comes up: M3 for both. A left-hand tool that feeds towards the chuck is
     /// the mirror image: M4. Feeding away from the chuck turns each about. Boring bars follow the same rule. A neutral
     /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Blades for grooves and threads cut to both sides,
-    /// whichever of their corners is programmed. Derived here.
+    /// whichever of their corners is programmed. Beyond the axis, where a cut lies there as a whole, the surface goes the
+    /// other way. Derived here.
     #[must_use]
-    pub const fn spindle(&self, behind: bool) -> Spindle {
+    pub const fn spindle(&self, behind: bool, beyond: bool) -> Spindle {
         if self.axial() {
             return Spindle::Clockwise;
         }
@@ -216,7 +217,7 @@ impl Tool {
             Hand::Left => away,
             Hand::Neutral => !behind,
         };
-        if clockwise { Spindle::Clockwise } else { Spindle::CounterClockwise }
+        if clockwise != beyond { Spindle::Clockwise } else { Spindle::CounterClockwise }
     }
 }
 

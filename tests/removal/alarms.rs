@@ -6,7 +6,7 @@ use rodete::gcode::control::{Speed, Spindle};
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::{Stock, Support};
-use rodete::lathe::tool::Holder;
+use rodete::lathe::tool::{Cutter, Holder};
 use rodete::number::trig::{sin_cos, tan};
 
 #[track_caller]
@@ -209,6 +209,25 @@ fn a_spindle_that_does_not_serve_the_tool_is_told_once() {
     let mut air = Run::new(bar());
     air.control.spindle = Spindle::Stopped;
     silent(&air.rapid(54.0, 2.0).cut(54.0, -20.0));
+}
+
+#[test]
+fn beyond_the_axis_the_spindle_has_to_turn_the_other_way() {
+    let wrong = |spindle: Spindle, x: f64| {
+        let mut setup = Setup::new(Lathe::default(), bar(), turret());
+        let blade = Cutter::Groover { width: 3.0, depth: 10.0, corner: 0.2, face: true };
+        setup.turret.tools.get_mut(&3).unwrap().cutter = blade;
+        let mut run = Run::on(setup).tool(3);
+        run.control.spindle = spindle;
+        let run = run.rapid(x, 2.0).cut(x, -4.0);
+        assert!(run.steps[1].removed.volume > 1.0, "it cuts");
+        run.alarms().contains(&154)
+    };
+    let (M3, M4) = (Spindle::Clockwise, Spindle::CounterClockwise);
+    assert_eq!([wrong(M3, 30.0), wrong(M4, 30.0)], [false, true]);
+    assert_eq!([wrong(M3, -30.0), wrong(M4, -30.0)], [true, false]);
+    // Facing a little over the axis is one cut, and not judged anew.
+    silent(&Run::new(bar()).tool(1).rapid(54.0, -0.5).cut(-1.6, -0.5));
 }
 
 #[test]
