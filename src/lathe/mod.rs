@@ -27,6 +27,7 @@ pub mod simulation;
 pub mod spindle;
 pub mod step;
 pub mod stock;
+mod tally;
 pub mod text;
 pub mod tool;
 pub mod turret;

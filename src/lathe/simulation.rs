@@ -2,15 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
+use super::alarm::{Cause, Moving, SCRAPE, TOUCH};
 use super::chain::Chain;
-use super::contact::{Bite, Contact, Ride, depth};
+use super::contact::{Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
-use super::spindle::{Engaged, Turning, extent, revolutions, ribs};
+use super::spindle::{Turning, extent, revolutions, ribs};
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, Stock};
+use super::tally::{Tally, collide, travel};
 use super::tool::{Cutter, Tool};
 use super::turret::Turret;
 use super::watch::Watch;
@@ -106,45 +107,6 @@ struct Led {
     at: [f64; 2],
     /// What is left of the revolution that has begun, as a share.
     left: f64,
-}
-
-/// What one motion has come to so far.
-struct Tally<'a> {
-    motion: &'a Motion,
-    index: usize,
-    /// From `[z, r]` on the grid to program coordinates.
-    shift: [f64; 2],
-    turning: Turning,
-    /// Where the programmed point is when the cut begins, `[z, r]` on the grid.
-    begins: Option<[f64; 2]>,
-    /// The greatest cutting speed, m/min.
-    speed: f64,
-    alarms: Vec<Alarm>,
-}
-
-impl Tally<'_> {
-    /// Notes what a cutter met on its way along a piece, on this side of the axis or mirrored across it.
-    fn met(&mut self, Bite { along, reach: [low, high], metal }: Bite, [from, to]: Piece, mirrored: bool) {
-        let long = hypot(to[0] - from[0], to[1] - from[1]);
-        let part = if long > 0.0 { (along / long).clamp(0.0, 1.0) } else { 0.0 };
-        self.begins.get_or_insert([0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part));
-        let (side, reach) = if mirrored { (-1.0, [-high, -low]) } else { (1.0, [low, high]) };
-        let engaged = Engaged { from: side * from[1], to: side * to[1], shift: side * self.shift[1], reach, metal };
-        self.speed = self.speed.max(self.turning.cutting_speed(&engaged));
-    }
-
-    fn raise(&mut self, cause: Cause, [z, r]: [f64; 2], depth: Option<f64>) {
-        let place = [2.0 * (r + self.shift[1]), z + self.shift[0]];
-        // Of one cause in one motion, the deepest.
-        if let Some(other) = self.alarms.iter_mut().find(|other| other.cause.key() == cause.key()) {
-            if depth > other.depth {
-                (other.cause, other.place, other.depth) = (cause, place, depth);
-            }
-            return;
-        }
-        let Motion { line, n, .. } = *self.motion;
-        self.alarms.push(Alarm { cause, motion: self.index, line, n, place, depth });
-    }
 }
 
 impl Simulation {
@@ -566,35 +528,4 @@ fn retracts(tool: &Tool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Pi
 
 fn near(one: [f64; 2], two: [f64; 2]) -> bool {
     hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
-}
-
-/// Raises what runs into something that stands.
-fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, tally: &mut Tally) {
-    let (low, high) = swept.extent();
-    for (fixture, polygon) in fixtures {
-        let (from, to) = polygon.extent();
-        if low.z >= to.z || from.z >= high.z || low.r >= to.r || from.r >= high.r {
-            continue;
-        }
-        if let Some((deep, place)) = swept.overlap(polygon)
-            && deep > TOUCH
-        {
-            tally.raise(Cause::Collision(moving, *fixture), place, Some(deep));
-        }
-    }
-}
-
-/// Raises where the turret's reference point leaves the travel; `to_reference` leads there from the programmed point.
-fn travel(tally: &mut Tally, pieces: &[Piece], to_reference: [f64; 2], lathe: &Lathe) {
-    for point in pieces.iter().flatten() {
-        for (axis, at, [low, high]) in [
-            (Axis::Z, point[0] + to_reference[0], lathe.travel_z),
-            (Axis::X, point[1] + to_reference[1], lathe.travel_x),
-        ] {
-            let over = (low - at).max(at - high);
-            if over > TOUCH {
-                tally.raise(Cause::Travel(axis), *point, Some(over));
-            }
-        }
-    }
 }
