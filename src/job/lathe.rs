@@ -13,6 +13,7 @@ use crate::geometry::revolution::volume;
 use crate::job::lathe_findings::{MOST, MOST_MOTIONS, alarms, at_line, too_many, unjudged_from};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Run, Source, Template, Turned};
+use crate::lathe::alarm::Alarm;
 use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::in_force::InForce;
@@ -44,6 +45,9 @@ pub enum Seen<'a> {
     Stood(&'a Stood, &'a Simulation, Option<&'a str>),
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
+    /// An alarm of a motion that could be told only when the program had ended; with the name of the subprogram's file that
+    /// its block stands in.
+    Late(&'a Alarm, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
     End(&'a [Finding]),
 }
@@ -259,7 +263,7 @@ fn follow(
                 }
                 for alarm in &step.alarms {
                     let place = source.place(file, alarm.line, Vec::new());
-                    one.alarms.push(Raised { alarm: *alarm, place, file: control.file });
+                    one.alarms.push(Raised { alarm: *alarm, place });
                 }
                 let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
                 if step.way.len() > 1 {
@@ -285,6 +289,14 @@ fn follow(
             }
         }
     }
+    // What a refused block left undone may have been what takes a mark away.
+    for alarm in one.simulation.lasting().into_iter().filter(|_| last.is_none() && !one.endless) {
+        let file = interpreter.file(alarm.file);
+        one.rows.late(&alarm);
+        watch(Seen::Late(&alarm, file));
+        one.alarms.push(Raised { place: source.place(file, alarm.line, Vec::new()), alarm });
+    }
+    one.alarms.sort_by_key(|raised| raised.alarm.motion);
     if more > 0 {
         faults.push(Finding::note(
             Place::File,

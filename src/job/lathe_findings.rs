@@ -54,8 +54,8 @@ pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
 pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
     // A number may be a stop or a caution: a shallow stop is not hidden by a deeper caution.
     let mut worst = BTreeMap::new();
-    for Raised { alarm, place, file } in alarms {
-        let key = (*file, alarm.line, alarm.cause.key(), alarm.cause.grade());
+    for Raised { alarm, place } in alarms {
+        let key = (alarm.file, alarm.line, alarm.cause.key(), alarm.cause.grade());
         let known: &mut (usize, &Alarm, &Place) = worst.entry(key).or_insert((0, alarm, place));
         known.0 += 1;
         if alarm.depth > known.1.depth {

@@ -117,6 +117,14 @@ impl Rows {
         self.alarms.push(Text::same(numbers.join(", ")));
     }
 
+    /// Adds to the row of a motion an alarm that was told when the program had ended.
+    pub fn late(&mut self, alarm: &Alarm) {
+        if let Some(numbers) = self.alarms.get_mut(alarm.motion) {
+            let before = if numbers.en.is_empty() { String::new() } else { format!("{}, ", numbers.en) };
+            *numbers = Text::same(format!("{before}{}", alarm.cause.number()));
+        }
+    }
+
     /// The tables of the programs' motions.
     #[must_use]
     pub fn tables(programs: Vec<Self>) -> Vec<Table> {
@@ -247,8 +255,6 @@ pub struct Raised {
     pub alarm: Alarm,
     /// Its block: a cell, or a line of a file.
     pub place: Place,
-    /// The number of the subprogram's file; 0 for the program.
-    pub file: usize,
 }
 
 /// Every alarm: number, grade, text, remedy, place, depth.

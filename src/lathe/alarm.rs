@@ -131,7 +131,9 @@ pub struct Alarm {
     pub cause: Cause,
     /// The number of the motion, from 0.
     pub motion: usize,
-    /// The line of the program's file, from 1.
+    /// The number of the subprogram's file; 0 for the program.
+    pub file: usize,
+    /// The line of the file, from 1.
     pub line: usize,
     /// The block number.
     pub n: Option<u32>,

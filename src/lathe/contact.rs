@@ -28,8 +28,7 @@ pub struct Contact {
     pub back: Option<f64>,
     /// The same beside cutting edges that cut, in a cut that is not too wide for them.
     pub beside: Option<f64>,
-    /// The end of the auxiliary edge left its mark, how far behind the nose's; or that edge went into what the nose had made,
-    /// how deep.
+    /// The end of the auxiliary edge left its mark: how far behind the nose's.
     pub dragged: Option<f64>,
     /// Where, `[z, r]`.
     pub place: [f64; 2],
@@ -258,13 +257,6 @@ impl Contact {
         self.judge_surface(meeting, ride);
         // The normal to the left of a way [dz, dr] is [-dr, dz].
         Some(Bite { reach: ordered(cut.map(|aside| aside * ride.way[0])), ..bite(meeting, ride) })
-    }
-
-    /// Adds that the auxiliary edge went into what the nose had made: how deep, and where.
-    pub fn gouged(&mut self, (deep, place): (f64, [f64; 2])) {
-        if self.dragged.is_none_or(|other| deep > other) {
-            (self.dragged, self.place) = (Some(deep), place);
-        }
     }
 
     /// Adds what a threading cutter met in one place of a thread: how deep, against its profile; `None` for a film.

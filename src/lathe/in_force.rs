@@ -77,7 +77,8 @@ impl InForce {
             self.stands = stopped;
         }
         let place = [2.0 * motion.to.get(Axis::X), motion.to.get(Axis::Z)];
-        let alarm = |cause| Alarm { cause, motion: step.index, line: motion.line, n: motion.n, place, depth: None };
+        let (file, line, n) = (control.file, motion.line, motion.n);
+        let alarm = |cause| Alarm { cause, motion: step.index, file, line, n, place, depth: None };
         let alarms: Vec<Alarm> = causes.into_iter().map(alarm).collect();
         step.alarms.extend(alarms);
     }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::alarm::{Cause, Moving, SCRAPE, TOUCH};
-use super::chain::Chain;
+use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
+use super::chain::{Chain, Marks};
 use super::contact::{Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
@@ -94,6 +94,10 @@ pub struct Simulation {
     stands: Option<(u32, [f64; 2])>,
     /// The way at feed under way.
     chain: Chain,
+    /// What the auxiliary edge has left on the part.
+    marks: Marks,
+    /// The same on pieces that have fallen off.
+    fell: Vec<Alarm>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
@@ -184,6 +188,8 @@ impl Simulation {
             led: None,
             stands: None,
             chain: Chain::default(),
+            marks: Marks::default(),
+            fell: Vec::new(),
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -229,6 +235,16 @@ impl Simulation {
         self.part.volume()
     }
 
+    /// The alarms that can be told only of the part as it is when the program has ended: where the auxiliary edge has taken
+    /// away again what the nose had made, and no later motion has taken that surface.
+    #[must_use]
+    pub fn lasting(&self) -> Vec<Alarm> {
+        let mut alarms = self.fell.clone();
+        alarms.extend(self.marks.alarms(|place| self.part.is_metal(place)));
+        alarms.sort_by_key(|alarm| alarm.motion);
+        alarms
+    }
+
     /// The sums so far.
     #[must_use]
     pub const fn totals(&self) -> &Totals {
@@ -256,8 +272,8 @@ impl Simulation {
         path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
 
         let turning = Turning::new(control, lathe);
-        let mut tally =
-            Tally { motion, index: self.steps, shift, turning, begins: None, speed: 0.0, alarms: Vec::new() };
+        let (index, file) = (self.steps, control.file);
+        let mut tally = Tally { motion, index, file, shift, turning, begins: None, speed: 0.0, alarms: Vec::new() };
         let seconds = match motion.kind {
             Kind::Rapid => None,
             _ => motion.seconds,
@@ -271,9 +287,7 @@ impl Simulation {
         self.judge(control, &pieces, &contact, &mut tally);
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
-        }
-
-        if removed.parted > 0.0 {
+            self.fell.extend(self.marks.alarms(|place| self.part.has_fallen(place)));
             self.fallen = self.part.fallen().to_vec();
         } else if motion.kind != Kind::Rapid && removed.volume > CHIP {
             self.fallen.clear();
@@ -323,11 +337,12 @@ impl Simulation {
     fn cut(&mut self, pieces: &[Piece], control: &Control, contact: &mut Contact, tally: &mut Tally) -> Removed {
         let mut removed = Removed::default();
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
-        let (part, swept, chain) = (&mut self.part, &mut self.swept, &mut self.chain);
+        let (part, swept, chain, marks) = (&mut self.part, &mut self.swept, &mut self.chain, &mut self.marks);
         let rapid = tally.motion.kind == Kind::Rapid;
         let insert = matches!(ready.tool.cutter, Cutter::Insert { .. });
         if !matches!(tally.motion.kind, Kind::Feed(_) | Kind::Arc(..)) {
             chain.end();
+            marks.settle(|place| part.is_metal(place));
         }
         let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
         let mut add = |more: Removed| {
@@ -393,10 +408,10 @@ impl Simulation {
                         if let Some(bite) = contact.add(meeting, &ride) {
                             tally.met(bite, [first.mm(), last.mm()], mirrored);
                         }
-                        if let Some(gouge) =
+                        if let Some(mark) =
                             chain.take(control.tool, cutter, meeting, way).filter(|_| insert && !mirrored)
                         {
-                            contact.gouged(gouge);
+                            marks.push(mark, tally.alarm(Cause::BackCutting, mark.place, Some(mark.deep)));
                         }
                     }
                 }));

@@ -15,6 +15,8 @@ use crate::number::trig::hypot;
 pub(super) struct Tally<'a> {
     pub motion: &'a Motion,
     pub index: usize,
+    /// The number of the subprogram's file; 0 for the program.
+    pub file: usize,
     /// From `[z, r]` on the grid to program coordinates.
     pub shift: [f64; 2],
     pub turning: Turning,
@@ -36,17 +38,21 @@ impl Tally<'_> {
         self.speed = self.speed.max(self.turning.cutting_speed(&engaged));
     }
 
-    pub fn raise(&mut self, cause: Cause, [z, r]: [f64; 2], depth: Option<f64>) {
-        let place = [2.0 * (r + self.shift[1]), z + self.shift[0]];
-        // Of one cause in one motion, the deepest.
-        if let Some(other) = self.alarms.iter_mut().find(|other| other.cause.key() == cause.key()) {
-            if depth > other.depth {
-                (other.cause, other.place, other.depth) = (cause, place, depth);
-            }
-            return;
-        }
+    /// The alarm of a cause in this motion, with its place on the grid.
+    pub fn alarm(&self, cause: Cause, [z, r]: [f64; 2], depth: Option<f64>) -> Alarm {
         let Motion { line, n, .. } = *self.motion;
-        self.alarms.push(Alarm { cause, motion: self.index, line, n, place, depth });
+        let place = [2.0 * (r + self.shift[1]), z + self.shift[0]];
+        Alarm { cause, motion: self.index, file: self.file, line, n, place, depth }
+    }
+
+    /// Raises it; of one cause in one motion, the deepest.
+    pub fn raise(&mut self, cause: Cause, place: [f64; 2], depth: Option<f64>) {
+        let alarm = self.alarm(cause, place, depth);
+        match self.alarms.iter_mut().find(|other| other.cause.key() == cause.key()) {
+            Some(other) if depth > other.depth => *other = alarm,
+            Some(_) => {}
+            None => self.alarms.push(alarm),
+        }
     }
 }
 

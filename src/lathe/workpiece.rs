@@ -4,7 +4,7 @@ use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::meeting::Meeting;
-use crate::geometry::exact::region::{Region, Ring};
+use crate::geometry::exact::region::{Region, Ring, encloses};
 use crate::geometry::revolution::{frustum, volume};
 
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
@@ -26,7 +26,7 @@ pub struct Workpiece {
     meeting: Meeting,
     /// A cut has come through, and what is loose has not fallen off yet.
     apart: bool,
-    /// What fell off last, if it was one piece.
+    /// What fell off last.
     fallen: Vec<Ring>,
 }
 
@@ -52,7 +52,20 @@ impl Workpiece {
     /// The contours of the piece that fell off last, mm; none where nothing has or where it was more than one.
     #[must_use]
     pub fn fallen(&self) -> &[Ring] {
-        &self.fallen
+        let pieces = self.fallen.iter().filter(|ring| volume(ring) >= CHIP).count();
+        if pieces == 1 { &self.fallen } else { &[] }
+    }
+
+    /// True where a place, `[z, r]` in mm, lies in the part.
+    #[must_use]
+    pub fn is_metal(&self, place: [f64; 2]) -> bool {
+        self.region.contains(place)
+    }
+
+    /// True where a place lies in what fell off last.
+    #[must_use]
+    pub fn has_fallen(&self, place: [f64; 2]) -> bool {
+        self.fallen.iter().fold(false, |inside, ring| inside != encloses(ring, place))
     }
 
     /// How many edges its contours have.
@@ -101,8 +114,7 @@ impl Workpiece {
                 removed.volume += pieces;
             } else {
                 removed.parted += pieces;
-                let one = fallen.iter().filter(|ring| volume(ring) >= CHIP).count() == 1;
-                self.fallen = if one { fallen } else { Vec::new() };
+                self.fallen = fallen;
             }
         }
         removed

@@ -249,17 +249,16 @@ impl Over {
                     if self.rapid.is_none_or(|deepest| alarm.depth > deepest.depth) {
                         self.rapid = Some(alarm);
                     }
-                } else if way == 0 && alarm.cause.grade() > Grade::Note {
-                    // Notes are of the coolant, which the material asks for or not, and of pieces that fall off: the pip
-                    // that is left on the axis does, and what should not is missing from the contour.
-                    self.other.get_or_insert((alarm, 0)).1 += 1;
+                } else if way == 0 {
+                    count(&mut self.other, alarm);
                 }
             }
         }
     }
 
-    fn checks(self, program: &Program) -> Vec<Check> {
+    fn checks(mut self, program: &Program) -> Vec<Check> {
         let Some(straight) = self.ways.first() else { return Vec::new() };
+        straight.lasting().into_iter().for_each(|alarm| count(&mut self.other, alarm));
         let found = deviation(&straight.contours(), &self.wanted).unwrap_or_default();
         let sides = [
             (
@@ -304,6 +303,14 @@ impl Over {
             Check::passed("blank-time", name, program, Text::same(format!("{seconds} s")), Text::same("")).informing(),
         );
         checks
+    }
+}
+
+/// Counts an alarm, and keeps the first. Notes are of the coolant, which the material asks for or not, and of pieces that fall
+/// off: the pip that is left on the axis does, and what should not is missing from the contour.
+fn count(first: &mut Option<(Alarm, usize)>, alarm: Alarm) {
+    if alarm.cause.grade() > Grade::Note {
+        first.get_or_insert((alarm, 0)).1 += 1;
     }
 }
 

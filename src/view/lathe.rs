@@ -42,6 +42,7 @@ impl Watching {
             }
             Seen::Stood(stood, simulation, file) => self.stood(stood, simulation, file),
             Seen::Step(step, simulation, file) => self.step(step, simulation, file),
+            Seen::Late(alarm, file) => self.late(alarm, file),
             Seen::End(findings) => {
                 let before = &self.before;
                 if let Some(program) = self.programs.last_mut() {
@@ -118,9 +119,19 @@ impl Watching {
             turning.cut(index, simulation.contours());
         }
         for alarm in &step.alarms {
-            if self.known.len() < MOST && self.known.insert((alarm.cause.number(), motion.line)) {
-                program.remarks.push(remark(alarm, motion.line, index));
-            }
+            self.raise(alarm, motion.line, index);
+        }
+    }
+
+    fn late(&mut self, alarm: &Alarm, file: Option<&str>) {
+        let before = file.and_then(|name| self.before.get(name)).copied().unwrap_or_default();
+        self.raise(alarm, alarm.line + before, alarm.motion);
+    }
+
+    fn raise(&mut self, alarm: &Alarm, line: usize, index: usize) {
+        let Some(program) = self.programs.last_mut() else { return };
+        if self.known.len() < MOST && self.known.insert((alarm.cause.number(), line)) {
+            program.remarks.push(remark(alarm, line, index));
         }
     }
 }

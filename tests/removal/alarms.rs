@@ -11,15 +11,14 @@ use rodete::number::trig::{sin_cos, tan};
 
 #[track_caller]
 fn raised(run: &Run, number: u16) -> rodete::lathe::alarm::Alarm {
-    let alarms: Vec<_> = run.steps.iter().flat_map(|step| &step.alarms).copied().collect();
+    let alarms = run.raised();
     let found = alarms.iter().find(|alarm| alarm.cause.number() == number);
     *found.unwrap_or_else(|| panic!("{number} is not among {alarms:?}"))
 }
 
 #[track_caller]
 fn silent(run: &Run) {
-    let alarms: Vec<_> = run.steps.iter().flat_map(|step| &step.alarms).collect();
-    assert!(alarms.is_empty(), "{alarms:?}");
+    run.silent();
 }
 
 #[test]
@@ -147,6 +146,24 @@ fn what_the_auxiliary_edge_takes_of_the_surface_just_made_is_told_from_what_it_m
     // Facing with the same edge, from the outside and from a cut within.
     silent(&Run::new(bar()).tool(1).rapid(54.0, -1.0).cut(20.0, -1.0));
     silent(&Run::new(bar()).tool(1).rapid(44.0, 2.0).cut(44.0, -1.0).cut(20.0, -1.0));
+}
+
+#[test]
+fn the_auxiliary_edges_mark_that_a_later_motion_takes_away_is_none() {
+    // In by 0.25 mm and back along the part: the surface that the edge stands in is cut 0.25 mm deeper.
+    let inwards = || Run::new(bar()).rapid(46.0, 2.0).cut(46.0, -20.0).cut(45.5, -20.0);
+    let back = |z: f64| inwards().cut(45.5, z);
+    silent(&back(2.0));
+    // Where the way ends before, the edge of 5° stays as a slope in that surface; told of the block that left it.
+    let alarm = inwards().rapid(60.0, 10.0).raised();
+    assert_eq!(alarm.iter().map(|alarm| (alarm.cause.number(), alarm.line)).collect::<Vec<_>>(), [(132, 3)]);
+    assert!((alarm[0].depth.unwrap() - 0.25).abs() < 0.01, "{alarm:?}");
+    assert_eq!(raised(&back(-16.0), 132).line, 4);
+    // It is gone where another tool finishes it after, and where the piece with the mark is parted off it is on that piece.
+    silent(&back(-16.0).rapid(60.0, 10.0).tool(2).rapid(44.0, 2.0).cut(44.0, -25.0));
+    let parted = |run: Run| run.rapid(60.0, 10.0).tool(3).rapid(60.0, -40.0).cut(-0.5, -40.0);
+    assert_eq!(parted(back(-16.0)).alarms(), [191, 132]);
+    assert_eq!(parted(back(2.0)).alarms(), [191]);
 }
 
 #[test]

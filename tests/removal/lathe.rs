@@ -119,7 +119,7 @@ impl Run {
 
     /// All alarms.
     pub fn raised(&self) -> Vec<Alarm> {
-        self.steps.iter().flat_map(|step| &step.alarms).copied().collect()
+        self.steps.iter().flat_map(|step| &step.alarms).copied().chain(self.simulation.lasting()).collect()
     }
 
     /// The last motion alone raises an alarm, and one alone, of a number; with its block.
@@ -140,6 +140,6 @@ impl Run {
 
     /// The numbers of all alarms.
     pub fn alarms(&self) -> Vec<u16> {
-        self.steps.iter().flat_map(|step| &step.alarms).map(|alarm| alarm.cause.number()).collect()
+        self.raised().iter().map(|alarm| alarm.cause.number()).collect()
     }
 }

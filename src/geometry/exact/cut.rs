@@ -3,7 +3,7 @@
 use super::convex::Convex;
 use super::index::NONE;
 use super::meeting::Meeting;
-use super::region::Region;
+use super::region::{Region, Ring, encloses, twice_area};
 
 /// What became of the pieces of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,14 +133,13 @@ impl Region {
 
     /// Drops every piece but the one that reaches to the least z, with the holes in them; gives back the contours of the
     /// pieces dropped.
-    pub fn keep_first(&mut self) -> Vec<super::region::Ring> {
+    pub fn keep_first(&mut self) -> Vec<Ring> {
         let mut rings: Vec<_> = self.ring_edges().into_iter().map(|edge| (edge, self.ring(edge))).collect();
         if rings.len() < 2 {
             return Vec::new();
         }
         rings.sort_by(|one, two| one.1[0][0].total_cmp(&two.1[0][0]).then(one.1[0][1].total_cmp(&two.1[0][1])));
-        let (outer, holes): (Vec<_>, Vec<_>) =
-            rings.into_iter().partition(|(_, ring)| super::region::twice_area(ring) > 0.0);
+        let (outer, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(|(_, ring)| twice_area(ring) > 0.0);
         let mut dropped = Vec::new();
         for (edge, ring) in outer.into_iter().skip(1) {
             for (hole, inner) in &holes {
@@ -154,16 +153,4 @@ impl Region {
         }
         dropped
     }
-}
-
-/// True where a ring goes round a point, by the number of its edges above.
-fn encloses(ring: &[[f64; 2]], [z, r]: [f64; 2]) -> bool {
-    let edges = ring.iter().zip(ring.iter().cycle().skip(1));
-    edges
-        .filter(|(from, to)| {
-            (from[0] > z) != (to[0] > z) && r < from[1] + (to[1] - from[1]) * (z - from[0]) / (to[0] - from[0])
-        })
-        .count()
-        % 2
-        == 1
 }

@@ -26,6 +26,19 @@ pub fn twice_area(ring: &[[f64; 2]]) -> f64 {
     ring.iter().zip(ends).map(|(one, two)| (one[0] - z0) * (two[1] - r0) - (two[0] - z0) * (one[1] - r0)).sum()
 }
 
+/// True where a ring goes round a point, `[z, r]` in mm, by the number of its edges above.
+#[must_use]
+pub fn encloses(ring: &[[f64; 2]], [z, r]: [f64; 2]) -> bool {
+    let edges = ring.iter().zip(ring.iter().cycle().skip(1));
+    edges
+        .filter(|(from, to)| {
+            (from[0] > z) != (to[0] > z) && r < from[1] + (to[1] - from[1]) * (z - from[0]) / (to[0] - from[0])
+        })
+        .count()
+        % 2
+        == 1
+}
+
 /// A bounded region of the half-plane or plane, of any number of pieces with any number of holes.
 #[derive(Clone, Debug, Default)]
 pub struct Region {
