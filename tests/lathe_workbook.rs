@@ -14,6 +14,7 @@ use rodete::lathe::setup::Given;
 use rodete::machine::axis::Axis;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
+use rodete::table::Entry;
 use rodete::text::Language;
 use rodete::workbook::{self, template};
 
@@ -197,4 +198,43 @@ fn the_programs_of_a_lathe_stand_once_in_its_results_and_its_profile_on_a_layer_
     let along = |pair: &[[f64; 2]]| pair[0][1].abs() < 1e-9 && pair[1][1].abs() < 1e-9;
     let drawn = template.figure.strokes.iter().filter(|stroke| stroke.points.windows(2).any(along));
     assert_eq!(drawn.map(|stroke| stroke.ink).collect::<Vec<_>>(), [Ink::Centre], "the axis is a centre line only");
+}
+
+#[test]
+fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
+    // The shoulder's edge at Z−20 is the second edge's, for the way ends in the surface; the rapid motion goes through it.
+    let blocks = [
+        "G97 S600 M3 T0101",
+        "M8",
+        "G0 X46. Z2.",
+        "G1 Z-20. F0.2",
+        "X45.5",
+        "G0 Z-22.",
+        "X100. Z50.",
+        "G1 X99. F0.3",
+        "M30",
+    ];
+    let bytes = book(0, Language::En, |lists| {
+        let rows = list(lists, PROGRAM_KEY);
+        rows.truncate(blocks.len());
+        for (row, block) in rows.iter_mut().zip(blocks) {
+            row.values.insert("program/BLOCK", Value::Line(block.to_owned()));
+        }
+    });
+    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+    let outcome = job::run(&FORM, read(&bytes).unwrap(), source).unwrap();
+    let table = outcome.table("blocks").unwrap();
+    let column = |name: &str| &table.column(name).unwrap().values;
+    let told: Vec<_> = (0..table.rows())
+        .filter_map(|row| match (column("block").get(row), column("alarms").get(row)) {
+            (Entry::Text(block), Entry::Text(alarms)) if !alarms.en.is_empty() => {
+                Some((block.en.to_string(), alarms.en.to_string()))
+            }
+            _ => None,
+        })
+        .collect();
+    assert_eq!(told, [("X45.5".to_owned(), "132".to_owned()), ("G0 Z-22.".to_owned(), "101".to_owned())]);
+    let turned = outcome.turned.as_ref().unwrap();
+    let numbers: Vec<_> = turned.alarms.iter().map(|raised| raised.alarm.cause.number()).collect();
+    assert_eq!(numbers, [132, 101], "in the order of their motions");
 }
