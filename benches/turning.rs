@@ -6,9 +6,16 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use i_overlay::core::fill_rule::FillRule;
+use i_overlay::core::overlay_rule::OverlayRule;
+use i_overlay::float::single::SingleFloatOverlay;
 use rodete::finding::Grade;
 use rodete::gcode::control::{Control, Speed, Spindle};
 use rodete::gcode::motion::{Feed, FeedMode, Kind, Motion};
+use rodete::geometry::exact::convex::Convex;
+use rodete::geometry::exact::grid::Point;
+use rodete::geometry::exact::meeting::Meeting;
+use rodete::geometry::exact::region::{Region, twice_area};
 use rodete::job::lathe::{Seen, watched};
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::parameters::FORM;
@@ -195,5 +202,62 @@ fn bench(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, bench, bench_cycles);
+/// What the motions of a program sweep, about the blank's right end: the polygons that are taken away.
+fn swept(motions: &[Motion]) -> Vec<Convex> {
+    let outline = setup().turret.tools[&1].outline(0.0002).expect("a tool that can be");
+    let place = |pose: &Pose| Point::near([pose.get(Axis::Z), pose.get(Axis::X)]).expect("on the grid");
+    let mut polygons = Vec::new();
+    for motion in motions {
+        for part in &outline.cutter {
+            let mut polygon = part.polygon.clone();
+            if part.polygon.sweep(place(&motion.from), place(&motion.to), &mut polygon) {
+                polygons.push(polygon);
+            }
+        }
+    }
+    polygons
+}
+
+const BAR: [[f64; 2]; 4] = [[-500.0, 0.0], [0.0, 0.0], [0.0, 50.0], [-500.0, 50.0]];
+
+fn by_lines(polygons: &[Convex]) -> f64 {
+    let ring = BAR.map(|corner| Point::near(corner).expect("on the grid")).to_vec();
+    let (mut region, mut meeting) = (Region::new(&[ring]), Meeting::default());
+    for polygon in polygons {
+        meeting.find(&region, polygon);
+        region.cut(polygon, &meeting);
+    }
+    region.rings().iter().map(|ring| twice_area(ring)).sum()
+}
+
+fn by_library(polygons: &[Vec<[f64; 2]>]) -> f64 {
+    let mut left = vec![vec![BAR.to_vec()]];
+    for polygon in polygons {
+        left = left.overlay_as::<i64>(polygon, OverlayRule::Difference, FillRule::NonZero);
+    }
+    left.iter().flatten().map(|ring| twice_area(ring)).sum()
+}
+
+/// The region alone, by lines as it is and by a library of polygons that works over the whole contour at each cut.
+fn bench_library(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("library");
+    group.sample_size(10);
+    for count in [1_000, 5_000, 20_000] {
+        let polygons = swept(&profiles(count));
+        let corners: Vec<Vec<[f64; 2]>> =
+            polygons.iter().map(|polygon| polygon.corners().iter().map(|corner| corner.mm()).collect()).collect();
+        let (ours, theirs) = (by_lines(&polygons), by_library(&corners));
+        println!("library/{count}: areas {:.9} and {:.9} mm2", ours / 2.0, theirs / 2.0);
+        group.throughput(Throughput::Elements(polygons.len() as u64));
+        group.bench_function(BenchmarkId::new("lines", count), |bencher| {
+            bencher.iter(|| by_lines(black_box(&polygons)))
+        });
+        group.bench_function(BenchmarkId::new("i_overlay", count), |bencher| {
+            bencher.iter(|| by_library(black_box(&corners)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, bench, bench_cycles, bench_library);
 criterion_main!(benches);
