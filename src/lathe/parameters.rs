@@ -229,6 +229,51 @@ const MACHINE: &[Parameter] = &[
     ),
 ];
 
+const BODY: &[Parameter] = &[
+    real(
+        "BX_min",
+        "body_BX_min",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Menor X del cuerpo, en radio", "Least X of the body, on the radius"),
+        t(
+            "Desde el punto de referencia de la torreta, como Q_x; incluya lo que alcanzan el disco y las herramientas vecinas. Los cuatro vacíos: no se vigila",
+            "From the turret's reference point, as Q_x; include what the disc and the neighbouring tools reach. All four empty: not watched",
+        ),
+    ),
+    real(
+        "BX_max",
+        "body_BX_max",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Mayor X del cuerpo, en radio", "Greatest X of the body, on the radius"),
+        NONE,
+    ),
+    real(
+        "BZ_min",
+        "body_BZ_min",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Menor Z del cuerpo", "Least Z of the body"),
+        t(
+            "Una broca o una barra queda libre hasta su largo l, o hasta el punto de referencia",
+            "A drill or a bar is free up to its length l, or up to the reference point",
+        ),
+    ),
+    real(
+        "BZ_max",
+        "body_BZ_max",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Mayor Z del cuerpo", "Greatest Z of the body"),
+        NONE,
+    ),
+];
+
 macro_rules! zero {
     ($key:literal, $name:literal, $es:literal, $en:literal) => {
         real($key, $name, MM, [-5000.0, 5000.0], false, t($es, $en), NONE)
@@ -289,6 +334,8 @@ const HANDS: &[Choice] = &[
     Choice { key: "L", label: t("L", "L") },
     Choice { key: "N", label: t("N", "N") },
 ];
+
+const TURNS: &[Choice] = &[Choice { key: "M3", label: t("M3", "M3") }, Choice { key: "M4", label: t("M4", "M4") }];
 
 const TOOLS: &[Parameter] = &[
     whole(
@@ -360,6 +407,14 @@ const TOOLS: &[Parameter] = &[
         [1, 9],
         false,
         t("orientación de la punta; vacío: según tipo y mano", "orientation of the tip; empty: by type and hand"),
+        NONE,
+    ),
+    other(
+        "tools/M",
+        "",
+        Kind::Choice(TURNS),
+        false,
+        t("giro con el que corta; vacío: según la mano", "spindle's way in the cut; empty: by the hand"),
         NONE,
     ),
     real(
@@ -483,6 +538,13 @@ pub static FORM: Form = Form {
             Section { title: t("Bruto", "Stock"), parameters: STOCK },
             Section { title: t("Plato y contrapunto", "Chuck and tailstock"), parameters: CHUCK },
             Section { title: t("Máquina", "Machine"), parameters: MACHINE },
+            Section {
+                title: t(
+                    "Cuerpo de la torreta con las herramientas vecinas",
+                    "Body of the turret with the neighbouring tools",
+                ),
+                parameters: BODY,
+            },
             Section { title: t("Otros orígenes, desde M", "Further zeros, from M"), parameters: ZEROS },
             Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND },
         ],
@@ -493,14 +555,14 @@ pub static FORM: Form = Form {
             naming: Naming::One(t("HERRAMIENTAS", "TOOLS")),
             title: t("Herramientas", "Tools"),
             note: t(
-                "El catálogo: una herramienta por fila; las que llevan T están montadas en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control.",
-                "The catalogue: one tool a row; those with a T are mounted in that place of the turret, 1 to 8. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control.",
+                "El catálogo: una herramienta por fila; las que llevan T están montadas en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control. M: el giro con el que corta, según qué cara mira arriba; en las de ranurar y roscar dice, con la mano, a qué lado queda el mango. En ellas, vacía: R con M3; L en torreta delantera con M3 y el mango hacia el plato, en trasera con M4.",
+                "The catalogue: one tool a row; those with a T are mounted in that place of the turret, 1 to 8. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control. M: the spindle's way in the cut, by the face that looks up; of grooving and threading tools it says, with the hand, to which side the shank lies. Empty, of these: R with M3; L in a front turret with M3, its shank towards the chuck, in a rear one with M4.",
             ),
             optional: false,
             columns: TOOLS,
             widths: &[
-                8.0, 9.0, 26.0, 15.0, 9.0, 11.0, 8.0, 9.0, 9.0, 12.0, 13.0, 10.0, 8.0, 8.0, 9.0, 12.0, 12.0, 11.0,
-                11.0, 13.0, 13.0,
+                8.0, 9.0, 31.0, 15.0, 9.0, 11.0, 8.0, 9.0, 9.0, 12.0, 13.0, 10.0, 8.0, 8.0, 9.0, 12.5, 12.0, 12.0,
+                11.0, 11.0, 13.0, 13.0,
             ],
             most: 500,
         },
