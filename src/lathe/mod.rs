@@ -29,6 +29,7 @@ pub mod step;
 pub mod stock;
 pub mod text;
 pub mod tool;
+pub mod tool_sheet;
 pub mod turret;
 mod watch;
 pub mod workpiece;
