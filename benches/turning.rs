@@ -66,6 +66,7 @@ fn setup() -> Setup {
         hand: Hand::Right,
         tip: Tip::OutsideLeft,
         holder: Holder::Shank { width: 25.0, length: 60.0 },
+        turns: None,
         overhang: [60.0, 0.0],
     };
     Setup::new(Lathe::default(), stock, Turret { tools: BTreeMap::from([(1, tool)]), body: None })

@@ -25,6 +25,8 @@ mod sheets;
 mod shop;
 #[path = "lathe_inputs/subprograms.rs"]
 mod subprograms;
+#[path = "lathe_inputs/turret.rs"]
+mod turret;
 #[path = "lathe_inputs/view.rs"]
 mod view;
 #[allow(dead_code, reason = "this corpus uses a part of it")]

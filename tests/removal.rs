@@ -4,6 +4,8 @@
 
 mod removal {
     mod alarms;
+    mod blades;
+    mod bodies;
     mod collisions;
     mod exact;
     mod judged;

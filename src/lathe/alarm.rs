@@ -322,6 +322,10 @@ impl Cause {
                 "Elija una herramienta de otra mano o con más ángulo libre, o cambie el sentido de la pasada",
                 "Choose a tool of the other hand or with more clearance, or turn the pass about",
             ),
+            Self::BodyInMetal(Moving::Turret) | Self::Collision(Moving::Turret, Fixture::Chuck | Fixture::Jaws) => t(
+                "Use una herramienta que sobresalga más, o compruebe su l y el cuerpo de la torreta (BX_min a BZ_max en el libro)",
+                "Use a tool that stands out more, or check its l and the turret's body (BX_min to BZ_max in the workbook)",
+            ),
             Self::BodyInMetal(_) => {
                 t("Elija una herramienta más larga o más estrecha", "Choose a longer or a narrower tool")
             }
@@ -350,7 +354,10 @@ impl Cause {
             Self::SpindleStopped | Self::FeedStands => {
                 t("Programe M3 o M4 con S antes del corte", "Program M3 or M4 with S before the cut")
             }
-            Self::SpindleWrongWay => t("Cambie M3 por M4 o al revés", "Change M3 to M4 or the other way"),
+            Self::SpindleWrongWay => t(
+                "Cambie M3 por M4 o al revés; si la herramienta está montada con la otra cara arriba, escriba en su celda M de la hoja HERRAMIENTAS el giro con el que corta",
+                "Change M3 to M4 or the other way; where the tool lies the other face up, write the way it cuts in its cell M on the sheet TOOLS",
+            ),
             Self::NoCoolant => t("Programe M8 si el material lo pide", "Program M8 if the material asks for it"),
             Self::NoFeed => t("Programe F", "Program F"),
             Self::ImplausibleFeed { .. } => t(

@@ -30,6 +30,7 @@ pub mod stock;
 mod tally;
 pub mod text;
 pub mod tool;
+pub mod tool_sheet;
 pub mod turret;
 mod watch;
 pub mod workpiece;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-use super::tool::{Cutter, Hand, Holder, Shape, Tool};
+use super::tool::{Cutter, Holder, Shape, Tool};
 use crate::geometry::chords;
 use crate::geometry::exact::convex::Convex;
 use crate::number::trig::{atan, atan2, hypot, sin_cos, tan};
@@ -36,8 +36,8 @@ pub struct Part {
 pub struct Outline {
     /// The cutter; more than one part for a centre drill.
     pub cutter: Vec<Part>,
-    /// The holder.
-    pub holder: Convex,
+    /// The holder; more than one part for a bar with a head.
+    pub holder: Vec<Convex>,
 }
 
 /// What is known of an edge before the outline is made of corners.
@@ -60,6 +60,9 @@ const COARSE: f64 = 0.005;
 const SETBACK: f64 = 0.5;
 /// What a holder's relief stays behind the insert's edge, degrees.
 const RELIEF: f64 = 2.0;
+/// How far a shank stays behind the edge that it is flush with, and the least that a bar's head is wider than its blade, mm.
+const FLUSH: f64 = 0.1;
+const SEAT: f64 = 1.0;
 
 fn refuse(es: &str, en: &str) -> Text {
     Text::new(es.to_owned(), en.to_owned())
@@ -123,14 +126,15 @@ fn rounded(corners: &[[f64; 2]], radius: f64, tolerance: f64, cutting: usize) ->
 }
 
 impl Tool {
-    /// The tool's outline, with its curves as chords within a tolerance in mm. Refused with the reason: lengths that are
-    /// not positive, angles that do not fit the insert, a nose too large for it, a bar that reaches past its tip.
-    pub fn outline(&self, tolerance: f64) -> Result<Outline, Text> {
+    /// The tool's outline in a turret in front of the axis or behind it, with its curves as chords within a tolerance in mm.
+    /// Refused with the reason: lengths that are not positive, angles that do not fit the insert, a nose too large for it, a
+    /// bar that reaches past its tip.
+    pub fn outline(&self, tolerance: f64, behind: bool) -> Result<Outline, Text> {
         self.check()?;
         let mut cutter = Vec::new();
-        let mut depth = 0.0;
+        let mut size = [0.0; 2];
         for (points, marks) in self.parts(tolerance)? {
-            depth = points.iter().fold(depth, |most: f64, point| most.max(point[1]));
+            size = points.iter().fold(size, |[z, r]: [f64; 2], point| [z.max(point[0]), r.max(point[1])]);
             let place = |point: [f64; 2]| self.place(point);
             let points: Vec<_> = points.into_iter().map(place).collect();
             let polygon = Convex::hull_mm(&points)
@@ -144,9 +148,14 @@ impl Tool {
             let roles = roles(&polygon, &marks);
             cutter.push(Part { polygon, roles });
         }
-        let points: Vec<_> = self.held(depth).into_iter().map(|point| self.place(point)).collect();
-        let holder = Convex::hull_mm(&points)
-            .ok_or_else(|| refuse("el portaherramientas no tiene superficie", "the holder has no area"))?;
+        let holder = std::iter::once(self.held(size, behind))
+            .chain(self.head())
+            .map(|points| {
+                let points: Vec<_> = points.into_iter().map(|point| self.place(point)).collect();
+                Convex::hull_mm(&points)
+                    .ok_or_else(|| refuse("el portaherramientas no tiene superficie", "the holder has no area"))
+            })
+            .collect::<Result<_, _>>()?;
         Ok(Outline { cutter, holder })
     }
 
@@ -159,21 +168,32 @@ impl Tool {
             return None;
         }
         let (z, r) = ([length, length + 3.0 * diameter], [reach - diameter, reach + diameter]);
-        Convex::hull_mm(&[[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]].map(|point| self.place(point)))
+        let side = if self.backwards() { -1.0 } else { 1.0 };
+        Convex::hull_mm(&boxed(z.map(|z| side * z), r).map(|point| self.place(point)))
+    }
+
+    /// True for a boring tool whose edge looks back along its bar, away from the chuck.
+    fn backwards(&self) -> bool {
+        matches!(self.cutter, Cutter::Insert { .. }) && self.tip.vector()[0] > 0.0
     }
 
     /// From the frame in which a tool of tip 3 has its tip at the origin to that of this tip.
+    ///
+    /// A blade cuts to both sides, and its tip says which of its corners is programmed: along the front edge it is moved, and
+    /// neither it nor its holder mirrored.
     fn place(&self, [z, r]: [f64; 2]) -> [f64; 2] {
-        let [level_z, level_r] = match self.cutter {
-            Cutter::Insert { .. } => self.tip.level().map(|level| if level { self.nose() } else { 0.0 }),
-            Cutter::Groover { width, face, .. } => {
-                let [z, r] = self.tip.level();
-                [if z && !face { width / 2.0 } else { 0.0 }, if r && face { width / 2.0 } else { 0.0 }]
+        let [mirror_z, mirror_r] = self.tip.mirror();
+        let [corner_z, corner_r] = self.tip.vector().map(|share| f64::midpoint(share, 1.0));
+        match self.cutter {
+            Cutter::Insert { .. } => {
+                let [level_z, level_r] = self.tip.level().map(|level| if level { self.nose() } else { 0.0 });
+                [(z - level_z) * mirror_z, (r - level_r) * mirror_r]
             }
-            _ => [0.0, 0.0],
-        };
-        let [mirror_z, mirror_r] = if self.axial() { [1.0, 1.0] } else { self.tip.mirror() };
-        [(z - level_z) * mirror_z, (r - level_r) * mirror_r]
+            Cutter::Groover { width, face: true, .. } => [z * mirror_z, r - width * corner_r],
+            Cutter::Groover { width, .. } => [z - width * corner_z, r * mirror_r],
+            Cutter::Threader { .. } => [z, r * mirror_r],
+            Cutter::Drill { .. } | Cutter::CentreDrill { .. } => [z, r],
+        }
     }
 
     fn check(&self) -> Result<(), Text> {
@@ -324,16 +344,20 @@ impl Tool {
         }
     }
 
-    /// The holder's corners as for tip 3, behind a cutter of a depth.
-    fn held(&self, depth: f64) -> Vec<[f64; 2]> {
-        let boxed = |z: [f64; 2], r: [f64; 2]| vec![[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]];
+    /// The holder's corners as for tip 3, behind a cutter that reaches so far along z and r.
+    fn held(&self, [reach_z, depth]: [f64; 2], behind: bool) -> Vec<[f64; 2]> {
+        let boxed = |z: [f64; 2], r: [f64; 2]| boxed(z, r).to_vec();
         match (self.holder, self.cutter) {
             (
                 Holder::Bar { diameter, length, .. },
                 Cutter::Drill { length: from, .. } | Cutter::CentreDrill { length: from, .. },
             ) => boxed([from, from.max(length) + 1.0], [-diameter / 2.0, diameter / 2.0]),
+            (Holder::Bar { diameter, length, reach }, Cutter::Groover { depth, face: true, .. }) => {
+                boxed([depth, depth.max(length) + 1.0], [FLUSH.min(reach - diameter / 2.0), reach + diameter / 2.0])
+            }
             (Holder::Bar { diameter, length, reach }, _) => {
-                boxed([SETBACK, length], [reach - diameter / 2.0, reach + diameter / 2.0])
+                let z = if self.backwards() { [-length, reach_z + SETBACK] } else { [SETBACK, length] };
+                boxed(z, [reach - diameter / 2.0, reach + diameter / 2.0])
             }
             (Holder::Shank { width, length }, Cutter::Insert { shape, main, auxiliary, .. }) => {
                 // The shank begins where the insert's seat ends, and higher where the insert's edges have to clear.
@@ -362,22 +386,26 @@ impl Tool {
                 }
                 points
             }
-            (Holder::Shank { width, length }, Cutter::Groover { depth, face: true, .. }) => {
-                boxed([depth, depth.max(length) + 1.0], [0.1, width])
+            (Holder::Shank { width, length }, Cutter::Groover { depth, width: edge, face, .. }) => {
+                // Flush with the blade where its edge is, or, of a neutral one, where it is programmed.
+                let (axis, ahead) = if face { (1, false) } else { (0, true) };
+                let low = self.ahead(behind).map(|edge| edge == ahead);
+                let low = low.or_else(|| (!self.tip.level()[axis]).then(|| self.tip.vector()[axis] < 0.0));
+                let start = match low {
+                    Some(true) => FLUSH,
+                    Some(false) => edge - FLUSH - width,
+                    None => (edge - width) / 2.0,
+                };
+                let (across, along) = ([start, start + width], [depth, depth.max(length) + 1.0]);
+                if face { boxed(along, across) } else { boxed(across, along) }
             }
-            (Holder::Shank { width, length }, Cutter::Groover { depth, width: edge, .. }) => {
-                let start = if self.tip.level()[0] { (edge - width) / 2.0 } else { 0.1 };
-                boxed([start, start + width], [depth, depth.max(length) + 1.0])
-            }
-            (Holder::Shank { width, length }, Cutter::Threader { angle, nose, depth: profile, .. }) => {
+            (Holder::Shank { width, length }, Cutter::Threader { depth: profile, .. }) => {
                 // The insert sits at the edge of the shank, so that a thread may run up to a shoulder.
-                let half = angle.to_radians() / 2.0;
-                let (sin, _) = sin_cos(half);
-                let left = -(profile + nose * (1.0 / sin - 1.0)) * tan(half) - SETBACK;
-                let side = match self.hand {
-                    Hand::Right => [left, left + width],
-                    Hand::Left => [-left - width, -left],
-                    Hand::Neutral => [-width / 2.0, width / 2.0],
+                let left = -self.flank(profile) - SETBACK;
+                let side = match self.ahead(behind) {
+                    Some(true) => [left, left + width],
+                    Some(false) => [-left - width, -left],
+                    None => [-width / 2.0, width / 2.0],
                 };
                 boxed(side, [depth, depth.max(length) + 1.0])
             }
@@ -386,6 +414,36 @@ impl Tool {
             }
         }
     }
+
+    /// The head of a bar that holds a blade for grooves or threads, as for tip 3: what stands between the bar's surface and
+    /// what of the blade cuts. `None` where the bar reaches as far itself, and for other tools.
+    ///
+    /// Along the axis it is as long as the blade's seat: on the far side it stands out by as much as the blade is wide, and by
+    /// 1 mm at least; on the chuck's side by nothing, so that a blade may cut beside a shoulder or at the end of a hole. The
+    /// bar's own metal goes on behind it and is thinner there. Derived here.
+    fn head(&self) -> Option<Vec<[f64; 2]>> {
+        let Holder::Bar { diameter, reach, .. } = self.holder else { return None };
+        // Where it begins, where the blade's far side is, and how wide the blade is.
+        let (from, side, wide, depth) = match self.cutter {
+            Cutter::Groover { width, depth, face: false, .. } => (SETBACK.min(width / 2.0), width, width, depth),
+            Cutter::Threader { depth, .. } => (0.0, self.flank(depth), 2.0 * self.flank(depth), depth),
+            _ => return None,
+        };
+        let surface = reach - diameter / 2.0;
+        (surface > depth).then(|| boxed([from, side + wide.max(SEAT)], [depth, surface]).to_vec())
+    }
+
+    /// How far the flank of a thread's profile stands out from the middle at a depth.
+    fn flank(&self, depth: f64) -> f64 {
+        let Cutter::Threader { angle, nose, .. } = self.cutter else { return 0.0 };
+        let half = angle.to_radians() / 2.0;
+        let (sin, _) = sin_cos(half);
+        (depth + nose * (1.0 / sin - 1.0)) * tan(half)
+    }
+}
+
+fn boxed(z: [f64; 2], r: [f64; 2]) -> [[f64; 2]; 4] {
+    [[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]]
 }
 
 /// The corners of a sharp insert, counter-clockwise from the cutting one at the origin: the auxiliary edge comes first, the

@@ -1,11 +1,13 @@
 //! The form of the lathe workbook: stock, machine, tools, program, wanted profile.
 //!
-//! Source: the lathe simulator's tables of the machine, of the stock (D, L, L1 to L5) and of the tools (φ1, φ2, the
-//! inscribed circle, the nose radius), in its symbols; what a machine needs beside them is added here.
+//! Source: the lathe simulator's tables of the machine and of the stock (D, L, L1 to L5), in its symbols; what a machine
+//! needs beside them is added here. The tools have a file of their own.
 
 use crate::lathe::cases::CASES;
+use crate::lathe::tool_sheet;
+pub use crate::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet, other, real, t};
 use crate::table::Unit;
 use crate::text::Text;
 
@@ -229,6 +231,51 @@ const MACHINE: &[Parameter] = &[
     ),
 ];
 
+const BODY: &[Parameter] = &[
+    real(
+        "BX_min",
+        "body_BX_min",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Menor X del cuerpo, en radio", "Least X of the body, on the radius"),
+        t(
+            "Desde el punto de referencia de la torreta, como Q_x; incluya lo que alcanzan el disco y las herramientas vecinas. Los cuatro vacíos: no se vigila",
+            "From the turret's reference point, as Q_x; include what the disc and the neighbouring tools reach. All four empty: not watched",
+        ),
+    ),
+    real(
+        "BX_max",
+        "body_BX_max",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Mayor X del cuerpo, en radio", "Greatest X of the body, on the radius"),
+        NONE,
+    ),
+    real(
+        "BZ_min",
+        "body_BZ_min",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Menor Z del cuerpo", "Least Z of the body"),
+        t(
+            "Una broca o una barra queda libre hasta su largo l, o hasta el punto de referencia",
+            "A drill or a bar is free up to its length l, or up to the reference point",
+        ),
+    ),
+    real(
+        "BZ_max",
+        "body_BZ_max",
+        MM,
+        [-1000.0, 1000.0],
+        false,
+        t("Mayor Z del cuerpo", "Greatest Z of the body"),
+        NONE,
+    ),
+];
+
 macro_rules! zero {
     ($key:literal, $name:literal, $es:literal, $en:literal) => {
         real($key, $name, MM, [-5000.0, 5000.0], false, t($es, $en), NONE)
@@ -261,154 +308,6 @@ const SECOND: &[Parameter] = &[real(
     ),
 )];
 
-const KINDS: &[Choice] = &[
-    Choice { key: "external", label: t("exterior", "external") },
-    Choice { key: "internal", label: t("interior", "internal") },
-    Choice { key: "groove", label: t("ranurar", "groove") },
-    Choice { key: "internal-groove", label: t("ranurar interior", "internal groove") },
-    Choice { key: "face-groove", label: t("ranurar frontal", "face groove") },
-    Choice { key: "thread", label: t("roscar", "thread") },
-    Choice { key: "internal-thread", label: t("roscar interior", "internal thread") },
-    Choice { key: "drill", label: t("broca", "drill") },
-    Choice { key: "centre-drill", label: t("broca de centrar", "centre drill") },
-];
-
-const SHAPES: &[Choice] = &[
-    Choice { key: "C", label: t("C", "C") },
-    Choice { key: "D", label: t("D", "D") },
-    Choice { key: "V", label: t("V", "V") },
-    Choice { key: "T", label: t("T", "T") },
-    Choice { key: "S", label: t("S", "S") },
-    Choice { key: "W", label: t("W", "W") },
-    Choice { key: "R", label: t("R", "R") },
-    Choice { key: "K", label: t("K", "K") },
-];
-
-const HANDS: &[Choice] = &[
-    Choice { key: "R", label: t("R", "R") },
-    Choice { key: "L", label: t("L", "L") },
-    Choice { key: "N", label: t("N", "N") },
-];
-
-const TOOLS: &[Parameter] = &[
-    whole(
-        "tools/T",
-        "",
-        Unit::Count,
-        [1, 8],
-        false,
-        t("puesto de la torreta; vacío: no montada", "place in the turret; empty: not mounted"),
-        NONE,
-    ),
-    whole("tools/D", "", Unit::Count, [1, 99], false, t("corrector; vacío: T", "offset; empty: T"), NONE),
-    other("tools/name", "", Kind::Line { max: 60 }, false, t("nombre", "name"), NONE),
-    other("tools/type", "", Kind::Choice(KINDS), true, t("tipo", "type"), NONE),
-    other(
-        "tools/shape",
-        "",
-        Kind::Choice(SHAPES),
-        false,
-        t("forma de la placa, ISO 1832", "insert shape, ISO 1832"),
-        NONE,
-    ),
-    real(
-        "tools/IC",
-        "",
-        MM,
-        [1.0, 100.0],
-        false,
-        t("círculo inscrito; cuerpo de la broca de centrar", "inscribed circle; body of a centre drill"),
-        NONE,
-    ),
-    real("tools/R", "", MM, [0.0, 50.0], false, t("radio de punta", "nose radius"), NONE),
-    real("tools/phi1", "", Unit::Degree, [0.0, 180.0], false, t("ángulo principal φ1", "main angle φ1"), NONE),
-    real("tools/phi2", "", Unit::Degree, [0.0, 180.0], false, t("ángulo auxiliar φ2", "auxiliary angle φ2"), NONE),
-    real(
-        "tools/w",
-        "",
-        MM,
-        [0.1, 200.0],
-        false,
-        t("ancho de la ranuradora; diámetro de la broca", "width of a groover; diameter of a drill"),
-        NONE,
-    ),
-    real(
-        "tools/h",
-        "",
-        MM,
-        [0.1, 500.0],
-        false,
-        t("fondo de la ranura o del perfil; largo de las hélices", "depth of groove or profile; length of the flutes"),
-        NONE,
-    ),
-    real(
-        "tools/psi",
-        "",
-        Unit::Degree,
-        [10.0, 180.0],
-        false,
-        t("ángulo de la rosca o de la punta", "thread or point angle"),
-        NONE,
-    ),
-    real("tools/p_min", "", MM, [0.05, 50.0], false, t("paso menor", "least lead"), NONE),
-    real("tools/p_max", "", MM, [0.05, 50.0], false, t("paso mayor", "greatest lead"), NONE),
-    other("tools/hand", "", Kind::Choice(HANDS), false, t("mano; vacío: R", "hand; empty: R"), NONE),
-    whole(
-        "tools/tip",
-        "",
-        Unit::Count,
-        [1, 9],
-        false,
-        t("orientación de la punta; vacío: según tipo y mano", "orientation of the tip; empty: by type and hand"),
-        NONE,
-    ),
-    real(
-        "tools/b",
-        "",
-        MM,
-        [1.0, 200.0],
-        true,
-        t("ancho del mango o diámetro de la barra", "width of the shank, diameter of the bar"),
-        NONE,
-    ),
-    real(
-        "tools/l",
-        "",
-        MM,
-        [1.0, 500.0],
-        true,
-        t("largo del mango o de la barra", "length of the shank or the bar"),
-        NONE,
-    ),
-    real(
-        "tools/c",
-        "",
-        MM,
-        [0.0, 200.0],
-        false,
-        t("de la punta al eje de la barra", "from the tip to the centre of the bar"),
-        NONE,
-    ),
-    real(
-        "tools/Q_x",
-        "",
-        MM,
-        [-500.0, 500.0],
-        true,
-        t("de la punta a la torreta en X, en radio", "from the tip to the turret along X, on the radius"),
-        NONE,
-    ),
-    real(
-        "tools/Q_z",
-        "",
-        MM,
-        [-500.0, 500.0],
-        true,
-        t("de la punta a la torreta en Z", "from the tip to the turret along Z"),
-        NONE,
-    ),
-];
-
 const BLOCKS: &[Parameter] = &[
     other("program/BLOCK", "", Kind::Line { max: 200 }, true, t("un bloque por fila", "one block a row"), NONE),
     other("program/NOTE", "", Kind::Line { max: 200 }, false, t("no se lee", "not read"), NONE),
@@ -436,8 +335,6 @@ const PROFILE: &[Parameter] = &[
 
 const BLOCK_WIDTHS: &[f64] = &[52.0, 34.0];
 
-/// The list of tools.
-pub const TOOLS_KEY: &str = "tools";
 /// The list of the program's blocks.
 pub const PROGRAM_KEY: &str = "program";
 /// The list of the blocks of the second set-up's program.
@@ -483,27 +380,19 @@ pub static FORM: Form = Form {
             Section { title: t("Bruto", "Stock"), parameters: STOCK },
             Section { title: t("Plato y contrapunto", "Chuck and tailstock"), parameters: CHUCK },
             Section { title: t("Máquina", "Machine"), parameters: MACHINE },
+            Section {
+                title: t(
+                    "Cuerpo de la torreta con las herramientas vecinas",
+                    "Body of the turret with the neighbouring tools",
+                ),
+                parameters: BODY,
+            },
             Section { title: t("Otros orígenes, desde M", "Further zeros, from M"), parameters: ZEROS },
             Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND },
         ],
     }],
     lists: &[
-        List {
-            key: TOOLS_KEY,
-            naming: Naming::One(t("HERRAMIENTAS", "TOOLS")),
-            title: t("Herramientas", "Tools"),
-            note: t(
-                "El catálogo: una herramienta por fila; las que llevan T están montadas en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control.",
-                "The catalogue: one tool a row; those with a T are mounted in that place of the turret, 1 to 8. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control.",
-            ),
-            optional: false,
-            columns: TOOLS,
-            widths: &[
-                8.0, 9.0, 26.0, 15.0, 9.0, 11.0, 8.0, 9.0, 9.0, 12.0, 13.0, 10.0, 8.0, 8.0, 9.0, 12.0, 12.0, 11.0,
-                11.0, 13.0, 13.0,
-            ],
-            most: 500,
-        },
+        tool_sheet::LIST,
         List {
             key: PROGRAM_KEY,
             naming: Naming::One(t("PROGRAMA", "PROGRAM")),

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::{CellPlace, Finding, Place};
-use crate::gcode::control::Control;
+use crate::gcode::control::{Control, Spindle};
 use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
 use crate::gcode::interpreter::{DecimalPoint, Setting, Tool as Offset, Tools};
 use crate::gcode::motion::Motion;
@@ -57,6 +57,9 @@ pub struct Given {
 const ZEROS: [[&str; 2]; 5] =
     [["W2_X", "W2_Z"], ["W3_X", "W3_Z"], ["W4_X", "W4_Z"], ["W5_X", "W5_Z"], ["W6_X", "W6_Z"]];
 
+/// The cells of the turret's body, along X and along Z.
+const BODY: [[&str; 2]; 2] = [["BX_min", "BX_max"], ["BZ_min", "BZ_max"]];
+
 impl Given {
     /// The set-up of a filled-in form.
     ///
@@ -107,7 +110,11 @@ impl Given {
                 Text::fixed("corrija d o D", "correct d or D"),
             );
         }
-        for keys in [["X_min", "X_max"], ["Z_min", "Z_max"]] {
+        let travel = Text::fixed("corrija el recorrido", "correct the travel");
+        let sizes = Text::fixed("corrija el cuerpo de la torreta", "correct the turret's body");
+        for (keys, remedy) in
+            [(["X_min", "X_max"], &travel), (["Z_min", "Z_max"], &travel), (BODY[0], &sizes), (BODY[1], &sizes)]
+        {
             if let [Some(least), Some(greatest)] = keys.map(|key| values.real(key))
                 && least >= greatest
             {
@@ -129,13 +136,29 @@ impl Given {
                             shown(greatest, 3)
                         ),
                     ),
-                    Text::fixed("corrija el recorrido", "correct the travel"),
+                    remedy.clone(),
                 );
             }
         }
+        let (given, empty): (Vec<_>, Vec<_>) = BODY.into_iter().flatten().partition(|key| values.real(key).is_some());
+        if !given.is_empty() && !empty.is_empty() {
+            let lost = empty.join(", ");
+            stop(
+                &empty,
+                Text::new(
+                    format!("el cuerpo de la torreta se da con sus cuatro medidas; faltan: {lost}"),
+                    format!("the turret's body is given by all four of its sizes; empty: {lost}"),
+                ),
+                Text::fixed(
+                    "rellene las cuatro, o vacíelas todas para no vigilar el cuerpo",
+                    "fill in all four, or empty all of them not to watch the body",
+                ),
+            );
+        }
         let (dialect, point) = control(values);
         let tolerance = values.real("eps").unwrap_or(EPS);
-        let (tools, offsets) = turret(values.rows(TOOLS_KEY), tolerance, &mut findings);
+        let behind = values.choice("turret") == Some("rear");
+        let (tools, offsets) = turret(values.rows(TOOLS_KEY), (tolerance, behind), &mut findings);
         let own: BTreeMap<u32, u32> = values
             .rows(TOOLS_KEY)
             .iter()
@@ -158,7 +181,7 @@ impl Given {
             rapid: [real("G_X"), real("G_Z")],
             bent_rapid: values.choice("rapid") == Some("bent"),
             greatest_speed: real("S_max"),
-            turret_behind: values.choice("turret") == Some("rear"),
+            turret_behind: behind,
             chuck: Chuck { body: real("L1"), jaws: real("L2"), diameter: real("D_c"), ..default.chuck },
             tailstock: default.tailstock,
         };
@@ -177,6 +200,7 @@ impl Given {
         if !faults.is_empty() {
             return Err(faults);
         }
+        let body = empty.is_empty().then(|| [0, 1].map(|end| [real(BODY[1][end]), real(BODY[0][end])]));
         let zeros = ZEROS.map(|[X, Z]| [real(X) / 2.0, real(Z)]);
         // An X that is not given is 0, on the axis; a Z has no such place.
         let empty = (2..)
@@ -188,7 +212,7 @@ impl Given {
             })
             .collect();
         Ok(Self {
-            setup: Setup { lathe, stock, turret: Turret { tools, body: None }, tolerance, part: None, record: false },
+            setup: Setup { lathe, stock, turret: Turret { tools, body }, tolerance, part: None, record: false },
             dialect,
             point,
             block_delete: values.choice("block_delete") == Some("yes"),
@@ -319,7 +343,7 @@ pub fn without_rule(values: &Values) -> Option<Finding> {
 }
 
 /// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
-fn turret(rows: &[Row], tolerance: f64, findings: &mut Vec<Finding>) -> (BTreeMap<u32, Tool>, Tools) {
+fn turret(rows: &[Row], (tolerance, behind): (f64, bool), findings: &mut Vec<Finding>) -> (BTreeMap<u32, Tool>, Tools) {
     let mut tools = BTreeMap::new();
     let mut offsets = Tools::new();
     let mut places: BTreeSet<u32> = BTreeSet::new();
@@ -344,7 +368,7 @@ fn turret(rows: &[Row], tolerance: f64, findings: &mut Vec<Finding>) -> (BTreeMa
                 continue;
             }
         };
-        if let Err(why) = tool.outline(tolerance) {
+        if let Err(why) = tool.outline(tolerance, behind) {
             findings.push(Finding::stop(
                 Place::Cells(cells(
                     row,
@@ -461,6 +485,11 @@ fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
         hand,
         tip: number.and_then(Tip::new).unwrap_or(usual),
         holder,
+        turns: match row.choice("tools/M") {
+            Some("M3") => Some(Spindle::Clockwise),
+            Some("M4") => Some(Spindle::CounterClockwise),
+            _ => None,
+        },
         overhang: [need("tools/Q_x")?, need("tools/Q_z")?],
     })
 }

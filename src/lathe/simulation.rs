@@ -62,15 +62,13 @@ impl Setup {
 /// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
 /// grid, and past it no tool reaches the blank.
 const WITHIN: f64 = 780.0;
-/// The most a tool's outline may reach from its programmed point to stay on the grid with that.
-const REACH: f64 = 290.0;
 
 /// A tool made ready.
 #[derive(Debug)]
 struct Ready {
     tool: Tool,
     outline: Outline,
-    body: Option<Convex>,
+    bodies: Vec<Convex>,
 }
 
 /// A simulation under way.
@@ -133,16 +131,10 @@ impl Simulation {
         let mut tools = BTreeMap::new();
         for (&place, tool) in &setup.turret.tools {
             let remedy = || Text::fixed("corrija la herramienta", "correct the tool");
-            match tool.outline(tolerance) {
+            match tool.outline(tolerance, setup.lathe.turret_behind) {
                 Ok(outline) => {
-                    let body = setup.turret.body.and_then(|[low, high]| {
-                        let [x, z] = tool.overhang;
-                        let r = [low[1] + x, (high[1] + x).min(REACH)];
-                        let z = [low[0] + z, (high[0] + z).min(REACH)];
-                        Convex::hull_mm(&[[z[0], r[0]], [z[1], r[0]], [z[1], r[1]], [z[0], r[1]]])
-                    });
-                    let body = body.or_else(|| tool.clamp());
-                    tools.insert(place, Ready { tool: tool.clone(), outline, body });
+                    let bodies = setup.turret.bodies(tool);
+                    tools.insert(place, Ready { tool: tool.clone(), outline, bodies });
                 }
                 Err(why) => {
                     stop(format!("herramienta {place}: {}", why.es), format!("tool {place}: {}", why.en), remedy())
@@ -416,8 +408,8 @@ impl Simulation {
                     }
                 }));
             }
-            let bodies = [(Moving::Holder, Some(&ready.outline.holder)), (Moving::Turret, ready.body.as_ref())];
-            for (moving, body) in bodies.into_iter().filter_map(|(moving, body)| Some((moving, body?))) {
+            let holder = ready.outline.holder.iter().map(|body| (Moving::Holder, body));
+            for (moving, body) in holder.chain(ready.bodies.iter().map(|body| (Moving::Turret, body))) {
                 if !body.sweep(first, last, swept) {
                     continue;
                 }

@@ -172,6 +172,8 @@ pub struct Tool {
     pub tip: Tip,
     /// What holds it.
     pub holder: Holder,
+    /// The way the spindle turns for it to cut, where that is given; never stopped. Where it is not, see [`Tool::spindle`].
+    pub turns: Option<Spindle>,
     /// From the programmed point to the turret's reference point along X (as a radius) and Z: what stands as the tool's
     /// offset in the control.
     pub overhang: [f64; 2],
@@ -196,28 +198,60 @@ impl Tool {
     }
 
     /// The way the spindle has to turn for the tool to cut, where the turret stands in front of the axis (towards the
-    /// operator) or behind it.
+    /// operator) or behind it: as it is given for the tool, and where it is not, as such a tool usually lies.
     ///
     /// M3 turns the work clockwise seen from behind the headstock, so that in front of the axis its surface comes down
     /// upon a tool whose face looks up. A right-hand tool that feeds towards the chuck lies face up in front of the axis,
     /// and behind it face down, where the surface comes up: M3 for both. A left-hand tool that feeds towards the chuck is
     /// the mirror image: M4. Feeding away from the chuck turns each about. Boring bars follow the same rule. A neutral
-    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Blades for grooves and threads cut to both sides,
-    /// whichever of their corners is programmed. Beyond the axis, where a cut lies there as a whole, the surface goes the
-    /// other way. Derived here.
+    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Beyond the axis, where a cut lies there as a
+    /// whole, the surface goes the other way.
+    ///
+    /// Of a blade for grooves, parting or threads the tip says which corner is programmed, and not how it lies. On a bar its
+    /// edge is at the end that goes ahead to the chuck: M3 for a right-hand one, M4 for a left-hand one. On a shank the rule
+    /// is that of inserts (see [`Tool::ahead`]), and either hand may lie either way up. A right-hand one has its edge at the
+    /// chuck's side, as it is parted off there: M3. A left-hand one lies face up, to be seen and changed: M3 in front, with
+    /// its body towards the chuck; M4 behind, with its edge there. Derived here.
     #[must_use]
     pub const fn spindle(&self, behind: bool, beyond: bool) -> Spindle {
-        if self.axial() {
-            return Spindle::Clockwise;
+        if self.clockwise(behind) != (beyond && !self.axial()) { Spindle::Clockwise } else { Spindle::CounterClockwise }
+    }
+
+    /// True where the spindle has to turn clockwise, M3, this side of the axis.
+    const fn clockwise(&self, behind: bool) -> bool {
+        match self.turns {
+            Some(Spindle::Clockwise) => return true,
+            Some(Spindle::CounterClockwise) => return false,
+            Some(Spindle::Stopped) | None => {}
         }
-        let away = matches!(self.cutter, Cutter::Insert { .. })
-            && matches!(self.tip, Tip::InsideRight | Tip::OutsideRight | Tip::Right);
-        let clockwise = match self.hand {
-            Hand::Right => !away,
-            Hand::Left => away,
-            Hand::Neutral => !behind,
-        };
-        if clockwise != beyond { Spindle::Clockwise } else { Spindle::CounterClockwise }
+        let away = matches!(self.tip, Tip::InsideRight | Tip::OutsideRight | Tip::Right);
+        match (self.cutter, self.hand) {
+            (Cutter::Drill { .. } | Cutter::CentreDrill { .. }, _) => true,
+            (Cutter::Insert { .. }, Hand::Right) => !away,
+            (Cutter::Insert { .. }, Hand::Left) => away,
+            (_, Hand::Right) => true,
+            (_, Hand::Left) => matches!(self.holder, Holder::Shank { .. }) && !behind,
+            (_, Hand::Neutral) => !behind,
+        }
+    }
+
+    /// Of a blade on a shank, whether its edge lies at the chuck's side of the shank, and of one that cuts into a face at the
+    /// side away from the axis; `None` where it is neutral, in the middle.
+    ///
+    /// Seen from above, the turret in front: the tip of a tool along X points up the page, and the chuck is to the left. A
+    /// right-hand tool that lies face up has its edge to the left, and cuts with M3. Laid face down it has its edge to the
+    /// right, and cuts with M4; moved behind the axis, where its tip points down the page, too. So either turns about both
+    /// edge and spindle, the hand the edge alone: M3 cuts where the edge is at the chuck's side of a right-hand tool or at the
+    /// other side of a left-hand one, in front of the axis and behind it alike. For a tool along Z that cuts into a face the
+    /// page is turned: its tip points to the left, and its edge is at the bottom, away from the axis, where it was to the
+    /// left; moved behind, that is at the axis. Derived here.
+    #[must_use]
+    pub const fn ahead(&self, behind: bool) -> Option<bool> {
+        match self.hand {
+            Hand::Right => Some(self.clockwise(behind)),
+            Hand::Left => Some(!self.clockwise(behind)),
+            Hand::Neutral => None,
+        }
     }
 }
 

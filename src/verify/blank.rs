@@ -393,6 +393,7 @@ fn tool() -> Tool {
         hand: Hand::Left,
         tip: Tip::OutsideLeft,
         holder: Holder::Shank { width: 25.0, length: 150.0 },
+        turns: None,
         overhang: [0.0, 0.0],
     }
 }

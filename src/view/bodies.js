@@ -101,10 +101,11 @@ function plate(polygon, half) {
 function toolBodies(tool, turning, size) {
   const list = (flat) => Array.from(flat, ([z, x]) => [z, x]);
   if (tool?.shape.flat) {
-    const { cutting, holder } = tool.shape.flat;
-    const reach = Math.max(1, ...holder.concat(...cutting).map(([z, x]) => Math.max(Math.abs(z), Math.abs(x))));
+    const { cutting, holder, turret } = tool.shape.flat;
+    const reach = Math.max(1, ...holder.concat(cutting).flat().map(([z, x]) => Math.max(Math.abs(z), Math.abs(x))));
     return [
-      { vertices: plate(list(holder), reach * 0.1), paint: "holder" },
+      ...turret.map((one) => ({ vertices: plate(list(one), reach * 0.09), paint: "fixture" })),
+      ...holder.map((one) => ({ vertices: plate(list(one), reach * 0.1), paint: "holder" })),
       ...cutting.map((one) => ({ vertices: plate(list(one), reach * 0.11), paint: "cutter" })),
     ];
   }

@@ -161,7 +161,7 @@ fn upper(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
 fn tools(setup: &Setup) -> Vec<Tool> {
     let tool = |(&number, tool): (&u32, &crate::lathe::tool::Tool)| {
         // A tool without an outline is refused before the simulation begins.
-        let outline = tool.outline(0.02).ok()?;
+        let outline = tool.outline(0.02, setup.lathe.turret_behind).ok()?;
         let corners = |polygon: &crate::geometry::exact::convex::Convex| {
             polygon.corners().iter().map(|corner| corner.mm()).collect()
         };
@@ -170,7 +170,8 @@ fn tools(setup: &Setup) -> Vec<Tool> {
             name: tool.name.clone(),
             shape: Shape::Flat {
                 cutting: outline.cutter.iter().map(|part| corners(&part.polygon)).collect(),
-                holder: corners(&outline.holder),
+                holder: outline.holder.iter().map(corners).collect(),
+                turret: setup.turret.bodies(tool).iter().map(corners).collect(),
             },
         })
     };

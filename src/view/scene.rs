@@ -113,8 +113,10 @@ pub enum Shape {
     Flat {
         /// What cuts, in one or more parts.
         cutting: Vec<Vec<[f64; 2]>>,
-        /// The holder and all else that must touch nothing.
-        holder: Vec<[f64; 2]>,
+        /// The holder, in one or more parts.
+        holder: Vec<Vec<[f64; 2]>>,
+        /// What of the turret moves with it and must touch nothing.
+        turret: Vec<Vec<[f64; 2]>>,
     },
 }
 

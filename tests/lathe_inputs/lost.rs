@@ -25,14 +25,14 @@ fn a_system_whose_zero_is_not_filled_in_is_refused_once_with_its_cells() {
     assert_eq!(
         stops(&found),
         [
-            "stop PROGRAM!A12 G55 is used, but W2 is empty in the workbook: DATA!C37, DATA!C38",
-            "stop PROGRAM!A15 G56 is used, but W3 is empty in the workbook: DATA!C39, DATA!C40",
+            "stop PROGRAM!A12 G55 is used, but W2 is empty in the workbook: DATA!C42, DATA!C43",
+            "stop PROGRAM!A15 G56 is used, but W3 is empty in the workbook: DATA!C44, DATA!C45",
         ]
     );
     assert!(found.contains(&format!("note PROGRAM!A12 {UNJUDGED}")), "{found:?}");
     // An X that is not given is 0, on the axis.
     let (found, _) = built(&Book::new(&program("G55|G1 X48. F0.2|G54")).put("W2_X", Value::Real(0.0)));
-    assert_eq!(stops(&found), ["stop PROGRAM!A12 G55 is used, but W2 is empty in the workbook: DATA!C38"]);
+    assert_eq!(stops(&found), ["stop PROGRAM!A12 G55 is used, but W2 is empty in the workbook: DATA!C43"]);
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn without_a_workbook_only_the_first_system_has_a_zero() {
     std::fs::write(folder.path().join("tools.xlsx"), Book::new(&program("")).bytes()).unwrap();
     let said = run(folder.path(), &[&arguments[..], &["--tools", "tools.xlsx"]].concat());
     let found = lines(&serde_json::from_str(&said.out).unwrap());
-    assert_eq!(stops(&found), ["stop 7 G55 is used, but W2 is empty in the workbook: DATA!C37, DATA!C38"]);
+    assert_eq!(stops(&found), ["stop 7 G55 is used, but W2 is empty in the workbook: DATA!C42, DATA!C43"]);
 }
 
 #[test]

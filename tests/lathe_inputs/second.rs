@@ -141,25 +141,25 @@ fn the_jaws_close_on_what_is_left_of_the_part() {
     let (found, _, exit) = held(&new());
     assert_eq!(
         (found, exit),
-        (vec!["note DATA!C48 DATA!C19 in the second set-up the jaws close on X40 and hold 30 mm".to_owned()], 0)
+        (vec!["note DATA!C53 DATA!C19 in the second set-up the jaws close on X40 and hold 30 mm".to_owned()], 0)
     );
     // At the end of the bar they hold 2 mm, and a part pushed out of them they do not hold.
     let (found, _, exit) = held(&new().put("Z_s", Value::Real(28.0)));
     assert_eq!(
         found,
-        ["caution DATA!C48 DATA!C19 in the second set-up the jaws, closed on X40, hardly hold the part along Z"]
+        ["caution DATA!C53 DATA!C19 in the second set-up the jaws, closed on X40, hardly hold the part along Z"]
     );
     assert_eq!(exit, 0);
     let (found, _, exit) = held(&new().put("Z_s", Value::Real(29.5)));
     assert!(
-        found[0].starts_with("stop DATA!C48 DATA!C19 in the second set-up the jaws, closed on X40, hardly"),
+        found[0].starts_with("stop DATA!C53 DATA!C19 in the second set-up the jaws, closed on X40, hardly"),
         "{found:?}"
     );
     assert_eq!(exit, 3);
     let (found, others, exit) = held(&new().put("Z_s", Value::Real(500.0)));
     assert_eq!(
         found,
-        ["stop DATA!C48 DATA!C19 in the second set-up there is no metal between the jaws: nothing holds the part"]
+        ["stop DATA!C53 DATA!C19 in the second set-up there is no metal between the jaws: nothing holds the part"]
     );
     assert_eq!(exit, 3);
     assert!(!others.iter().any(|line| line.starts_with("stop")), "what follows is not judged: {others:?}");

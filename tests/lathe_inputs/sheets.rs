@@ -209,7 +209,7 @@ fn headings_and_sheets_that_are_missing_are_named() {
     );
     stops(
         "b",
-        &renamed(TOOLS, "Q5", "breadth"),
+        &renamed(TOOLS, "R5", "breadth"),
         &["TOOLS the column \"b\" is missing"],
         "write \"b\" in the row of headings",
     );

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use rodete::parameter::Value;
 use rodete::text::Language;
 
 use crate::bench::{Book, program, run};
@@ -27,6 +28,22 @@ fn a_lathe_workbook_is_shown_with_the_metal_going() {
     assert_eq!(exit, 0);
     assert_eq!(page.matches("\"turning\":{\"stock\"").count(), 2);
     assert!(page.contains("Program of the second set-up") && page.contains("G1 Z-20. F0.2"));
+}
+
+#[test]
+fn the_turrets_body_is_shown_with_its_tools_where_it_is_given() {
+    let folder = tempfile::tempdir().unwrap();
+    let shown = |book: Book| {
+        fs::write(folder.path().join("part.xlsx"), book.bytes()).unwrap();
+        page(folder.path(), &["view", "part.xlsx"], "part.html").0
+    };
+    let body = [("BX_min", -30.0), ("BX_max", 60.0), ("BZ_min", -45.0), ("BZ_max", 50.0)];
+    let given = body.into_iter().fold(Book::new(&program(TURNS)), |book, (key, size)| book.put(key, Value::Real(size)));
+    // About T1, whose tip stands 60 mm from the reference point along X and 40 mm along Z.
+    let drawn = "\"turret\":[[[-5.0,30.0],[90.0,30.0],[90.0,120.0],[-5.0,120.0]]]";
+    assert!(shown(given).contains(drawn));
+    let empty = shown(Book::new(&program(TURNS)));
+    assert!(!empty.contains(drawn) && empty.contains("\"turret\":[]"));
 }
 
 #[test]

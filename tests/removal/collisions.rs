@@ -32,6 +32,7 @@ fn setup(stands: Stands) -> Setup {
         hand: Hand::Neutral,
         tip: Tip::Outside,
         holder: Holder::Shank { width: 25.0, length: 60.0 },
+        turns: None,
         overhang: [60.0, 0.0],
     };
     let turret = Turret { tools: [(1, tool)].into(), body: Some([[-30.0, 5.0], [100.0, 200.0]]) };

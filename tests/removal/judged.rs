@@ -50,7 +50,7 @@ fn way() -> impl Strategy<Value = Vec<[f64; 2]>> {
 }
 
 fn swept(tool: &Tool, way: &[[f64; 2]]) -> Vec<Convex> {
-    let outline = tool.outline(0.0002).unwrap();
+    let outline = tool.outline(0.0002, false).unwrap();
     let mut polygons = Vec::new();
     for ends in way.windows(2) {
         let [from, to] = [ends[0], ends[1]].map(|at| Point::near(at).unwrap());

@@ -13,7 +13,7 @@ fn insert(shape: Shape, circle: f64, [main, auxiliary]: [f64; 2], nose: f64) -> 
 }
 
 fn tool(es: &str, en: &str, cutter: Cutter, (tip, hand): (Tip, Hand), holder: Holder, overhang: [f64; 2]) -> Tool {
-    Tool { name: Text::new(es.to_owned(), en.to_owned()), cutter, hand, tip, holder, overhang }
+    Tool { name: Text::new(es.to_owned(), en.to_owned()), cutter, hand, tip, holder, turns: None, overhang }
 }
 
 /// A turning tool for roughing and facing: 80° insert, 95°, R 0.8.

@@ -100,7 +100,8 @@ pub fn scene(repeat: usize) -> Scene {
         name: Text::fixed("cuchilla", "turning tool"),
         shape: Shape::Flat {
             cutting: vec![vec![[0.0, 0.0], [9.0, 1.5], [10.5, 10.0], [1.5, 9.0]]],
-            holder: vec![[1.5, 8.0], [8.0, 1.5], [22.0, 8.0], [22.0, 60.0], [2.0, 60.0]],
+            holder: vec![vec![[1.5, 8.0], [8.0, 1.5], [22.0, 8.0], [22.0, 60.0], [2.0, 60.0]]],
+            turret: Vec::new(),
         },
     }];
     shown.remarks = vec![Remark {
