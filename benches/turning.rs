@@ -205,7 +205,7 @@ fn bench(criterion: &mut Criterion) {
 
 /// What the motions of a program sweep, about the blank's right end: the polygons that are taken away.
 fn swept(motions: &[Motion]) -> Vec<Convex> {
-    let outline = setup().turret.tools[&1].outline(0.0002).expect("a tool that can be");
+    let outline = setup().turret.tools[&1].outline(0.0002, false).expect("a tool that can be");
     let place = |pose: &Pose| Point::near([pose.get(Axis::Z), pose.get(Axis::X)]).expect("on the grid");
     let mut polygons = Vec::new();
     for motion in motions {
