@@ -2,6 +2,8 @@
 //! expanded motions, and programs that must be refused.
 
 mod common;
+#[path = "turning/contours.rs"]
+mod contours;
 #[path = "turning/corpus.rs"]
 mod corpus;
 #[path = "turning/cycles.rs"]

@@ -49,7 +49,7 @@ pub(super) enum Parameter {
 }
 
 /// One block: its words and codes. Reused from line to line.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Block {
     /// The block number.
     pub(super) n: Option<u32>,

@@ -7,8 +7,6 @@ pub struct Element {
     pub to: [f64; 2],
     /// Of an arc its centre, `[X, Z]`, and whether it runs clockwise (G2).
     pub arc: Option<([f64; 2], bool)>,
-    /// The F that the contour's blocks have given up to here, mm in the feed mode in force; `None` before the first.
-    pub feed: Option<f64>,
     /// Programmed at rapid (G0).
     pub rapid: bool,
     /// The line of its block in the program, counted from 1.
