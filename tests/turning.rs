@@ -4,6 +4,8 @@
 mod common;
 #[path = "turning/contours.rs"]
 mod contours;
+#[path = "turning/corners.rs"]
+mod corners;
 #[path = "turning/corpus.rs"]
 mod corpus;
 #[path = "turning/cycles.rs"]

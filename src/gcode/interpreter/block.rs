@@ -48,6 +48,26 @@ pub(super) enum Parameter {
     Name(String),
 }
 
+/// `,C` or `,R`: how the corner at the end of the block's line is broken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct EdgeWord {
+    /// R, else C.
+    pub(super) round: bool,
+    /// Its number.
+    pub(super) value: f64,
+    /// The column of its comma.
+    pub(super) column: usize,
+    /// Its number has no decimal point although a control may scale it for that.
+    pub(super) pointless: bool,
+}
+
+impl EdgeWord {
+    /// As it is written.
+    pub(super) const fn name(&self) -> &'static str {
+        if self.round { ",R" } else { ",C" }
+    }
+}
+
 /// One block: its words and codes. Reused from line to line.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
@@ -57,6 +77,8 @@ pub(super) struct Block {
     pub(super) present: u32,
     /// One bit for each letter whose number has no decimal point although a control may scale it for that.
     pub(super) pointless: u32,
+    /// How the corner behind the block is broken.
+    pub(super) edge: Option<EdgeWord>,
     values: [f64; 26],
     columns: [u16; 26],
     /// One bit for each group of which a G code stands in the block.
@@ -83,6 +105,7 @@ impl Block {
             n: None,
             present: 0,
             pointless: 0,
+            edge: None,
             values: [0.0; 26],
             columns: [0; 26],
             groups: 0,
@@ -101,6 +124,7 @@ impl Block {
         self.n = None;
         self.present = 0;
         self.pointless = 0;
+        self.edge = None;
         self.groups = 0;
         self.machine_groups = 0;
         self.machine_codes = 0;

@@ -17,7 +17,7 @@ use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Compensation;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::interpreter::block::{AXES, Block, letter};
+use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -53,6 +53,8 @@ pub(super) struct Contour {
     pub(super) blocks: Vec<ContourBlock>,
     /// Its first motion names both axes.
     pub(super) both_axes: bool,
+    /// The corner at the end of its last line, which the next one breaks, with the line of its block.
+    edge: Option<(EdgeWord, usize)>,
     /// The line of its last block.
     last: usize,
     /// Where the block behind it begins.
@@ -147,6 +149,7 @@ impl Interpreter<'_> {
             profile: Profile { start, elements: Vec::new() },
             blocks: Vec::new(),
             both_axes: false,
+            edge: None,
             last: ends.last.line(),
             behind: ends.last.at,
         };
@@ -181,6 +184,20 @@ impl Interpreter<'_> {
             }
         }
         contour.behind = self.source().position();
+        if let Some((word, line)) = contour.edge {
+            let name = word.name();
+            return Err(word.refusal(
+                line,
+                Text::new(
+                    format!("PS0326: el contorno de G{cycle} acaba con «{name}», sin la recta que la sigue"),
+                    format!("PS0326: the contour of G{cycle} ends with '{name}', without the line that follows it"),
+                ),
+                Text::fixed(
+                    "ponga en el contorno la segunda recta de la esquina",
+                    "let the contour have the corner's second line",
+                ),
+            ));
+        }
         if contour.profile.elements.is_empty() {
             let ([P, Q], alarm) = (ends.numbers, self.alarm(63));
             return Err(Fault::block(
@@ -211,6 +228,10 @@ impl Interpreter<'_> {
             self.modal.motion = motion;
         }
         if self.block.present & MOVES.mask() & !dwell == 0 {
+            self.edge_fits(None)?;
+            if let Some((word, line)) = contour.edge.filter(|_| !self.block.says_nothing()) {
+                return Err(word.alone(line, false));
+            }
             // The manual says so of the roughing cycles.
             return if ns && cycle != 70 && self.block.g(Group::Motion).is_none() {
                 Err(self.contour_begins(cycle, ("bloque", "block")))
@@ -219,6 +240,7 @@ impl Interpreter<'_> {
             };
         }
         let motion = self.modal.motion;
+        self.edge_fits(Some(motion))?;
         if first {
             let named = |letters: [usize; 2]| letters.into_iter().any(|letter| self.block.has(letter));
             contour.both_axes = named([letter::X, letter::U]) && named([letter::Z, letter::W]);
@@ -242,12 +264,31 @@ impl Interpreter<'_> {
                 None
             }
         };
-        contour.profile.elements.push(Element {
-            to: [self.current.get(Axis::X), self.current.get(Axis::Z)],
-            arc,
-            rapid: motion == G::Rapid,
-            line: self.line,
-        });
+        let to = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        if let Some((word, line)) = contour.edge.take() {
+            if motion != G::Linear {
+                return Err(word.alone(line, true));
+            }
+            contour
+                .profile
+                .break_edge(to, word.edge(self.modal.unit))
+                .map_err(|trouble| word.trouble(line, &trouble))?;
+        }
+        contour.edge = self.block.edge.map(|word| (word, self.line));
+        if let Some(word) = self.block.edge {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Note,
+                line,
+                Some(word.column),
+                Text::fixed(
+                    "«,C» o «,R» en un contorno: los Fanuc más antiguos no los admiten entre P y Q",
+                    "',C' or ',R' in a contour: the oldest Fanuc controls do not take them between P and Q",
+                ),
+                Text::fixed("", ""),
+            );
+        }
+        contour.profile.elements.push(Element { to, arc, rapid: motion == G::Rapid, line: self.line });
         Ok(())
     }
 

@@ -29,6 +29,7 @@ struct Plan {
 impl Interpreter<'_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Outcome<()> {
+        self.corner_goes_on()?;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
@@ -36,6 +37,7 @@ impl Interpreter<'_> {
             self.one_word_an_axis()?;
         }
         let plan = self.plan()?;
+        self.edge_fits(plan.motion)?;
         let idle = self.block.present & !plan.used & !self.reading.free.mask();
         if idle != 0 {
             return Err(self.unused(idle));
@@ -356,6 +358,7 @@ impl Interpreter<'_> {
                 let to = self.end_point();
                 match feed {
                     None => self.emit(Kind::Rapid, to, None),
+                    Some(feed) if self.reading.system_a => return self.line_at_feed(to, feed),
                     Some(feed) => {
                         let seconds = self.straight_seconds(&to, feed);
                         self.emit(Kind::Feed(feed), to, seconds);

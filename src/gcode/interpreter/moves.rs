@@ -31,6 +31,8 @@ pub(super) struct Moves {
     blocks: Vec<ContourBlock>,
     /// How many of them have been obeyed.
     obeyed: usize,
+    /// The next of them has been obeyed up to its motions, of which one is made.
+    begun: bool,
 }
 
 impl Interpreter<'_> {
@@ -42,12 +44,13 @@ impl Interpreter<'_> {
     /// The same for moves that name blocks of a contour, whose words are passed over.
     pub(super) fn make_contour_moves(&mut self, moves: Vec<Move>, feed: Feed, blocks: Vec<ContourBlock>) {
         self.remark_uncompensated(&blocks);
-        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed: Some(feed), blocks, obeyed: 0 }));
+        self.run =
+            Some(Run::Moves(Moves { moves: moves.into_iter(), feed: Some(feed), blocks, obeyed: 0, begun: false }));
     }
 
     /// The same for moves along a contour whose blocks are obeyed on the way.
     pub(super) fn finish_contour(&mut self, moves: Vec<Move>, blocks: Vec<ContourBlock>) {
-        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed: None, blocks, obeyed: 0 }));
+        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed: None, blocks, obeyed: 0, begun: false }));
     }
 
     /// The feed of the moves that do not say their own: it need not be given where there are none.
@@ -121,22 +124,35 @@ impl Interpreter<'_> {
     fn obey_contour(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
         let until = next.line.unwrap_or(usize::MAX);
         while let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line < until) {
-            self.obey_before(block)?;
+            self.take_contour_block(block);
+            self.obey_before()?;
             self.obey_after()?;
             run.obeyed += 1;
         }
         let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line == until) else { return Ok(()) };
-        self.obey_before(block)?;
+        self.take_contour_block(block);
+        if !run.begun {
+            self.obey_before()?;
+        }
         self.make_way(next, None)?;
+        // A corner makes more than one motion of a block.
+        run.begun = run.moves.as_slice().first().is_some_and(|more| more.line == next.line);
+        if run.begun {
+            return Ok(());
+        }
         run.obeyed += 1;
         self.obey_after()
     }
 
-    /// What a block of a contour puts into force before its motion, in the order of a block of the program.
-    fn obey_before(&mut self, block: &ContourBlock) -> Outcome<()> {
+    /// A block of a contour is the block in hand.
+    fn take_contour_block(&mut self, block: &ContourBlock) {
         self.line = block.line;
         self.block.clone_from(&block.words);
         self.compensator.cycle = Some(block.side);
+    }
+
+    /// What a block of a contour puts into force before its motion, in the order of a block of the program.
+    fn obey_before(&mut self) -> Outcome<()> {
         self.set_speed_mode()?;
         if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
             self.set_feed_mode(mode);
@@ -161,7 +177,7 @@ impl Interpreter<'_> {
     }
 
     /// The motion of a move, at a feed or at the one in force.
-    fn make_way(&mut self, next: &Move, feed: Option<Feed>) -> Outcome<()> {
+    pub(super) fn make_way(&mut self, next: &Move, feed: Option<Feed>) -> Outcome<()> {
         let mut to = self.current;
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
