@@ -242,7 +242,9 @@ impl Interpreter<'_> {
             Some(G::Arc(_)) => Letters::of("IJKRP").mask(),
             Some(G::Cycle(cycle)) if self.reading.system_a => hole_words(cycle),
             Some(G::Cycle(cycle)) => Letters::of("RL").mask() | cycle_words(cycle),
+            Some(G::Pass(Pass::Thread)) => Letters::of("QR").mask(),
             Some(G::Pass(_)) => Letters::of("R").mask(),
+            Some(G::Thread(false)) => Letters::of("Q").mask(),
             Some(G::Thread(true)) => Letters::of("K").mask(),
             _ => 0,
         };
@@ -308,9 +310,7 @@ impl Interpreter<'_> {
         let meant = match (motion, name) {
             (G::Linear, 'R') => Some(("redondear una esquina", "rounding a corner")),
             (G::Linear, 'C' | 'I' | 'K') => Some(("achaflanar una esquina", "chamfering a corner")),
-            (G::Thread(_) | G::Pass(Pass::Thread), 'Q') => {
-                Some(("el ángulo inicial de la rosca", "a thread's start angle"))
-            }
+            (G::Thread(_), 'Q') => Some(("el ángulo inicial de la rosca", "a thread's start angle")),
             _ => None,
         };
         if let Some((es, en)) = meant.filter(|_| self.reading.system_a) {
