@@ -130,7 +130,7 @@ pub fn refusal_with(program: &str, setting: Setting) -> String {
     let read = read_with(program, setting);
     let Some(fault) = read.faults.first() else { panic!("taken: {program}") };
     let column = fault.columns.first().map(|column| format!(":{column}")).unwrap_or_default();
-    format!("{}{column} {}; {}", fault.line, fault.what.en, fault.remedy.en)
+    format!("{}{column} {}; {}", fault.line, fault.told().en, fault.remedy.en)
 }
 
 /// Whether a remark holds a text.
