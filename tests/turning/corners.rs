@@ -38,6 +38,26 @@ fn a_rounding_touches_both_lines() {
 }
 
 #[test]
+fn i_k_and_r_break_square_corners_their_sign_leads_along_the_next_line() {
+    // Along Z, then out: I2 is 2 mm towards +X. Along X, then towards −Z: K−3; in radii, as the comma's sizes.
+    moves(
+        "G1 Z-10. I2.\nX70. K-3.\nZ-30. R1.\nX80. R-2.\nZ-40.",
+        &[
+            "G1 X50 Z-8 F0.2",
+            "G1 X54 Z-10 F0.2",
+            "G1 X64 Z-10 F0.2",
+            "G1 X70 Z-13 F0.2",
+            "G1 X70 Z-29 F0.2",
+            "G2 X72 Z-30 C72,-29 F0.2",
+            "G1 X76 Z-30 F0.2",
+            "G3 X80 Z-32 C76,-32 F0.2",
+            "G1 X80 Z-40 F0.2",
+        ],
+    );
+    moves("G1 Z-10. R0.\nX70.", &["G1 X50 Z-10 F0.2", "G1 X70 Z-10 F0.2"]);
+}
+
+#[test]
 fn increments_behind_a_corner_count_from_the_corner() {
     moves(
         "G1 W-15. ,C2.\nU20. ,R1.\nW-20.",
@@ -125,6 +145,15 @@ fn a_contour_has_its_corners_broken_for_roughing_and_for_finishing() {
         "M8 is obeyed once, before the first motion of its block"
     );
     assert!(remarked(&read, "the oldest Fanuc controls do not take them between P and Q"));
+}
+
+#[test]
+fn square_corners_stand_in_contours_too() {
+    let contour = "N10 G0 X30.\nG1 Z-10. R2. F0.1\nX40. K-1.\nN20 Z-20.\n";
+    let read = read(&format!("T0101 M3 S1000 F0.2\nG0 X50. Z5.\nG70 P10 Q20\nM30\n{contour}"));
+    let lines: Vec<_> = read.motions[2..7].iter().map(line).collect();
+    let wanted = ["G1 X30 Z-8", "G2 X34 Z-10 C34,-8", "G1 X38 Z-10", "G1 X40 Z-11", "G1 X40 Z-20"];
+    assert_eq!(lines, wanted.map(|to| format!("{to} F0.1")));
 }
 
 #[test]

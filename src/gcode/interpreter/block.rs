@@ -1,6 +1,7 @@
 //! What stands in one block.
 
 use crate::gcode::code::{G, GROUPS, Group, M};
+use crate::gcode::turning::edge::Square;
 
 /// A letter, counted from A = 0.
 pub(super) mod letter {
@@ -48,24 +49,21 @@ pub(super) enum Parameter {
     Name(String),
 }
 
-/// `,C` or `,R`: how the corner at the end of the block's line is broken.
+/// `,C` or `,R`, or I, K or R on a line along one axis: how the corner at the end of the block's line is broken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct EdgeWord {
-    /// R, else C.
+    /// As it is written, as `,C`.
+    pub(super) name: &'static str,
+    /// By an arc, else by a chamfer.
     pub(super) round: bool,
-    /// Its number.
+    /// Its number, without a sign.
     pub(super) value: f64,
-    /// The column of its comma.
+    /// What it says of the corner, without a comma.
+    pub(super) square: Option<Square>,
+    /// The column of its comma or letter.
     pub(super) column: usize,
     /// Its number has no decimal point although a control may scale it for that.
     pub(super) pointless: bool,
-}
-
-impl EdgeWord {
-    /// As it is written.
-    pub(super) const fn name(&self) -> &'static str {
-        if self.round { ",R" } else { ",C" }
-    }
 }
 
 /// One block: its words and codes. Reused from line to line.

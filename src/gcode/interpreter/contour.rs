@@ -185,7 +185,7 @@ impl Interpreter<'_> {
         }
         contour.behind = self.source().position();
         if let Some((word, line)) = contour.edge {
-            let name = word.name();
+            let name = word.name;
             return Err(word.refusal(
                 line,
                 Text::new(
@@ -240,6 +240,7 @@ impl Interpreter<'_> {
             };
         }
         let motion = self.modal.motion;
+        self.take_square_edge(Some(motion))?;
         self.edge_fits(Some(motion))?;
         if first {
             let named = |letters: [usize; 2]| letters.into_iter().any(|letter| self.block.has(letter));
@@ -271,11 +272,11 @@ impl Interpreter<'_> {
             }
             contour
                 .profile
-                .break_edge(to, word.edge(self.modal.unit))
+                .break_edge(to, word.edge(self.modal.unit), word.square)
                 .map_err(|trouble| word.trouble(line, &trouble))?;
         }
         contour.edge = self.block.edge.map(|word| (word, self.line));
-        if let Some(word) = self.block.edge {
+        if let Some(word) = self.block.edge.filter(|word| word.square.is_none()) {
             let line = self.line;
             self.remarks.add(
                 Grade::Note,

@@ -1,4 +1,5 @@
-//! `,C` and `,R`: the corner between the line of a block and that of the next is chamfered or rounded.
+//! `,C` and `,R`, and I, K and R on a line along one axis: the corner between the line of a block and that of the next is chamfered
+//! or rounded.
 //!
 //! The line is held back until the next block says where the path goes on; then it is made as far as the corner's edge, and the edge
 //! with the words of its own block. Increments of the next block count from the corner itself.
@@ -17,7 +18,7 @@ use crate::gcode::interpreter::block::{Block, EdgeWord, letter};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::modal::Modal;
 use crate::gcode::motion::Feed;
-use crate::gcode::turning::edge::{Broken, Edge, broken};
+use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
 use crate::gcode::turning::trouble::Trouble;
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::{Axis, Pose};
@@ -56,14 +57,14 @@ impl EdgeWord {
 
     /// The refusal of a corner that cannot be broken.
     pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Fault> {
-        let (name, told) = (self.name(), trouble.told());
+        let (name, told) = (self.name, trouble.told());
         let what = Text::new(format!("{} ({name})", told.es), format!("{} ({name})", told.en));
         self.refusal(line, what, trouble.remedy.clone())
     }
 
     /// The refusal of a corner behind which no line at feed comes.
     pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Fault> {
-        let name = self.name();
+        let name = self.name;
         let what = if motion {
             Text::new(
                 format!("PS0052: detrás de «{name}» no viene una recta con G1"),
@@ -98,7 +99,7 @@ impl Interpreter<'_> {
         if line && self.block.g(Group::NonModal).is_none() {
             return Ok(());
         }
-        let name = word.name();
+        let name = word.name;
         Err(Fault::at(
             &[word.column],
             Text::new(
@@ -110,6 +111,31 @@ impl Interpreter<'_> {
                 "write the chamfer or arc as a block of its own",
             ),
         ))
+    }
+
+    /// I, K or R of a line at feed in hand becomes its edge.
+    pub(super) fn take_square_edge(&mut self, motion: Option<G>) -> Outcome<()> {
+        let line = motion == Some(G::Linear) && self.block.present & AXES != 0;
+        if !self.reading.system_a || !line || self.block.g(Group::NonModal).is_some() {
+            return Ok(());
+        }
+        for (letter, name, axis) in [(letter::I, "I", Some(0)), (letter::K, "K", Some(1)), (letter::R, "R", None)] {
+            let column = self.block.column(letter);
+            let Some(value) = self.block.take(letter).filter(|&value| value != 0.0) else { continue };
+            let square = Some(Square { axis, toward: 1.0_f64.copysign(value) });
+            let word = EdgeWord { name, round: axis.is_none(), value: value.abs(), square, column, pointless: false };
+            if let Some(first) = self.block.edge.replace(word) {
+                return Err(Fault::at(
+                    &[first.column, column],
+                    Text::new(
+                        format!("PS0053: «{}» y «{name}» en un bloque", first.name),
+                        format!("PS0053: '{}' and '{name}' in one block", first.name),
+                    ),
+                    Text::fixed("deje uno", "leave one"),
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// Refuses a block in hand that does not go on from a corner with a line at feed.
@@ -148,7 +174,7 @@ impl Interpreter<'_> {
     pub(super) fn line_at_feed(&mut self, to: Pose, feed: Feed) -> Outcome<()> {
         if let Some(corner) = self.corner.take() {
             let points = [corner.from, self.current, to].map(|pose| point(&pose));
-            match broken(points, corner.edge) {
+            match broken(points, corner.edge, corner.word.square) {
                 Ok(broken) => self.make_corner(corner, broken)?,
                 Err(trouble) => {
                     let fault = corner.word.trouble(corner.line, &trouble);

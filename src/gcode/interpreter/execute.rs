@@ -37,6 +37,7 @@ impl Interpreter<'_> {
             self.one_word_an_axis()?;
         }
         let plan = self.plan()?;
+        self.take_square_edge(plan.motion)?;
         self.edge_fits(plan.motion)?;
         let idle = self.block.present & !plan.used & !self.reading.free.mask();
         if idle != 0 {

@@ -64,7 +64,7 @@ impl Interpreter<'_> {
             self.block.divide(index, by);
         }
         if let Some(edge) = self.block.edge.filter(|edge| edge.pointless) {
-            let by = self.unpointed(&format!("{}{}", edge.name(), edge.value), edge.column, false)?;
+            let by = self.unpointed(&format!("{}{}", edge.name, edge.value), edge.column, false)?;
             self.block.edge = Some(EdgeWord { value: edge.value / by, ..edge });
         }
         Ok(())

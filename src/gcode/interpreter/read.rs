@@ -190,7 +190,14 @@ impl Interpreter<'_> {
             return Err(macros(number_column));
         }
         let Decimal { value, point } = self.value(cursor)?;
-        let edge = EdgeWord { round, value, column, pointless: !point && value != 0.0 };
+        let edge = EdgeWord {
+            name: if round { ",R" } else { ",C" },
+            round,
+            value,
+            square: None,
+            column,
+            pointless: !point && value != 0.0,
+        };
         if let Some(first) = self.block.edge.replace(edge) {
             return Err(Fault::at(
                 &[first.column, column],
@@ -202,7 +209,7 @@ impl Interpreter<'_> {
             ));
         }
         if value.abs() > f64::from(LIMIT) / 1000.0 || value < 0.0 {
-            let name = edge.name();
+            let name = edge.name;
             return Err(Fault::at(
                 &[number_column],
                 Text::new(

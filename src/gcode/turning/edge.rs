@@ -3,7 +3,8 @@
 //! # References
 //! Fanuc Series 0i-T, operator's manual, direct drawing dimensions programming; Mitsubishi M700V, programming manual, corner
 //! chamfering and corner rounding: a chamfer begins and ends at its size from the corner, along either line; a rounding touches
-//! both lines. Alarms PS0051 to PS0055: the texts are rodete's own.
+//! both lines. Fanuc Series 30i, user's manual, chamfering and corner R: I, K and R on a line along one axis, before one along
+//! the other; their sign says which way the second goes. Alarms PS0051 to PS0055: the texts are rodete's own.
 
 use crate::gcode::turning::trouble::Trouble;
 use crate::number::{shown, trig};
@@ -21,6 +22,35 @@ pub enum Edge {
     Chamfer(f64),
     /// By an arc of a radius.
     Round(f64),
+}
+
+/// What an edge says of the corner it stands in: between a line along one axis and one along the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Square {
+    /// The axis of the second line, X (0) or Z (1), where the letter says it: I and K.
+    pub axis: Option<usize>,
+    /// Its way along the axis: 1 or −1.
+    pub toward: f64,
+}
+
+impl Square {
+    /// Refuses another corner.
+    fn check(self, u: [f64; 2], v: [f64; 2]) -> Result<(), Trouble> {
+        let along = |way: [f64; 2]| [0, 1].into_iter().find(|&axis| way[1 - axis].abs() < STRAIGHT);
+        let (Some(first), Some(second)) = (along(u), along(v)) else { return Err(Trouble::ps(54)) };
+        if first == second || self.axis.is_some_and(|axis| axis != second) {
+            return Err(Trouble::ps(54));
+        }
+        if v[second] * self.toward > 0.0 {
+            return Ok(());
+        }
+        let mut trouble = Trouble::ps(51);
+        trouble.what = Text::fixed(
+            "el signo de la esquina va al revés que la recta siguiente",
+            "the sign of the corner leads the other way than the next line",
+        );
+        Err(trouble)
+    }
 }
 
 /// What replaces the corner between two lines; points `[X, Z]`, X the radius, mm.
@@ -48,10 +78,12 @@ fn way(from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], f64)> {
 /// Derived here.
 ///
 /// # Errors
-/// PS0051 where a line has no length, PS0055 for an edge that takes more than a line has; a refusal for a rounding between two lines
+/// PS0051 where a line has no length or goes another way than `square` says, PS0054 for lines that are not along one axis each,
+/// PS0055 for an edge that takes more than a line has; a refusal for a rounding between two lines
 /// that run back along each other.
-pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge) -> Result<Option<Broken>, Trouble> {
+pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> Result<Option<Broken>, Trouble> {
     let (Some((u, before)), Some((v, behind))) = (way(a, b), way(b, c)) else { return Err(Trouble::ps(51)) };
+    square.map_or(Ok(()), |square| square.check(u, v))?;
     // Positive where the path turns from +Z to +X, as G3 does.
     let turn = u[1] * v[0] - u[0] * v[1];
     let straight = u[0] * v[0] + u[1] * v[1];
@@ -103,7 +135,7 @@ mod tests {
     #[test]
     fn a_chamfer_lies_at_its_size_from_the_corner_along_both_lines() {
         // Up along X from (10, 0) to (20, 0), then along Z to (20, −30).
-        let broken = broken([[10.0, 0.0], [20.0, 0.0], [20.0, -30.0]], Edge::Chamfer(2.0)).unwrap().unwrap();
+        let broken = broken([[10.0, 0.0], [20.0, 0.0], [20.0, -30.0]], Edge::Chamfer(2.0), None).unwrap().unwrap();
         assert_eq!(broken, Broken { from: [18.0, 0.0], to: [20.0, -2.0], arc: None });
     }
 
@@ -111,13 +143,13 @@ mod tests {
     fn a_rounding_touches_both_lines_on_the_inside_of_the_turn() {
         // The same lines turn from +X to −Z, as G3 does; the circle about (17, −3) touches (17, 0) and (20, −3).
         let lines = [[10.0, 0.0], [20.0, 0.0], [20.0, -30.0]];
-        let edge = broken(lines, Edge::Round(3.0)).unwrap().unwrap();
+        let edge = broken(lines, Edge::Round(3.0), None).unwrap().unwrap();
         assert_eq!(edge, Broken { from: [17.0, 0.0], to: [20.0, -3.0], arc: Some(([17.0, -3.0], false)) });
         let [a, b, c] = lines;
-        let back = broken([c, b, a], Edge::Round(3.0)).unwrap().unwrap();
+        let back = broken([c, b, a], Edge::Round(3.0), None).unwrap().unwrap();
         assert_eq!(back, Broken { from: [20.0, -3.0], to: [17.0, 0.0], arc: Some(([17.0, -3.0], true)) });
         // A turn of 45 degrees, from −Z to up the cone: r tan 22.5° = 0.828427… for r 2.
-        let edge = broken([[10.0, 0.0], [10.0, -10.0], [15.0, -15.0]], Edge::Round(2.0)).unwrap().unwrap();
+        let edge = broken([[10.0, 0.0], [10.0, -10.0], [15.0, -15.0]], Edge::Round(2.0), None).unwrap().unwrap();
         let taken = 2.0 * (2.0_f64.sqrt() - 1.0);
         assert!((edge.from[1] + 10.0 - taken).abs() < 1e-12 && edge.from[0] == 10.0);
         let half = taken / 2.0_f64.sqrt();
@@ -130,18 +162,34 @@ mod tests {
     #[test]
     fn an_edge_may_take_a_whole_line_and_no_more() {
         let lines = [[10.0, 0.0], [20.0, 0.0], [20.0, -5.0]];
-        let whole = broken(lines, Edge::Round(5.0)).unwrap().unwrap();
+        let whole = broken(lines, Edge::Round(5.0), None).unwrap().unwrap();
         assert_eq!(whole.to, [20.0, -5.0]);
-        let trouble = broken(lines, Edge::Chamfer(5.001)).unwrap_err();
+        let trouble = broken(lines, Edge::Chamfer(5.001), None).unwrap_err();
         assert_eq!(trouble.told().en, "PS0055: the corner takes 5.001 mm of either line, and the shorter is 5 long");
-        assert_eq!(broken([[0.0; 2], [0.0; 2], [1.0, 0.0]], Edge::Chamfer(0.5)).unwrap_err().alarm, Some(51));
+        assert_eq!(broken([[0.0; 2], [0.0; 2], [1.0, 0.0]], Edge::Chamfer(0.5), None).unwrap_err().alarm, Some(51));
+    }
+
+    #[test]
+    fn a_square_corner_has_a_line_along_each_axis_and_the_sign_of_the_second() {
+        let (up, along) = ([[10.0, 0.0], [20.0, 0.0], [20.0, -30.0]], [[20.0, 0.0], [20.0, -9.0], [30.0, -9.0]]);
+        let alarm = |lines, axis, toward: f64| {
+            broken(lines, Edge::Chamfer(1.0), Some(Square { axis, toward })).map_err(|trouble| trouble.alarm)
+        };
+        for axis in [None, Some(1)] {
+            assert!(alarm(up, axis, -1.0).unwrap().is_some());
+            assert_eq!(alarm(up, axis, 1.0), Err(Some(51)));
+        }
+        assert!(alarm(along, Some(0), 1.0).unwrap().is_some());
+        assert_eq!(alarm(up, Some(0), -1.0), Err(Some(54)));
+        assert_eq!(alarm([[10.0, 0.0], [20.0, -1.0], [20.0, -30.0]], None, -1.0), Err(Some(54)));
+        assert_eq!(alarm([[10.0, 0.0], [20.0, 0.0], [30.0, 0.0]], None, 1.0), Err(Some(54)));
     }
 
     #[test]
     fn where_there_is_no_corner_nothing_is_rounded() {
         let on = [[10.0, 0.0], [20.0, 0.0], [30.0, 0.0]];
-        assert_eq!(broken(on, Edge::Round(2.0)).unwrap(), None);
-        assert_eq!(broken(on, Edge::Chamfer(0.0)).unwrap(), None);
-        assert!(broken([[10.0, 0.0], [20.0, 0.0], [15.0, 0.0]], Edge::Round(2.0)).is_err());
+        assert_eq!(broken(on, Edge::Round(2.0), None).unwrap(), None);
+        assert_eq!(broken(on, Edge::Chamfer(0.0), None).unwrap(), None);
+        assert!(broken([[10.0, 0.0], [20.0, 0.0], [15.0, 0.0]], Edge::Round(2.0), None).is_err());
     }
 }

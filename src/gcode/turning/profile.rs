@@ -1,6 +1,6 @@
 //! The contour that a turning cycle works to, as its blocks describe it.
 
-use crate::gcode::turning::edge::{Broken, Edge, broken};
+use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
 use crate::gcode::turning::trouble::Trouble;
 
 /// One block of a contour: a straight line or an arc to a point.
@@ -31,13 +31,13 @@ impl Profile {
     ///
     /// # Errors
     /// Those of [`broken`].
-    pub fn break_edge(&mut self, point: [f64; 2], edge: Edge) -> Result<(), Trouble> {
+    pub fn break_edge(&mut self, point: [f64; 2], edge: Edge, square: Option<Square>) -> Result<(), Trouble> {
         let (before, last) = match self.elements.as_mut_slice() {
             [] => return Ok(()),
             [last] => (self.start, last),
             [.., before, last] => (before.to, last),
         };
-        let Some(Broken { from, to, arc }) = broken([before, last.to, point], edge)? else { return Ok(()) };
+        let Some(Broken { from, to, arc }) = broken([before, last.to, point], edge, square)? else { return Ok(()) };
         let line = last.line;
         last.to = from;
         if from == before && self.elements.len() > 1 {

@@ -77,6 +77,16 @@ const fn texts(number: u16) -> (Text, Text) {
             Text::fixed("una de las rectas de la esquina no tiene longitud", "a line of the corner has no length"),
             Text::fixed("dé dos rectas que se corten en la esquina", "give two lines that meet in the corner"),
         ),
+        54 => (
+            Text::fixed(
+                "la esquina no está entre una recta a lo largo de un eje y otra a lo largo del otro",
+                "the corner is not between a line along one axis and one along the other",
+            ),
+            Text::fixed(
+                "I va en una recta a lo largo de Z, K en una de X, R en cualquiera de ellas; si no, use «,C» o «,R»",
+                "I stands on a line along Z, K on one along X, R on either; else use ',C' or ',R'",
+            ),
+        ),
         55 => (
             Text::fixed("la esquina es mayor que una de sus rectas", "the corner is longer than one of its lines"),
             Text::fixed(
