@@ -2,6 +2,10 @@
 //! expanded motions, and programs that must be refused.
 
 mod common;
+#[path = "turning/contours.rs"]
+mod contours;
+#[path = "turning/corners.rs"]
+mod corners;
 #[path = "turning/corpus.rs"]
 mod corpus;
 #[path = "turning/cycles.rs"]

@@ -180,6 +180,9 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
     if let Kind::Thread(thread) = motion.kind {
         object.insert("lead".into(), json!(thread.lead));
         object.insert("lead_change".into(), json!(thread.change));
+        if thread.angle != 0.0 {
+            object.insert("start_angle".into(), json!(thread.angle));
+        }
     }
     if let Some(seconds) = motion.seconds {
         object.insert("seconds".into(), json!(seconds));

@@ -166,6 +166,9 @@ pub struct Thread {
     pub lead: f64,
     /// By how much the lead grows with each revolution, mm; 0 for a constant lead.
     pub change: f64,
+    /// The spindle's angle at which the pass begins, degrees, from 0 to below 360. In a block that goes on a thread it says
+    /// nothing: the thread goes on as it stands.
+    pub angle: f64,
 }
 
 /// What is moved how.

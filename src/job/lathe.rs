@@ -224,6 +224,8 @@ fn follow(
     let mut interpreter = source.read(given.setting());
     let mut in_force = InForce::new(given.own.clone());
     let (mut faults, mut more) = (Vec::new(), 0);
+    // Refusals in more than one cell, as they are told of lines and as they are told of cells.
+    let mut together: Vec<(Finding, Finding)> = Vec::new();
     let mut without_zero = BTreeSet::new();
     // Where following stopped to be judged, and whether anything was still followed.
     let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
@@ -275,6 +277,7 @@ fn follow(
             Err(fault) => {
                 one.endless |= fault.exit == Exit::Limit;
                 one.uncut |= fault.uncut;
+                let in_cells = source.refused_together(&fault);
                 let fault = Finding::from(*fault);
                 last.get_or_insert_with(|| fault.place.clone());
                 // A cycle reads the blocks of its contour, and they are read again where they stand.
@@ -282,6 +285,7 @@ fn follow(
                     continue;
                 }
                 if faults.len() < MOST {
+                    together.extend(in_cells.map(|in_cells| (fault.clone(), in_cells)));
                     faults.push(fault);
                 } else {
                     more += 1;
@@ -312,8 +316,13 @@ fn follow(
         }
     }
     watch(Seen::End(&faults));
-    one.findings =
-        faults.into_iter().map(|finding| Finding { place: source.placed(finding.place), ..finding }).collect();
+    one.findings = faults
+        .into_iter()
+        .map(|finding| match together.iter().find(|(told, _)| *told == finding) {
+            Some((_, in_cells)) => in_cells.clone(),
+            None => Finding { place: source.placed(finding.place), ..finding },
+        })
+        .collect();
     one.findings.extend(alarms(&one.alarms));
     one.drawn.part = one.simulation.product();
     Ok(one)

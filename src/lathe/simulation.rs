@@ -8,7 +8,7 @@ use super::contact::{Contact, Ride, depth};
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
-use super::spindle::{Turning, extent, revolutions, ribs};
+use super::spindle::{Turning, begun, extent, revolutions, ribs};
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, Stock};
 use super::tally::{Tally, collide, travel};
@@ -356,9 +356,9 @@ impl Simulation {
         };
         if let Kind::Thread(thread) = tally.motion.kind {
             for &piece in pieces {
-                // Blocks of a thread that follow one another go on in its revolution; a new pass begins with one.
+                // Blocks of a thread that follow one another go on in its revolution; a new pass at its angle.
                 let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
-                let left = goes_on.map_or(0.0, |led| led.left);
+                let left = goes_on.map_or_else(|| begun(thread), |led| led.left);
                 ribs(thread, piece, left).for_each(|at| ring(at, part, swept, tally));
                 let length = extent(piece);
                 let turned = revolutions(thread, length).unwrap_or(0.0) - left;

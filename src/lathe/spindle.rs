@@ -150,7 +150,7 @@ impl Turning {
 /// the lead is not positive to the end.
 #[must_use]
 pub fn revolutions(thread: Thread, length: f64) -> Option<f64> {
-    let Thread { lead, change } = thread;
+    let Thread { lead, change, .. } = thread;
     if lead <= 0.0 {
         return None;
     }
@@ -163,6 +163,12 @@ pub fn revolutions(thread: Thread, length: f64) -> Option<f64> {
 #[must_use]
 pub fn extent([from, to]: Piece) -> f64 {
     (to[0] - from[0]).abs().max((to[1] - from[1]).abs())
+}
+
+/// What is left, as a share, of the revolution in which a pass of a thread begins at its angle.
+#[must_use]
+pub fn begun(thread: Thread) -> f64 {
+    if thread.angle > 0.0 { 1.0 - thread.angle / 360.0 } else { 0.0 }
 }
 
 /// Where a thread's tool stands each time the same side of the work comes past it: once the revolution that had begun is
@@ -189,10 +195,10 @@ mod tests {
     fn a_thread_of_growing_lead_takes_the_revolutions_that_its_length_says() {
         for (lead, change, k) in [(2.0, 0.0, 7.0), (2.0, 0.5, 7.0), (2.0, -0.2, 7.0)] {
             let length = lead * k + change * k * k / 2.0;
-            assert!((revolutions(Thread { lead, change }, length).unwrap() - k).abs() < 1e-12);
+            assert!((revolutions(Thread { lead, change, angle: 0.0 }, length).unwrap() - k).abs() < 1e-12);
         }
-        assert_eq!(revolutions(Thread { lead: 1.0, change: -0.5 }, 1.5), None, "it never gets there");
-        assert_eq!(revolutions(Thread { lead: 0.0, change: 0.0 }, 1.5), None);
+        assert_eq!(revolutions(Thread { lead: 1.0, change: -0.5, angle: 0.0 }, 1.5), None, "it never gets there");
+        assert_eq!(revolutions(Thread { lead: 0.0, change: 0.0, angle: 0.0 }, 1.5), None);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{CellPlace, Finding, Place};
-use crate::gcode::interpreter::{Files, Interpreter, Setting};
+use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting};
 use crate::gcode::program::Part;
 use crate::lathe::parameters::SUBPROGRAM_KEY;
 use crate::parameter::Values;
@@ -126,6 +126,22 @@ impl Source {
             (Some(place), _) => place,
             (None, _) => Place::File,
         }
+    }
+
+    /// A refusal that lies in more than one line, at the cells of all of them; `None` where it lies in one, or one stands in no
+    /// cell.
+    #[must_use]
+    pub fn refused_together(&self, fault: &Fault) -> Option<Finding> {
+        if fault.others.is_empty() {
+            return None;
+        }
+        let cells = |line: usize| match self.place(fault.file.as_deref(), line, Vec::new()) {
+            Place::Cells(cells) => Some(cells),
+            _ => None,
+        };
+        let lines = std::iter::once(fault.line).chain(fault.others.iter().copied());
+        let cells: Vec<Vec<CellPlace>> = lines.map(cells).collect::<Option<_>>()?;
+        Some(Finding::stop(Place::Cells(cells.concat()), fault.what.clone(), fault.remedy.clone()))
     }
 
     /// A place of the interpreter's as one of the workbook's, where the line came from there.

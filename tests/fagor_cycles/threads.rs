@@ -54,7 +54,7 @@ fn a_thread_runs_as_drawn() {
     let mut expected: Vec<(char, [f64; 2])> = [pass(0.6), pass(1.2), pass(1.2)].concat();
     expected.extend([('r', [22.0, 0.0]), ('r', [25.0, 10.0])]);
     assert_moves(&moves, &expected);
-    assert_eq!(moves[2].way, Way::Thread(Thread { lead: 2.0, change: 0.0 }));
+    assert_eq!(moves[2].way, Way::Thread(Thread { lead: 2.0, change: 0.0, angle: 0.0 }));
     // With J5 it leaves the thread over the last 5 mm.
     let moves = thread([25.0, 10.0], Cylinder, &Threading { exit: 5.0, ..two }).unwrap();
     assert_moves(&moves[2..4], &[('t', [19.4, -25.0]), ('t', [22.0, -30.0])]);

@@ -47,3 +47,17 @@ fn an_alarm_that_comes_back_is_counted_in_words() {
         assert!(what[0].contains(es) && what[1].contains(en), "{times}: {what:?}");
     }
 }
+
+#[test]
+fn a_block_number_that_stands_twice_is_shown_in_its_cells() {
+    // Head in A6 to A10; a row without a block, which is no line of the program: the cells are told, not the lines.
+    let blocks = program("G71 U2. R1.||G71 P10 Q20|N10 G0 X30.|G1 Z-10. F.1|N20 X52.||N10 G0 X60.");
+    let (_folder, document, exit) = build(&Book::new(&blocks).bytes());
+    let stops: Vec<_> = lines(&document).into_iter().filter(|line| line.starts_with("stop")).collect();
+    assert_eq!((exit, stops), (3, vec!["stop PROGRAM!A13 PROGRAM!A14 PROGRAM!A18 N10 stands twice".to_owned()]));
+    // In a subprogram's sheet, its cells.
+    let lines_of = ["M97 P5", "M99", "N5 G0 X60.", "M99", "N5 G0 X61.", "M99"];
+    let (_folder, document, _) = build(&Book::new(&program("M98 P0005")).subprogram("O0005", &lines_of).bytes());
+    let stops: Vec<_> = lines(&document).into_iter().filter(|line| line.starts_with("stop")).collect();
+    assert_eq!(stops, ["stop O0005!A6 O0005!A8 O0005!A10 N5 stands twice"]);
+}

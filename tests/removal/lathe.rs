@@ -110,7 +110,12 @@ impl Run {
     }
 
     pub fn thread(self, x: f64, z: f64, lead: f64) -> Self {
-        self.go(Kind::Thread(Thread { lead, change: 0.0 }), [x, z])
+        self.thread_from(x, z, lead, 0.0)
+    }
+
+    /// A pass that begins at an angle of the spindle, degrees.
+    pub fn thread_from(self, x: f64, z: f64, lead: f64, angle: f64) -> Self {
+        self.go(Kind::Thread(Thread { lead, change: 0.0, angle }), [x, z])
     }
 
     pub fn last(&self) -> &Step {

@@ -72,6 +72,39 @@ fn a_thread_has_ribs_of_its_pitch_and_depth_and_passes_meet_in_the_grooves() {
 }
 
 #[test]
+fn a_start_angle_is_a_way_of_its_share_of_the_lead() {
+    let pass = |run: Run, start: f64, angle: f64| {
+        run.rapid(60.0, start).rapid(48.0, start).thread_from(48.0, -20.0, 3.0, angle).rapid(60.0, -20.0)
+    };
+    let begin = || Run::new(bar()).tool(4).rapid(60.0, 6.0);
+    let contours = |run: &Run| run.simulation.contours();
+    let one = pass(begin(), 6.0, 0.0);
+    // At 120 degrees the same side of the work comes past the tool 240 degrees after it has begun: 2 mm further on.
+    assert_eq!(contours(&pass(begin(), 6.0, 120.0)), contours(&pass(begin(), 4.0, 0.0)));
+    assert_ne!(contours(&pass(begin(), 6.0, 120.0)), contours(&one));
+    // Three starts by their angles, and by their places.
+    let by_angle = [120.0, 240.0].into_iter().fold(one, |run, angle| pass(run, 6.0, angle));
+    let by_place = [5.0, 4.0].into_iter().fold(pass(begin(), 6.0, 0.0), |run, start| pass(run, start, 0.0));
+    assert_eq!(contours(&by_angle), contours(&by_place));
+    assert!(by_angle.alarms().is_empty(), "{:?}", by_angle.alarms());
+    // Once more at one of them: air.
+    let volume = by_angle.simulation.volume();
+    let again = pass(by_angle, 6.0, 240.0);
+    assert!((again.simulation.volume() - volume).abs() < 1e-9);
+}
+
+#[test]
+fn a_thread_that_goes_on_in_another_block_keeps_its_start_angle() {
+    let start = || Run::new(bar()).tool(4).rapid(60.0, 4.0).rapid(49.0, 4.0);
+    let one = start().thread_from(49.0, -21.3, 1.5, 90.0);
+    for angle in [90.0, 0.0, 200.0] {
+        // The second block begins in the first one's revolution, whatever its own angle says.
+        let two = start().thread_from(49.0, -7.1, 1.5, 90.0).thread_from(49.0, -21.3, 1.5, angle);
+        assert!((one.simulation.volume() - two.simulation.volume()).abs() < 1e-6, "{angle}");
+    }
+}
+
+#[test]
 fn a_thread_in_two_blocks_is_one_thread() {
     let start = || Run::new(bar()).tool(4).rapid(60.0, 4.0).rapid(49.0, 4.0);
     let one = start().thread(49.0, -21.3, 1.5).rapid(60.0, -21.3);

@@ -98,6 +98,9 @@ pub fn line(motion: &Motion) -> String {
             let [z, x] = arc.centre;
             format!("G{code} {to} C{},{} F{}", number(2.0 * x), number(z), number(feed.value))
         }
+        Kind::Thread(thread) if thread.angle != 0.0 => {
+            format!("G32 {to} F{} Q{}", number(thread.lead), number(thread.angle))
+        }
         Kind::Thread(thread) if thread.change == 0.0 => format!("G32 {to} F{}", number(thread.lead)),
         Kind::Thread(thread) => format!("G34 {to} F{} K{}", number(thread.lead), number(thread.change)),
         Kind::Dwell(seconds) => format!("G4 {}", number(seconds)),
@@ -127,7 +130,7 @@ pub fn refusal_with(program: &str, setting: Setting) -> String {
     let read = read_with(program, setting);
     let Some(fault) = read.faults.first() else { panic!("taken: {program}") };
     let column = fault.columns.first().map(|column| format!(":{column}")).unwrap_or_default();
-    format!("{}{column} {}; {}", fault.line, fault.what.en, fault.remedy.en)
+    format!("{}{column} {}; {}", fault.line, fault.told().en, fault.remedy.en)
 }
 
 /// Whether a remark holds a text.

@@ -241,3 +241,42 @@ fn x_beyond_the_axis_and_a_stale_feed_are_remarked() {
     let fresh = read("S500 M3\nG0 X50. Z0\nG1 X40. F0.2\nG98 X30. F120.");
     assert!(!remarked(&fresh, "has changed"));
 }
+
+#[test]
+fn a_start_angle_holds_in_its_block_alone() {
+    moves(
+        "G0 X29.\nG32 Z-20. F3. Q180000\nG0 X50.\nZ5.\nX29.\nG32 Z-20. Q360000",
+        &["G0 X29 Z5", "G32 X29 Z-20 F3 Q180", "G0 X50 Z-20", "G0 X50 Z5", "G0 X29 Z5", "G32 X29 Z-20 F3"],
+    );
+    moves(
+        "G92 X29. Z-20. F3. Q120500\nX29.",
+        &[
+            "G0 X29 Z5",
+            "G32 X29 Z-20 F3 Q120.5",
+            "G0 X50 Z-20",
+            "G0 X50 Z5",
+            "G0 X29 Z5",
+            "G32 X29 Z-20 F3",
+            "G0 X50 Z-20",
+            "G0 X50 Z5",
+        ],
+    );
+}
+
+#[test]
+fn a_pass_that_loses_the_start_angle_of_its_thread_is_told_and_two_starts_are_not() {
+    let told = |passes: &str| {
+        let read = read(&format!("T0101 M3 S1000 F0.2\nG0 X50. Z5.\n{passes}"));
+        remarked(&read, "Q holds in its block alone")
+    };
+    // The second start of a thread, whose Q was not given again at the next depth.
+    assert!(told("G92 X29. Z-20. F3. Q180000\nX28.5\nX28."));
+    assert!(told("G92 X29. Z-20. F3. Q180000\nX28.5 Q180000\nX28."));
+    // One start after the other, and both at each depth, whichever comes first.
+    assert!(!told("G92 X29. Z-20. F3.\nX28.5\nG0 X50.\nG92 X29. Z-20. F3. Q180000\nX28.5 Q180000"));
+    assert!(!told("G92 X29. Z-20. F3.\nX29. Q180000\nX28.5\nX28.5 Q180000"));
+    assert!(!told("G92 X29. Z-20. F3. Q180000\nX29.\nX28.5 Q180000\nX28.5"));
+    assert!(!told("G92 X29. Z-20. F3. Q180000\nX28.5 Q0"));
+    // What an earlier thread has said is over with it.
+    assert!(!told("G92 X29. Z-20. F3. Q180000\nG90 X40. Z-20. F.2\nG92 X28.5 F3."));
+}

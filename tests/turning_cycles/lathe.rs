@@ -12,15 +12,15 @@ pub fn count(number: f64) -> usize {
 
 /// A block of a contour; its line is set by [`profile`].
 pub const fn line(to: [f64; 2]) -> Element {
-    Element { to, arc: None, feed: None, rapid: false, line: 0 }
+    Element { to, arc: None, rapid: false, line: 0 }
 }
 
 pub const fn rapid(to: [f64; 2]) -> Element {
-    Element { to, arc: None, feed: None, rapid: true, line: 0 }
+    Element { to, arc: None, rapid: true, line: 0 }
 }
 
 pub const fn arc(to: [f64; 2], centre: [f64; 2], clockwise: bool) -> Element {
-    Element { to, arc: Some((centre, clockwise)), feed: None, rapid: false, line: 0 }
+    Element { to, arc: Some((centre, clockwise)), rapid: false, line: 0 }
 }
 
 /// A contour whose blocks stand in lines 1, 2, 3, …

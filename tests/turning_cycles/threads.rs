@@ -62,7 +62,7 @@ fn a_thread_runs_as_drawn_with_its_pull_out() {
             ('r', [16.0, 5.0]),
         ],
     );
-    assert_eq!(moves[2].way, Way::Thread(Thread { lead: 2.0, change: 0.0 }));
+    assert_eq!(moves[2].way, Way::Thread(Thread { lead: 2.0, change: 0.0, angle: 0.0 }));
 }
 
 #[test]

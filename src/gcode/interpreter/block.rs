@@ -1,6 +1,7 @@
 //! What stands in one block.
 
 use crate::gcode::code::{G, GROUPS, Group, M};
+use crate::gcode::turning::edge::Square;
 
 /// A letter, counted from A = 0.
 pub(super) mod letter {
@@ -48,8 +49,25 @@ pub(super) enum Parameter {
     Name(String),
 }
 
+/// `,C` or `,R`, or I, K or R on a line along one axis: how the corner at the end of the block's line is broken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct EdgeWord {
+    /// As it is written, as `,C`.
+    pub(super) name: &'static str,
+    /// By an arc, else by a chamfer.
+    pub(super) round: bool,
+    /// Its number, without a sign.
+    pub(super) value: f64,
+    /// What it says of the corner, without a comma.
+    pub(super) square: Option<Square>,
+    /// The column of its comma or letter.
+    pub(super) column: usize,
+    /// Its number has no decimal point although a control may scale it for that.
+    pub(super) pointless: bool,
+}
+
 /// One block: its words and codes. Reused from line to line.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Block {
     /// The block number.
     pub(super) n: Option<u32>,
@@ -57,6 +75,8 @@ pub(super) struct Block {
     pub(super) present: u32,
     /// One bit for each letter whose number has no decimal point although a control may scale it for that.
     pub(super) pointless: u32,
+    /// How the corner behind the block is broken.
+    pub(super) edge: Option<EdgeWord>,
     values: [f64; 26],
     columns: [u16; 26],
     /// One bit for each group of which a G code stands in the block.
@@ -83,6 +103,7 @@ impl Block {
             n: None,
             present: 0,
             pointless: 0,
+            edge: None,
             values: [0.0; 26],
             columns: [0; 26],
             groups: 0,
@@ -101,6 +122,7 @@ impl Block {
         self.n = None;
         self.present = 0;
         self.pointless = 0;
+        self.edge = None;
         self.groups = 0;
         self.machine_groups = 0;
         self.machine_codes = 0;

@@ -144,6 +144,16 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn dwell(&mut self) -> Outcome<()> {
+        let (letter, seconds) = self.dwell_time()?;
+        if letter != super::block::letter::P || self.reading.dwell.len() > 1 {
+            self.block.take(letter);
+        }
+        self.emit(Kind::Dwell(seconds), self.current, Some(seconds));
+        Ok(())
+    }
+
+    /// The letter of a dwell's time, and the time in seconds.
+    pub(super) fn dwell_time(&self) -> Outcome<(usize, f64)> {
         let found =
             self.reading.dwell.iter().find_map(|&(letter, factor)| {
                 Some((usize::from(letter), self.block.get(usize::from(letter))? * factor))
@@ -168,13 +178,7 @@ impl Interpreter<'_> {
                 Text::fixed("tiempo de espera negativo", "negative dwell time"),
                 Text::fixed("dé un tiempo positivo", "give a positive time"),
             )),
-            Some((letter, seconds)) => {
-                if letter != super::block::letter::P || self.reading.dwell.len() > 1 {
-                    self.block.take(letter);
-                }
-                self.emit(Kind::Dwell(seconds), self.current, Some(seconds));
-                Ok(())
-            }
+            Some(found) => Ok(found),
         }
     }
 

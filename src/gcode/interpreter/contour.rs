@@ -1,15 +1,23 @@
 //! The contour that a turning cycle names by the numbers of its first and its last block.
 //!
+//! # What its blocks may say beside their motions
+//! F, S, T, G96 and G97, G98 and G99, G4 and M codes that call nothing and end nothing: roughing (G71 to G73) passes them over
+//! and works with what is in force in the cycle's block; finishing (G70) obeys each in its place. T stands before the contour's
+//! first motion or in its block: behind it the turret would turn in the cut, and what the offset then does to the arcs that follow
+//! is said nowhere. A block without motion is no point of the contour.
+//!
 //! # References
 //! Fanuc Series 0i-T operator's manual, multiple repetitive cycles: the first block of the contour has G0 or G1; its blocks call
-//! no subprogram; block numbers between P and Q stand once.
+//! no subprogram; block numbers between P and Q stand once; F, S, T and M of its blocks are passed over in roughing and obeyed in
+//! finishing, and so are G96 and G97. Yaskawa LX3, operator's manual, G70: F and S alike. Schools teach the same of F, S, T and
+//! the compensation.
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Compensation;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::interpreter::block::{AXES, Block, letter};
+use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -22,18 +30,16 @@ use crate::text::Text;
 /// Most blocks of a contour.
 const MOST: usize = 10_000;
 /// Letters that a block of a contour may have.
-const LETTERS: Letters = Letters::of("FIKRSUWXZ");
+const LETTERS: Letters = Letters::of("FIKRSTUWXZ");
 const MOVES: Letters = Letters::of("IKRUWXZ");
 
 /// A block of a contour.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) struct ContourBlock {
     /// Its line, counted from 1.
     pub(super) line: usize,
-    /// Its number.
-    pub(super) n: Option<u32>,
-    /// The S in force in it, where the contour has said one so far.
-    pub(super) speed: Option<f64>,
+    /// Its words.
+    pub(super) words: Block,
     /// The compensation in force in it.
     pub(super) side: Compensation,
 }
@@ -47,8 +53,8 @@ pub(super) struct Contour {
     pub(super) blocks: Vec<ContourBlock>,
     /// Its first motion names both axes.
     pub(super) both_axes: bool,
-    /// The compensation that the last block of the contour to say so puts in force.
-    pub(super) compensation: Option<Compensation>,
+    /// The corner at the end of its last line, which the next one breaks, with the line of its block.
+    edge: Option<(EdgeWord, usize)>,
     /// The line of its last block.
     last: usize,
     /// Where the block behind it begins.
@@ -143,11 +149,10 @@ impl Interpreter<'_> {
             profile: Profile { start, elements: Vec::new() },
             blocks: Vec::new(),
             both_axes: false,
-            compensation: None,
+            edge: None,
             last: ends.last.line(),
             behind: ends.last.at,
         };
-        let mut feed = None;
         let mut line = Vec::new();
         self.source().go_to(ends.first.at)?;
         while self.source().position().lines < ends.last.line() {
@@ -167,7 +172,7 @@ impl Interpreter<'_> {
                 ));
             }
             self.read_words(&mut cursor)?;
-            self.contour_block(cycle, &mut contour, &mut feed)?;
+            self.contour_block(cycle, &mut contour)?;
             if contour.blocks.len() > MOST {
                 return Err(Fault::block(
                     Text::new(
@@ -179,6 +184,20 @@ impl Interpreter<'_> {
             }
         }
         contour.behind = self.source().position();
+        if let Some((word, line)) = contour.edge {
+            let name = word.name;
+            return Err(word.refusal(
+                line,
+                Text::new(
+                    format!("PS0326: el contorno de G{cycle} acaba con «{name}», sin la recta que la sigue"),
+                    format!("PS0326: the contour of G{cycle} ends with '{name}', without the line that follows it"),
+                ),
+                Text::fixed(
+                    "ponga en el contorno la segunda recta de la esquina",
+                    "let the contour have the corner's second line",
+                ),
+            ));
+        }
         if contour.profile.elements.is_empty() {
             let ([P, Q], alarm) = (ends.numbers, self.alarm(63));
             return Err(Fault::block(
@@ -193,39 +212,42 @@ impl Interpreter<'_> {
     }
 
     /// One block of a contour, in hand.
-    fn contour_block(&mut self, cycle: u8, contour: &mut Contour, feed: &mut Option<f64>) -> Outcome<()> {
+    fn contour_block(&mut self, cycle: u8, contour: &mut Contour) -> Outcome<()> {
         let first = contour.profile.elements.is_empty();
-        self.contour_refuses(cycle)?;
-        if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
-            contour.compensation = Some(side);
-        }
-        let speed = self.block.get(letter::S).map(|S| self.surface(S));
-        let speed = speed.or_else(|| contour.blocks.last().and_then(|block| block.speed));
-        let side = contour.compensation.unwrap_or(self.modal.compensation);
-        contour.blocks.push(ContourBlock { line: self.line, n: self.block.n, speed, side });
-        if let Some(F) = self.block.get(letter::F) {
-            *feed = Some(self.modal.unit.to_mm(F));
-        }
+        self.contour_refuses(cycle, first)?;
+        let dwell = self.contour_dwell()?;
+        self.one_word_an_axis()?;
+        let before = contour.blocks.last().map_or(self.modal.compensation, |block| block.side);
+        let side = match self.block.g(Group::CutterCompensation) {
+            Some(G::Compensation(side)) => side,
+            _ => before,
+        };
+        let ns = contour.blocks.is_empty();
+        contour.blocks.push(ContourBlock { line: self.line, words: self.block.clone(), side });
         if let Some(motion) = self.block.g(Group::Motion) {
             self.modal.motion = motion;
         }
-        if self.block.present & MOVES.mask() == 0 {
-            return Ok(());
+        if self.block.present & MOVES.mask() & !dwell == 0 {
+            self.edge_fits(None)?;
+            if let Some((word, line)) = contour.edge.filter(|_| !self.block.says_nothing()) {
+                return Err(word.alone(line, false));
+            }
+            // The manual says so of the roughing cycles.
+            return if ns && cycle != 70 && self.block.g(Group::Motion).is_none() {
+                Err(self.contour_begins(cycle, ("bloque", "block")))
+            } else {
+                Ok(())
+            };
         }
         let motion = self.modal.motion;
+        self.take_square_edge(Some(motion))?;
+        self.edge_fits(Some(motion))?;
         if first {
             let named = |letters: [usize; 2]| letters.into_iter().any(|letter| self.block.has(letter));
             contour.both_axes = named([letter::X, letter::U]) && named([letter::Z, letter::W]);
         }
         if first && !matches!(self.block.g(Group::Motion), Some(G::Rapid | G::Linear)) {
-            let alarm = self.alarm(65);
-            return Err(Fault::block(
-                Text::new(
-                    format!("{alarm}el primer movimiento del contorno de G{cycle} no lleva G0 ni G1"),
-                    format!("{alarm}the first motion of the contour of G{cycle} has neither G0 nor G1"),
-                ),
-                Text::fixed("programe G0 o G1 en él", "program G0 or G1 in it"),
-            ));
+            return Err(self.contour_begins(cycle, ("movimiento", "motion")));
         }
         let arc = match motion {
             G::Arc(clockwise) => {
@@ -243,23 +265,91 @@ impl Interpreter<'_> {
                 None
             }
         };
-        contour.profile.elements.push(Element {
-            to: [self.current.get(Axis::X), self.current.get(Axis::Z)],
-            arc,
-            feed: *feed,
-            rapid: motion == G::Rapid,
-            line: self.line,
-        });
+        let to = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        if let Some((word, line)) = contour.edge.take() {
+            if motion != G::Linear {
+                return Err(word.alone(line, true));
+            }
+            contour
+                .profile
+                .break_edge(to, word.edge(self.modal.unit), word.square)
+                .map_err(|trouble| word.trouble(line, &trouble))?;
+        }
+        contour.edge = self.block.edge.map(|word| (word, self.line));
+        if let Some(word) = self.block.edge.filter(|word| word.square.is_none()) {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Note,
+                line,
+                Some(word.column),
+                Text::fixed(
+                    "«,C» o «,R» en un contorno: los Fanuc más antiguos no los admiten entre P y Q",
+                    "',C' or ',R' in a contour: the oldest Fanuc controls do not take them between P and Q",
+                ),
+                Text::fixed("", ""),
+            );
+        }
+        contour.profile.elements.push(Element { to, arc, rapid: motion == G::Rapid, line: self.line });
         Ok(())
     }
 
+    /// A contour that begins with neither G0 nor G1.
+    fn contour_begins(&self, cycle: u8, (es, en): (&str, &str)) -> Box<Fault> {
+        let alarm = self.alarm(65);
+        Fault::block(
+            Text::new(
+                format!("{alarm}el primer {es} del contorno de G{cycle} no lleva G0 ni G1"),
+                format!("{alarm}the first {en} of the contour of G{cycle} has neither G0 nor G1"),
+            ),
+            Text::fixed("programe G0 o G1 en él", "program G0 or G1 in it"),
+        )
+    }
+
+    /// The letter of the time of a dwell in a contour, one bit; a dwell stands without a motion.
+    fn contour_dwell(&self) -> Outcome<u32> {
+        if self.block.g(Group::NonModal) != Some(G::Dwell) {
+            return Ok(0);
+        }
+        let time = 1 << self.dwell_time()?.0;
+        if self.block.present & MOVES.mask() & !time != 0 {
+            return Err(Fault::at(
+                &[self.block.g_column(Group::NonModal)],
+                Text::fixed("G4 y un movimiento en un bloque", "G4 and a motion in one block"),
+                Text::fixed("escriba dos bloques", "write two blocks"),
+            ));
+        }
+        Ok(time)
+    }
+
+    /// Says which words of a contour a roughing cycle passes over, beside F and S.
+    pub(super) fn remark_passed_over(&mut self, cycle: u8, contour: &Contour) {
+        let other = 1 << Group::Speed as u16 | 1 << Group::Feed as u16 | 1 << Group::NonModal as u16;
+        let says = |block: &ContourBlock| {
+            block.words.machine_codes > 0 || block.words.groups & other != 0 || block.words.has(letter::T)
+        };
+        let Some(line) = contour.blocks.iter().find(|block| says(block)).map(|block| block.line) else { return };
+        self.remarks.add(
+            Grade::Note,
+            line,
+            None,
+            Text::new(
+                format!("G{cycle} pasa por alto M, T, G4 y G96 a G99 del contorno, como F y S; G70 los obedece"),
+                format!("G{cycle} passes over M, T, G4 and G96 to G99 of the contour, as F and S; G70 obeys them"),
+            ),
+            Text::fixed(
+                "lo que el desbaste necesite va antes del ciclo",
+                "what roughing needs stands before the cycle",
+            ),
+        );
+    }
+
     /// Refuses what may not stand in a contour.
-    fn contour_refuses(&self, cycle: u8) -> Outcome<()> {
+    fn contour_refuses(&self, cycle: u8, first: bool) -> Outcome<()> {
         let alarm = self.alarm(325);
         let remedy = || {
             Text::fixed(
-                "un contorno lleva G0, G1, G2, G3, sus cotas, F y S; escriba lo demás fuera",
-                "a contour has G0, G1, G2, G3, their dimensions, F and S; write the rest outside",
+                "un contorno lleva G0 a G3, sus cotas, G4, G40 a G42, G96 a G99, F, S y M; escriba lo demás fuera",
+                "a contour has G0 to G3, their dimensions, G4, G40 to G42, G96 to G99, F, S and M; write the rest outside",
             )
         };
         let refuse = |column: usize, (es, en): (&str, &str)| {
@@ -269,41 +359,39 @@ impl Interpreter<'_> {
             );
             Err(Fault::at(&[column], what, remedy()))
         };
-        // What a Fanuc obeys in G70 and passes over in roughing.
-        let unsupported = |column: usize, (es, en): (&str, &str)| {
-            let what = Text::new(
-                format!("{es} dentro del contorno de G{cycle} no está implementado"),
-                format!("{en} inside the contour of G{cycle} is not supported"),
-            );
-            Err(Fault::at(&[column], what, remedy()))
-        };
         let block = &self.block;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {
             return refuse(block.m_column(4), ("llamada a un subprograma", "call of a subprogram"));
         }
-        if block.has(letter::T) {
-            return unsupported(block.column(letter::T), ("un cambio de herramienta", "a tool change"));
+        if let Some((M::End, _)) = block.m(4) {
+            return refuse(block.m_column(4), ("fin del programa", "end of the program"));
         }
-        if block.machine_codes > 0 {
-            let column = (0..=10).find(|&group| block.m(group).is_some()).map_or(0, |group| block.m_column(group));
-            return unsupported(column, ("un código M", "an M code"));
+        self.turret_place()?;
+        if block.has(letter::T) && !first {
+            return Err(Fault::at(
+                &[block.column(letter::T)],
+                Text::new(
+                    format!("un cambio de herramienta dentro del contorno de G{cycle} no está implementado"),
+                    format!("a tool change inside the contour of G{cycle} is not supported"),
+                ),
+                Text::fixed(
+                    "escriba T fuera, o en el primer bloque del contorno, que G70 obedece: después la torreta giraría en el corte",
+                    "write T outside, or in the contour's first block, which G70 obeys: behind it the turret would turn in the cut",
+                ),
+            ));
         }
         let groups = block.groups & !(1 << Group::Motion as u16) & !(1 << Group::CutterCompensation as u16);
         let odd = match block.g(Group::Motion) {
             None | Some(G::Rapid | G::Linear | G::Arc(_)) => groups,
             Some(_) => groups | 1 << Group::Motion as u16,
         };
-        if odd != 0 {
-            let obeyed = 1 << Group::Speed as u16 | 1 << Group::Feed as u16;
-            let dwell = block.g(Group::NonModal) == Some(G::Dwell);
-            let others = odd & !obeyed & !if dwell { 1 << Group::NonModal as u16 } else { 0 };
-            return if others == 0 && self.reading.system_a {
-                unsupported(block.group_column(odd), ("este código G", "this G code"))
-            } else {
-                refuse(block.group_column(others.max(odd & !obeyed)), ("código G", "G code"))
-            };
+        let dwell = block.g(Group::NonModal) == Some(G::Dwell);
+        let obeyed = 1 << Group::Speed as u16 | 1 << Group::Feed as u16 | u16::from(dwell) << Group::NonModal as u16;
+        if odd & !obeyed != 0 {
+            return refuse(block.group_column(odd & !obeyed), ("código G", "G code"));
         }
-        let idle = block.present & !LETTERS.mask();
+        let time = if dwell { 1 << letter::P } else { 0 };
+        let idle = block.present & !LETTERS.mask() & !time;
         if idle != 0 { Err(self.unused(idle)) } else { Ok(()) }
     }
 

@@ -65,6 +65,22 @@ impl<'l> Cursor<'l> {
         WORDS.iter().any(|word| rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word)))
     }
 
+    /// Passes `,C` or `,R` if it stands next, and says whether it is `,R`; passes nothing else.
+    pub(super) fn edge(&mut self) -> Option<bool> {
+        let comma = self.at;
+        self.accept(b',');
+        let round = match self.peek() {
+            b'c' => false,
+            b'r' => true,
+            _ => {
+                self.at = comma;
+                return None;
+            }
+        };
+        self.pass();
+        Some(round)
+    }
+
     /// Refuses a comment here: it would part a word from its number, which controls read in more than one way.
     pub(super) fn no_comment(&self) -> Outcome<()> {
         let mut column = self.at;

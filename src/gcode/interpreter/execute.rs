@@ -29,6 +29,7 @@ struct Plan {
 impl Interpreter<'_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Outcome<()> {
+        self.corner_goes_on()?;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
@@ -36,6 +37,8 @@ impl Interpreter<'_> {
             self.one_word_an_axis()?;
         }
         let plan = self.plan()?;
+        self.take_square_edge(plan.motion)?;
+        self.edge_fits(plan.motion)?;
         let idle = self.block.present & !plan.used & !self.reading.free.mask();
         if idle != 0 {
             return Err(self.unused(idle));
@@ -240,7 +243,9 @@ impl Interpreter<'_> {
             Some(G::Arc(_)) => Letters::of("IJKRP").mask(),
             Some(G::Cycle(cycle)) if self.reading.system_a => hole_words(cycle),
             Some(G::Cycle(cycle)) => Letters::of("RL").mask() | cycle_words(cycle),
+            Some(G::Pass(Pass::Thread)) => Letters::of("QR").mask(),
             Some(G::Pass(_)) => Letters::of("R").mask(),
+            Some(G::Thread(false)) => Letters::of("Q").mask(),
             Some(G::Thread(true)) => Letters::of("K").mask(),
             _ => 0,
         };
@@ -306,9 +311,7 @@ impl Interpreter<'_> {
         let meant = match (motion, name) {
             (G::Linear, 'R') => Some(("redondear una esquina", "rounding a corner")),
             (G::Linear, 'C' | 'I' | 'K') => Some(("achaflanar una esquina", "chamfering a corner")),
-            (G::Thread(_) | G::Pass(Pass::Thread), 'Q') => {
-                Some(("el ángulo inicial de la rosca", "a thread's start angle"))
-            }
+            (G::Thread(_), 'Q') => Some(("el ángulo inicial de la rosca", "a thread's start angle")),
             _ => None,
         };
         if let Some((es, en)) = meant.filter(|_| self.reading.system_a) {
@@ -356,6 +359,7 @@ impl Interpreter<'_> {
                 let to = self.end_point();
                 match feed {
                     None => self.emit(Kind::Rapid, to, None),
+                    Some(feed) if self.reading.system_a => return self.line_at_feed(to, feed),
                     Some(feed) => {
                         let seconds = self.straight_seconds(&to, feed);
                         self.emit(Kind::Feed(feed), to, seconds);

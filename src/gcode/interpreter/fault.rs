@@ -14,6 +14,8 @@ pub struct Fault {
     pub line: usize,
     /// The columns, counted from 1.
     pub columns: Vec<usize>,
+    /// Other lines of the same file that are at fault with it, which `what` does not name; counted from 1.
+    pub others: Vec<usize>,
     /// What is wrong.
     pub what: Text,
     /// What to do about it.
@@ -33,6 +35,7 @@ impl Fault {
             file: None,
             line: 0,
             columns: columns.iter().map(|column| column + 1).collect(),
+            others: Vec::new(),
             what,
             remedy,
             fatal: false,
@@ -53,6 +56,15 @@ impl Fault {
         fault
     }
 
+    /// What is wrong, with the other lines at fault.
+    #[must_use]
+    pub fn told(&self) -> Text {
+        let Some((last, lines)) = self.others.split_last() else { return self.what.clone() };
+        let lines = lines.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+        let Text { es, en } = &self.what;
+        Text::new(format!("{es}: en las líneas {lines} y {last}"), format!("{en}: in lines {lines} and {last}"))
+    }
+
     /// The refusal, after which nothing can be read.
     pub(super) fn fatal(mut self: Box<Self>) -> Box<Self> {
         self.fatal = true;
@@ -62,7 +74,8 @@ impl Fault {
 
 impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
-        Self::stop(place(fault.file.as_deref(), fault.line, fault.columns), fault.what, fault.remedy)
+        let told = fault.told();
+        Self::stop(place(fault.file.as_deref(), fault.line, fault.columns), told, fault.remedy)
     }
 }
 

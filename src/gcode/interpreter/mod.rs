@@ -30,6 +30,7 @@ mod block;
 mod codes;
 mod compensation;
 mod contour;
+mod corner;
 mod cursor;
 mod cycle;
 mod execute;
@@ -65,6 +66,7 @@ use std::io::Cursor as Memory;
 pub use self::arc::radii_tolerance;
 use self::block::Block;
 use self::compensation::Compensator;
+use self::corner::Corner;
 use self::cursor::Cursor;
 pub use self::expression::DEEPEST;
 use self::fault::Outcome;
@@ -123,6 +125,8 @@ pub struct Interpreter<'a> {
     queue: VecDeque<Result<(Motion, Control), Box<Fault>>>,
     compensator: Compensator,
     run: Option<Run>,
+    /// The line whose end is to be broken once the next block says how the path goes on.
+    corner: Option<Corner>,
     standing: Standing,
     remarks: Remarks,
     flow: Flow,
@@ -192,6 +196,7 @@ impl<'a> Interpreter<'a> {
             queue: VecDeque::new(),
             compensator: Compensator::new(!reading.system_a),
             run: None,
+            corner: None,
             standing: Standing::default(),
             remarks,
             flow: Flow::default(),
@@ -260,6 +265,9 @@ impl<'a> Interpreter<'a> {
         let mut line = std::mem::take(&mut self.buffer);
         let result = self.next_line(&mut line);
         self.buffer = line;
+        if result.is_err() {
+            self.leave_corner();
+        }
         self.executed();
         result.map_err(|mut fault| {
             if fault.line == 0 {
@@ -301,6 +309,7 @@ impl<'a> Interpreter<'a> {
     fn end_of_file(&mut self) -> Outcome<()> {
         let (stage, percent) = (self.stage, self.percent);
         self.stage = Stage::Ended;
+        self.lose_corner(false)?;
         if self.at != 0 || !self.flow.frames.is_empty() {
             return Err(Fault::block(
                 Text::fixed("el archivo termina dentro de un subprograma", "the file ends inside a subprogram"),
@@ -332,6 +341,7 @@ impl<'a> Interpreter<'a> {
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
     fn end(&mut self) -> Outcome<()> {
         self.stage = Stage::Ended;
+        self.lose_corner(false)?;
         self.end_of_program();
         Ok(())
     }

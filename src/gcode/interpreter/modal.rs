@@ -52,6 +52,8 @@ pub(super) struct Modal {
     pub(super) under: G,
     /// The turning cycle of one pass in force: its end `[X, Z]`, X the radius, and its R.
     pub(super) pass: Option<([f64; 2], f64)>,
+    /// The ends `X` of the passes of the thread cycle in force that had a start angle, until a pass begins at 0.
+    pub(super) angled: Option<Vec<f64>>,
     /// The lead of threads, mm; `None` before a block of a thread has given F.
     pub(super) lead: Option<f64>,
     /// The change of the lead with each revolution, mm.
@@ -91,6 +93,7 @@ impl Modal {
             sticky: Sticky::default(),
             under: G::Cancel,
             pass: None,
+            angled: None,
             lead: None,
             lead_change: 0.0,
             feed_stale: false,

@@ -1,7 +1,9 @@
 //! Motions that one block makes many of: the holes of a canned cycle, the moves of a turning cycle.
 
+use crate::gcode::code::{G, Group};
 use crate::gcode::control::Compensation;
 use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::Block;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::cycle;
 use crate::gcode::interpreter::fault::Outcome;
@@ -23,26 +25,32 @@ pub(super) enum Run {
 #[derive(Debug)]
 pub(super) struct Moves {
     moves: std::vec::IntoIter<Move>,
-    feed: Feed,
+    /// The feed of those that do not say their own; `None` for finishing, which goes at what is in force.
+    feed: Option<Feed>,
     /// The blocks of the contour that the moves may name, in the order of their lines.
     blocks: Vec<ContourBlock>,
-    /// The S words of the contour's blocks count.
-    speeds: bool,
+    /// How many of them have been obeyed.
+    obeyed: usize,
+    /// The next of them has been obeyed up to its motions, of which one is made.
+    begun: bool,
 }
 
 impl Interpreter<'_> {
     /// Turns the moves of a cycle into motions, one after another as they are asked for.
     pub(super) fn make_moves(&mut self, moves: Vec<Move>, feed: Feed) {
-        self.remark_uncompensated(&[]);
-        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks: Vec::new(), speeds: false }));
+        self.make_contour_moves(moves, feed, Vec::new());
     }
 
-    /// The same for moves that name blocks of a contour; with `speeds` their S words are obeyed.
-    pub(super) fn make_contour_moves(&mut self, moves: Vec<Move>, feed: Feed, blocks: Vec<ContourBlock>, speeds: bool) {
-        if !speeds {
-            self.remark_uncompensated(&blocks);
-        }
-        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed, blocks, speeds }));
+    /// The same for moves that name blocks of a contour, whose words are passed over.
+    pub(super) fn make_contour_moves(&mut self, moves: Vec<Move>, feed: Feed, blocks: Vec<ContourBlock>) {
+        self.remark_uncompensated(&blocks);
+        self.run =
+            Some(Run::Moves(Moves { moves: moves.into_iter(), feed: Some(feed), blocks, obeyed: 0, begun: false }));
+    }
+
+    /// The same for moves along a contour whose blocks are obeyed on the way.
+    pub(super) fn finish_contour(&mut self, moves: Vec<Move>, blocks: Vec<ContourBlock>) {
+        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed: None, blocks, obeyed: 0, begun: false }));
     }
 
     /// The feed of the moves that do not say their own: it need not be given where there are none.
@@ -59,12 +67,12 @@ impl Interpreter<'_> {
             None => Ok(()),
             Some(Run::Holes(run)) => self.next_hole(run),
             Some(Run::Moves(mut run)) => {
-                if let Some(next) = run.moves.next() {
-                    self.make_move(&next, &run);
-                    self.run = Some(Run::Moves(run));
-                } else if let Some(S) = run.blocks.last().and_then(|block| block.speed).filter(|_| run.speeds) {
-                    self.modal.speed = S;
+                let Some(next) = run.moves.next() else { return Ok(()) };
+                match run.feed {
+                    Some(feed) => self.make_move(&next, feed, &run.blocks)?,
+                    None => self.finish_move(&next, &mut run)?,
                 }
+                self.run = Some(Run::Moves(run));
                 Ok(())
             }
         }
@@ -78,39 +86,110 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    fn make_move(&mut self, next: &Move, run: &Moves) {
+    /// A move at the cycle's feed, and as it is: only finishing follows a contour with the nose.
+    fn make_move(&mut self, next: &Move, feed: Feed, blocks: &[ContourBlock]) -> Outcome<()> {
         let (line, n) = (self.line, self.block.n);
-        let mut side = Compensation::Off;
         if let Some(of) = next.line {
             self.line = of;
-            let block = run.blocks.binary_search_by_key(&of, |block| block.line).ok();
-            let block = block.and_then(|at| run.blocks.get(at));
-            self.block.n = block.and_then(|block| block.n);
-            // Finishing follows the contour with the nose; other passes are made as they are.
-            side = block.map(|block| block.side).filter(|_| run.speeds).unwrap_or_default();
-            if let Some(S) = block.and_then(|block| block.speed).filter(|_| run.speeds) {
-                self.modal.speed = S;
-            }
+            let block = blocks.binary_search_by_key(&of, |block| block.line).ok();
+            self.block.n = block.and_then(|at| blocks.get(at)).and_then(|block| block.words.n);
         }
-        self.compensator.cycle = Some(side);
+        self.compensator.cycle = Some(Compensation::Off);
+        let made = self.make_way(next, Some(feed));
+        self.compensator.cycle = None;
+        (self.line, self.block.n) = (line, n);
+        made
+    }
+
+    /// A move along the contour: the blocks up to its own are obeyed first. The last move is the cycle's own and goes back.
+    fn finish_move(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
+        let line = self.line;
+        let block = std::mem::replace(&mut self.block, Block::new());
+        let mut made = self.obey_contour(next, run).map_err(|mut fault| {
+            fault.line = if fault.line == 0 { self.line } else { fault.line };
+            fault.file = fault.file.or_else(|| self.source().file.clone());
+            fault.uncut = true;
+            fault
+        });
+        (self.line, self.block) = (line, block);
+        if next.line.is_none() && made.is_ok() {
+            self.compensator.cycle = Some(Compensation::Off);
+            made = self.make_way(next, None);
+        }
+        self.compensator.cycle = None;
+        made
+    }
+
+    /// Obeys the blocks of a contour up to the one of a move, and makes the move.
+    fn obey_contour(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
+        let until = next.line.unwrap_or(usize::MAX);
+        while let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line < until) {
+            self.take_contour_block(block);
+            self.obey_before()?;
+            self.obey_after()?;
+            run.obeyed += 1;
+        }
+        let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line == until) else { return Ok(()) };
+        self.take_contour_block(block);
+        if !run.begun {
+            self.obey_before()?;
+        }
+        self.make_way(next, None)?;
+        // A corner makes more than one motion of a block.
+        run.begun = run.moves.as_slice().first().is_some_and(|more| more.line == next.line);
+        if run.begun {
+            return Ok(());
+        }
+        run.obeyed += 1;
+        self.obey_after()
+    }
+
+    /// A block of a contour is the block in hand.
+    fn take_contour_block(&mut self, block: &ContourBlock) {
+        self.line = block.line;
+        self.block.clone_from(&block.words);
+        self.compensator.cycle = Some(block.side);
+    }
+
+    /// What a block of a contour puts into force before its motion, in the order of a block of the program.
+    fn obey_before(&mut self) -> Outcome<()> {
+        self.set_speed_mode()?;
+        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
+            self.set_feed_mode(mode);
+        }
+        self.take_feed_and_speed()?;
+        self.take_tool()?;
+        self.machine_codes()?;
+        if self.block.g(Group::NonModal) == Some(G::Dwell) {
+            self.dwell()?;
+        }
+        if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
+            self.set_compensation(side)?;
+        }
+        Ok(())
+    }
+
+    /// What it puts out of force behind its motion.
+    fn obey_after(&mut self) -> Outcome<()> {
+        self.machine_codes_after()?;
+        self.executed();
+        Ok(())
+    }
+
+    /// The motion of a move, at a feed or at the one in force.
+    pub(super) fn make_way(&mut self, next: &Move, feed: Option<Feed>) -> Outcome<()> {
         let mut to = self.current;
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
-        let own = |own: Option<f64>| Feed { value: own.unwrap_or(run.feed.value), ..run.feed };
-        if run.speeds
-            && let Way::Feed(Some(feed)) | Way::Arc { feed: Some(feed), .. } = next.way
-        {
-            self.modal.feed = feed;
-        }
         match next.way {
             Way::Rapid => self.emit(Kind::Rapid, to, None),
-            Way::Feed(feed) => {
-                let feed = own(feed);
+            Way::Feed(own) => {
+                let feed = self.feed_of_move(feed, own)?;
                 let seconds = self.straight_seconds(&to, feed);
                 self.emit(Kind::Feed(feed), to, seconds);
             }
-            Way::Arc { centre, clockwise, feed } => {
-                let feed = own(feed);
+            Way::Arc { centre, clockwise, feed: own } => {
+                let feed = self.feed_of_move(feed, own)?;
                 let arc = self.arc_to(&to, centre, clockwise);
                 let seconds = if self.by_revolution(feed) {
                     self.turned_arc_seconds(&arc, feed)
@@ -125,8 +204,13 @@ impl Interpreter<'_> {
             }
             Way::Dwell(seconds) => self.emit(Kind::Dwell(seconds), self.current, Some(seconds)),
         }
-        self.compensator.cycle = None;
-        (self.line, self.block.n) = (line, n);
+        Ok(())
+    }
+
+    /// The feed of a move: its own in the meaning of the cycle's, the cycle's, or the one in force.
+    fn feed_of_move(&mut self, feed: Option<Feed>, own: Option<f64>) -> Outcome<Feed> {
+        let feed = feed.map_or_else(|| self.feed(), Ok)?;
+        Ok(Feed { value: own.unwrap_or(feed.value), ..feed })
     }
 
     /// The arc in the plane ZX from here to a pose about a centre `[X, Z]`.

@@ -123,14 +123,15 @@ impl Interpreter<'_> {
                 Text::new(format!("{alarm}no hay bloque N{number}"), format!("{alarm}there is no block N{number}")),
                 Text::fixed("compruebe el número del bloque", "check the number of the block"),
             )),
-            Some(Numbered { again: Some(again), at }) => Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("N{number} está dos veces: en las líneas {} y {again}", at.lines + 1),
-                    format!("N{number} stands twice: in lines {} and {again}", at.lines + 1),
-                ),
-                Text::fixed("numere de nuevo uno de los dos bloques", "renumber one of the two blocks"),
-            )),
+            Some(Numbered { again: Some(again), at }) => {
+                let mut fault = Fault::at(
+                    &[column],
+                    Text::new(format!("N{number} está dos veces"), format!("N{number} stands twice")),
+                    Text::fixed("numere de nuevo uno de los dos bloques", "renumber one of the two blocks"),
+                );
+                fault.others = vec![at.lines + 1, again];
+                Err(fault)
+            }
             Some(block) => Ok(block),
         }
     }

@@ -9,8 +9,9 @@
 //! # References
 //! The lathe simulator's figures of G90, G92 and G94; Fanuc Series 0i-T operator's manual, single cycles (R against the direction
 //! of the infeed may not exceed it), G32 (the lead counts along the axis that moves more) and G34 (K the change of the lead in
-//! one revolution). How far a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
+//! one revolution), and the start angle Q of G32 and G92 (thousandths of a degree, not modal, 0 where it is not given). How far a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
 
+use crate::finding::Grade;
 use crate::gcode::code::{G, Group, Pass};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
@@ -39,6 +40,52 @@ impl Interpreter<'_> {
                 Text::fixed("rosca sin F, su paso", "thread without F, its lead"),
                 Text::fixed("dé el paso con F", "give the lead with F"),
             )),
+        }
+    }
+
+    /// The spindle's angle at which a pass of a thread begins: Q in thousandths of a degree, of this block alone; degrees.
+    fn start_angle(&self) -> Outcome<f64> {
+        const TURN: f64 = 360_000.0;
+        let Some(Q) = self.block.get(letter::Q) else { return Ok(0.0) };
+        if !(0.0..=TURN).contains(&Q) {
+            return Err(Fault::at(
+                &[self.block.column(letter::Q)],
+                Text::new(
+                    format!("Q{Q} no es el ángulo inicial de una rosca"),
+                    format!("Q{Q} is no start angle of a thread"),
+                ),
+                Text::fixed(
+                    "Q va de 0 a 360000, en milésimas de grado: Q180000 es media vuelta",
+                    "Q goes from 0 to 360000, in thousandths of a degree: Q180000 is half a turn",
+                ),
+            ));
+        }
+        Ok(if Q == TURN { 0.0 } else { Q / 1000.0 })
+    }
+
+    /// Tells a pass of G92 that begins at 0 for want of a Q, where the passes before it began at another angle: Q is not modal.
+    /// At the depth of a pass that had a Q it may well be another start.
+    fn remark_start_angle(&mut self, first: bool, x: f64, angle: f64) {
+        if first {
+            self.modal.angled = Some(Vec::new());
+        }
+        let line = self.line;
+        match &mut self.modal.angled {
+            Some(depths) if angle != 0.0 => depths.push(x),
+            Some(depths) if !depths.is_empty() && !self.block.has(letter::Q) && !depths.contains(&x) => {
+                self.modal.angled = None;
+                self.remarks.add(
+                    Grade::Caution,
+                    line,
+                    None,
+                    Text::fixed(
+                        "la pasada de la rosca empieza a 0°: Q solo vale en su bloque, y las anteriores empezaron en otro ángulo",
+                        "the pass of the thread begins at 0°: Q holds in its block alone, and those before began at another angle",
+                    ),
+                    Text::fixed("repita Q en cada pasada", "give Q again in each pass"),
+                );
+            }
+            _ => self.modal.angled = None,
         }
     }
 
@@ -71,7 +118,7 @@ impl Interpreter<'_> {
         if distance == 0.0 {
             return Ok(());
         }
-        let thread = Thread { lead, change };
+        let thread = Thread { lead, change, angle: self.start_angle()? };
         if revolutions(distance, &thread).is_none() {
             let most = shown(-lead * lead / (2.0 * change), 3);
             return Err(Fault::at(
@@ -142,7 +189,9 @@ impl Interpreter<'_> {
             ));
         }
         let (cut, out, feed) = if pass == Pass::Thread {
-            let thread = Thread { lead: self.lead()?, change: 0.0 };
+            let thread = Thread { lead: self.lead()?, change: 0.0, angle: self.start_angle()? };
+            let first = before.is_none() || self.modal.motion != G::Pass(pass);
+            self.remark_start_angle(first, end[0], thread.angle);
             (Way::Thread(thread), Way::Rapid, Feed { mode: self.modal.feed_mode, value: self.modal.feed })
         } else {
             (Way::Feed(None), Way::Feed(None), self.feed()?)

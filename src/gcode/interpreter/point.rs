@@ -8,7 +8,7 @@ use crate::finding::Grade;
 use crate::gcode::code::{G, Group, Pass, Turning};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::setting::DecimalPoint;
@@ -60,59 +60,68 @@ impl Interpreter<'_> {
             let value = self.block.get(index).unwrap_or(0.0);
             let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
             let column = self.block.column(index);
-            match self.setting.point {
-                None => {
-                    return Err(Fault::at(
-                        &[column],
-                        Text::new(
-                            format!("{name}{value} sin punto decimal: según el control son mm o µm"),
-                            format!("{name}{value} has no decimal point: mm or µm, depending on the control"),
-                        ),
-                        Text::new(
-                            format!("escriba {name}{value}. o diga qué hace el control: --decimal-point"),
-                            format!("write {name}{value}. or say what the control does: --decimal-point"),
-                        ),
-                    ));
-                }
-                Some(DecimalPoint::Calculator) => {}
-                Some(DecimalPoint::Micrometre) if index == letter::F => {
-                    return Err(Fault::at(
-                        &[column],
-                        Text::new(
-                            format!(
-                                "F{value} sin punto decimal: el incremento del avance por vuelta depende del control"
-                            ),
-                            format!(
-                                "F{value} has no decimal point: the increment of a feed per revolution depends on the control"
-                            ),
-                        ),
-                        Text::new(format!("escriba F{value}."), format!("write F{value}.")),
-                    ));
-                }
-                Some(DecimalPoint::Micrometre) => {
-                    let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
-                    let inch = match self.block.g(Group::Units) {
-                        Some(unit) => unit == G::Inch,
-                        None => self.modal.unit == LengthUnit::Inch,
-                    };
-                    self.block.divide(index, if inch && !dwell { 10_000.0 } else { 1_000.0 });
-                }
-            }
-            let line = self.line;
-            let (es, en) = if self.setting.point == Some(DecimalPoint::Calculator) {
-                ("leídas como mm", "read as mm")
-            } else {
-                ("leídas como incrementos mínimos (0.001 mm)", "read as least increments (0.001 mm)")
-            };
-            self.remarks.add(
-                Grade::Note,
-                line,
-                Some(column),
-                Text::new(format!("cotas sin punto decimal, {es}"), format!("dimensions without decimal point, {en}")),
-                Text::fixed("", ""),
-            );
+            let by = self.unpointed(&format!("{name}{value}"), column, index == letter::F)?;
+            self.block.divide(index, by);
+        }
+        if let Some(edge) = self.block.edge.filter(|edge| edge.pointless) {
+            let by = self.unpointed(&format!("{}{}", edge.name, edge.value), edge.column, false)?;
+            self.block.edge = Some(EdgeWord { value: edge.value / by, ..edge });
         }
         Ok(())
+    }
+
+    /// By what a number without a decimal point is divided.
+    fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Outcome<f64> {
+        let by = match self.setting.point {
+            None => {
+                return Err(Fault::at(
+                    &[column],
+                    Text::new(
+                        format!("{word} sin punto decimal: según el control son mm o µm"),
+                        format!("{word} has no decimal point: mm or µm, depending on the control"),
+                    ),
+                    Text::new(
+                        format!("escriba {word}. o diga qué hace el control: --decimal-point"),
+                        format!("write {word}. or say what the control does: --decimal-point"),
+                    ),
+                ));
+            }
+            Some(DecimalPoint::Calculator) => 1.0,
+            Some(DecimalPoint::Micrometre) if feed => {
+                return Err(Fault::at(
+                    &[column],
+                    Text::new(
+                        format!("{word} sin punto decimal: el incremento del avance por vuelta depende del control"),
+                        format!(
+                            "{word} has no decimal point: the increment of a feed per revolution depends on the control"
+                        ),
+                    ),
+                    Text::new(format!("escriba {word}."), format!("write {word}.")),
+                ));
+            }
+            Some(DecimalPoint::Micrometre) => {
+                let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
+                let inch = match self.block.g(Group::Units) {
+                    Some(unit) => unit == G::Inch,
+                    None => self.modal.unit == LengthUnit::Inch,
+                };
+                if inch && !dwell { 10_000.0 } else { 1_000.0 }
+            }
+        };
+        let line = self.line;
+        let (es, en) = if self.setting.point == Some(DecimalPoint::Calculator) {
+            ("leídas como mm", "read as mm")
+        } else {
+            ("leídas como incrementos mínimos (0.001 mm)", "read as least increments (0.001 mm)")
+        };
+        self.remarks.add(
+            Grade::Note,
+            line,
+            Some(column),
+            Text::new(format!("cotas sin punto decimal, {es}"), format!("dimensions without decimal point, {en}")),
+            Text::fixed("", ""),
+        );
+        Ok(by)
     }
 
     /// True where the block's F is a length: a feed per revolution, or a lead.

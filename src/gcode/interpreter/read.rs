@@ -4,7 +4,8 @@ use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, Turning};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::interpreter::cursor::Cursor;
+use crate::gcode::interpreter::block::EdgeWord;
+use crate::gcode::interpreter::cursor::{Cursor, Decimal};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::number::grid::LIMIT;
@@ -49,10 +50,11 @@ impl Interpreter<'_> {
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         loop {
             match cursor.peek() {
-                0 if self.block.pointless != 0 => return self.settle_points(),
+                0 if self.block.pointless != 0 || self.block.edge.is_some() => return self.settle_points(),
                 0 => return Ok(()),
                 _ if self.reading.system_a && cursor.macro_word() => return Err(macros(cursor.column())),
                 b'g' => self.read_g(cursor)?,
+                b',' if self.reading.system_a => self.read_edge(cursor)?,
                 b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
                 b'#' if self.reading.expressions => {
@@ -175,6 +177,49 @@ impl Interpreter<'_> {
                 "correct it, or name the program's dialect: with --dialect, or on the sheet DATA of a workbook",
             ),
         )
+    }
+
+    /// `,C` and `,R`.
+    fn read_edge(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+        let column = cursor.column();
+        let Some(round) = cursor.edge() else { return Err(cursor.refuse_character()) };
+        cursor.no_comment()?;
+        cursor.peek();
+        let number_column = cursor.column();
+        if cursor.macro_word() {
+            return Err(macros(number_column));
+        }
+        let Decimal { value, point } = self.value(cursor)?;
+        let edge = EdgeWord {
+            name: if round { ",R" } else { ",C" },
+            round,
+            value,
+            square: None,
+            column,
+            pointless: !point && value != 0.0,
+        };
+        if let Some(first) = self.block.edge.replace(edge) {
+            return Err(Fault::at(
+                &[first.column, column],
+                Text::fixed(
+                    "PS0053: más de un «,C» o «,R» en un bloque",
+                    "PS0053: more than one ',C' or ',R' in one block",
+                ),
+                Text::fixed("deje uno", "leave one"),
+            ));
+        }
+        if value.abs() > f64::from(LIMIT) / 1000.0 || value < 0.0 {
+            let name = edge.name;
+            return Err(Fault::at(
+                &[number_column],
+                Text::new(
+                    format!("{name}{value} no es el tamaño de una esquina"),
+                    format!("{name}{value} is no size of a corner"),
+                ),
+                Text::fixed("dé una longitud sin signo", "give a length without a sign"),
+            ));
+        }
+        Ok(())
     }
 
     fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {

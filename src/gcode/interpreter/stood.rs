@@ -71,7 +71,7 @@ impl Interpreter<'_> {
 
     /// A block was executed: what it changed without a motion is kept.
     pub(super) fn executed(&mut self) {
-        if !self.standing.kept || self.run.is_some() || self.standing.blocks.len() == MOST {
+        if !self.standing.kept || self.run.is_some() || self.corner.is_some() || self.standing.blocks.len() == MOST {
             return;
         }
         let now = (self.modal.control(), self.current);

@@ -47,12 +47,8 @@ impl Interpreter<'_> {
                     return Ok(());
                 }
                 let contour = self.contour(cycle.number(), ends)?;
-                let moves = self.told(finish(&contour.profile, None))?;
-                let feed = self.feed_of(&moves)?;
-                if let Some(side) = contour.compensation {
-                    self.modal.compensation = side;
-                }
-                self.make_contour_moves(moves, feed, contour.blocks, true);
+                let moves = self.told(finish(&contour.profile))?;
+                self.finish_contour(moves, contour.blocks);
                 Ok(())
             }
             Turning::Axial | Turning::Radial | Turning::Repeat => {
@@ -83,6 +79,7 @@ impl Interpreter<'_> {
         let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
         let contour = self.contour(cycle.number(), ends)?;
         self.go_behind(cycle.number(), &contour)?;
+        self.remark_passed_over(cycle.number(), &contour);
         let feed = self.feed()?;
         let U = length(self.block.get(letter::U)).unwrap_or(0.0) / 2.0;
         let W = length(self.block.get(letter::W)).unwrap_or(0.0);
@@ -106,7 +103,7 @@ impl Interpreter<'_> {
             }
         };
         let moves = self.told(moves)?;
-        self.make_contour_moves(moves, feed, contour.blocks, false);
+        self.make_contour_moves(moves, feed, contour.blocks);
         Ok(())
     }
 

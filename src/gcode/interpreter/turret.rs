@@ -33,7 +33,15 @@ impl Interpreter<'_> {
             }
             return Ok(());
         }
-        let Some(T) = T else { return Ok(()) };
+        if let Some((place, offset)) = self.turret_place()? {
+            self.put_in(place, offset);
+        }
+        Ok(())
+    }
+
+    /// The place and the offset of the T0A0B of the block in hand.
+    pub(super) fn turret_place(&self) -> Outcome<Option<(u32, u32)>> {
+        let Some(T) = self.block.get(letter::T) else { return Ok(None) };
         let column = self.block.column(letter::T);
         let Some(digits) = whole(T).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 9999)
         else {
@@ -62,8 +70,7 @@ impl Interpreter<'_> {
         }
         self.known(column, place, false)?;
         self.known(column, offset, true)?;
-        self.put_in(place, offset);
-        Ok(())
+        Ok(Some((place, offset)))
     }
 
     /// Refuses a place or an offset that the table does not hold.

@@ -12,6 +12,7 @@
 //! against. Where the manuals of Fanuc and Fagor are named, their rules stand as they are known among programmers: no copy of
 //! them could be held against this code. What is ours is named "Derived here".
 
+pub mod edge;
 pub mod fagor;
 pub mod finish;
 pub mod groove;

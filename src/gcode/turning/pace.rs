@@ -248,7 +248,7 @@ mod tests {
     #[test]
     fn a_thread_of_changing_lead_takes_its_revolutions() {
         for change in [0.0, 0.25, -0.05] {
-            let thread = Thread { lead: 2.0, change };
+            let thread = Thread { lead: 2.0, change, angle: 0.0 };
             let turns = revolutions(30.0, &thread).unwrap();
             assert!((2.0 * turns + change * turns * turns / 2.0 - 30.0).abs() < 1e-9);
             near(Pace::of(&control(Speed::Revolutions(400.0), None)).unwrap().thread([20.0, 20.0], 30.0, &thread), {
@@ -264,7 +264,7 @@ mod tests {
                 near(Pace::of(&control).unwrap().thread([25.0, 15.0], 30.0, &thread), theirs);
             }
         }
-        assert_eq!(revolutions(50.0, &Thread { lead: 2.0, change: -0.05 }), None);
+        assert_eq!(revolutions(50.0, &Thread { lead: 2.0, change: -0.05, angle: 0.0 }), None);
     }
 
     #[test]

@@ -164,7 +164,7 @@ pub fn thread(start: [f64; 2], threading: &Threading) -> Result<Vec<Move>, Troub
             Text::fixed("alargue la rosca o reduzca la salida", "make the thread longer or the pull-out shorter"),
         ));
     }
-    let thread = Way::Thread(Thread { lead, change: 0.0 });
+    let thread = Way::Thread(Thread { lead, change: 0.0, angle: 0.0 });
     let mut moves: Vec<Move> = Vec::with_capacity(depths.len() * 6 + 1);
     let mut at = start;
     let mut go = |to: [f64; 2], way: Way| {

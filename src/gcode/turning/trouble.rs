@@ -1,7 +1,7 @@
 //! Why a cycle is not made: alarms of turning cycles.
 //!
 //! # References
-//! Fanuc Series 0i/30i, list of alarms (CNC): PS0061 to PS0066, PS0313 to PS0329. The texts are rodete's own.
+//! Fanuc Series 0i/30i, list of alarms (CNC): PS0051 to PS0055, PS0061 to PS0066, PS0313 to PS0329. The texts are rodete's own.
 
 use crate::finding::Exit;
 use crate::text::Text;
@@ -73,6 +73,27 @@ impl Trouble {
 /// What an alarm says, and what to do about it.
 const fn texts(number: u16) -> (Text, Text) {
     match number {
+        51 => (
+            Text::fixed("una de las rectas de la esquina no tiene longitud", "a line of the corner has no length"),
+            Text::fixed("dé dos rectas que se corten en la esquina", "give two lines that meet in the corner"),
+        ),
+        54 => (
+            Text::fixed(
+                "la esquina no está entre una recta a lo largo de un eje y otra a lo largo del otro",
+                "the corner is not between a line along one axis and one along the other",
+            ),
+            Text::fixed(
+                "I va en una recta a lo largo de Z, K en una de X, R en cualquiera de ellas; si no, use «,C» o «,R»",
+                "I stands on a line along Z, K on one along X, R on either; else use ',C' or ',R'",
+            ),
+        ),
+        55 => (
+            Text::fixed("la esquina es mayor que una de sus rectas", "the corner is longer than one of its lines"),
+            Text::fixed(
+                "disminuya el chaflán o el radio, o alargue las rectas",
+                "make the chamfer or the radius smaller, or the lines longer",
+            ),
+        ),
         61 => (
             Text::fixed("falta P o Q en el bloque del ciclo", "P or Q is missing in the block of the cycle"),
             Text::fixed(

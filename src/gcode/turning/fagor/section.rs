@@ -127,7 +127,7 @@ pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<M
     let frame = along.frame([sign(way), sign(across)]);
     let [S, A, B] = [start, from, to].map(|p| frame.inward(p));
     let stock: [f64; 2] = std::array::from_fn(|axis| section.stock[frame.axes[axis]]);
-    let block = |to, arc| Element { to, arc, feed: None, rapid: false, line: 0 };
+    let block = |to, arc| Element { to, arc, rapid: false, line: 0 };
     let profile = Profile { start, elements: vec![block(from, None), block(to, arc)] };
     let exact = Path::of(&profile, frame, [0.0; 2]);
     let moved = Path::of(&profile, frame, stock);

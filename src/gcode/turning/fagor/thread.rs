@@ -150,7 +150,7 @@ pub fn thread(start: [f64; 2], along: Along, threading: &Threading) -> Result<Ve
     let incline = trig::hypot(1.0, rise);
     // The lead along the axis that moves more.
     let along_u = if lead > 0.0 { lead / incline } else { -lead };
-    let way = Way::Thread(Thread { lead: along_u * rise.abs().max(1.0), change: 0.0 });
+    let way = Way::Thread(Thread { lead: along_u * rise.abs().max(1.0), change: 0.0, angle: 0.0 });
     let safety = safety.abs();
     let crest = |u: f64| B[1] + rise * (u - B[0]);
     let mut moves = Vec::with_capacity(depths.len() * 5 + 2);

@@ -1,9 +1,10 @@
-(expected: 7:8 an M code inside the contour of G71 is not supported)
+(expected: 7:8 PS0051: the block behind ',C')
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G71 U2. R1.
 G71 P10 Q20
 N10 G0 X30.
-G1 Z1. M8
+G1 Z1. ,C1.
+M8
 N20 X50.
 M30

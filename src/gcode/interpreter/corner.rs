@@ -1,0 +1,229 @@
+//! `,C` and `,R`, and I, K and R on a line along one axis: the corner between the line of a block and that of the next is chamfered
+//! or rounded.
+//!
+//! The line is held back until the next block says where the path goes on; then it is made as far as the corner's edge, and the edge
+//! with the words of its own block. Increments of the next block count from the corner itself.
+//!
+//! # What may follow
+//! The next block with words is a line at feed: no arc, no rapid motion, nothing without motion. Else the control would raise an
+//! alarm, or guess.
+//!
+//! # References
+//! Fanuc Series 0i-T, operator's manual, direct drawing dimensions programming; see [`crate::gcode::turning::edge`].
+
+use crate::gcode::code::{G, Group, M};
+use crate::gcode::dialect::reading::Letters;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::{Block, EdgeWord, letter};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::modal::Modal;
+use crate::gcode::motion::Feed;
+use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
+use crate::gcode::turning::trouble::Trouble;
+use crate::gcode::turning::{Move, Way};
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::length_unit::LengthUnit;
+use crate::text::Text;
+
+/// The letters of the axes.
+const AXES: u32 = Letters::of("UWXZ").mask();
+
+/// A line whose end is to be broken.
+#[derive(Debug)]
+pub(super) struct Corner {
+    word: EdgeWord,
+    edge: Edge,
+    line: usize,
+    n: Option<u32>,
+    from: Pose,
+    feed: Feed,
+    /// What was in force in its block.
+    modal: Modal,
+}
+
+impl EdgeWord {
+    /// How the corner is broken; mm.
+    pub(super) const fn edge(&self, unit: LengthUnit) -> Edge {
+        let size = unit.to_mm(self.value);
+        if self.round { Edge::Round(size) } else { Edge::Chamfer(size) }
+    }
+
+    /// A refusal at the corner's own line.
+    pub(super) fn refusal(&self, line: usize, what: Text, remedy: Text) -> Box<Fault> {
+        let mut fault = Fault::at(&[self.column], what, remedy);
+        fault.line = line;
+        fault
+    }
+
+    /// The refusal of a corner that cannot be broken.
+    pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Fault> {
+        let (name, told) = (self.name, trouble.told());
+        let what = Text::new(format!("{} ({name})", told.es), format!("{} ({name})", told.en));
+        self.refusal(line, what, trouble.remedy.clone())
+    }
+
+    /// The refusal of a corner behind which no line at feed comes.
+    pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Fault> {
+        let name = self.name;
+        let what = if motion {
+            Text::new(
+                format!("PS0052: detrás de «{name}» no viene una recta con G1"),
+                format!("PS0052: no line with G1 comes behind '{name}'"),
+            )
+        } else {
+            Text::new(
+                format!("PS0051: el bloque siguiente a «{name}» no se mueve con G1"),
+                format!("PS0051: the block behind '{name}' makes no motion with G1"),
+            )
+        };
+        let remedy = Text::fixed(
+            "ponga detrás la segunda recta de la esquina, o escriba el chaflán o el arco en un bloque propio",
+            "let the corner's second line follow, or write the chamfer or arc as a block of its own",
+        );
+        self.refusal(line, what, remedy)
+    }
+}
+
+impl Block {
+    /// True where the block says nothing.
+    pub(super) const fn says_nothing(&self) -> bool {
+        self.present == 0 && self.groups == 0 && self.machine_codes == 0 && self.edge.is_none()
+    }
+}
+
+impl Interpreter<'_> {
+    /// Refuses `,C` and `,R` of the block in hand beside anything but a line at feed.
+    pub(super) fn edge_fits(&self, motion: Option<G>) -> Outcome<()> {
+        let Some(word) = self.block.edge else { return Ok(()) };
+        let line = motion == Some(G::Linear) && self.block.present & AXES != 0;
+        if line && self.block.g(Group::NonModal).is_none() {
+            return Ok(());
+        }
+        let name = word.name;
+        Err(Fault::at(
+            &[word.column],
+            Text::new(
+                format!("«{name}» sin una recta con G1 no está implementado"),
+                format!("'{name}' without a line with G1 is not supported"),
+            ),
+            Text::fixed(
+                "escriba el chaflán o el arco en un bloque propio",
+                "write the chamfer or arc as a block of its own",
+            ),
+        ))
+    }
+
+    /// I, K or R of a line at feed in hand becomes its edge.
+    pub(super) fn take_square_edge(&mut self, motion: Option<G>) -> Outcome<()> {
+        let line = motion == Some(G::Linear) && self.block.present & AXES != 0;
+        if !self.reading.system_a || !line || self.block.g(Group::NonModal).is_some() {
+            return Ok(());
+        }
+        for (letter, name, axis) in [(letter::I, "I", Some(0)), (letter::K, "K", Some(1)), (letter::R, "R", None)] {
+            let column = self.block.column(letter);
+            let Some(value) = self.block.take(letter).filter(|&value| value != 0.0) else { continue };
+            let square = Some(Square { axis, toward: 1.0_f64.copysign(value) });
+            let word = EdgeWord { name, round: axis.is_none(), value: value.abs(), square, column, pointless: false };
+            if let Some(first) = self.block.edge.replace(word) {
+                return Err(Fault::at(
+                    &[first.column, column],
+                    Text::new(
+                        format!("PS0053: «{}» y «{name}» en un bloque", first.name),
+                        format!("PS0053: '{}' and '{name}' in one block", first.name),
+                    ),
+                    Text::fixed("deje uno", "leave one"),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a block in hand that does not go on from a corner with a line at feed.
+    pub(super) fn corner_goes_on(&mut self) -> Outcome<()> {
+        let block = &self.block;
+        if self.corner.is_none() || block.says_nothing() {
+            return Ok(());
+        }
+        let allowed = [Group::Motion, Group::CutterCompensation, Group::Speed, Group::Feed];
+        let other = block.groups & !allowed.into_iter().fold(0, |groups, group| groups | 1 << group as u16);
+        let moves = other == 0 && block.present & AXES != 0;
+        let goes_on = moves
+            && block.g(Group::Motion).unwrap_or(self.modal.motion) == G::Linear
+            && !block.has(letter::T)
+            && matches!(block.m(4), None | Some((M::Pause, _)));
+        if goes_on { Ok(()) } else { self.lose_corner(moves) }
+    }
+
+    /// The program does not go on from a corner: its line is made whole, and the corner refused.
+    pub(super) fn lose_corner(&mut self, motion: bool) -> Outcome<()> {
+        let Some(corner) = self.corner.take() else { return Ok(()) };
+        let (word, line) = (corner.word, corner.line);
+        self.make_corner(corner, None)?;
+        Err(word.alone(line, motion))
+    }
+
+    /// The line of a corner is made whole, as what should follow it is refused.
+    pub(super) fn leave_corner(&mut self) {
+        if let Some(corner) = self.corner.take() {
+            // A line at a feed that is given.
+            let _ = self.make_corner(corner, None);
+        }
+    }
+
+    /// A line at feed, behind a corner and before one.
+    pub(super) fn line_at_feed(&mut self, to: Pose, feed: Feed) -> Outcome<()> {
+        if let Some(corner) = self.corner.take() {
+            let points = [corner.from, self.current, to].map(|pose| point(&pose));
+            match broken(points, corner.edge, corner.word.square) {
+                Ok(broken) => self.make_corner(corner, broken)?,
+                Err(trouble) => {
+                    let fault = corner.word.trouble(corner.line, &trouble);
+                    self.make_corner(corner, None)?;
+                    return Err(fault);
+                }
+            }
+        }
+        let way = Move { way: Way::Feed(None), to: point(&to), line: None };
+        let Some(word) = self.block.edge else { return self.make_way(&way, Some(feed)) };
+        self.corner = Some(Corner {
+            word,
+            edge: word.edge(self.modal.unit),
+            line: self.line,
+            n: self.block.n,
+            from: self.current,
+            feed,
+            modal: self.modal.clone(),
+        });
+        self.current = to;
+        Ok(())
+    }
+
+    /// Makes the line up to a corner that was held back, and its edge, as in its own block.
+    fn make_corner(&mut self, corner: Corner, broken: Option<Broken>) -> Outcome<()> {
+        let whole = point(&self.current);
+        let (line, n) = (self.line, self.block.n);
+        let modal = std::mem::replace(&mut self.modal, corner.modal);
+        (self.line, self.block.n, self.current) = (corner.line, corner.n, corner.from);
+        let straight = |to| Move { way: Way::Feed(None), to, line: None };
+        let end = broken.map_or(whole, |broken| broken.from);
+        let edge = broken.map(|Broken { to, arc, .. }| match arc {
+            None => straight(to),
+            Some((centre, clockwise)) => Move { way: Way::Arc { centre, clockwise, feed: None }, to, line: None },
+        });
+        let mut made = Ok(());
+        if end != point(&corner.from) {
+            made = self.make_way(&straight(end), Some(corner.feed));
+        }
+        if let Some(edge) = edge {
+            made = made.and_then(|()| self.make_way(&edge, Some(corner.feed)));
+        }
+        self.modal = modal;
+        (self.line, self.block.n) = (line, n);
+        made
+    }
+}
+
+/// A pose as `[X, Z]`.
+fn point(pose: &Pose) -> [f64; 2] {
+    [pose.get(Axis::X), pose.get(Axis::Z)]
+}

@@ -1,5 +1,0 @@
-(expected: 4:14 ',C' is not supported)
-T0101 S500 M3 F.2
-G0 X50. Z5.
-G1 X20. Z-5. ,C1.
-M30

@@ -1,0 +1,6 @@
+(expected: 4:9 PS0054: the corner is not between a line along one axis)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G1 X20. R-1.
+X30. Z-9.
+M30

@@ -1,0 +1,6 @@
+(expected: 4:4 R is not supported: rounding a corner)
+T0101 S500 M3 F.2
+G0 X50. Z5.
+G1 R1.
+Z-9.
+M30
