@@ -120,7 +120,8 @@ pub struct Interpreter<'a> {
     current: Pose,
     parameters: Parameters,
     tools: Tools,
-    queue: VecDeque<Result<(Motion, Control), Box<Fault>>>,
+    /// Motions with what was in force, and their numbers among those that the program has made.
+    queue: VecDeque<Result<(Motion, Control, u64), Box<Fault>>>,
     compensator: Compensator,
     run: Option<Run>,
     standing: Standing,
@@ -385,9 +386,9 @@ impl Iterator for Interpreter<'_> {
     fn next(&mut self) -> Option<Self::Item> {
         loop {
             if let Some(item) = self.queue.pop_front() {
-                return Some(item.map(|(motion, control)| {
+                return Some(item.map(|(motion, control, number)| {
                     self.control = control;
-                    self.handed_out(Some(&motion));
+                    self.handed_out(Some((&motion, number)));
                     motion
                 }));
             }
@@ -396,7 +397,7 @@ impl Iterator for Interpreter<'_> {
             } else if self.stage == Stage::Ended {
                 self.flush();
                 if self.queue.is_empty() {
-                    self.handed_out::<Motion>(None);
+                    self.handed_out(None);
                     return None;
                 }
                 continue;
