@@ -83,7 +83,7 @@ pub(super) fn follow(
         verdict.findings.push(told_from(dialect));
         dialect
     });
-    let main = text::Text::of_file(String::from_utf8_lossy(wanted.bytes).into_owned());
+    let main = text::Text::of_file(&String::from_utf8_lossy(wanted.bytes));
     let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
     let program = text::Source { main, subprograms };
     let mut values = for_program(values, wanted, dialect, &program);
@@ -270,7 +270,7 @@ fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::
                     Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
                 };
                 if let Some(bytes) = files.find(&name).map_err(unreadable)? {
-                    let text = text::Text::of_file(String::from_utf8_lossy(&bytes).into_owned());
+                    let text = text::Text::of_file(&String::from_utf8_lossy(&bytes));
                     texts.push(text.text.clone());
                     found.insert(name, text);
                 }

@@ -45,7 +45,7 @@ pub enum Seen<'a> {
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
-    End(&'a [Finding]),
+    End(&'a [Finding], &'a Simulation),
 }
 
 /// A program followed to its end.
@@ -299,7 +299,7 @@ fn follow(
             faults.push(unjudged_from(place));
         }
     }
-    watch(Seen::End(&faults));
+    watch(Seen::End(&faults, &one.simulation));
     one.findings =
         faults.into_iter().map(|finding| Finding { place: source.placed(finding.place), ..finding }).collect();
     one.findings.extend(alarms(&one.alarms));

@@ -247,12 +247,15 @@ impl Simulation {
     /// piece; else what is in the chuck. A program that goes on cutting after a piece has fallen off makes what is left.
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
-        if self.fallen.is_empty() {
-            return self.contours();
-        }
+        self.parted().unwrap_or_else(|| self.contours())
+    }
+
+    /// The piece that the last cut has parted off, contours as [`Self::contours`] gives them; `None` where it has parted none.
+    #[must_use]
+    pub fn parted(&self) -> Option<Vec<Ring>> {
         let mut rings = self.fallen.clone();
         rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
-        rings
+        (!rings.is_empty()).then_some(rings)
     }
 
     /// The part's outer contour when the simulation started, or where the last recorded edit has left it.

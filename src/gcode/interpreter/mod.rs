@@ -77,7 +77,7 @@ use self::numbers::Numbers;
 use self::parameters::Parameters;
 pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
-pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
+pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, line_feeds};
 use self::stood::Standing;
 pub use self::stood::Stood;
 use self::structure::Structure;

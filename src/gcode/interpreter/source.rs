@@ -105,6 +105,13 @@ impl<'a> Source<'a> {
     }
 }
 
+/// A program's text with a line feed at each end of line, as the interpreter counts lines: behind a return, a line feed, or
+/// both.
+#[must_use]
+pub fn line_feeds(text: &str) -> String {
+    text.replace("\r\n", "\n").replace('\r', "\n")
+}
+
 fn unreadable(error: &io::Error) -> Box<Fault> {
     let mut fault = Fault::block(
         Text::new(format!("no se puede leer el programa: {error}"), format!("cannot read the program: {error}")),
