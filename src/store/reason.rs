@@ -37,12 +37,12 @@ pub(super) fn words(error: &io::Error) -> (Text, Text) {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => (
             Text::fixed("no queda espacio en el disco", "no space left on the disk"),
             Text::fixed(
-                "libere espacio o elija otra carpeta (en build, con -o); los ficheros anteriores siguen intactos",
+                "libere espacio o elija otra carpeta (en build, con -o); los archivos anteriores siguen intactos",
                 "free some space or choose another folder (build: -o); the files that were there are untouched",
             ),
         ),
         ErrorKind::FileTooLarge => (
-            Text::fixed("el fichero supera el tamaño permitido", "the file is larger than is allowed here"),
+            Text::fixed("el archivo supera el tamaño permitido", "the file is larger than is allowed here"),
             Text::fixed(
                 "elija otra carpeta (en build, con -o) o pida un límite mayor (ulimit -f)",
                 "choose another folder (build: -o) or ask for a greater limit (ulimit -f)",
@@ -50,7 +50,7 @@ pub(super) fn words(error: &io::Error) -> (Text, Text) {
         ),
         ErrorKind::PermissionDenied => (Text::fixed("permiso denegado", "permission denied"), another),
         ErrorKind::ReadOnlyFilesystem => {
-            (Text::fixed("el sistema de ficheros es de solo lectura", "the file system is read-only"), another)
+            (Text::fixed("el sistema de archivos es de solo lectura", "the file system is read-only"), another)
         }
         ErrorKind::NotFound => (Text::fixed("no existe", "it does not exist"), another),
         ErrorKind::NotADirectory => {

@@ -36,7 +36,7 @@ pub(super) fn check(target: &Path, inputs: &[PathBuf]) -> Result<(), Refusal> {
     }
     if !found.is_file() {
         return Err(refusal(
-            Text::new(format!("{path} no es un fichero ordinario"), format!("{path} is not an ordinary file")),
+            Text::new(format!("{path} no es un archivo ordinario"), format!("{path} is not an ordinary file")),
             another,
         ));
     }
