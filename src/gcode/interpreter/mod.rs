@@ -77,7 +77,7 @@ use self::numbers::Numbers;
 use self::parameters::Parameters;
 pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
-pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, line_feeds};
+pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, WIDE, decoded, line_feeds, wide};
 use self::stood::Standing;
 pub use self::stood::Stood;
 use self::structure::Structure;
@@ -286,6 +286,10 @@ impl<'a> Interpreter<'a> {
         }
         self.count_line()?;
         self.remarks.turn_to(self.sources.get(self.at).and_then(|source| source.file.as_ref()));
+        if self.line == 1 && wide(line) {
+            let [what, remedy] = WIDE;
+            return Err(Fault::block(what, remedy).fatal());
+        }
         if self.line == 1 && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
             self.remarks.add(
