@@ -10,17 +10,39 @@ use crate::text::{Language, Text};
 /// Most findings of a workbook that are printed; the rest is counted.
 const MOST: usize = 50;
 
+/// The names that places are told with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Names<'a> {
+    /// The input.
+    pub(super) input: &'a str,
+    /// The workbook in which sheets and cells stand, where it is another file than the input.
+    pub(super) workbook: &'a str,
+}
+
+impl<'a> From<&'a String> for Names<'a> {
+    fn from(input: &'a String) -> Self {
+        Self::from(input.as_str())
+    }
+}
+
+impl<'a> From<&'a str> for Names<'a> {
+    fn from(input: &'a str) -> Self {
+        Self { input, workbook: input }
+    }
+}
+
 /// The findings of one workbook as text, those of `grades` only, gravest first; then how many more there are.
-pub(super) fn list(
+pub(super) fn list<'a>(
     findings: &[Finding],
     grades: impl Fn(Grade) -> bool,
-    workbook: &str,
+    names: impl Into<Names<'a>>,
     language: Language,
     width: Option<usize>,
 ) -> String {
+    let names = names.into();
     let mut wanted: Vec<_> = findings.iter().filter(|finding| grades(finding.grade)).collect();
     wanted.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let mut text: String = wanted.iter().take(MOST).map(|finding| one(finding, workbook, language, width)).collect();
+    let mut text: String = wanted.iter().take(MOST).map(|finding| one(finding, names, language, width)).collect();
     if wanted.len() > MOST {
         let more = Text::new(
             format!("… se muestran {MOST} de {}\n", wanted.len()),
@@ -39,7 +61,7 @@ pub(super) fn general(finding: &Finding, language: Language, width: Option<usize
 }
 
 /// One finding as text.
-pub(super) fn one(finding: &Finding, workbook: &str, language: Language, width: Option<usize>) -> String {
+pub(super) fn one(finding: &Finding, names: Names<'_>, language: Language, width: Option<usize>) -> String {
     let arrow = Style::new().fg_color(Some(AnsiColor::Blue.into()));
     let mut text = head(finding, language, width);
     // A note on a result names it in its sentence.
@@ -47,7 +69,7 @@ pub(super) fn one(finding: &Finding, workbook: &str, language: Language, width: 
     {
         return text;
     }
-    text.push_str(&wrapped(&format!("  {arrow}-->{arrow:#} {}", place(&finding.place, workbook, language)), 6, width));
+    text.push_str(&wrapped(&format!("  {arrow}-->{arrow:#} {}", place(&finding.place, names, language)), 6, width));
     text.push_str(&hint(finding, language, width));
     text
 }
@@ -94,14 +116,15 @@ const fn grade(grade: Grade) -> (Text, AnsiColor) {
     }
 }
 
-/// Where a finding belongs, beginning with the workbook.
-fn place(place: &Place, workbook: &str, language: Language) -> String {
+/// Where a finding belongs, beginning with the file.
+fn place(place: &Place, names: Names<'_>, language: Language) -> String {
+    let Names { input, workbook } = names;
     let word = |es: &'static str, en: &'static str| match language {
         Language::Es => es,
         Language::En => en,
     };
     match place {
-        Place::File => workbook.to_owned(),
+        Place::File => input.to_owned(),
         Place::Part(part) => format!("{workbook}, {} {}", word("parte", "part"), printable(part)),
         Place::Sheet(sheet) => format!("{workbook}, {} \"{}\"", word("hoja", "sheet"), printable(sheet)),
         Place::Cells(cells) => format!("{workbook}{}", addresses(cells, language)),
@@ -111,20 +134,20 @@ fn place(place: &Place, workbook: &str, language: Language) -> String {
             format!("{workbook}, {noun} {}", keys.join(", "))
         }
         Place::Point { table, index } => {
-            format!("{workbook}, {} {table}, i = {index}", word("tabla", "table"))
+            format!("{input}, {} {table}, i = {index}", word("tabla", "table"))
         }
         Place::Block { program, line } => {
-            format!("{workbook}, {} {program}, {} {line}", word("programa", "program"), word("línea", "line"))
+            format!("{input}, {} {program}, {} {line}", word("programa", "program"), word("línea", "line"))
         }
         Place::Subprogram { file, line, columns } => {
             let file = printable(file);
             let column = columns.first().map_or(String::new(), |column| format!(":{column}"));
-            format!("{workbook}, {} {file}:{line}{column}", word("subprograma", "subprogram"))
+            format!("{input}, {} {file}:{line}{column}", word("subprograma", "subprogram"))
         }
         // As compilers and editors write it.
         Place::Line { line, columns } => match columns.first() {
-            Some(column) => format!("{workbook}:{line}:{column}"),
-            None => format!("{workbook}:{line}"),
+            Some(column) => format!("{input}:{line}:{column}"),
+            None => format!("{input}:{line}"),
         },
     }
 }

@@ -69,7 +69,7 @@ pub(super) fn show(verdict: &Verdict, view: &View, language: Language, terminal:
         (Exit::Done, None) if verdict.files.is_empty() => return,
         (Exit::Done, None) => Text::new(format!("{name} se ha escrito"), format!("{name} was written")),
         _ if !verdict.files.is_empty() => {
-            Text::fixed("sólo se ha escrito lo que está en la lista", "only what is listed was written")
+            Text::fixed("solo se ha escrito lo que está en la lista", "only what is listed was written")
         }
         _ => Text::new(format!("{name}: no se ha escrito nada"), format!("{name}: nothing was written")),
     };

@@ -71,7 +71,7 @@ pub(super) fn twice(workbooks: &[PathBuf]) -> Result<(), Refusal> {
             let what = if one == two {
                 Text::new(format!("{one} se da dos veces"), format!("{one} is given twice"))
             } else {
-                Text::new(format!("{one} y {two} son el mismo fichero"), format!("{one} and {two} are the same file"))
+                Text::new(format!("{one} y {two} son el mismo archivo"), format!("{one} and {two} are the same file"))
             };
             return Err(refusal(what, Text::fixed("dé cada libro una sola vez", "give every workbook once")));
         }

@@ -61,13 +61,13 @@ fn closing(verdict: &Verdict, writes: bool, workbook: &str, language: Language) 
     let report = verdict.files.iter().any(|file| file.name.to_string_lossy().ends_with(REPORT));
     let end = match (verdict.exit, count) {
         (Exit::Done, 0) if !writes => Text::fixed("se puede construir", "can be built"),
-        (Exit::Done, _) => Text::new(format!("{count} ficheros en {folder}"), format!("{count} files in {folder}")),
+        (Exit::Done, _) => Text::new(format!("{count} archivos en {folder}"), format!("{count} files in {folder}")),
         (Exit::ReportFailed, _) if report => Text::new(
-            format!("{count} ficheros en {folder}, sin todas las plantillas en PDF"),
+            format!("{count} archivos en {folder}, sin todas las plantillas en PDF"),
             format!("{count} files in {folder}, without all templates in PDF"),
         ),
         (Exit::ReportFailed, _) => Text::new(
-            format!("{count} ficheros en {folder}, sin informe"),
+            format!("{count} archivos en {folder}, sin informe"),
             format!("{count} files in {folder}, without a report"),
         ),
         _ if !writes => Text::fixed("no se puede construir", "cannot be built"),

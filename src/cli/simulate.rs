@@ -40,8 +40,10 @@ pub(super) fn run(arguments: &Simulate, terminal: &mut Terminal) -> Exit {
         terminal.out(&format!("{name}: {}, {}\n", followed.dialect.name, followed.stock));
         terminal.out(&quantity::table(&verdict.quantities, language, width));
     }
-    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, &name, language, width));
-    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, &name, language, width));
+    let beside = arguments.tools.as_deref().map(show::path);
+    let names = finding::Names { input: &name, workbook: beside.as_ref().unwrap_or(&name) };
+    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, names, language, width));
+    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, names, language, width));
     terminal.out(&show::files(&verdict));
     verdict.exit
 }

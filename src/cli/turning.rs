@@ -11,7 +11,7 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::told::told_turning;
-use crate::gcode::interpreter::{DecimalPoint, Files, Interpreter};
+use crate::gcode::interpreter::{DecimalPoint, Files, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::Kind;
 use crate::job::{Outcome, Source, lathe};
 use crate::lathe::cases;
@@ -74,6 +74,10 @@ pub(super) fn follow(
     if wanted.bytes.starts_with(PACKAGE) {
         return Err(is_workbook(path));
     }
+    if wide(wanted.bytes) {
+        let [what, remedy] = WIDE;
+        return Err(Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy)));
+    }
     let sha256 = store::sha256(wanted.bytes);
     verdict.sha256 = Some(sha256.clone());
     let (values, found) = given(wanted).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
@@ -83,7 +87,7 @@ pub(super) fn follow(
         verdict.findings.push(told_from(dialect));
         dialect
     });
-    let main = text::Text::of_file(String::from_utf8_lossy(wanted.bytes).into_owned());
+    let main = text::Text::of_file(&decoded(wanted.bytes));
     let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
     let program = text::Source { main, subprograms };
     let mut values = for_program(values, wanted, dialect, &program);
@@ -270,7 +274,7 @@ fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::
                     Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
                 };
                 if let Some(bytes) = files.find(&name).map_err(unreadable)? {
-                    let text = text::Text::of_file(String::from_utf8_lossy(&bytes).into_owned());
+                    let text = text::Text::of_file(&decoded(&bytes));
                     texts.push(text.text.clone());
                     found.insert(name, text);
                 }

@@ -14,7 +14,7 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::told::told;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::{Interpreter, decoded};
 use crate::lathe::parameters as lathe;
 use crate::store::{self, Existing, Folder, Set, Written};
 use crate::text::{Language, Text};
@@ -36,7 +36,10 @@ pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
         }
     };
     let (name, width) = (printable_path(&arguments.input), terminal.width);
-    terminal.err(&finding::list(&verdict.findings, |grade| grade > Grade::Note, &name, language, width));
+    // Cells are those of the input, or of the lathe workbook beside a program.
+    let beside = arguments.control.tools.as_deref().filter(|_| verdict.schema.is_none()).map(printable_path);
+    let names = finding::Names { input: &name, workbook: beside.as_ref().unwrap_or(&name) };
+    terminal.err(&finding::list(&verdict.findings, |grade| grade > Grade::Note, names, language, width));
     for file in &written {
         let path = show::path(&file.path);
         let text = Text::new(
@@ -174,7 +177,7 @@ fn of_program(
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
     let milling = !dialect.reading.diameter;
     let frame = if milling { Frame::Milling } else { Frame::Turning };
-    let text = String::from_utf8_lossy(&bytes);
+    let text = decoded(&bytes);
     let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);
     let setting = shared.setting(input, dialect);
     for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| milling && tool.diameter > 0.0) {

@@ -18,7 +18,7 @@ pub fn refused_codes(dialect: &Dialect, key: &'static str, codes: &[Word], closi
         if word.letter != 'M' {
             stop(
                 &[key, "dialect"],
-                format!("{key} lleva {}{number}: aquí sólo valen códigos M", word.letter),
+                format!("{key} lleva {}{number}: aquí solo valen códigos M", word.letter),
                 format!("{key} holds {}{number}: only M codes may stand here", word.letter),
                 Text::fixed("quite el código G", "take the G code out"),
             );

@@ -49,7 +49,7 @@ pub enum Seen<'a> {
     /// its block stands in.
     Late(&'a Alarm, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
-    End(&'a [Finding]),
+    End(&'a [Finding], &'a Simulation),
 }
 
 /// A program followed to its end.
@@ -315,7 +315,7 @@ fn follow(
             faults.push(unjudged_from(place));
         }
     }
-    watch(Seen::End(&faults));
+    watch(Seen::End(&faults, &one.simulation));
     one.findings = faults
         .into_iter()
         .map(|finding| match together.iter().find(|(told, _)| *told == finding) {

@@ -198,21 +198,24 @@ impl Simulation {
     /// The part's contours as they are, `[z, r]` from W1 in mm: counter-clockwise, holes clockwise.
     #[must_use]
     pub fn contours(&self) -> Vec<Ring> {
-        let mut rings = self.part.rings();
+        self.from_zero(self.part.rings())
+    }
+
+    fn from_zero(&self, mut rings: Vec<Ring>) -> Vec<Ring> {
         rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
         rings
     }
 
-    /// What the program makes, contours as [`Self::contours`] gives them: the piece that its last cut has parted off, of one
-    /// piece; else what is in the chuck. A program that goes on cutting after a piece has fallen off makes what is left.
+    /// What the program makes: the piece that its last cut has parted off, else what is in the chuck.
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
-        if self.fallen.is_empty() {
-            return self.contours();
-        }
-        let mut rings = self.fallen.clone();
-        rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
-        rings
+        self.parted().unwrap_or_else(|| self.contours())
+    }
+
+    /// The piece, of one, that the last cut has parted off: a program that goes on cutting makes what is left instead.
+    #[must_use]
+    pub fn parted(&self) -> Option<Vec<Ring>> {
+        (!self.fallen.is_empty()).then(|| self.from_zero(self.fallen.clone()))
     }
 
     /// The part's outer contour when the simulation started, or where the last recorded edit has left it.

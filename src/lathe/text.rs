@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{CellPlace, Finding, Place};
-use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting};
+use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting, line_feeds};
 use crate::gcode::program::Part;
 use crate::lathe::parameters::SUBPROGRAM_KEY;
 use crate::parameter::Values;
@@ -39,8 +39,8 @@ impl Text {
 
     /// The lines of a file.
     #[must_use]
-    pub fn of_file(text: String) -> Self {
-        Self { text, cells: Vec::new() }
+    pub fn of_file(text: &str) -> Self {
+        Self { text: line_feeds(text), cells: Vec::new() }
     }
 
     /// Where a line stands: in its cell, or in its file.

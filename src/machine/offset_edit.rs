@@ -142,7 +142,7 @@ impl Edit {
 
 fn codes() -> Text {
     Text::fixed(
-        "escriba de G54 a G59.3 con X Y Z A B C U V W R, como 'G55 X2 Y1 Z-2', G52 con los ejes, o solo G92.1, G92.2 o \
+        "escriba de G54 a G59.3 con X Y Z A B C U V W R, como «G55 X2 Y1 Z-2», G52 con los ejes, o solo G92.1, G92.2 o \
          G92.3",
         "write G54 to G59.3 with X Y Z A B C U V W R, as 'G55 X2 Y1 Z-2', G52 with axes, or G92.1, G92.2 or G92.3 alone",
     )
@@ -150,7 +150,7 @@ fn codes() -> Text {
 
 fn quoted(text: &str, what: &Text) -> Text {
     let text = excerpt(text, 60);
-    Text::new(format!("'{text}': {}", what.es), format!("'{text}': {}", what.en))
+    Text::new(format!("«{text}»: {}", what.es), format!("'{text}': {}", what.en))
 }
 
 /// A letter in capitals and what follows it up to the next letter or blank.
@@ -165,7 +165,7 @@ fn words(text: &str) -> Result<Vec<Word<'_>>, (Text, Text)> {
             let found = excerpt(rest.split_whitespace().next().unwrap_or(rest), 20);
             (
                 Text::new(
-                    format!("'{found}' no empieza por una letra"),
+                    format!("«{found}» no empieza por una letra"),
                     format!("'{found}' does not begin with a letter"),
                 ),
                 Text::fixed("escriba cada palabra junta, como X2.5", "write every word together, as X2.5"),
@@ -187,7 +187,7 @@ fn no_axis(letter: char, system: bool) -> (Text, Text) {
         ),
         'R' if !system => (
             Text::fixed("G52 no tiene giro", "G52 has no rotation"),
-            Text::fixed("dé R a un sistema, como 'G55 R30'", "give R to a system, as 'G55 R30'"),
+            Text::fixed("dé R a un sistema, como «G55 R30»", "give R to a system, as 'G55 R30'"),
         ),
         _ => (
             Text::new(format!("{letter} no es un eje"), format!("{letter} is no axis")),
@@ -210,7 +210,7 @@ fn number_of(letter: char, text: &str, most: f64) -> Result<f64, (Text, Text)> {
             let what = if text.is_empty() {
                 Text::new(format!("{letter} no tiene número"), format!("{letter} has no number"))
             } else {
-                Text::new(format!("'{shown}' no es un número"), format!("'{shown}' is not a number"))
+                Text::new(format!("«{shown}» no es un número"), format!("'{shown}' is not a number"))
             };
             let remedy = if text.contains(',') {
                 Text::new(

@@ -210,7 +210,7 @@ fn words(line: &str) -> impl Iterator<Item = (usize, &str)> {
 
 fn pair() -> Text {
     Text::fixed(
-        "escriba en cada línea el número de un parámetro y su valor, como '5221 12.500000'",
+        "escriba en cada línea el número de un parámetro y su valor, como «5221 12.500000»",
         "write in each line the number of a parameter and its value, as '5221 12.500000'",
     )
 }
@@ -220,7 +220,7 @@ fn read_number(place: Place, text: &str) -> Result<u32, Box<Finding>> {
     let whole = text.strip_prefix(['+', '-']).unwrap_or(text);
     if whole.is_empty() || !whole.bytes().all(|byte| byte.is_ascii_digit()) {
         let what = Text::new(
-            format!("'{shown}' no es el número de un parámetro"),
+            format!("«{shown}» no es el número de un parámetro"),
             format!("'{shown}' is not the number of a parameter"),
         );
         return Err(Box::new(Finding::stop(place, what, pair())));
@@ -239,9 +239,9 @@ fn read_value(place: Place, text: &str) -> Result<f64, Box<Finding>> {
     let shown = excerpt(text, 30);
     let plain = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     let remedy = if text.contains(',') {
-        Text::fixed("el separador decimal es el punto: '1.5'", "the decimal separator is the point: '1.5'")
+        Text::fixed("el separador decimal es el punto: «1.5»", "the decimal separator is the point: '1.5'")
     } else {
-        Text::fixed("escriba un número decimal, como '-12.5'", "write a decimal number, as '-12.5'")
+        Text::fixed("escriba un número decimal, como «-12.5»", "write a decimal number, as '-12.5'")
     };
     let finding = match text.parse::<f64>() {
         Ok(value) if plain && value.abs() <= GREATEST => return Ok(value),
@@ -252,7 +252,7 @@ fn read_value(place: Place, text: &str) -> Result<f64, Box<Finding>> {
         )
         .with(shown, format!("±{GREATEST:e}")),
         _ => {
-            let what = Text::new(format!("'{shown}' no es un número"), format!("'{shown}' is not a number"));
+            let what = Text::new(format!("«{shown}» no es un número"), format!("'{shown}' is not a number"));
             Finding::stop(place, what, remedy)
         }
     };

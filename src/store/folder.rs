@@ -37,7 +37,7 @@ impl Folder {
         folder.make().map_err(|error| match fs::metadata(path) {
             Ok(found) if !found.is_dir() => refusal(
                 Text::new(format!("{} no es una carpeta", shown(path)), format!("{} is not a folder", shown(path))),
-                Text::fixed("elija otra carpeta (en build, con -o)", "choose another folder (build: -o)"),
+                Text::fixed("elija otra carpeta (opción -o)", "choose another folder (option -o)"),
             ),
             _ => unwritable(path, &error),
         })?;

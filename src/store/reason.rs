@@ -32,25 +32,25 @@ pub(super) fn shown(path: &Path) -> String {
 
 /// The reason and the remedy for an error of the system.
 pub(super) fn words(error: &io::Error) -> (Text, Text) {
-    let another = Text::fixed("elija otra carpeta (en build, con -o)", "choose another folder (build: -o)");
+    let another = Text::fixed("elija otra carpeta (opción -o)", "choose another folder (option -o)");
     match error.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => (
             Text::fixed("no queda espacio en el disco", "no space left on the disk"),
             Text::fixed(
-                "libere espacio o elija otra carpeta (en build, con -o); los ficheros anteriores siguen intactos",
-                "free some space or choose another folder (build: -o); the files that were there are untouched",
+                "libere espacio o elija otra carpeta (opción -o); los archivos anteriores siguen intactos",
+                "free some space or choose another folder (option -o); the files that were there are untouched",
             ),
         ),
         ErrorKind::FileTooLarge => (
-            Text::fixed("el fichero supera el tamaño permitido", "the file is larger than is allowed here"),
+            Text::fixed("el archivo supera el tamaño permitido", "the file is larger than is allowed here"),
             Text::fixed(
-                "elija otra carpeta (en build, con -o) o pida un límite mayor (ulimit -f)",
-                "choose another folder (build: -o) or ask for a greater limit (ulimit -f)",
+                "elija otra carpeta (opción -o) o pida un límite mayor (ulimit -f)",
+                "choose another folder (option -o) or ask for a greater limit (ulimit -f)",
             ),
         ),
         ErrorKind::PermissionDenied => (Text::fixed("permiso denegado", "permission denied"), another),
         ErrorKind::ReadOnlyFilesystem => {
-            (Text::fixed("el sistema de ficheros es de solo lectura", "the file system is read-only"), another)
+            (Text::fixed("el sistema de archivos es de solo lectura", "the file system is read-only"), another)
         }
         ErrorKind::NotFound => (Text::fixed("no existe", "it does not exist"), another),
         ErrorKind::NotADirectory => {
@@ -59,8 +59,8 @@ pub(super) fn words(error: &io::Error) -> (Text, Text) {
         ErrorKind::IsADirectory => (
             Text::fixed("hay una carpeta con ese nombre", "there is a folder of that name"),
             Text::fixed(
-                "renombre esa carpeta o elija otra (en build, con -o)",
-                "rename that folder or choose another (build: -o)",
+                "renombre esa carpeta o elija otra (opción -o)",
+                "rename that folder or choose another (option -o)",
             ),
         ),
         ErrorKind::InvalidFilename => (

@@ -234,7 +234,7 @@ fn mixed(path: &Path, error: &io::Error, stuck: &[PathBuf]) -> Refusal {
     if let Some(finding) = refusal.findings.first_mut() {
         if stuck.is_empty() {
             finding.what = Text::new(
-                format!("{}; los ficheros anteriores siguen en su sitio", finding.what.es),
+                format!("{}; los archivos anteriores siguen en su sitio", finding.what.es),
                 format!("{}; the files of before stand", finding.what.en),
             );
         } else {
@@ -256,7 +256,7 @@ fn exists(path: &Path) -> Refusal {
     let path = shown(path);
     super::reason::refusal(
         Text::new(format!("{path} ya existe"), format!("{path} exists already")),
-        Text::fixed("dé otro nombre, o quite ese fichero", "give another name, or remove that file"),
+        Text::fixed("dé otro nombre, o quite ese archivo", "give another name, or remove that file"),
     )
 }
 

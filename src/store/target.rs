@@ -22,8 +22,8 @@ pub(super) fn check(target: &Path, inputs: &[PathBuf]) -> Result<(), Refusal> {
     };
     let path = shown(target);
     let another = Text::fixed(
-        "cámbiele el nombre, quítelo o elija otra carpeta (en build, con -o)",
-        "rename it, remove it or choose another folder (build: -o)",
+        "cámbiele el nombre, quítelo o elija otra carpeta (opción -o)",
+        "rename it, remove it or choose another folder (option -o)",
     );
     if found.is_symlink() {
         return Err(refusal(
@@ -36,7 +36,7 @@ pub(super) fn check(target: &Path, inputs: &[PathBuf]) -> Result<(), Refusal> {
     }
     if !found.is_file() {
         return Err(refusal(
-            Text::new(format!("{path} no es un fichero ordinario"), format!("{path} is not an ordinary file")),
+            Text::new(format!("{path} no es un archivo ordinario"), format!("{path} is not an ordinary file")),
             another,
         ));
     }
@@ -49,7 +49,7 @@ pub(super) fn check(target: &Path, inputs: &[PathBuf]) -> Result<(), Refusal> {
                     format!("{path} es a la vez entrada y salida: se perdería el libro"),
                     format!("{path} is both an input and an output: the workbook would be lost"),
                 ),
-                Text::fixed("elija otra carpeta (en build, con -o)", "choose another folder (build: -o)"),
+                Text::fixed("elija otra carpeta (opción -o)", "choose another folder (option -o)"),
             ),
         ));
     }

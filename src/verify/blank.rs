@@ -197,7 +197,7 @@ impl<'a> Terms<'a> {
         check.of_parameters(vec!["S_m"]).at(at).found(
             Verdict::Caution,
             Text::fixed(
-                "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar se acelera hasta el máximo del cabezal",
+                "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar se acelera hasta el máximo del husillo",
                 "the lathe runs at constant surface speed without a limit: facing speeds the spindle up to its greatest",
             ),
             remedy,

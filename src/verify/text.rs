@@ -134,7 +134,7 @@ impl<'a> Characters<'a> {
 }
 
 fn quoted(es: &str, en: &str, what: &str) -> Text {
-    Text::new(format!("{es} «{what}»"), format!("{en} \"{what}\""))
+    Text::new(format!("{es} «{what}»"), format!("{en} '{what}'"))
 }
 
 /// Between one and `most` digits.

@@ -81,7 +81,7 @@ pub fn as_planned(program: &Program, agreed: usize, planned: usize, different: O
 /// that turn it on and off, as the published one, the moves are only counted.
 #[must_use]
 pub fn torch(program: &Program, codes: Option<[&[Word]; 2]>) -> Check {
-    let name = Text::fixed("Antorcha: encendida sólo en el corte", "Torch: on in the cut only");
+    let name = Text::fixed("Antorcha: encendida solo en el corte", "Torch: on in the cut only");
     let written = |codes: &[Word]| {
         let mut block = String::new();
         codes.iter().for_each(|word| word.write(program.format, &mut block));

@@ -55,8 +55,8 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
     program.remarks.extend(found.iter().map(Remark::from));
     if program.turns_unseen() {
         program.notes.push(Text::fixed(
-            "los ejes giratorios no se aplican: se dibujan X, Y y Z tal como están escritos; con el libro se ve la pieza",
-            "rotary axes are not applied: X, Y and Z are drawn as they are written; with the workbook the part is shown",
+            "Los ejes giratorios no se aplican: se dibujan X, Y y Z tal como están escritos; con el libro se ve la pieza",
+            "Rotary axes are not applied: X, Y and Z are drawn as they are written; with the workbook the part is shown",
         ));
     }
     Ok((exit, found))

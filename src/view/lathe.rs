@@ -31,6 +31,8 @@ pub struct Watching {
     before: BTreeMap<String, usize>,
     /// Numbers and lines of the alarms that are listed.
     known: BTreeSet<(u16, usize)>,
+    /// The motion that parted a piece off last.
+    parted: Option<usize>,
 }
 
 impl Watching {
@@ -43,9 +45,20 @@ impl Watching {
             Seen::Stood(stood, simulation, file) => self.stood(stood, simulation, file),
             Seen::Step(step, simulation, file) => self.step(step, simulation, file),
             Seen::Late(alarm, file) => self.late(alarm, file),
-            Seen::End(findings) => {
+            Seen::End(findings, simulation) => {
                 let before = &self.before;
                 if let Some(program) = self.programs.last_mut() {
+                    if let (Some(motion), Some(turning)) = (self.parted, &mut program.turning)
+                        && let Some(piece) = simulation.parted()
+                    {
+                        turning.part_off(motion, piece);
+                        program.notes.push(Text::fixed(
+                            "El último corte tronza la pieza: desde entonces se ve transparente, y los resultados son los \
+                             suyos; en el plato queda el resto de la barra",
+                            "The last cut parts the piece off: from then on it is shown see-through, and the results are \
+                             its own; the rest of the bar stays in the chuck",
+                        ));
+                    }
                     program.remarks.extend(findings.iter().map(|finding| {
                         let mut remark = Remark::from(finding);
                         if let Place::Subprogram { file, line, .. } = &finding.place {
@@ -76,7 +89,11 @@ impl Watching {
         let mut text = source.main.text.clone();
         self.before.clear();
         self.known.clear();
+        self.parted = None;
         for (name, subprogram) in &source.subprograms {
+            if !text.is_empty() && !text.ends_with('\n') {
+                text.push('\n');
+            }
             self.before.insert(name.clone(), text.lines().count());
             text.push_str(&subprogram.text);
         }
@@ -113,6 +130,9 @@ impl Watching {
         let index = program.motions();
         // Lines of subprograms have been numbered on.
         program.push(&motion, &Control { file: 0, ..step.control });
+        if step.removed.parted > 0.0 {
+            self.parted = Some(index);
+        }
         if (step.removed.volume > 0.0 || step.removed.parted > 0.0)
             && let Some(turning) = &mut program.turning
         {
@@ -142,6 +162,7 @@ fn remark(alarm: &Alarm, line: usize, index: usize) -> Remark {
     remark.what = alarm.cause.text();
     (remark.line, remark.motion) = (Some(line), Some(index));
     remark.at = Some(alarm.place);
+    remark.deep = alarm.depth.is_some();
     remark
 }
 

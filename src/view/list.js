@@ -48,7 +48,8 @@ class BlockList {
     if (line === this.line) return;
     this.line = line;
     const seen = this.box.clientHeight / ROW, above = this.above();
-    if (line > 0 && seen > 0 && (line - 1 < above + 1 || line > above + seen - 1)) this.scrollTo(Math.max(0, line - 1 - seen / 2));
+    if (line === 0) this.scrollTo(0);
+    else if (seen > 0 && (line - 1 < above + 1 || line > above + seen - 1)) this.scrollTo(Math.max(0, line - 1 - seen / 2));
     this.draw(true);
   }
 
@@ -59,9 +60,11 @@ class BlockList {
     this.rows.style.transform = `translateY(${this.box.scrollTop - (above - top) * ROW}px)`;
     if (!anew && top === this.top && this.made.length >= seen) return;
     this.top = top;
+    this.box.removeAttribute("aria-activedescendant");
     while (this.made.length < seen) {
       const row = make("div", this.rows, undefined, "row");
       row.setAttribute("role", "option");
+      row.id = `row-${this.made.length}`;
       const number = make("i", row), text = make("span", row);
       this.made.push({ row, number, text });
     }
@@ -72,6 +75,9 @@ class BlockList {
       row.dataset.line = line;
       row.className = `row ${line === this.line ? "now" : ""} ${this.marks.get(line) ?? ""} ${this.run.ofLine[line] < 0 ? "idle" : ""}`;
       row.setAttribute("aria-selected", String(line === this.line));
+      row.setAttribute("aria-posinset", line);
+      row.setAttribute("aria-setsize", count);
+      if (line === this.line) this.box.setAttribute("aria-activedescendant", row.id);
       number.textContent = line;
       text.textContent = this.run.blocks[line - 1];
     });

@@ -21,6 +21,8 @@ const measured = { frame: 0, loaded: 0 };
 /** Pieces of the path that are drawn while something moves: as many as the graphics keep up with. At rest all are drawn. */
 const LEAST = 4000, REST = 600;
 let budget = 50000, touched = -Infinity, before = 0, resting = 0;
+/** The cameras in their order. */
+const cameraNames = () => ["free", ...Object.keys(camera.presets), "section"];
 const moving = () => playing || performance.now() - touched < REST;
 
 /** Notes that someone is at work on the view, and asks for the whole path when nobody is any more. */
@@ -144,9 +146,9 @@ function frame(now) {
   }
   before = now;
   if (playing) {
-    const time = Math.min(run.total, run.timeAt(cursor) + Math.max(0, Math.min(now - last, 250)) * 0.001 * speed);
-    // A motion that takes no time must not hold the rest up.
-    cursor = Math.max(cursor, run.cursorAt(time));
+    const time = run.timeAt(cursor) + Math.max(0, Math.min(now - last, 250)) * 0.001 * speed;
+    // A motion that takes no time must not hold the rest up, nor may a program of which none does.
+    cursor = time >= run.total ? run.count : Math.max(cursor, run.cursorAt(time));
     last = now;
     if (cursor >= run.count) pause();
     else ask();
@@ -179,9 +181,11 @@ function draw() {
   renderer.lines(path, { hidden, now: cursor, rest: shown.rest ? 0.3 : 0, through: budget < path.length / 5 ? 0 : 0.35, ...near });
   if (tip && shown.tool) drawTool(motion, part, tip);
   parts.filter((body) => ghost(body.paint) < 1).forEach((body) => renderer.mesh(body.vertices, body.paint, ghost(body.paint)));
+  const piece = shown.part && run.metal ? run.metal.piece(motion, part) : null;
+  if (piece) renderer.turn(piece, "ghost", ghost("ghost"));
   if (run.metal && shown.fixtures) {
     for (const fixture of run.metal.fixtures) {
-      fixture.pieces ??= outlinePieces(fixture.outline);
+      fixture.pieces ??= outlinePieces([fixture.outline]);
       renderer.turn(fixture.pieces, "fixture", ghost("fixture"));
     }
   }
@@ -195,12 +199,6 @@ function draw() {
   scrub.setAttribute("aria-valuetext", clock(time));
   measured.said = readout.draw(motion, part);
   list.mark(marked || (motion >= 0 && cursor > 0 ? run.line[motion] : 0));
-}
-
-function outlinePieces(outline) {
-  const pieces = [];
-  surface(outline, (...piece) => pieces.push(...piece));
-  return new Float32Array(pieces);
 }
 
 function drawTool(motion, part, tip) {
@@ -317,6 +315,7 @@ function faster(by) {
 function labelAll() {
   speak();
   byId("title").textContent = document.title = scene.title;
+  byId("answer").textContent = "";
   const choose = byId("program");
   choose.replaceChildren();
   scene.programs.forEach((one, index) => {
@@ -327,7 +326,7 @@ function labelAll() {
   choose.hidden = scene.programs.length < 2;
   const cameras = byId("cameras");
   cameras.replaceChildren();
-  ["free", ...Object.keys(camera.presets), "section"].forEach((name) => {
+  cameraNames().forEach((name) => {
     const button = make("button", cameras, say(name));
     button.type = "button";
     button.dataset.name = name;
@@ -387,7 +386,7 @@ function key(event) {
   }
   const pressed = event.target.closest?.("button, summary, input[type=checkbox]") && (event.key === " " || event.key === "Enter");
   if (pressed) return;
-  const names = ["free", ...Object.keys(camera.presets), "section"], far = event.shiftKey ? 100 : 1;
+  const names = cameraNames(), far = event.shiftKey ? 100 : 1;
   const block = (by) => {
     const lines = run.blocks.length;
     for (let line = list.line + by; line >= 1 && line <= lines; line += by) {
@@ -422,14 +421,15 @@ function follow() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   if (["es", "en"].includes(wanted.get("lang"))) switchLanguage(wanted.get("lang"));
   if (wanted.has("program")) chooseProgram(Number(wanted.get("program")) - 1);
-  if (wanted.has("view")) preset(wanted.get("view"));
-  if (wanted.has("tab")) chooseTab(wanted.get("tab"));
+  const view = wanted.get("view"), tab = wanted.get("tab"), number = (name) => Number(wanted.get(name)) || 0;
+  if (cameraNames().includes(view) && !(view === "section" && camera.section)) preset(view);
+  if (TABS.includes(tab)) chooseTab(tab);
   if (wanted.has("goto")) {
     const line = run.search(wanted.get("goto"), 0);
     if (line) goToLine(line);
   }
-  if (wanted.has("step")) goTo(Number(wanted.get("step")));
-  if (wanted.has("time")) goTo(run.cursorAt(Number(wanted.get("time"))));
+  if (wanted.has("step")) goTo(number("step"));
+  if (wanted.has("time")) goTo(run.cursorAt(number("time")));
   if (wanted.has("play")) play();
 }
 
@@ -454,13 +454,13 @@ function begin() {
     goTo(run.total > 0 ? run.cursorAt(Number(event.target.value)) : Number(event.target.value));
   });
   byId("search").addEventListener("submit", (event) => (event.preventDefault(), search()));
-  for (const tab of ["blocks", "remarks", "help"]) byId(`tab-${tab}`).addEventListener("click", () => chooseTab(tab));
+  for (const tab of TABS) byId(`tab-${tab}`).addEventListener("click", () => chooseTab(tab));
   byId("tabs").addEventListener("keydown", (event) => {
-    const tabs = ["blocks", "remarks", "help"], now = tabs.findIndex((tab) => !byId(tab).hidden);
+    const now = TABS.findIndex((tab) => !byId(tab).hidden);
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!by) return;
     event.stopPropagation();
-    const next = tabs[(now + by + tabs.length) % tabs.length];
+    const next = TABS[(now + by + TABS.length) % TABS.length];
     chooseTab(next);
     byId(`tab-${next}`).focus();
   });

@@ -5,14 +5,14 @@ const KEEP = 256;
 /** The outlines of turned metal at any motion. An outline is a list of z, r, z, r …; none is changed once it is made. */
 class Metal {
   constructor(data) {
-    const lengths = wholes(data.stock.lengths), points = numbers(data.stock.points);
-    const stock = [];
-    let at = 0;
-    for (const length of lengths) {
-      stock.push(points.slice(2 * at, 2 * (at + length)));
-      at += length;
-    }
+    const outlines = ({ lengths, points }) => {
+      const all = numbers(points);
+      let at = 0;
+      return Array.from(wholes(lengths), (length) => all.slice(2 * at, 2 * (at += length)));
+    };
+    const stock = outlines(data.stock);
     this.stock = stock;
+    this.parted = data.parted && { motion: data.parted.motion, outlines: outlines(data.parted.piece) };
     this.edits = wholes(data.edits);
     this.count = this.edits.length / 5;
     this.inserted = numbers(data.inserted);
@@ -22,6 +22,14 @@ class Metal {
     this.now = { edit: 0, outlines: stock };
     this.fixtures = data.fixtures.map((fixture) => ({ name: fixture.name, outline: numbers(fixture.outline) }));
     this.found = { motion: -2 };
+  }
+
+  /** The piece that the last cut has parted off, once it has. */
+  piece(motion, part) {
+    const { parted } = this;
+    if (!parted || motion + part < parted.motion + 1) return null;
+    parted.pieces ??= outlinePieces(parted.outlines);
+    return parted.pieces;
   }
 
   /** The first change of a motion or of a later one. */
@@ -80,26 +88,29 @@ class Metal {
    */
   pieces(motion, part, tip, heading) {
     const { before, after, cuts } = this.around(motion);
-    const out = [];
-    const whole = (outlines) => outlines.forEach((outline) => surface(outline, (...piece) => out.push(...piece)));
-    if (!cuts || part >= 1) whole(cuts ? after : before);
-    else if (part <= 0 || !heading) whole(before);
-    else {
-      const cut = { at: [tip[2], tip[0]], d: [heading[2], heading[0]] };
-      const crossed = [];
-      for (const outline of after) surface(outline, (...piece) => clipped(piece, cut, -1, out, crossed), true);
-      for (const outline of before) surface(outline, (...piece) => clipped(piece, cut, 1, out, crossed), true);
-      // Along the line, what of the metal before has none behind it: between odd and even crossings of both.
-      crossed.sort((one, other) => one - other);
-      const [z, r] = cut.at, [dz, dr] = cut.d;
-      for (let at = 0; at + 1 < crossed.length; at += 2) {
-        const [low, high] = [crossed[at], crossed[at + 1]];
-        if (high - low < 1e-9) continue;
-        out.push(z - dr * low, r + dz * low, z - dr * high, r + dz * high, -dz, -dr, -dz, -dr);
-      }
+    if (!cuts || part >= 1) return outlinePieces(after);
+    if (part <= 0 || !heading) return outlinePieces(before);
+    const out = [], crossed = [];
+    const cut = { at: [tip[2], tip[0]], d: [heading[2], heading[0]] };
+    for (const outline of after) surface(outline, (...piece) => clipped(piece, cut, -1, out, crossed), true);
+    for (const outline of before) surface(outline, (...piece) => clipped(piece, cut, 1, out, crossed), true);
+    // Along the line, what of the metal before has none behind it: between odd and even crossings of both.
+    crossed.sort((one, other) => one - other);
+    const [z, r] = cut.at, [dz, dr] = cut.d;
+    for (let at = 0; at + 1 < crossed.length; at += 2) {
+      const [low, high] = [crossed[at], crossed[at + 1]];
+      if (high - low < 1e-9) continue;
+      out.push(z - dr * low, r + dz * low, z - dr * high, r + dz * high, -dz, -dr, -dz, -dr);
     }
     return new Float32Array(out);
   }
+}
+
+/** All pieces of outlines. */
+function outlinePieces(outlines) {
+  const out = [];
+  for (const outline of outlines) surface(outline, (...piece) => out.push(...piece));
+  return new Float32Array(out);
 }
 
 const onAxis = (one, other) => one < 1e-9 && other < 1e-9;

@@ -61,7 +61,7 @@ class Readout {
       [turns, "rpm"],
       ...(run.data.diameter ? [[state.surface ? decimals(state.speed, 0) : "–", "m/min"]] : []),
       [feeds[per], [`${unit}/min`, `${unit}/rev`, "1/min", "s"][per]],
-      [tool, state.offset ? `D${state.offset}` : ""],
+      [tool, state.offset ? `${run.data.offset_letter}${state.offset}` : ""],
     ];
     rows.forEach(([value, small], at) => {
       this.technology[at][0].textContent = value;
@@ -102,7 +102,7 @@ function showRemarks(run, go) {
     make("b", button, `${number}${where}${pick(remark.what)}`);
     const limit = remark.limit ? ` (${say("limit")} ${remark.limit})` : "";
     const at = remark.at ? `X ${decimals(remark.at[0], 3)}  Z ${decimals(remark.at[1], 3)} mm` : "";
-    const deep = at && remark.value.endsWith(" mm") ? `${say("deep")} ` : "";
+    const deep = remark.deep ? `${say("deep")} ` : "";
     const value = remark.value ? `${deep}${remark.value}${limit}` : "";
     if (at || value) make("small", button, [at, value].filter(Boolean).join(" · "));
     if (pick(remark.remedy)) make("small", button, `→ ${pick(remark.remedy)}`);
@@ -122,9 +122,11 @@ function showHelp() {
   make("p", box, say("helpEnd"));
 }
 
+const TABS = ["blocks", "remarks", "help"];
+
 /** Chooses one of the panels. */
 function chooseTab(name) {
-  for (const tab of ["blocks", "remarks", "help"]) {
+  for (const tab of TABS) {
     byId(tab).hidden = tab !== name;
     byId(`tab-${tab}`).setAttribute("aria-selected", String(tab === name));
     byId(`tab-${tab}`).tabIndex = tab === name ? 0 : -1;

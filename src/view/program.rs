@@ -9,6 +9,7 @@ use super::scene::{Remark, State, Tool};
 use super::turning::Turning;
 use crate::gcode::control::Control;
 use crate::gcode::dialect::Dialect;
+use crate::gcode::interpreter::line_feeds;
 use crate::gcode::motion::{Arc, Feed, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::{acos, atan2, sin_cos};
@@ -67,6 +68,8 @@ pub struct Program {
     pub shift: [f64; 3],
     /// The codes of feed per minute, per revolution, of inverse time and of seconds.
     feed_codes: [&'static str; 4],
+    /// The letter of the tool's offset.
+    offset_letter: char,
     /// X is shown as a diameter.
     diameter: bool,
     /// The readout shows X, Y and Z of the path; else they have columns.
@@ -134,13 +137,14 @@ impl Program {
         };
         Self {
             title,
-            blocks: text.lines().map(block).collect(),
+            blocks: line_feeds(text.trim_start_matches('\u{feff}')).lines().map(block).collect(),
             notes: Vec::new(),
             remarks: Vec::new(),
             tools: Vec::new(),
             turning: None,
             shift: [0.0; 3],
             feed_codes: if fanuc { ["G98", "G99", "G98", "G98"] } else { ["G94", "G95", "G93", "G93"] },
+            offset_letter: if dialect.name == "linuxcnc" { 'H' } else { 'D' },
             diameter: frame == Frame::Turning,
             plain: frame.straight(),
             axes: letters.iter().map(|&letter| Column { letter, to: Vec::new() }).collect(),
@@ -385,6 +389,13 @@ mod tests {
         );
         assert_eq!(program.seconds, [0.0, 1.8, 18.0]);
         assert_eq!(program.assumed, [false, false], "nothing was assumed");
+    }
+
+    #[test]
+    fn lines_are_counted_as_the_interpreter_counts_them_and_a_byte_order_mark_is_none_of_them() {
+        let program = program("\u{feff}G21 G90\rG0 X1\r\n\r\r\nG0 X2\nM2", Frame::Milling, [0.0; 3]);
+        assert_eq!(program.blocks, ["G21 G90", "G0 X1", "", "", "G0 X2", "M2"]);
+        assert_eq!(program.line, [2, 5]);
     }
 
     #[test]

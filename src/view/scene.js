@@ -52,8 +52,10 @@ class Run {
     for (let at = 0; at < this.count; at++) this.times[at + 1] = this.times[at] + seconds[at];
     this.total = this.times[this.count];
     this.feed = numbers(data.feed);
-    for (let at = 1; at < this.count; at++) {
-      if (this.kind[at] === RAPID || stands(this.kind[at])) this.feed[at] = this.feed[at - 1];
+    // The F in force; a lead is an F on a Fanuc only.
+    for (let at = 0, last = 0; at < this.count; at++) {
+      if (this.kind[at] === RAPID || stands(this.kind[at])) this.feed[at] = last;
+      else if (this.kind[at] !== THREAD || data.feed_codes[0] === "G98") last = this.feed[at];
     }
     // The motion code in force at each: a dwell and a block without motion leave it as it is.
     this.modal = this.kind.slice();
@@ -80,8 +82,9 @@ class Run {
 
   /** The cursor at a time. */
   cursorAt(time) {
-    // At the beginning no block has been executed, though the first ones may take no time.
+    // At the beginning no block has been executed, and at the end all, though the first and last ones may take no time.
     if (time <= 0) return 0;
+    if (time >= this.total) return this.count;
     const motion = this.motionAt(time);
     if (motion >= this.count) return this.count;
     const takes = this.times[motion + 1] - this.times[motion];
@@ -211,7 +214,8 @@ class Run {
     const steps = (motion) => {
       const arc = this.arcAt[motion];
       if (arc < 0) return this.first[motion + 1] - this.first[motion];
-      return Math.max(2, Math.min(512, Math.ceil(Math.abs(this.arcs[4 * arc + 3]) / 0.12)));
+      // As fine for a hundred turns as for one.
+      return Math.max(2, Math.min(5300, Math.ceil(Math.abs(this.arcs[4 * arc + 3]) / 0.12)));
     };
     let size = 0;
     for (let motion = 0; motion < this.count; motion++) {

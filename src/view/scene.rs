@@ -152,6 +152,8 @@ pub struct Remark {
     pub motion: Option<usize>,
     /// Of a turning's alarm where it is, X as a diameter and Z in program coordinates, mm.
     pub at: Option<[f64; 2]>,
+    /// Its value is how deep something goes in.
+    pub deep: bool,
 }
 
 impl From<&Finding> for Remark {
@@ -177,6 +179,7 @@ impl From<&Finding> for Remark {
             },
             motion: None,
             at: None,
+            deep: false,
         }
     }
 }

@@ -50,6 +50,8 @@ pub struct Turning {
     stock: Vec<Contour>,
     edits: Vec<Edit>,
     now: Vec<Contour>,
+    /// The piece that the last cut parted off, and its motion.
+    parted: Option<(u32, Vec<Contour>)>,
     /// Chuck, jaws, tailstock.
     pub fixtures: Vec<Fixture>,
 }
@@ -58,7 +60,7 @@ impl Turning {
     /// The stock before the first motion.
     #[must_use]
     pub fn new(stock: Vec<Contour>) -> Self {
-        Self { now: stock.clone(), stock, edits: Vec::new(), fixtures: Vec::new() }
+        Self { now: stock.clone(), stock, edits: Vec::new(), parted: None, fixtures: Vec::new() }
     }
 
     /// How many changes there are.
@@ -109,6 +111,12 @@ impl Turning {
         }
     }
 
+    /// Says that a motion, counted from 0, parted off the piece that is the part: it is shown see-through from then on, with
+    /// what stays in the chuck.
+    pub fn part_off(&mut self, motion: usize, piece: Vec<Contour>) {
+        self.parted = Some((u32::try_from(motion).unwrap_or(u32::MAX), piece));
+    }
+
     fn change(&mut self, motion: u32, contour: usize, before: &[[f64; 2]], after: &[[f64; 2]]) {
         if before == after {
             return;
@@ -137,6 +145,17 @@ impl Serialize for Turning {
             #[serde(serialize_with = "column::points")]
             points: Vec<[f64; 2]>,
         }
+        impl Outlines {
+            fn of(contours: &[Contour]) -> Self {
+                let length = |contour: &Contour| u32::try_from(contour.len()).unwrap_or(u32::MAX);
+                Self { lengths: contours.iter().map(length).collect(), points: contours.concat() }
+            }
+        }
+        #[derive(Serialize)]
+        struct Parted {
+            motion: u32,
+            piece: Outlines,
+        }
         /// Five numbers an edit: motion, contour, start, deleted, inserted.
         #[derive(Serialize)]
         struct Whole<'a> {
@@ -145,20 +164,19 @@ impl Serialize for Turning {
             edits: Vec<u32>,
             #[serde(serialize_with = "column::points")]
             inserted: Vec<[f64; 2]>,
+            parted: Option<Parted>,
             fixtures: &'a [Fixture],
         }
         let whole = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         Whole {
-            stock: Outlines {
-                lengths: self.stock.iter().map(|contour| whole(contour.len())).collect(),
-                points: self.stock.concat(),
-            },
+            stock: Outlines::of(&self.stock),
             edits: self
                 .edits
                 .iter()
                 .flat_map(|edit| [edit.motion, edit.contour, edit.start, edit.deleted, whole(edit.inserted.len())])
                 .collect(),
             inserted: self.edits.iter().flat_map(|edit| edit.inserted.iter().copied()).collect(),
+            parted: self.parted.as_ref().map(|(motion, piece)| Parted { motion: *motion, piece: Outlines::of(piece) }),
             fixtures: &self.fixtures,
         }
         .serialize(serializer)

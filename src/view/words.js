@@ -40,7 +40,6 @@ const WORDS = {
   above: ["Arriba", "Above"],
   face: ["Cara", "Face"],
   section: ["Sección", "Section"],
-  fit: ["Encajar", "Fit"],
   rapid: ["Rápido", "Rapid"],
   feed: ["Avance", "Feed"],
   thread: ["Rosca", "Thread"],
@@ -70,6 +69,7 @@ const WORDS = {
       ["rueda", "acercar o alejar"],
       ["un dedo", "girar"],
       ["dos dedos", "desplazar y acercar"],
+      ["doble clic o toque", "encajar todo en la vista"],
       ["clic en un bloque", "ir a su primer movimiento"],
     ],
     [
@@ -88,6 +88,7 @@ const WORDS = {
       ["wheel", "nearer or farther"],
       ["one finger", "turn"],
       ["two fingers", "shift and zoom"],
+      ["double click or tap", "fit everything into the view"],
       ["click on a block", "go to its first motion"],
     ],
   ],

@@ -37,7 +37,7 @@ pub const YES: &str = "yes";
 
 static TITLE: Text = Text::fixed("Orígenes de trabajo", "Work offsets");
 static HOW: Text = Text::fixed(
-    "Escriba sólo en las celdas amarillas; al seleccionar una se ve qué admite. Una celda sin desplazamiento lleva un 0. \
+    "Escriba solo en las celdas amarillas; al seleccionar una se ve qué admite. Una celda sin desplazamiento lleva un 0. \
      Activo es sí en el sistema que rige tras el arranque; en la fila G92, si G92 está en vigor.",
     "Write only in the yellow cells; selecting one shows what it admits. A cell without an offset holds a 0. Active is \
      yes for the system that is active after a start; in row G92, if G92 is in force.",

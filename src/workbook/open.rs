@@ -114,7 +114,7 @@ pub fn open_program(path: &Path) -> Result<BufReader<File>, Refusal> {
 fn too_large(input: Input, path: &Path) -> Refusal {
     let remedy = match input {
         Input::Workbook => {
-            Text::fixed("deje en el libro sólo las hojas de entrada", "leave only the input sheets in the workbook")
+            Text::fixed("deje en el libro solo las hojas de entrada", "leave only the input sheets in the workbook")
         }
         Input::VarFile | Input::ToolTable | Input::Program => {
             say!("indique {named}", "name {named}", named = input.named())

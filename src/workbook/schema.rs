@@ -295,7 +295,7 @@ fn ambiguous(alike: &[&SheetEntry]) -> Refusal {
         Place::File,
         say!("no se sabe qué hoja leer: {names}", "it is not clear which sheet to read: {names}"),
         Text::fixed(
-            "deje sólo una de ellas, o cambie el nombre de las otras",
+            "deje solo una de ellas, o cambie el nombre de las otras",
             "leave only one of them, or rename the others",
         ),
     )

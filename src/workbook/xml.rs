@@ -152,7 +152,7 @@ pub fn walk<'a>(
                         return Err(damaged(
                             part,
                             say!(
-                                "la parte {name} declara la codificación {encoding}; se lee sólo UTF-8",
+                                "la parte {name} declara la codificación {encoding}; se lee solo UTF-8",
                                 "the part {name} declares the encoding {encoding}; only UTF-8 is read"
                             ),
                         ));

@@ -19,7 +19,7 @@ fn a_file_where_the_folder_should_be_is_said_before_anything_is_computed() {
     fs::write(folder.path().join("out"), "mine").expect("a file");
     for output in ["out", "out/below"] {
         build(&folder, output).code(5).stdout("").stderr(
-            predicate::str::is_match("^error: .* is not a folder\nhint: choose another folder \\(build: -o\\)\n$")
+            predicate::str::is_match("^error: .* is not a folder\nhint: choose another folder \\(option -o\\)\n$")
                 .expect("a pattern"),
         );
     }

@@ -78,5 +78,5 @@ fn a_bare_program_with_rotary_axes_says_that_they_are_not_applied() {
     let folder = with("part.ngc", "G21 G90\nG0 X1\nG1 X2 B45 F100\nM2\n");
     rodete(&folder).args(["view", "part.ngc"]).assert().success();
     let page = fs::read_to_string(folder.path().join("part.html")).expect("a page");
-    assert!(page.contains("rotary axes are not applied") && page.contains("ejes giratorios no se aplican"));
+    assert!(page.contains("Rotary axes are not applied") && page.contains("ejes giratorios no se aplican"));
 }

@@ -285,3 +285,34 @@ fn another_bar_is_held_and_faced_as_the_workbook_says() {
     assert_eq!(overhang(&["--tools", "part.xlsx"]), 79.0);
     assert_eq!(overhang(&[]), 90.0);
 }
+
+#[test]
+fn a_cell_of_the_workbook_beside_the_program_is_told_with_the_workbooks_name() {
+    let folder = bench(TURNS);
+    fs::write(folder.path().join("part.xlsx"), Book::of(Language::En).without("D").bytes()).unwrap();
+    for command in ["simulate", "view"] {
+        let said = run(folder.path(), &[command, "p.nc", "--dialect", "fanuc-lathe-a", "--tools", "part.xlsx"]);
+        assert_eq!(said.exit, 3, "{command}");
+        assert!(said.err.contains("--> part.xlsx, sheet \"DATA\", cell "), "{command}: {}", said.err);
+    }
+}
+
+#[test]
+fn a_comment_in_latin_1_is_read_and_utf_16_is_named() {
+    let folder = bench(TURNS);
+    let text = format!("(A\u{f1}o)\n{}", program(TURNS).join("\n"));
+    let latin: Vec<u8> = text.chars().map(|character| u8::try_from(u32::from(character)).unwrap()).collect();
+    fs::write(folder.path().join("p.nc"), latin).unwrap();
+    let said = simulate(folder.path(), &["--stock", "D50xL120", "-o", "out"]);
+    assert_eq!((said.exit, said.err.as_str()), (0, ""));
+    let out = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    assert!(out("p-program.nc").starts_with("(A\u{f1}o)\r\n") && out("p-viewer.html").contains("[\"(A\u{f1}o)\""));
+    let wide: Vec<u8> = [0xFEFF].into_iter().chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    fs::write(folder.path().join("p.nc"), wide).unwrap();
+    for (command, exit) in [("simulate", 4), ("view", 4), ("verify", 3)] {
+        let said = run(folder.path(), &[command, "p.nc", "--dialect", "fanuc-lathe-a"]);
+        assert_eq!(said.exit, exit, "{command}");
+        assert_eq!(said.err.matches("error: ").count(), 1, "{command}: {}", said.err);
+        assert!(said.err.contains("the file is in UTF-16"), "{command}: {}", said.err);
+    }
+}

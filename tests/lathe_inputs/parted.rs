@@ -7,7 +7,7 @@ use calamine::{Data, Reader, Xlsx, open_workbook};
 use crate::bench::{Book, build, lines, program, quantity};
 
 /// A pin of 26 by 30 mm, parted off the bar.
-const PIN: &str =
+pub const PIN: &str =
     "G0 X38.|G1 Z-75. F0.2|U14.|G0 Z2.|X26.|G1 Z-75.|U26.|G0 Z2.|T0303|G0 X60. Z-33.|X30.|G1 X-0.6 F0.08|G0 X60.";
 
 fn cylinder(diameter: f64, length: f64) -> f64 {

@@ -6,6 +6,7 @@ use rodete::parameter::Value;
 use rodete::text::Language;
 
 use crate::bench::{Book, program, run};
+use crate::parted::PIN;
 
 const TURNS: &str = "G0 X46.|G1 Z-20. F0.2|U8.|G0 Z2.";
 
@@ -100,6 +101,28 @@ fn a_turning_program_is_shown_over_its_stock() {
     let (page, exit) = page(folder.path(), &["view", "p.nc", "--stock", "D50xL120"], "p.html");
     assert_eq!(exit, 0);
     assert!(turned(&page));
+}
+
+#[test]
+fn a_piece_that_is_parted_off_is_shown_and_said() {
+    let folder = tempfile::tempdir().unwrap();
+    for (blocks, wanted) in [(TURNS, false), (PIN, true)] {
+        fs::write(folder.path().join("part.xlsx"), Book::new(&program(blocks)).bytes()).unwrap();
+        let (page, exit) = page(folder.path(), &["view", "part.xlsx"], "part.html");
+        assert_eq!(exit, 0, "{blocks}");
+        assert_eq!(page.contains("The last cut parts the piece off"), wanted, "{blocks}");
+        assert_eq!(page.contains("\"parted\":{\"motion\":"), wanted, "{blocks}");
+    }
+}
+
+#[test]
+fn a_subprogram_follows_a_program_whose_last_line_has_no_end() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.nc"), program("M98 P0007").join("\r")).unwrap();
+    fs::write(folder.path().join("O0007.nc"), "O0007\nG0 X46.\nM99").unwrap();
+    let (page, exit) = page(folder.path(), &["view", "p.nc", "--stock", "D50xL120"], "p.html");
+    assert_eq!(exit, 0);
+    assert!(page.contains("\"M30\",\"O0007\",\"G0 X46.\",\"M99\"]"), "the lines stand one below another");
 }
 
 #[test]

@@ -177,6 +177,78 @@ fn a_named_block_is_gone_to_and_its_coordinates_are_those_of_the_program() {
 }
 
 #[test]
+fn a_program_that_moves_nothing_is_played_to_its_end_and_an_address_that_means_nothing_is_passed_over() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    fs::write(folder.path().join("still.ngc"), "G21 G90\nM3 S1000\nG4 P0\nM5\nM2\n").expect("a program");
+    rodete(folder.path(), &["view", "still.ngc"]);
+    let page = folder.path().join("still.html");
+    let browser = Browser::start(true);
+    let first = browser.open(&page, "step=one&time=two&view=toString&tab=none&program=9");
+    assert_eq!((&first["cursor"], &first["preset"]), (&json!(0), &json!("iso")));
+    assert_eq!(browser.run("return document.getElementById('blocks').hidden"), json!(false));
+    assert!(real(&first["motions"]) > 1.0, "blocks without motion are steps: {first}");
+    let end = browser.keys(&[" "]);
+    assert_eq!((&end["playing"], &end["cursor"], &end["total"]), (&json!(false), &end["motions"], &json!(0)));
+    // The same address once more leaves the section as it is.
+    browser.open(&page, "view=section");
+    browser.run("location.hash = 'view=section&step=1'");
+    assert_eq!(browser.until("it has gone on", |now| real(&now["cursor"]) == 1.0)["section"], true);
+    quiet(&browser);
+}
+
+#[test]
+fn arcs_of_many_turns_are_as_round_as_those_of_one() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let text = "G21 G90 G94 F300\nG0 X10 Y0 Z0\nG2 X10 Y0 Z-50 I-10 J0 P50\nM2\n";
+    fs::write(folder.path().join("helix.ngc"), text).expect("a program");
+    rodete(folder.path(), &["view", "helix.ngc"]);
+    let browser = Browser::start(true);
+    browser.open(&folder.path().join("helix.html"), "");
+    let off = browser.run(
+        "let off = 0, seen = 0;
+         for (let at = 5; at < path.length; at += 5) {
+           if (path[at + 4] !== CLOCKWISE || path[at - 1] !== CLOCKWISE) continue;
+           off = Math.max(off, 10 - Math.hypot(path[at] + path[at - 5], path[at + 1] + path[at - 4]) / 2);
+           seen++;
+         }
+         return [off, seen];",
+    );
+    assert!(real(&off[0]) < 0.02 && real(&off[1]) > 2000.0, "{off}");
+    quiet(&browser);
+}
+
+#[test]
+fn behind_a_thread_the_feed_in_force_is_shown() {
+    if !chromium() {
+        return;
+    }
+    let folder = folder();
+    let browser = Browser::start(true);
+    // A Fanuc programs the lead with F; a Fagor's cycle says it beside the F.
+    let fanuc = "G97 S500 M3 T0101\nG0 X60. Z5.\nG1 Z2. F0.2\nG32 Z-20. F1.5\nG0 Z5.\nM30\n";
+    let fagor = "G95 G97 S500 M3 T1 D1\nG0 X30 Z6\nG1 Z5 F0.2\nG86 X24 Z2 Q24 R-35 I0.92 B0.25 E0.05 D1 L0.03 C1.5 J1 A30\nG0 Z9\nM30\n";
+    for (dialect, text, behind) in [("fanuc-lathe-a", fanuc, "1.500"), ("fagor-8055-t", fagor, "0.200")] {
+        fs::write(folder.path().join("thread.nc"), text).expect("a program");
+        // Its alarms do not matter here.
+        let mut command = Command::cargo_bin("rodete").expect("the binary");
+        command.current_dir(folder.path()).args(["view", "thread.nc", "--stock", "D50xL100", "--dialect", dialect]);
+        command.output().expect("the binary runs");
+        let page = folder.path().join("thread.html");
+        let feeds = [3, 5].map(|line| browser.open(&page, &format!("goto={line}"))["said"]["F"].clone());
+        assert_eq!(feeds, ["0.200", behind], "{dialect}");
+        let thread = browser.run("goTo(run.kind.indexOf(THREAD) + 1); draw(); return measured.said.F;");
+        assert_eq!(thread, "1.500", "{dialect}");
+    }
+    quiet(&browser);
+}
+
+#[test]
 fn keys_play_step_and_switch() {
     if !chromium() {
         return;
@@ -299,7 +371,13 @@ fn metal_is_turned_away_as_the_program_goes_on() {
         drawn(&browser, name);
     }
     // Parted off, nothing is left between the part and the stub.
-    assert_eq!(radius(18, 1.0, -56.0), 0.0);
+    assert_eq!(radius(turned::PARTED, 1.0, -56.0), 0.0);
+    // The piece is shown from then on.
+    let piece =
+        |motion: usize, part: f64| browser.run(&format!("return run.metal.piece({motion}, {part})?.length > 0"));
+    let seen =
+        [(turned::PARTED, 0.9), (turned::PARTED, 1.0), (turned::PARTED + 1, 0.0)].map(|(at, part)| piece(at, part));
+    assert_eq!(seen, [json!(false), json!(true), json!(true)]);
     // Going back gives the bar again.
     assert_eq!(real(&browser.keys(&["\u{E011}"])["cursor"]), 0.0);
     assert_eq!(radius(0, 0.0, -30.0), 25.0);

@@ -36,6 +36,9 @@ N220 M5
 N230 M30
 ";
 
+/// The motion that parts the piece off, N200.
+pub const PARTED: usize = 18;
+
 /// The profile from the face to the chuck as (z, r), made a bar.
 fn bar(profile: &[[f64; 2]]) -> Contour {
     let mut outline = vec![[-90.0, 0.0], [0.0, 0.0]];
@@ -94,6 +97,10 @@ pub fn scene(repeat: usize) -> Scene {
         Fixture { name: Text::fixed("Garras", "Jaws"), outline: jaw },
         Fixture { name: Text::fixed("Plato", "Chuck"), outline: body },
     ];
+    if repeat == 1 {
+        let last = outlines().pop().unwrap_or_default();
+        turning.part_off(PARTED, last.into_iter().take(1).collect());
+    }
     shown.turning = Some(turning);
     shown.tools = vec![Tool {
         number: 0,
@@ -114,6 +121,7 @@ pub fn scene(repeat: usize) -> Scene {
         line: Some(20),
         motion: None,
         at: None,
+        deep: false,
     }];
     Scene {
         title: "turned.nc".to_owned(),

@@ -41,14 +41,13 @@ struct Carried {
     motion: Motion,
     control: Control,
     file: Option<String>,
-    /// Tells it from its neighbours.
+    /// Its number among the motions that the program has made.
     number: u64,
 }
 
 /// The compensation of an interpreter.
 pub(super) struct Compensator {
     stage: Stage<Carried>,
-    carried: u64,
     straight: f64,
     /// From the programmed point to the tip, `[Z, X]`; mm.
     aside: Point,
@@ -62,7 +61,12 @@ impl Compensator {
     /// Nothing compensated; `fagor` for the outer corners of a Fagor, else those of a Fanuc.
     pub(super) const fn new(fagor: bool) -> Self {
         let straight = if fagor { FAGOR_STRAIGHT } else { STRAIGHT };
-        Self { stage: Stage::new(straight), straight, carried: 0, aside: [0.0; 2], refused: false, cycle: None }
+        Self { stage: Stage::new(straight), straight, aside: [0.0; 2], refused: false, cycle: None }
+    }
+
+    /// Motions pass as they are programmed.
+    pub(super) const fn idle(&self) -> bool {
+        self.stage.idle()
     }
 
     /// The tip's pose where the program has come to a pose.
@@ -172,17 +176,18 @@ impl Interpreter<'_> {
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
         let mut control = Control { file: self.at, ..self.modal.control() };
+        let number = self.made();
         let side = self.side(&motion);
         control.compensation = side;
         if side == Compensation::Off {
             self.compensator.refused = false;
             if self.compensator.stage.idle() {
-                self.queue.push_back(Ok((motion, control)));
+                self.queue.push_back(Ok((motion, control, number)));
                 return;
             }
         }
         if self.compensator.refused {
-            self.queue.push_back(Ok((motion, control)));
+            self.queue.push_back(Ok((motion, control, number)));
             return;
         }
         let nose = match self.nose(side, &motion) {
@@ -194,7 +199,7 @@ impl Interpreter<'_> {
                 fault.line = motion.line;
                 fault.file.clone_from(&self.source().file);
                 self.queue.push_back(Err(fault));
-                self.queue.push_back(Ok((motion, control)));
+                self.queue.push_back(Ok((motion, control, number)));
                 return;
             }
         };
@@ -208,8 +213,6 @@ impl Interpreter<'_> {
             }
             _ => Path::Line,
         };
-        self.compensator.carried += 1;
-        let number = self.compensator.carried;
         let tag = Carried { motion, control, file: self.source().file.clone(), number };
         let rapid = motion.kind == Kind::Rapid;
         let mut placed = Vec::new();
@@ -316,7 +319,7 @@ impl Interpreter<'_> {
             let first = std::mem::replace(&mut last, carried.number) != carried.number;
             self.compensator.aside = [0, 1].map(|axis| element.to[axis] - point(&carried.motion.machine)[axis]);
             let motion = self.placed(&element, &carried, first);
-            self.queue.push_back(Ok((motion, carried.control)));
+            self.queue.push_back(Ok((motion, carried.control, carried.number)));
         }
         for cut in self.compensator.stage.cuts() {
             self.remarks.turn_to(cut.along.file.as_ref());

@@ -511,7 +511,7 @@ impl Interpreter<'_> {
         if self.reading.diameter {
             self.hand_out(motion);
         } else {
-            self.queue.push_back(Ok((motion, self.modal.control())));
+            self.queue.push_back(Ok((motion, self.modal.control(), self.made())));
         }
     }
 }

@@ -79,7 +79,7 @@ use self::numbers::Numbers;
 use self::parameters::Parameters;
 pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
-pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE};
+pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, WIDE, decoded, line_feeds, wide};
 use self::stood::Standing;
 pub use self::stood::Stood;
 use self::structure::Structure;
@@ -122,7 +122,8 @@ pub struct Interpreter<'a> {
     current: Pose,
     parameters: Parameters,
     tools: Tools,
-    queue: VecDeque<Result<(Motion, Control), Box<Fault>>>,
+    /// Motions with what was in force, and their numbers among those that the program has made.
+    queue: VecDeque<Result<(Motion, Control, u64), Box<Fault>>>,
     compensator: Compensator,
     run: Option<Run>,
     /// The line whose end is to be broken once the next block says how the path goes on.
@@ -293,6 +294,10 @@ impl<'a> Interpreter<'a> {
         }
         self.count_line()?;
         self.remarks.turn_to(self.sources.get(self.at).and_then(|source| source.file.as_ref()));
+        if self.line == 1 && wide(line) {
+            let [what, remedy] = WIDE;
+            return Err(Fault::block(what, remedy).fatal());
+        }
         if self.line == 1 && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
             self.remarks.add(
@@ -395,9 +400,9 @@ impl Iterator for Interpreter<'_> {
     fn next(&mut self) -> Option<Self::Item> {
         loop {
             if let Some(item) = self.queue.pop_front() {
-                return Some(item.map(|(motion, control)| {
+                return Some(item.map(|(motion, control, number)| {
                     self.control = control;
-                    self.handed_out(Some(&motion));
+                    self.handed_out(Some((&motion, number)));
                     motion
                 }));
             }
@@ -406,7 +411,7 @@ impl Iterator for Interpreter<'_> {
             } else if self.stage == Stage::Ended {
                 self.flush();
                 if self.queue.is_empty() {
-                    self.handed_out::<Motion>(None);
+                    self.handed_out(None);
                     return None;
                 }
                 continue;

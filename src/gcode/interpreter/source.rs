@@ -1,5 +1,6 @@
 //! The lines of a program, one at a time, with the way back that loops and subprograms need.
 
+use std::borrow::Cow;
 use std::io::{self, BufRead, Seek, SeekFrom};
 
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -103,6 +104,31 @@ impl<'a> Source<'a> {
         self.after_return = true;
         Ok(())
     }
+}
+
+/// A text in UTF-16, which no control reads: what, and what to do about it.
+pub const WIDE: [Text; 2] = [
+    Text::fixed("el archivo está en UTF-16", "the file is in UTF-16"),
+    Text::fixed("guárdelo como texto ASCII o UTF-8", "save it as ASCII or UTF-8 text"),
+];
+
+/// True where a file begins as a text in UTF-16 does.
+#[must_use]
+pub fn wide(head: &[u8]) -> bool {
+    head.starts_with(b"\xFF\xFE") || head.starts_with(b"\xFE\xFF")
+}
+
+/// A program's text: UTF-8, or where it is none, Latin-1, in which older editors write comments.
+#[must_use]
+pub fn decoded(bytes: &[u8]) -> Cow<'_, str> {
+    str::from_utf8(bytes).map_or_else(|_| bytes.iter().copied().map(char::from).collect(), Cow::Borrowed)
+}
+
+/// A program's text with a line feed at each end of line, as the interpreter counts lines: behind a return, a line feed, or
+/// both.
+#[must_use]
+pub fn line_feeds(text: &str) -> String {
+    text.replace("\r\n", "\n").replace('\r', "\n")
 }
 
 fn unreadable(error: &io::Error) -> Box<Fault> {

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use super::Interpreter;
 use crate::gcode::control::Control;
+use crate::gcode::motion::Motion;
 use crate::machine::axis::Pose;
 
 /// Most blocks kept between two motions: a loop that moves nothing must not fill the memory.
@@ -22,16 +23,28 @@ pub struct Stood {
     pub machine: Pose,
 }
 
+/// A block without motion.
+#[derive(Debug)]
+struct Block {
+    stood: Stood,
+    /// How many motions were made before it.
+    made: u64,
+    /// Nose radius compensation keeps the tip aside of where the program stands.
+    aside: bool,
+}
+
 /// The blocks without motion since the last motion that was handed out.
 #[derive(Debug, Default)]
 pub(super) struct Standing {
     kept: bool,
     last: Option<(Control, Pose)>,
-    /// Motions made, and those handed out.
+    /// Motions made, and the number of the one handed out last: nose radius compensation holds them back and can make more
+    /// than one of one.
     made: u64,
     given: u64,
-    /// With how many motions were made before each.
-    blocks: VecDeque<(u64, Stood)>,
+    /// Where the machine stands behind the motion handed out last, and behind the one before it.
+    ends: [Option<Pose>; 2],
+    blocks: VecDeque<Block>,
 }
 
 impl Interpreter<'_> {
@@ -51,14 +64,29 @@ impl Interpreter<'_> {
     /// The blocks that changed what is in force without a motion, before the motion last handed out or, at the end of the
     /// program, behind it. Each is given once.
     pub fn stood(&mut self) -> Vec<Stood> {
-        let Standing { blocks, given, .. } = &mut self.standing;
-        let before = blocks.iter().take_while(|(made, _)| made < given).count();
-        blocks.drain(..before).map(|(_, stood)| stood).collect()
+        let Standing { blocks, given, ends, .. } = &mut self.standing;
+        let before = blocks.iter().take_while(|block| block.made < *given).count();
+        let placed = |Block { mut stood, aside, .. }: Block| {
+            if let (true, Some(tip)) = (aside, ends[1]) {
+                let by = tip.differences(&stood.machine);
+                stood.at.0.iter_mut().zip(by).for_each(|(at, by)| *at += by);
+                stood.machine = tip;
+            }
+            stood
+        };
+        blocks.drain(..before).map(placed).collect()
     }
 
-    /// A motion was handed out; `None`: there are no more.
-    pub(super) fn handed_out<T>(&mut self, item: Option<&T>) {
-        self.standing.given = if item.is_some() { self.standing.given + 1 } else { u64::MAX };
+    /// A motion of this number was handed out; `None`: there are no more.
+    pub(super) fn handed_out(&mut self, item: Option<(&Motion, u64)>) {
+        let ends = &mut self.standing.ends;
+        *ends = [item.map(|(motion, _)| motion.machine).or(ends[0]), ends[0]];
+        self.standing.given = item.map_or(u64::MAX, |(_, number)| number);
+    }
+
+    /// How many motions the program has made.
+    pub(super) const fn made(&self) -> u64 {
+        self.standing.made
     }
 
     /// A motion was made.
@@ -77,7 +105,8 @@ impl Interpreter<'_> {
         let now = (self.modal.control(), self.current);
         if self.standing.last.replace(now) != Some(now) {
             let stood = self.stands();
-            self.standing.blocks.push_back((self.standing.made, stood));
+            let (made, aside) = (self.standing.made, !self.compensator.idle());
+            self.standing.blocks.push_back(Block { stood, made, aside });
         }
     }
 }
@@ -87,7 +116,8 @@ mod tests {
     use super::*;
     use crate::gcode::control::Spindle;
     use crate::gcode::dialect::FANUC_LATHE_A;
-    use crate::gcode::interpreter::Setting;
+    use crate::gcode::interpreter::{Setting, Tool, Tools};
+    use crate::gcode::turning::nose::{Nose, Tip};
     use crate::machine::axis::Axis;
 
     #[test]
@@ -115,6 +145,36 @@ mod tests {
         assert_eq!(seen[5].3, 2, "the turret has turned");
         assert_eq!((seen[7].1, seen[8].1), (true, false), "the spindle is stopped behind the motion of its block");
         assert_eq!(interpreter.stands().at.get(Axis::Z), -5.0);
+    }
+
+    #[test]
+    fn under_compensation_a_block_without_motion_stands_behind_the_motion_before_it_and_at_its_tip() {
+        let text = b"O0001\nG21 G97 S1000 M3\nG0 X50. Z2. T0101\nG42 G0 X40.\nG1 Z-5. F0.1\nM8\nX50. Z-15.\nM9\nX60.\n\
+                     G40 G0 X70.\nM5\nM30\n";
+        let mut setting = Setting::new(&FANUC_LATHE_A);
+        let nose = Some(Nose { radius: 0.8, tip: Tip::OutsideLeft });
+        setting.tools = Some(Tools::from([(1, Tool { nose, ..Tool::default() })]));
+        let mut interpreter = Interpreter::over(text, setting);
+        interpreter.keep_stood();
+        let (mut seen, mut tip) = (Vec::new(), None);
+        loop {
+            let item = interpreter.next();
+            for stood in interpreter.stood() {
+                seen.push((stood.line, false));
+                if let Some(tip) = tip {
+                    assert_eq!(stood.machine, tip, "line {}", stood.line);
+                }
+            }
+            let Some(motion) = item else { break };
+            let motion = motion.unwrap();
+            tip = Some(motion.machine);
+            seen.push((motion.line, true));
+        }
+        let still = |line| seen.iter().position(|one| *one == (line, false)).unwrap();
+        let moved = |line| seen.iter().rposition(|one| *one == (line, true)).unwrap();
+        assert!(moved(5) < still(6) && still(6) < moved(7), "M8: {seen:?}");
+        assert!(moved(7) < still(8) && still(8) < moved(9), "M9: {seen:?}");
+        assert!(moved(10) < still(11), "M5: {seen:?}");
     }
 
     #[test]
