@@ -9,7 +9,8 @@
 //! # References
 //! The lathe simulator's figures of G90, G92 and G94; Fanuc Series 0i-T operator's manual, single cycles (R against the direction
 //! of the infeed may not exceed it), G32 (the lead counts along the axis that moves more) and G34 (K the change of the lead in
-//! one revolution), and the start angle Q of G32 and G92 (thousandths of a degree, not modal, 0 where it is not given). How far a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
+//! one revolution), and the start angle Q of G32 and G92 (thousandths of a degree, not modal, 0 where it is not given). How far
+//! a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, Pass};
