@@ -155,7 +155,7 @@ fn values() -> Values {
 
 /// The whole job: how many motions it makes, and how many of them cut.
 fn job(text: &str) -> (u64, u64) {
-    let program = Source { main: Text::of_file(text.to_owned()), subprograms: BTreeMap::new() };
+    let program = Source { main: Text::of_file(text), subprograms: BTreeMap::new() };
     let source = rodete::job::Source {
         workbook: "g71.nc".to_owned(),
         sha256: String::new(),

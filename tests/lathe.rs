@@ -123,7 +123,7 @@ fn the_example_workbooks_are_built_without_a_caution() {
     }
 }
 
-/// The published program of the blank over its stock, with the nose radius that the workbook of `change` gives the tool.
+/// The published program of the blank over the stock, and with the tools, of a workbook.
 fn published(workbook: &Path) -> (Value, i32) {
     let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/lathe-g85-as-printed.nc");
     simulate(&golden, "fagor-8055-t", &["--tools", &workbook.to_string_lossy()])
@@ -135,7 +135,7 @@ fn the_published_g85_gives_the_quarter_torus() {
     let (document, exit) = published(&tools);
     for side in ["deviation_plus_mm", "deviation_minus_mm"] {
         let deviation = document["totals"][side].as_f64().unwrap();
-        assert!(deviation < 0.001, "{side} {deviation}");
+        assert!((0.0..0.001).contains(&deviation), "{side} {deviation}");
     }
     // As printed it starts a right-hand tool with M4, gives G96 before its S, and has no limit of the speed.
     let stops: Vec<_> = grave(&document, false).into_iter().filter(|(grade, ..)| grade == "stop").collect();

@@ -208,12 +208,12 @@ fn every_bad_cell_is_refused_with_its_place_and_reason() {
         (
             |s| drop(s.write(0, 1, "rodete-offsets 2")),
             "B1",
-            "the schema is \"rodete-offsets 2\"; this program reads \"rodete-offsets 1\"",
+            "the schema is \"rodete-offsets 2\"; rodete reads \"rodete-offsets 1\" here",
         ),
         (
             |s| blank(s, 0, 0),
             "sheet OFFSETS",
-            "the sheet does not name its schema; this program reads \"rodete-offsets 1\"",
+            "the sheet does not name its schema; rodete reads \"rodete-offsets 1\" here",
         ),
     ];
     for (change, place, what) in cases {

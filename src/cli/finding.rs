@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     fn plain(finding: &Finding, language: Language, width: Option<usize>) -> String {
-        anstream::adapter::strip_str(&one(finding, "impeller.xlsx", language, width)).to_string()
+        anstream::adapter::strip_str(&one(finding, "impeller.xlsx".into(), language, width)).to_string()
     }
 
     fn thick(sheet: &str) -> Finding {
@@ -230,7 +230,7 @@ mod tests {
 
     #[test]
     fn what_the_user_typed_cannot_steer_the_terminal() {
-        let text = one(&thick("\u{1b}]0;x\u{7}\u{202e}"), "impeller.xlsx", Language::En, None);
+        let text = one(&thick("\u{1b}]0;x\u{7}\u{202e}"), "impeller.xlsx".into(), Language::En, None);
         assert!(text.contains("\\u{1b}]0;x\\u{7}\\u{202e}"));
         assert!(!text.contains(['\u{7}', '\u{202e}']) && !text.contains("\u{1b}]"));
     }

@@ -198,10 +198,10 @@ impl Simulation {
     /// The part's contours as they are, `[z, r]` from W1 in mm: counter-clockwise, holes clockwise.
     #[must_use]
     pub fn contours(&self) -> Vec<Ring> {
-        self.from_zero(self.part.rings())
+        self.shifted(self.part.rings())
     }
 
-    fn from_zero(&self, mut rings: Vec<Ring>) -> Vec<Ring> {
+    fn shifted(&self, mut rings: Vec<Ring>) -> Vec<Ring> {
         rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
         rings
     }
@@ -215,7 +215,7 @@ impl Simulation {
     /// The piece, of one, that the last cut has parted off: a program that goes on cutting makes what is left instead.
     #[must_use]
     pub fn parted(&self) -> Option<Vec<Ring>> {
-        (!self.fallen.is_empty()).then(|| self.from_zero(self.fallen.clone()))
+        (!self.fallen.is_empty()).then(|| self.shifted(self.fallen.clone()))
     }
 
     /// The part's outer contour when the simulation started, or where the last recorded edit has left it.

@@ -116,13 +116,13 @@ fn check_schema(sheet: &SheetCells) -> Result<(), Refusal> {
     let shown = excerpt(found, SHOWN);
     let what = if found.is_empty() {
         say!(
-            "la hoja no dice su esquema; este programa lee \"{SCHEMA}\"",
-            "the sheet does not name its schema; this program reads \"{SCHEMA}\""
+            "la hoja no dice su esquema; aquí rodete lee \"{SCHEMA}\"",
+            "the sheet does not name its schema; rodete reads \"{SCHEMA}\" here"
         )
     } else {
         say!(
-            "el esquema es \"{shown}\"; este programa lee \"{SCHEMA}\"",
-            "the schema is \"{shown}\"; this program reads \"{SCHEMA}\""
+            "el esquema es \"{shown}\"; aquí rodete lee \"{SCHEMA}\"",
+            "the schema is \"{shown}\"; rodete reads \"{SCHEMA}\" here"
         )
     };
     Err(refused(

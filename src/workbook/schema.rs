@@ -365,11 +365,11 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
     let finding = Finding::stop(
         Place::Cells(vec![sheet.place(at)]),
         if found.is_empty() {
-            say!("{symbol} está vacío; este programa lee {known}", "{symbol} is empty; this program reads {known}")
+            say!("{symbol} está vacío; aquí rodete lee {known}", "{symbol} is empty; rodete reads {known} here")
         } else {
             say!(
-                "{symbol} es \"{found}\"; este programa lee {known}",
-                "{symbol} is \"{found}\"; this program reads {known}"
+                "{symbol} es \"{found}\"; aquí rodete lee {known}",
+                "{symbol} is \"{found}\"; rodete reads {known} here"
             )
         },
         start,

@@ -415,7 +415,7 @@ fn the_sheet_must_be_there_under_its_name() {
 #[test]
 fn the_schema_is_looked_at_first() {
     let both = Parts::sound().string("schema", "rodete-impeller 2").value("R", "t=\"n\"", "<v>abc</v>");
-    let versions = "schema is \"rodete-impeller 2\"; this program reads \"rodete-impeller 1\"";
+    let versions = "schema is \"rodete-impeller 2\"; rodete reads \"rodete-impeller 1\" here";
     // A fault that keeps the sheet from being read is told first; one that does not, never.
     let other = Parts::sound().string("schema", "rodete-impeller 2").number("R", "-1");
     let refusal = impeller(&other.zip()).unwrap_err();
@@ -432,7 +432,7 @@ fn the_schema_is_looked_at_first() {
             Parts::sound().cell(DATA, &cell("schema"), "").zip(),
             Refused,
             &cell("schema"),
-            "schema is empty; this program reads \"rodete-impeller 1\"",
+            "schema is empty; rodete reads \"rodete-impeller 1\" here",
             "make a new workbook",
         ),
         at(

@@ -198,13 +198,13 @@ fn the_depth_of_cut_is_that_of_the_pass_and_not_of_the_fillet_before_it() {
     assert!((groove.steps.last().unwrap().depth - 3.0).abs() < 1e-3, "{}", groove.steps.last().unwrap().depth);
 }
 
-/// Every edge of a mesh by its ends, how often it is run each way; and the volume.
-fn mesh(rings: &[Vec<[f64; 2]>], tolerance: f64) -> (HashMap<[[u32; 3]; 2], i32>, f64, f64) {
+/// Every edge of a mesh by its ends, how often it is run each way; and the volume, mm³.
+fn mesh(rings: &[Vec<[f64; 2]>], tolerance: f64) -> (HashMap<[[u32; 3]; 2], i32>, f64) {
     let mut bytes = Vec::new();
     let count = write_stl(rings, tolerance, &mut bytes).unwrap() as usize;
     assert_eq!(bytes.len(), 84 + 50 * count);
     assert_eq!(u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize, count);
-    let (mut edges, mut six, mut outward) = (HashMap::new(), 0.0, 0.0);
+    let (mut edges, mut six) = (HashMap::new(), 0.0);
     for record in bytes[84..].chunks_exact(50) {
         let value = |at: usize| f32::from_le_bytes(record[4 * at..4 * at + 4].try_into().unwrap());
         let corner = |at: usize| [value(3 + 3 * at), value(4 + 3 * at), value(5 + 3 * at)];
@@ -216,9 +216,16 @@ fn mesh(rings: &[Vec<[f64; 2]>], tolerance: f64) -> (HashMap<[[u32; 3]; 2], i32>
         let [a, b, c] = [a, b, c].map(|point| point.map(f64::from));
         six += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
             + a[2] * (b[0] * c[1] - b[1] * c[0]);
-        outward += f64::from(value(0)).abs() + f64::from(value(1)).abs() + f64::from(value(2)).abs();
+        // The face's own direction is that of its corners.
+        let normal = [0, 1, 2].map(|at| f64::from(value(at)));
+        let side = |from: [f64; 3], to: [f64; 3]| [0, 1, 2].map(|axis| to[axis] - from[axis]);
+        let (u, v) = (side(a, b), side(a, c));
+        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+        let area = dot(cross, cross).sqrt();
+        assert!(area < 1e-3 || dot(cross, normal) > 0.99 * area, "{normal:?} {cross:?}");
     }
-    (edges, six / 6.0, outward)
+    (edges, six / 6.0)
 }
 
 #[test]
@@ -235,7 +242,7 @@ fn the_mesh_is_closed_and_holds_the_volume() {
         let rings = run.simulation.contours();
         let right = run.simulation.volume();
         for tolerance in [0.1, 0.01] {
-            let (edges, found, _) = mesh(&rings, tolerance);
+            let (edges, found) = mesh(&rings, tolerance);
             for ([from, to], count) in &edges {
                 assert_eq!(edges.get(&[*to, *from]), Some(count), "{from:?} {to:?}");
             }
@@ -257,8 +264,8 @@ fn a_contour_of_many_corners_makes_a_mesh_of_few_within_its_tolerance() {
     }
     ring.push([-10.0, 10.0 + f64::from(steps + 1) * 0.001]);
     let straight = vec![[-10.0, 0.0], [0.0, 0.0], [0.0, 10.0], [-5.0, 15.0], [-10.0, 15.0]];
-    let (edges, found, _) = mesh(&[ring], 0.01);
-    let (wanted, right, _) = mesh(&[straight], 0.01);
+    let (edges, found) = mesh(&[ring], 0.01);
+    let (wanted, right) = mesh(&[straight], 0.01);
     assert!(edges.len() < 2 * wanted.len(), "{} {}", edges.len(), wanted.len());
     assert!((found - right).abs() < 0.0025 * 2.0 * PI * 15.0 * 20.0, "{found} {right}");
     for ([from, to], count) in &edges {

@@ -332,7 +332,7 @@ fn coolant_feed_tool_axis_and_a_piece_that_falls_off() {
     };
     at(still(0.0).only(171), [54.0, 2.0], 1e-9);
     still(0.01).silent();
-    at(Run::new(bar()).tool(12).rapid(46.0, 2.0).only(181), [100.0, 50.0], 100.0);
+    at(Run::new(bar()).tool(12).rapid(46.0, 2.0).only(181), [200.0, 50.0], 1e-9);
     Run::new(bar()).tool(0).rapid(46.0, 2.0).silent();
     // The drill's line is off the axis by 0.0011 mm, and by what counts as contact.
     let beside = |r: f64| Run::new(bar()).tool(6).rapid(2.0 * r, 3.0).cut(2.0 * r, -10.0);

@@ -55,7 +55,7 @@ pub fn copier() -> Tool {
     )
 }
 
-/// A tool for grooves and parting, 3 mm wide, 20 mm deep; its left corner is programmed.
+/// A tool for grooves and parting, 3 mm wide, 26 mm deep; its left corner is programmed.
 pub fn parter() -> Tool {
     let cutter = Cutter::Groover { width: 3.0, depth: 26.0, corner: 0.2, face: false };
     tool("Ranurar y tronzar 3 mm", "Grooving and parting 3 mm", cutter, (Tip::OutsideLeft, Hand::Right), SHANK, OUTSIDE)
