@@ -224,7 +224,7 @@ const CUTTING: &[Parameter] = &[
         [0.0005, 10.0],
         false,
         t("Tolerancia de la trayectoria de la punta entre bloques", "Tolerance of the tip path between blocks"),
-        t("Vacío: la desviación sólo se informa", "Empty: the deviation is reported only"),
+        t("Vacío: la desviación solo se informa", "Empty: the deviation is reported only"),
     ),
 ];
 
@@ -325,9 +325,9 @@ const BLANK: &[Parameter] = &[
         Unit::RevolutionPerMinute,
         [1, 20_000],
         false,
-        t("Límite de velocidad del cabezal del torno", "Limit of the lathe's spindle speed"),
+        t("Límite de velocidad del husillo del torno", "Limit of the lathe's spindle speed"),
         t(
-            "Con velocidad de corte constante el cabezal se acelera hacia el centro; sólo con style = full",
+            "Con velocidad de corte constante el husillo se acelera hacia el centro; solo con style = full",
             "Under constant surface speed the spindle speeds up towards the centre; with style = full only",
         ),
     ),

@@ -109,7 +109,7 @@ pub fn watched(
     };
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
-    let mut followed = vec![follow("program", title, &first, &given, (given.setup.clone(), false, false), watch)?];
+    let mut followed = vec![follow("program", title, &first, &given, Begins::new(given.setup.clone()), watch)?];
     if let Some(second) = text::Source::of(&values, SECOND_KEY) {
         let left = followed.first().map(|one| one.drawn.part.clone()).unwrap_or_default();
         let part = turned_about(&left, &given.setup.stock, given.second);
@@ -120,9 +120,7 @@ pub fn watched(
         // How a part is held that is not the one meant says nothing.
         let held = (!lost).then(|| values.locate(held(&setup)));
         let lost = lost || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
-        let mut one = follow("program-2", title, &second, &given, (setup, lost, uncut), watch)?;
-        one.findings.extend(held);
-        followed.push(one);
+        followed.push(follow("program-2", title, &second, &given, Begins { setup, lost, uncut, held }, watch)?);
     }
     Ok(outcome(form, values, source, &given, followed, profile))
 }
@@ -190,6 +188,23 @@ fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) 
     }
 }
 
+/// What a program begins with.
+struct Begins {
+    setup: Setup,
+    /// The program before it went wrong, or nothing holds the part.
+    lost: bool,
+    /// The part that it needs was not made.
+    uncut: bool,
+    /// How the part is held.
+    held: Option<Finding>,
+}
+
+impl Begins {
+    const fn new(setup: Setup) -> Self {
+        Self { setup, lost: false, uncut: false, held: None }
+    }
+}
+
 /// Follows one program over a set-up, of which it is said whether the program before it went wrong.
 ///
 /// The motions behind a block that was refused are not those that the program means: they are followed for what the
@@ -202,7 +217,7 @@ fn follow(
     title: Text,
     source: &text::Source,
     given: &Given,
-    (setup, lost, uncut): (Setup, bool, bool),
+    Begins { setup, lost, uncut, held }: Begins,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
@@ -315,6 +330,7 @@ fn follow(
             faults.push(unjudged_from(place));
         }
     }
+    faults.extend(held);
     watch(Seen::End(&faults, &one.simulation));
     one.findings = faults
         .into_iter()

@@ -16,7 +16,7 @@ use crate::text::{Language, Text};
 
 /// How the sheets are filled in; stands under the title of every form.
 pub(super) static HOW: Text = Text::fixed(
-    "Escriba sólo en las celdas amarillas de la columna C; al seleccionar una se ve qué admite. La hoja está protegida, sin contraseña, para que no se borre nada sin querer.",
+    "Escriba solo en las celdas amarillas de la columna C; al seleccionar una se ve qué admite. La hoja está protegida, sin contraseña, para que no se borre nada sin querer.",
     "Write only in the yellow cells of column C; selecting one shows what it admits. The sheet is protected, without a password, so that nothing is deleted by accident.",
 );
 
