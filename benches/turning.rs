@@ -226,7 +226,7 @@ fn by_lines(polygons: &[Convex]) -> f64 {
     let (mut region, mut meeting) = (Region::new(&[ring]), Meeting::default());
     for polygon in polygons {
         meeting.find(&region, polygon);
-        region.cut(polygon, &meeting);
+        region.cut(polygon, &meeting, &[]);
     }
     region.rings().iter().map(|ring| twice_area(ring)).sum()
 }

@@ -10,6 +10,7 @@ mod removal {
     mod exact;
     mod judged;
     mod lathe;
+    mod marks;
     mod part;
     mod raised;
     mod tools;

@@ -50,8 +50,8 @@ pub enum Cause {
         /// What the edge has.
         edge: f64,
     },
-    /// The auxiliary edge makes the surface and not the nose: its far end leaves its mark, or it takes away again what the nose
-    /// has just made.
+    /// Another edge makes the surface and not the nose: the far end of the auxiliary edge leaves its mark, or an edge takes away
+    /// again what a nose has made.
     BackCutting,
     /// A thread without a lead.
     NoLead,
@@ -250,8 +250,8 @@ impl Cause {
                 t("La profundidad de corte es mayor que el filo", "The depth of cut is greater than the cutting edge")
             }
             Self::BackCutting => t(
-                "El perfil queda fuera del alcance: corta el filo auxiliar, no la punta",
-                "The profile is out of reach: the auxiliary edge cuts, not the nose",
+                "El perfil queda fuera del alcance: corta otro filo, no la punta",
+                "The profile is out of reach: another edge cuts, not the nose",
             ),
             Self::NoLead => t("Rosca sin paso", "Thread without a lead"),
             Self::Lead { .. } => {

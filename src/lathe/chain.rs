@@ -1,151 +1,342 @@
-//! What the nose makes in one uninterrupted way at feed, and whether the auxiliary edge takes it away again.
+//! Which surfaces the nose of an insert has made, and where another of its edges has taken them away again.
 //!
-//! Where a way turns inwards more steeply than the auxiliary edge stands, that edge goes ahead of the nose and cuts into the
-//! surface that the nose has just made: the profile cannot be made by this tool. On the part it shows as a stretch that the
-//! edge left in the place where it stood last, one end of it on that surface. A pass along a face, which the same edge may
-//! cut, ends on what was there before or in the open. What a later motion takes away has left no stretch: whether the edge's
-//! mark is on the part is asked at the end of the program. Derived here.
+//! The profile that is programmed is the one that the nose makes. Where a way goes down into the part more steeply than the edge
+//! behind the nose stands, that edge goes ahead of it into the surface that the nose has just made, and leaves its own line
+//! below: the profile cannot be made by this tool. Each stretch of the part's contour carries a label for it: made by a nose,
+//! with the direction of its way; or a mark, with how deep it lies below what a nose had made. At the end of the program the
+//! marks that are on the part are told; what a later motion takes away has left none.
+//!
+//! An edge's new stretch is a mark of a surface made by a nose
+//! - if the way leads into the metal under that surface, and either goes on in the sense in which the surface was made, or
+//!   ends the new stretch on it; or if it is the auxiliary edge's and ends on it. A pass along a face takes away what lies before
+//!   it over its whole depth, and a pass along the axis leaves the slope of its main edge at a shoulder: neither is a profile
+//!   that was meant otherwise;
+//! - and if the nose itself does not pass below it there. The depth is what the edge has taken beyond the nose's own reach, at
+//!   right angles to the surface made; what goes deeper into a mark adds to it.
+//!
+//! Marks of a way at feed in which no nose has drawn a surface, as of a plunge that gives the part the form of the insert, are
+//! none. The far end of an edge that drags along behind the nose leaves a mark as well. Derived here.
+
+use std::f64::consts::TAU;
 
 use super::alarm::Alarm;
+use super::contact::is_nose;
 use super::outline::{Part, Role};
 use crate::geometry::exact::convex::Origin;
 use crate::geometry::exact::meeting::{Meeting, Stretch};
-use crate::number::trig::hypot;
+use crate::number::trig::{atan2, hypot, sin_cos};
 
-/// An end of a stretch lies on another one up to this, mm.
+/// What is taken away again up to this is none: a way as steep as the edge, the chords of arcs, what no drawing tells; mm.
+const LEAST: f64 = 0.01;
+/// What adds up to a mark, mm: more than corners in floating point are off.
+const STEP: f64 = 1e-5;
+/// A way leads into the metal under a surface from this share of it on: 1°.
+const INTO: f64 = 0.02;
+/// It goes head on into a mark from this share of it on: 45°.
+const HEAD_ON: f64 = 0.7;
+/// It goes on in a surface's sense from this share of it on: up to 75° off.
+const ONWARD: f64 = 0.25;
+/// Beside a place, mm.
+const HAIR: f64 = 1e-4;
+/// Two ends of stretches are one up to this, mm.
 const ON: f64 = 1e-5;
-/// What is taken away again up to this is none: a way as steep as the edge, mm.
-const LEAST: f64 = 0.005;
+/// Labels of surfaces made by a nose: their sense in so many parts of a turn, from 1.
+const SENSES: u32 = 256;
 
-/// The metal beside a mark is looked for this far from it, mm: more than the grid of nanometres, less than what shows.
-const BESIDE: f64 = 1e-4;
-
-/// The surfaces of one way, in order, `[z, r]` in mm.
+/// The labels of a program's surfaces.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Chain {
-    tool: u32,
-    made: Vec<Stretch>,
+    /// How deep each is, mm, with its alarm; the first has the label `SENSES` + 1.
+    marks: Vec<(f64, Alarm)>,
+    /// How many of them there were when the way at feed began.
+    before: usize,
+    /// The nose has drawn a surface in this way.
+    drew: bool,
 }
 
-/// A stretch that the auxiliary edge left in what the nose had made.
+/// What a part of a tool did on a straight piece of its way: what it met, the direction of the way of length 1, and the ends of
+/// the way; all `[z, r]`, mm.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mark {
-    stretch: Stretch,
-    /// How deep it is, mm.
-    pub deep: f64,
-    /// Where it is deepest, `[z, r]`.
-    pub place: [f64; 2],
+pub(super) struct Pass<'a> {
+    pub part: &'a Part,
+    pub meeting: &'a Meeting,
+    pub way: [f64; 2],
+    pub ends: [[f64; 2]; 2],
 }
 
-impl Mark {
-    /// True where there is metal beside it still, of what is asked for a place in it.
-    pub(super) fn stands(&self, is_metal: impl Fn([f64; 2]) -> bool) -> bool {
-        let Stretch { from, to } = self.stretch;
-        let [z, r] = [to[0] - from[0], to[1] - from[1]];
-        let off = BESIDE / hypot(z, r);
-        [0.02, 0.25, 0.5, 0.75, 0.98]
-            .into_iter()
-            .any(|part| is_metal([from[0] + z * part - r * off, from[1] + r * part + z * off]))
-    }
-}
-
-/// The marks of a program, each with its alarm.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Marks {
-    marks: Vec<(Mark, Alarm)>,
-    /// How many of them were looked at when their way ended.
-    settled: usize,
-}
-
-impl Marks {
-    /// Adds one.
-    pub(super) fn push(&mut self, mark: Mark, alarm: Alarm) {
-        self.marks.push((mark, alarm));
-    }
-
-    /// A way has ended: most of its marks it has taken away itself.
-    pub(super) fn settle(&mut self, is_metal: impl Fn([f64; 2]) -> bool) {
-        let mut new = self.marks.split_off(self.settled);
-        new.retain(|(mark, _)| mark.stands(&is_metal));
-        self.marks.append(&mut new);
-        self.settled = self.marks.len();
-    }
-
-    /// The alarms of those on the part: of one motion the deepest.
-    pub(super) fn alarms(&self, is_metal: impl Fn([f64; 2]) -> bool) -> Vec<Alarm> {
-        let mut alarms: Vec<Alarm> = Vec::new();
-        for (_, alarm) in self.marks.iter().filter(|(mark, _)| mark.stands(&is_metal)) {
-            match alarms.last_mut().filter(|last| last.motion == alarm.motion) {
-                Some(last) if alarm.depth > last.depth => *last = *alarm,
-                Some(_) => {}
-                None => alarms.push(*alarm),
-            }
-        }
-        alarms
-    }
+/// What a label says.
+enum Label {
+    /// No nose made it.
+    None,
+    /// A nose made it on a way in this direction.
+    Made([f64; 2]),
+    /// It is so deep below what a nose had made, mm.
+    Mark(f64),
 }
 
 impl Chain {
-    /// Begins anew.
+    /// A way at feed has ended.
     pub(super) fn end(&mut self) {
-        self.made.clear();
-    }
-
-    /// Takes what a part of a tool met on a straight piece of the way, of a direction of length 1: the deepest mark that the
-    /// auxiliary edge left in the surfaces made before.
-    pub(super) fn take(&mut self, tool: u32, part: &Part, meeting: &Meeting, way: [f64; 2]) -> Option<Mark> {
-        if self.tool != tool {
-            (self.tool, self.made) = (tool, Vec::new());
+        if !self.drew {
+            self.marks.iter_mut().skip(self.before).for_each(|(deep, _)| *deep = 0.0);
         }
-        let (roles, count) = (&part.roles, part.roles.len());
-        let edges = meeting.inserted.iter().filter_map(|(stretch, origin)| match origin {
-            Origin::Edge(edge) if roles.get(*edge) == Some(&Role::Auxiliary) => Some(stretch),
-            _ => None,
-        });
-        let deepest = edges.filter_map(|edge| self.gouge(edge)).max_by(|one, two| one.deep.total_cmp(&two.deep));
-        // What is drawn out along the way; the fillet in front of the nose is no surface yet.
-        let nose = |stretch: &Stretch, origin: Origin| match origin {
-            Origin::Edge(edge) => roles[edge % count] == Role::Nose && is_along(stretch, way),
-            Origin::Corner(corner) => {
-                let beside = [roles[(corner + count - 1) % count], roles[corner % count]];
-                beside.contains(&Role::Nose) || beside.contains(&Role::Main) && beside.contains(&Role::Auxiliary)
-            }
-        };
-        self.made.extend(
-            meeting.inserted.iter().filter(|(stretch, origin)| nose(stretch, *origin)).map(|(stretch, _)| *stretch),
-        );
-        deepest
+        (self.before, self.drew) = (self.marks.len(), false);
     }
 
-    /// How deep an edge stands in what was made from the place on where it ends on it.
-    fn gouge(&self, edge: &Stretch) -> Option<Mark> {
-        let first = self.made.iter().position(|made| on(edge.from, made) || on(edge.to, made))?;
-        let off = |point: [f64; 2]| far(point, edge);
-        self.made[first..]
-            .iter()
-            .flat_map(|made| [made.from, made.to])
-            .filter(|&point| !on(point, edge))
-            .map(|point| Mark { stretch: *edge, deep: off(point), place: point })
-            .filter(|mark| mark.deep > LEAST)
-            .max_by(|one, two| one.deep.total_cmp(&two.deep))
+    /// Labels the stretches that a pass inserted; `alarm` makes the alarm of a depth at a place, and `far` tells how far behind the
+    /// nose's the end of an edge has left a stretch.
+    pub(super) fn label(
+        &mut self,
+        pass: Pass,
+        alarm: impl Fn(f64, [f64; 2]) -> Alarm,
+        far: impl Fn(usize) -> Option<f64>,
+        labels: &mut [u32],
+    ) {
+        let Pass { part, meeting, way, .. } = pass;
+        let mut own = None;
+        for (at, ((stretch, origin), new)) in meeting.inserted.iter().zip(&mut *labels).enumerate() {
+            if is_nose(part, *origin) {
+                // What is drawn out along the way; the fillet in front of the nose is no surface yet.
+                if is_along(stretch, way) {
+                    *new = *own.get_or_insert_with(|| 1 + sense(way));
+                    self.drew = true;
+                }
+            } else if let Some(behind) = far(at) {
+                *new = self.mark(behind, alarm(behind, middle(stretch)));
+                self.drew = true;
+            }
+        }
+        for (removed, label) in meeting.removed.iter().zip(&meeting.labels) {
+            let (base, made) = match self.read(*label) {
+                Label::None => continue,
+                Label::Made(made) => (0.0, Some(made)),
+                Label::Mark(deep) if deep > 0.0 => (deep, None),
+                Label::Mark(_) => continue,
+            };
+            let Some(frame) = Frame::of(removed) else { continue };
+            let lead = dot(way, frame.into);
+            // What cuts a mark head on makes another surface.
+            if made.is_none() && !(0.0..HEAD_ON).contains(&lead) {
+                continue;
+            }
+            let onward = made.is_none_or(|made| lead >= INTO && dot(way, made) >= ONWARD);
+            for (at, ((edge, origin), new)) in meeting.inserted.iter().zip(&mut *labels).enumerate() {
+                let ends = || (lead >= INTO || is_auxiliary(part, *origin)) && joins(edge, removed);
+                if is_nose(part, *origin) || !onward && !ends() {
+                    continue;
+                }
+                let Some((below, place)) = frame.below(at, pass) else { continue };
+                let deep = below.deep + if below.passed { 0.0 } else { base };
+                let known = if let Label::Mark(known) = self.read(*new) { known } else { 0.0 };
+                if deep > known.max(STEP) {
+                    *new = self.mark(deep, alarm(deep, place));
+                }
+            }
+        }
     }
+
+    fn mark(&mut self, deep: f64, alarm: Alarm) -> u32 {
+        self.marks.push((deep, alarm));
+        u32::try_from(self.marks.len()).unwrap_or(0).saturating_add(SENSES)
+    }
+
+    fn read(&self, label: u32) -> Label {
+        match label {
+            0 => Label::None,
+            1..=SENSES => {
+                let (sin, cos) = sin_cos(f64::from(label - 1) * (TAU / f64::from(SENSES)));
+                Label::Made([cos, sin])
+            }
+            _ => self.marks.get((label - SENSES - 1) as usize).map_or(Label::None, |(deep, _)| Label::Mark(*deep)),
+        }
+    }
+
+    /// The alarms of the marks among labels: of one motion the deepest.
+    pub(super) fn alarms(&self, labels: impl Iterator<Item = u32>) -> Vec<Alarm> {
+        let marks = labels.filter_map(|label| self.marks.get(label.checked_sub(SENSES + 1)? as usize));
+        let mut found: Vec<Alarm> = marks.filter(|(deep, _)| *deep > LEAST).map(|(_, alarm)| *alarm).collect();
+        found.sort_by(|one, two| {
+            one.motion.cmp(&two.motion).then(two.depth.partial_cmp(&one.depth).unwrap_or(std::cmp::Ordering::Equal))
+        });
+        found.dedup_by_key(|alarm| alarm.motion);
+        found
+    }
+}
+
+/// A stretch that was taken away: where it begins, its direction, the one into the metal, and how long it is.
+struct Frame {
+    from: [f64; 2],
+    along: [f64; 2],
+    into: [f64; 2],
+    long: f64,
+}
+
+/// How deep a new stretch lies below one that was taken away, less what the nose takes itself.
+#[derive(Clone, Copy)]
+struct Below {
+    deep: f64,
+    /// The nose passes between them.
+    passed: bool,
+}
+
+impl Frame {
+    fn of(Stretch { from, to }: &Stretch) -> Option<Self> {
+        let along = [to[0] - from[0], to[1] - from[1]];
+        let long = hypot(along[0], along[1]);
+        // The region lies to the left of its contour.
+        let along = along.map(|part| part / long);
+        (long > ON).then_some(Self { from: *from, along, into: [-along[1], along[0]], long })
+    }
+
+    /// Along the stretch and into the metal.
+    fn of_point(&self, point: [f64; 2]) -> [f64; 2] {
+        let off = [point[0] - self.from[0], point[1] - self.from[1]];
+        [dot(off, self.along), dot(off, self.into)]
+    }
+
+    fn point(&self, at: f64) -> [f64; 2] {
+        [0, 1].map(|axis| self.from[axis] + self.along[axis] * at)
+    }
+
+    /// Between which places along it a stretch lies beside it.
+    fn beside(&self, stretch: &Stretch) -> [f64; 2] {
+        let [one, two] = [stretch.from, stretch.to].map(|end| self.of_point(end)[0]);
+        [one.min(two).max(0.0), one.max(two).min(self.long)]
+    }
+
+    /// How far into the metal a stretch lies at a place along it.
+    fn depth(&self, stretch: &Stretch, at: f64) -> Option<f64> {
+        let ([one, high], [two, low]) = (self.of_point(stretch.from), self.of_point(stretch.to));
+        let inside = at >= one.min(two) && at <= one.max(two) && one != two;
+        inside.then(|| high + (low - high) * (at - one) / (two - one))
+    }
+
+    /// How deep the inserted stretch of a number lies below, where no other lies between, and from where: the deepest place.
+    fn below(&self, number: usize, pass: Pass) -> Option<(Below, [f64; 2])> {
+        let (stretch, _) = pass.meeting.inserted.get(number)?;
+        let [low, high] = self.beside(stretch);
+        let wide = high - low;
+        if wide <= ON {
+            return None;
+        }
+        let nose = pass.part.nose.map(|nose| self.nose(nose, pass.ends));
+        let others = || pass.meeting.inserted.iter().enumerate().filter(|(at, _)| *at != number);
+        let below = |at: f64| {
+            let deep = self.depth(stretch, at).filter(|deep| *deep > 0.0)?;
+            let mut between = others().filter_map(|(_, (other, _))| self.depth(other, at));
+            if between.any(|other| other > 0.0 && other < deep) {
+                return None;
+            }
+            let below = match nose.and_then(|nose| nose.within(at)) {
+                Some([first, last]) if last > 0.0 && first < deep => {
+                    Below { deep: (deep - last).max(0.0), passed: true }
+                }
+                _ => Below { deep, passed: false },
+            };
+            Some((below, self.point(at)))
+        };
+        // Beside where the nose begins and ends to pass, and over the stretch.
+        let inner = [0.01, 0.5, 0.99].map(|share| low + wide * share);
+        let sides = nose.into_iter().flat_map(|nose| nose.sides()).flatten().flat_map(|at| [at - HAIR, at + HAIR]);
+        let places = inner.into_iter().chain(sides.filter(|at| *at > low && *at < high));
+        places.filter_map(below).max_by(|(one, _), (two, _)| one.deep.total_cmp(&two.deep))
+    }
+
+    /// What a nose sweeps, in the frame of the stretch.
+    fn nose(&self, (centre, radius): ([f64; 2], f64), ends: [[f64; 2]; 2]) -> Nose {
+        Nose { ends: ends.map(|end| self.of_point([end[0] + centre[0], end[1] + centre[1]])), radius }
+    }
+}
+
+/// A circle on a straight way, along a stretch and into the metal under it.
+#[derive(Clone, Copy)]
+struct Nose {
+    ends: [[f64; 2]; 2],
+    radius: f64,
+}
+
+impl Nose {
+    /// The sides of its way, from the first to the last place.
+    fn edges(&self) -> [[[f64; 2]; 2]; 2] {
+        let [from, to] = self.ends;
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let share = self.radius / hypot(way[0], way[1]).max(ON);
+        [1.0, -1.0].map(|side| {
+            let off = [-way[1] * share * side, way[0] * share * side];
+            self.ends.map(|end| [end[0] + off[0], end[1] + off[1]])
+        })
+    }
+
+    /// Between which depths it lies at a place along the stretch.
+    fn within(&self, at: f64) -> Option<[f64; 2]> {
+        let discs = self.ends.into_iter().flat_map(|[along, deep]| {
+            let half = self.radius * self.radius - (at - along) * (at - along);
+            (half >= 0.0).then(|| [deep - half.sqrt(), deep + half.sqrt()]).into_iter().flatten()
+        });
+        let edges = self.edges().into_iter().filter_map(|[[one, high], [two, low]]| {
+            let inside = one != two && at >= one.min(two) && at <= one.max(two);
+            inside.then(|| high + (low - high) * (at - one) / (two - one))
+        });
+        discs.chain(edges).fold(None, |found, deep| {
+            Some(found.map_or([deep; 2], |[low, high]: [f64; 2]| [low.min(deep), high.max(deep)]))
+        })
+    }
+
+    /// Where along the stretch it begins and ends, and where it comes through the stretch's line.
+    fn sides(&self) -> [Option<f64>; 10] {
+        let [one, two] = self.ends;
+        let through = |[along, deep]: [f64; 2], side: f64| {
+            let half = self.radius * self.radius - deep * deep;
+            (half >= 0.0).then(|| along + side * half.sqrt())
+        };
+        let crosses = |[[one, high], [two, low]]: [[f64; 2]; 2]| {
+            ((high > 0.0) != (low > 0.0)).then(|| one + (two - one) * high / (high - low))
+        };
+        let [left, right] = self.edges();
+        [
+            Some(one[0] - self.radius),
+            Some(one[0] + self.radius),
+            Some(two[0] - self.radius),
+            Some(two[0] + self.radius),
+            through(one, -1.0),
+            through(one, 1.0),
+            through(two, -1.0),
+            through(two, 1.0),
+            crosses(left),
+            crosses(right),
+        ]
+    }
+}
+
+fn dot(one: [f64; 2], two: [f64; 2]) -> f64 {
+    one[0] * two[0] + one[1] * two[1]
+}
+
+fn middle(stretch: &Stretch) -> [f64; 2] {
+    [0, 1].map(|axis| f64::midpoint(stretch.from[axis], stretch.to[axis]))
+}
+
+fn is_auxiliary(part: &Part, origin: Origin) -> bool {
+    matches!(origin, Origin::Edge(edge) if part.roles.get(edge) == Some(&Role::Auxiliary))
+}
+
+/// The number of a direction among the senses.
+fn sense([z, r]: [f64; 2]) -> u32 {
+    let part = (atan2(r, z).rem_euclid(TAU) / TAU * f64::from(SENSES)).round();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 256")]
+    let part = part as u32;
+    part % SENSES
+}
+
+/// True where a stretch ends where what is taken away ends too.
+fn joins(one: &Stretch, other: &Stretch) -> bool {
+    [one.from, one.to]
+        .into_iter()
+        .any(|end| [other.from, other.to].into_iter().any(|place| hypot(end[0] - place[0], end[1] - place[1]) < ON))
 }
 
 fn is_along(Stretch { from, to }: &Stretch, way: [f64; 2]) -> bool {
     let [z, r] = [to[0] - from[0], to[1] - from[1]];
-    (z * way[1] - r * way[0]).abs() < 1e-6 * hypot(z, r)
-}
-
-/// How far a point lies to the right of a stretch, where the metal is gone; negative to its left.
-fn far(point: [f64; 2], Stretch { from, to }: &Stretch) -> f64 {
-    let [z, r] = [to[0] - from[0], to[1] - from[1]];
-    -((z * (point[1] - from[1]) - r * (point[0] - from[0])) / hypot(z, r))
-}
-
-fn on(point: [f64; 2], stretch: &Stretch) -> bool {
-    let Stretch { from, to } = stretch;
-    let [z, r] = [to[0] - from[0], to[1] - from[1]];
     let long = hypot(z, r);
-    let along = (z * (point[0] - from[0]) + r * (point[1] - from[1])) / long;
-    long > ON && far(point, stretch).abs() < ON && (-ON..=long + ON).contains(&along)
+    long > STEP && (z * way[1] - r * way[0]).abs() < 1e-6 * long
 }

@@ -28,8 +28,8 @@ pub struct Contact {
     pub back: Option<f64>,
     /// The same beside cutting edges that cut, in a cut that is not too wide for them.
     pub beside: Option<f64>,
-    /// The end of the auxiliary edge left its mark: how far behind the nose's.
-    pub dragged: Option<f64>,
+    /// The far end of the auxiliary edge left a surface.
+    pub dragged: bool,
     /// Where, `[z, r]`.
     pub place: [f64; 2],
 }
@@ -254,7 +254,8 @@ impl Contact {
         }
         self.real = true;
         self.judge_backs(meeting, ride, cut);
-        self.judge_surface(meeting, ride);
+        let far = (0..meeting.inserted.len()).filter_map(|at| far_end(meeting, ride, at));
+        self.dragged |= far.count() > 0;
         // The normal to the left of a way [dz, dr] is [-dr, dz].
         Some(Bite { reach: ordered(cut.map(|aside| aside * ride.way[0])), ..bite(meeting, ride) })
     }
@@ -305,37 +306,40 @@ impl Contact {
             self.beside = Some(self.beside.map_or(deep, |other| other.max(deep)));
         }
     }
+}
 
-    /// A surface left by a corner on its way is right where it is the nose's, or the outer end of a main edge. One that the
-    /// far end of the auxiliary edge left is behind the nose's: the profile programmed is not made.
-    fn judge_surface(&mut self, meeting: &Meeting, ride: &Ride) {
-        let (roles, count) = (&ride.part.roles, ride.part.roles.len());
-        for (stretch, origin) in &meeting.inserted {
-            let Origin::Corner(corner) = *origin else { continue };
-            let beside = [roles[(corner + count - 1) % count], roles[corner % count]];
-            if !matches!(beside, [Role::Auxiliary | Role::Back, Role::Back] | [Role::Back, Role::Auxiliary]) {
-                continue;
-            }
-            let [dz, dr] = [stretch.to[0] - stretch.from[0], stretch.to[1] - stretch.from[1]];
-            if hypot(dz, dr) <= TOUCH || off(middle(*stretch), meeting.removed.iter().copied()) <= TOUCH {
-                continue;
-            }
-            let here = ride.aside(ride.corner(corner));
-            // The nose, or the corner where both edges meet if it is sharp.
-            let noses = (0..count).filter(|&at| {
-                let pair = [roles[(at + count - 1) % count], roles[at]];
-                pair.contains(&Role::Nose)
-                    || pair == [Role::Main, Role::Auxiliary]
-                    || pair == [Role::Auxiliary, Role::Main]
-            });
-            let nose = noses
-                .map(|at| ride.aside(ride.corner(at)))
-                .min_by(|one, two| (one - here).abs().total_cmp(&(two - here).abs()));
-            let behind = nose.map_or(0.0, |nose| (nose - here).abs());
-            if behind > TOUCH && self.dragged.is_none_or(|other| behind > other) {
-                self.dragged = Some(behind);
-                self.place = ride.flip(middle(*stretch));
-            }
-        }
+/// True of a stretch that the nose left, or the corner where both edges meet if it is sharp.
+pub(super) fn is_nose(part: &Part, origin: Origin) -> bool {
+    let count = part.roles.len();
+    match origin {
+        Origin::Edge(edge) => part.roles[edge % count] == Role::Nose,
+        Origin::Corner(corner) => is_tip(part, corner),
     }
+}
+
+fn is_tip(part: &Part, corner: usize) -> bool {
+    let count = part.roles.len();
+    let beside = [part.roles[(corner + count - 1) % count], part.roles[corner % count]];
+    beside.contains(&Role::Nose) || beside.contains(&Role::Main) && beside.contains(&Role::Auxiliary)
+}
+
+/// How far behind the nose's way the far end of the auxiliary edge has left the stretch inserted of a number; `None` of a stretch
+/// that is another's.
+///
+/// A surface left by a corner on its way is right where it is the nose's, or the outer end of a main edge. One that the far end of
+/// the auxiliary edge left is behind the nose's: the profile programmed is not made.
+pub(super) fn far_end(meeting: &Meeting, ride: &Ride, number: usize) -> Option<f64> {
+    let (stretch, Origin::Corner(corner)) = *meeting.inserted.get(number)? else { return None };
+    let (roles, count) = (&ride.part.roles, ride.part.roles.len());
+    let beside = [roles[(corner + count - 1) % count], roles[corner % count]];
+    if !matches!(beside, [Role::Auxiliary | Role::Back, Role::Back] | [Role::Back, Role::Auxiliary]) {
+        return None;
+    }
+    let [dz, dr] = [stretch.to[0] - stretch.from[0], stretch.to[1] - stretch.from[1]];
+    if hypot(dz, dr) <= TOUCH || off(middle(stretch), meeting.removed.iter().copied()) <= TOUCH {
+        return None;
+    }
+    let here = ride.aside(ride.corner(corner));
+    let noses = (0..count).filter(|&at| is_tip(ride.part, at)).map(|at| (ride.aside(ride.corner(at)) - here).abs());
+    noses.min_by(f64::total_cmp).filter(|behind| *behind > TOUCH)
 }

@@ -28,6 +28,8 @@ pub struct Part {
     pub polygon: Convex,
     /// What each edge of the polygon is for.
     pub roles: Vec<Role>,
+    /// The centre and the radius of its nose; `None` where it has none or two, or it is sharp.
+    pub nose: Option<([f64; 2], f64)>,
 }
 
 /// What a tool covers in the plane of the axes, about its programmed point: z along the axis, r away from it on the side
@@ -146,7 +148,12 @@ impl Tool {
                 })
                 .collect();
             let roles = roles(&polygon, &marks);
-            cutter.push(Part { polygon, roles });
+            let mut circles = marks.iter().filter_map(|mark| match *mark {
+                Mark::Circle(centre, radius) => (radius > 0.0).then_some((centre, radius)),
+                Mark::Line(..) => None,
+            });
+            let nose = circles.next().filter(|_| circles.next().is_none());
+            cutter.push(Part { polygon, roles, nose });
         }
         let holder = std::iter::once(self.held(size, behind))
             .chain(self.head())

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
-use super::chain::{Chain, Marks};
-use super::contact::{Contact, Ride, depth};
+use super::chain::{Chain, Pass};
+use super::contact::{Contact, Ride, depth, far_end};
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
@@ -90,12 +90,8 @@ pub struct Simulation {
     led: Option<Led>,
     /// The tool that stands where it worked last, `[z, r]` on the grid.
     stands: Option<(u32, [f64; 2])>,
-    /// The way at feed under way.
+    /// What made the part's surfaces.
     chain: Chain,
-    /// What the auxiliary edge has left on the part.
-    marks: Marks,
-    /// The same on pieces that have fallen off.
-    fell: Vec<Alarm>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
@@ -180,8 +176,6 @@ impl Simulation {
             led: None,
             stands: None,
             chain: Chain::default(),
-            marks: Marks::default(),
-            fell: Vec::new(),
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -230,14 +224,11 @@ impl Simulation {
         self.part.volume()
     }
 
-    /// The alarms that can be told only of the part as it is when the program has ended: where the auxiliary edge has taken
-    /// away again what the nose had made, and no later motion has taken that surface.
+    /// The alarms that can be told only of the part as it is when the program has ended: where an edge has taken away again
+    /// what the nose had made, and no later motion has taken that surface.
     #[must_use]
     pub fn lasting(&self) -> Vec<Alarm> {
-        let mut alarms = self.fell.clone();
-        alarms.extend(self.marks.alarms(|place| self.part.is_metal(place)));
-        alarms.sort_by_key(|alarm| alarm.motion);
-        alarms
+        self.chain.alarms(self.part.labels())
     }
 
     /// The sums so far.
@@ -282,7 +273,6 @@ impl Simulation {
         self.judge(control, &pieces, &contact, &mut tally);
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
-            self.fell.extend(self.marks.alarms(|place| self.part.has_fallen(place)));
             self.fallen = self.part.fallen().to_vec();
         } else if motion.kind != Kind::Rapid && removed.volume > CHIP {
             self.fallen.clear();
@@ -332,12 +322,11 @@ impl Simulation {
     fn cut(&mut self, pieces: &[Piece], control: &Control, contact: &mut Contact, tally: &mut Tally) -> Removed {
         let mut removed = Removed::default();
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
-        let (part, swept, chain, marks) = (&mut self.part, &mut self.swept, &mut self.chain, &mut self.marks);
+        let (part, swept, chain) = (&mut self.part, &mut self.swept, &mut self.chain);
         let rapid = tally.motion.kind == Kind::Rapid;
         let insert = matches!(ready.tool.cutter, Cutter::Insert { .. });
         if !matches!(tally.motion.kind, Kind::Feed(_) | Kind::Arc(..)) {
             chain.end();
-            marks.settle(|place| part.is_metal(place));
         }
         let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
         let mut add = |more: Removed| {
@@ -348,7 +337,7 @@ impl Simulation {
             let Some(at) = Point::near(at) else { return };
             for cutter in &ready.outline.cutter {
                 if cutter.polygon.sweep(at, at, swept) {
-                    add(part.cut(swept, |meeting, mirrored| {
+                    add(part.cut(swept, |meeting, mirrored, _| {
                         let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
                         if let Some(bite) = contact.add_rib(meeting, &ride) {
                             tally.met(bite, [at.mm(); 2], mirrored);
@@ -389,7 +378,7 @@ impl Simulation {
                 if matches!(tally.motion.kind, Kind::Thread(_)) {
                     continue;
                 }
-                add(part.cut(swept, |meeting, mirrored| {
+                add(part.cut(swept, |meeting, mirrored, labels| {
                     if rapid {
                         let (deep, place) = depth(meeting);
                         if deep > TOUCH {
@@ -403,10 +392,10 @@ impl Simulation {
                         if let Some(bite) = contact.add(meeting, &ride) {
                             tally.met(bite, [first.mm(), last.mm()], mirrored);
                         }
-                        if let Some(mark) =
-                            chain.take(control.tool, cutter, meeting, way).filter(|_| insert && !mirrored)
-                        {
-                            marks.push(mark, tally.alarm(Cause::BackCutting, mark.place, Some(mark.deep)));
+                        if insert && !mirrored {
+                            let pass = Pass { part: cutter, meeting, way, ends: [first.mm(), last.mm()] };
+                            let alarm = |deep, place| tally.alarm(Cause::BackCutting, place, Some(deep));
+                            chain.label(pass, alarm, |at| far_end(meeting, &ride, at), labels);
                         }
                     }
                 }));
@@ -487,11 +476,8 @@ impl Simulation {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }
         // Where the auxiliary edge's far end left the surface, the back beside it has been in metal with it.
-        if let Some(deep) = contact.back.or(contact.beside.filter(|_| contact.dragged.is_none())) {
+        if let Some(deep) = contact.back.or(contact.beside.filter(|_| !contact.dragged)) {
             tally.raise(Cause::BackInMetal, contact.place, Some(deep));
-        }
-        if let Some(behind) = contact.dragged {
-            tally.raise(Cause::BackCutting, contact.place, Some(behind));
         }
     }
 }

@@ -1,10 +1,12 @@
 //! The part as it is at a moment, and what a cutter takes away from it.
 
+use std::collections::BTreeSet;
+
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::meeting::Meeting;
-use crate::geometry::exact::region::{Region, Ring, encloses};
+use crate::geometry::exact::region::{Region, Ring};
 use crate::geometry::revolution::{frustum, volume};
 
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
@@ -28,13 +30,17 @@ pub struct Workpiece {
     apart: bool,
     /// What fell off last.
     fallen: Vec<Ring>,
+    /// The labels of all that fell off.
+    fallen_labels: BTreeSet<u32>,
+    /// Kept so as not to allocate for each cut.
+    labels: Vec<u32>,
 }
 
 impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
-        Self { region: Region::new(rings), meeting: Meeting::default(), apart: false, fallen: Vec::new() }
+        Self { region: Region::new(rings), ..Self::default() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -56,16 +62,9 @@ impl Workpiece {
         if pieces == 1 { &self.fallen } else { &[] }
     }
 
-    /// True where a place, `[z, r]` in mm, lies in the part.
-    #[must_use]
-    pub fn is_metal(&self, place: [f64; 2]) -> bool {
-        self.region.contains(place)
-    }
-
-    /// True where a place lies in what fell off last.
-    #[must_use]
-    pub fn has_fallen(&self, place: [f64; 2]) -> bool {
-        self.fallen.iter().fold(false, |inside, ring| inside != encloses(ring, place))
+    /// The labels of the part's contours, and of what has fallen off.
+    pub fn labels(&self) -> impl Iterator<Item = u32> + '_ {
+        self.region.labels().map(|(label, _)| label).chain(self.fallen_labels.iter().copied())
     }
 
     /// How many edges its contours have.
@@ -86,19 +85,22 @@ impl Workpiece {
     }
 
     /// Takes away what a polygon covers while the part turns: both what lies on this side of the axis and what comes round
-    /// from the other. What is held no longer stays until [`Self::drop_loose`].
-    pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool)) -> Removed {
+    /// from the other. What is held no longer stays until [`Self::drop_loose`]. What sees it may label the stretches inserted;
+    /// they come without a label, 0.
+    pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool, &mut [u32])) -> Removed {
         let mut removed = Removed::default();
         self.both_sides(polygon, |part, polygon, mirrored| {
             part.meeting.find(&part.region, polygon);
             if part.meeting.is_empty() {
                 return;
             }
-            seen(&part.meeting, mirrored);
+            part.labels.clear();
+            part.labels.resize(part.meeting.inserted.len(), 0);
+            seen(&part.meeting, mirrored, &mut part.labels);
             let outer: f64 = part.meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
             let inner: f64 = part.meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
             removed.volume += outer - inner;
-            part.apart |= part.region.cut(polygon, &part.meeting) == Cut::Apart;
+            part.apart |= part.region.cut(polygon, &part.meeting, &part.labels) == Cut::Apart;
         });
         removed
     }
@@ -108,7 +110,9 @@ impl Workpiece {
     pub fn drop_loose(&mut self) -> Removed {
         let mut removed = Removed::default();
         if std::mem::take(&mut self.apart) {
-            let fallen = self.region.keep_first();
+            let fallen = self.region.keep_first(|label| {
+                self.fallen_labels.insert(label);
+            });
             let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
             if pieces < CHIP {
                 removed.volume += pieces;

@@ -129,10 +129,14 @@ fn what_the_auxiliary_edge_takes_of_the_surface_just_made_is_told_from_what_it_m
         Run::new(bar()).tool(8).rapid(46.0, 2.0).cut(46.0, -10.0).cut(40.0, z).cut(40.0, -20.0).cut(54.0, -20.0)
     };
     let alarm = raised(&steep(-10.5), 132);
+    // The nose's way is (−0.5, −3), and what it sweeps ends on a line 0.4 beside its centres. Where that comes through r 23 the
+    // edge is deepest below the cylinder.
     let (sin, cos) = sin_cos(52.0_f64.to_radians());
-    let right = 0.4 - (0.5 * sin - 2.6 * cos);
+    let long = 9.25_f64.sqrt();
+    let z = -9.6 + 0.4 * 3.0 / long + (23.0 - (23.4 - 0.4 * 0.5 / long)) * 0.5 / 3.0;
+    let right = 23.0 - (20.4 - 0.4 * cos + (z - (-10.1 + 0.4 * sin)) * sin / cos);
     assert!((alarm.depth.unwrap() - right).abs() < 0.005, "{:?} {right}", alarm.depth);
-    assert!((alarm.place[0] - 46.0).abs() < 1e-6 && (alarm.place[1] + 9.6).abs() < 0.01, "{:?}", alarm.place);
+    assert!((alarm.place[0] - 46.0).abs() < 1e-6 && (alarm.place[1] - z).abs() < 0.001, "{:?} {z}", alarm.place);
     // 50 degrees.
     silent(&steep(-10.0 - 3.0 / tan(50.0_f64.to_radians())));
     // An arc inwards that gets steeper than the edge.
@@ -149,15 +153,21 @@ fn the_auxiliary_edges_mark_that_a_later_motion_takes_away_is_none() {
     let inwards = || Run::new(bar()).rapid(46.0, 2.0).cut(46.0, -20.0).cut(45.5, -20.0);
     let back = |z: f64| inwards().cut(45.5, z);
     silent(&back(2.0));
-    // Where the way ends before, the edge of 5° stays as a slope in that surface; told of the block that left it.
+    // Without the way back the edge of 5° stays as a slope in that surface; told of the block that left it.
     let alarm = inwards().rapid(60.0, 10.0).raised();
     assert_eq!(alarm.iter().map(|alarm| (alarm.cause.number(), alarm.line)).collect::<Vec<_>>(), [(132, 3)]);
-    assert!((alarm[0].depth.unwrap() - 0.25).abs() < 0.01, "{alarm:?}");
+    // The nose, R 0.8, covers what is beside its centre in the cylinder; from there on the edge lies this deep.
+    let (sin, cos) = sin_cos(5.0_f64.to_radians());
+    let beside = (0.8_f64 * 0.8 - 0.55 * 0.55).sqrt();
+    let right = 0.25 - (0.8 * (1.0 - cos) + (beside - 0.8 * sin) * sin / cos);
+    assert!((alarm[0].depth.unwrap() - right).abs() < 1e-4, "{alarm:?} {right}");
+    // So it does where the way back ends in it.
     assert_eq!(raised(&back(-16.0), 132).line, 4);
-    // It is gone where another tool finishes it after, and where the piece with the mark is parted off it is on that piece.
-    silent(&back(-16.0).rapid(60.0, 10.0).tool(2).rapid(44.0, 2.0).cut(44.0, -25.0));
+    // It is gone where another tool finishes the surface after it, and where the piece with the mark is parted off it is on that
+    // piece.
+    silent(&inwards().rapid(60.0, 10.0).tool(2).rapid(44.0, 2.0).cut(44.0, -25.0));
     let parted = |run: Run| run.rapid(60.0, 10.0).tool(3).rapid(60.0, -40.0).cut(-0.5, -40.0);
-    assert_eq!(parted(back(-16.0)).alarms(), [191, 132]);
+    assert_eq!(parted(inwards()).alarms(), [191, 132]);
     assert_eq!(parted(back(2.0)).alarms(), [191]);
 }
 

@@ -65,7 +65,7 @@ proptest! {
         for polygon in coarse.into_iter().chain(fine) {
             let before = area(&region.rings());
             meeting.find(&region, &polygon);
-            let cut = region.cut(&polygon, &meeting);
+            let cut = region.cut(&polygon, &meeting, &[]);
             let after = area(&region.rings());
             // Green's theorem over the stretches: what the meeting says was taken is what is missing.
             let swept = |from: [f64; 2], to: [f64; 2]| (from[0] * to[1] - to[0] * from[1]) / 2.0;
@@ -88,7 +88,7 @@ proptest! {
             let (mut region, mut meeting) = (stock(), Meeting::default());
             for polygon in polygons {
                 meeting.find(&region, polygon);
-                region.cut(polygon, &meeting);
+                region.cut(polygon, &meeting, &[]);
             }
             region.rings()
         };

@@ -30,7 +30,7 @@ fn both(stock: &[[f64; 2]; 4], gone: &[Convex]) -> (Vec<Ring>, Shapes) {
     let mut judge: Shapes = vec![vec![stock.to_vec()]];
     for polygon in gone {
         meeting.find(&region, polygon);
-        region.cut(polygon, &meeting);
+        region.cut(polygon, &meeting, &[]);
         judge = judge.overlay_as::<i64>(&vec![corners(polygon)], OverlayRule::Difference, FillRule::NonZero);
     }
     (region.rings(), judge)

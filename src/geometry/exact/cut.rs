@@ -19,7 +19,10 @@ pub enum Cut {
 impl Region {
     /// Takes away what [`Meeting::find`] found of a polygon. Costs as much as the edges near the polygon, and a walk along
     /// the contour where the polygon cuts through it in more than one place.
-    pub fn cut(&mut self, polygon: &Convex, meeting: &Meeting) -> Cut {
+    ///
+    /// The new edges get the labels of the stretches inserted, in their order, and 0 where there are fewer; one that carries on
+    /// an edge that was there keeps that edge's.
+    pub fn cut(&mut self, polygon: &Convex, meeting: &Meeting, labels: &[u32]) -> Cut {
         if meeting.is_empty() {
             return Cut::Missed;
         }
@@ -30,6 +33,7 @@ impl Region {
                 (true, true) => {
                     let edge = self.edges[hit.edge as usize];
                     let slot = self.take(edge.line);
+                    self.edges[slot as usize].label = edge.label;
                     self.link(slot, edge.next);
                     slot
                 }
@@ -47,8 +51,9 @@ impl Region {
             })
             .collect();
         let mut changed = Vec::with_capacity(2 * joints.len());
+        let mut labels = labels.iter().copied();
         for at in 0..joints.len() {
-            let kept = self.join(polygon, meeting, at, joints[at], &mut changed);
+            let kept = self.join(polygon, meeting, (at, &mut labels), joints[at], &mut changed);
             // The contour that followed on the same line is one edge with what comes before it.
             if let Some((gone, one)) = kept {
                 for joint in &mut joints {
@@ -95,7 +100,7 @@ impl Region {
         &mut self,
         polygon: &Convex,
         meeting: &Meeting,
-        number: usize,
+        (number, labels): (usize, &mut impl Iterator<Item = u32>),
         (before, after): (u32, u32),
         changed: &mut Vec<u32>,
     ) -> Option<(u32, u32)> {
@@ -106,8 +111,10 @@ impl Region {
         for step in 0..chain.count {
             let side = (chain.first + 2 * count - step) % count;
             let line = polygon.lines()[side].reversed();
+            let label = labels.next().unwrap_or_default();
             if !self.edges[last as usize].line.same(line) {
                 let edge = self.take(line);
+                self.edges[edge as usize].label = label;
                 self.edges[edge as usize].start = from;
                 self.link(last, edge);
                 changed.push(edge);
@@ -132,8 +139,8 @@ impl Region {
     }
 
     /// Drops every piece but the one that reaches to the least z, with the holes in them; gives back the contours of the
-    /// pieces dropped.
-    pub fn keep_first(&mut self) -> Vec<Ring> {
+    /// pieces dropped, and the labels of their edges.
+    pub fn keep_first(&mut self, mut dropped_label: impl FnMut(u32)) -> Vec<Ring> {
         let mut rings: Vec<_> = self.ring_edges().into_iter().map(|edge| (edge, self.ring(edge))).collect();
         if rings.len() < 2 {
             return Vec::new();
@@ -142,6 +149,7 @@ impl Region {
         let (outer, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(|(_, ring)| twice_area(ring) > 0.0);
         let mut dropped = Vec::new();
         for (edge, ring) in outer.into_iter().skip(1) {
+            self.around(edge, |edge| dropped_label(self.edges[edge as usize].label));
             for (hole, inner) in &holes {
                 if inner.first().is_some_and(|&point| encloses(&ring, point)) && self.edges[*hole as usize].alive {
                     self.release_ring(*hole);

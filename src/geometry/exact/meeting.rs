@@ -72,6 +72,8 @@ pub struct Meeting {
     pub(super) chains: Vec<Chain>,
     /// The stretches of the region's contour inside the polygon.
     pub removed: Vec<Stretch>,
+    /// The label of the edge that each of them is of.
+    pub labels: Vec<u32>,
     /// The stretches of the polygon's outline inside the region, clockwise, with what made the edge.
     pub inserted: Vec<(Stretch, Origin)>,
     /// The polygon lies inside the region as a whole.
@@ -96,6 +98,7 @@ impl Meeting {
         self.gates.clear();
         self.chains.clear();
         self.removed.clear();
+        self.labels.clear();
         self.inserted.clear();
         self.hole = false;
         if polygon.is_empty() {
@@ -209,6 +212,7 @@ impl Meeting {
             let from = if hit.head { line.meets(polygon.lines()[hit.into]) } else { start };
             let to = if hit.tail { line.meets(polygon.lines()[hit.out]) } else { end };
             self.removed.push(Stretch { from, to });
+            self.labels.push(region.edges[hit.edge as usize].label);
         }
         let count = polygon.len();
         let mut insert = |from: [f64; 2], to: [f64; 2], side: usize| {

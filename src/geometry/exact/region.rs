@@ -3,6 +3,7 @@
 use super::convex::Convex;
 use super::grid::{Line, Point, UNITS};
 use super::index::{Bounds, Index, NONE};
+use super::meeting::Stretch;
 
 /// An edge runs from where the edge before meets its line to where the next one does; the region is to its left.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +14,8 @@ pub(super) struct Edge {
     pub before: u32,
     pub next: u32,
     pub alive: bool,
+    /// What the caller has said of it when it was cut; 0 of the first outline.
+    pub label: u32,
 }
 
 /// A closed contour of a region, `[z, r]` in mm.
@@ -109,7 +112,7 @@ impl Region {
 
     /// A new edge on a line, not yet linked nor in the index.
     pub(super) fn take(&mut self, line: Line) -> u32 {
-        let edge = Edge { line, start: [0.0; 2], before: NONE, next: NONE, alive: true };
+        let edge = Edge { line, start: [0.0; 2], before: NONE, next: NONE, alive: true, label: 0 };
         self.alive += 1;
         if let Some(slot) = self.free.pop() {
             self.edges[slot as usize] = edge;
@@ -172,6 +175,14 @@ impl Region {
             }
         });
         inside
+    }
+
+    /// The labels of all edges that have one, with the stretches that have them.
+    pub fn labels(&self) -> impl Iterator<Item = (u32, Stretch)> + '_ {
+        (0u32..).zip(&self.edges).filter(|(_, edge)| edge.alive && edge.label != 0).map(|(number, edge)| {
+            let [from, to] = self.ends(number);
+            (edge.label, Stretch { from, to })
+        })
     }
 
     /// The number of edges.
