@@ -268,7 +268,8 @@ impl Simulation {
 
         let turning = Turning::new(control, lathe);
         let (index, file) = (self.steps, control.file);
-        let mut tally = Tally { motion, index, file, shift, turning, begins: None, speed: 0.0, alarms: Vec::new() };
+        let (begins, sides, speed, alarms) = (None, [0.0; 2], 0.0, Vec::new());
+        let mut tally = Tally { motion, index, file, shift, turning, begins, sides, speed, alarms };
         let seconds = match motion.kind {
             Kind::Rapid => None,
             _ => motion.seconds,
@@ -352,6 +353,7 @@ impl Simulation {
                         let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
                         if let Some(bite) = contact.add_rib(meeting, &ride) {
                             tally.met(bite, [at.mm(); 2], mirrored);
+                            tally.weigh(meeting, mirrored);
                         }
                     }));
                 }
@@ -402,6 +404,7 @@ impl Simulation {
                         let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
                         if let Some(bite) = contact.add(meeting, &ride) {
                             tally.met(bite, [first.mm(), last.mm()], mirrored);
+                            tally.weigh(meeting, mirrored);
                         }
                         if let Some(mark) =
                             chain.take(control.tool, cutter, meeting, way).filter(|_| insert && !mirrored)
@@ -472,7 +475,7 @@ impl Simulation {
             return;
         }
         let stopped = turning.at(start[1] + tally.shift[1]) <= 0.0;
-        let right = ready.tool.spindle(lathe.turret_behind, start[1].max(end[1]) < -TOUCH);
+        let right = ready.tool.spindle(lathe.turret_behind, tally.beyond([start, end]));
         for (cause, holds) in [
             (Cause::SpindleStopped, stopped),
             (Cause::SpindleWrongWay, !stopped && control.spindle != right),

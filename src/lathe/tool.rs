@@ -204,8 +204,8 @@ impl Tool {
     /// upon a tool whose face looks up. A right-hand tool that feeds towards the chuck lies face up in front of the axis,
     /// and behind it face down, where the surface comes up: M3 for both. A left-hand tool that feeds towards the chuck is
     /// the mirror image: M4. Feeding away from the chuck turns each about. Boring bars follow the same rule. A neutral
-    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Beyond the axis, where a cut lies there as a
-    /// whole, the surface goes the other way.
+    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Beyond the axis, where most of a cut lies
+    /// there, the surface goes the other way.
     ///
     /// Of a blade for grooves, parting or threads the tip says which corner is programmed, and not how it lies. On a bar its
     /// edge is at the end that goes ahead to the chuck: M3 for a right-hand one, M4 for a left-hand one. On a shank the rule

@@ -95,9 +95,7 @@ impl Workpiece {
                 return;
             }
             seen(&part.meeting, mirrored);
-            let outer: f64 = part.meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
-            let inner: f64 = part.meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
-            removed.volume += outer - inner;
+            removed.volume += taken(&part.meeting);
             part.apart |= part.region.cut(polygon, &part.meeting) == Cut::Apart;
         });
         removed
@@ -129,4 +127,12 @@ impl Workpiece {
             act(self, &polygon.mirrored(), true);
         }
     }
+}
+
+/// What a polygon takes away from the part where it meets it, mm³.
+#[must_use]
+pub fn taken(meeting: &Meeting) -> f64 {
+    let outer: f64 = meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
+    let inner: f64 = meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
+    outer - inner
 }
