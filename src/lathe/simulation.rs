@@ -478,7 +478,7 @@ impl Simulation {
         let right = ready.tool.spindle(lathe.turret_behind, tally.beyond([start, end]));
         for (cause, holds) in [
             (Cause::SpindleStopped, stopped),
-            (Cause::SpindleWrongWay, !stopped && control.spindle != right),
+            (Cause::SpindleWrongWay, !stopped && right.is_some_and(|right| control.spindle != right)),
             (Cause::NoCoolant, !control.coolant),
             (Cause::OffAxis, ready.tool.axial() && start[1].abs().max(end[1].abs()) > TOUCH),
         ] {
