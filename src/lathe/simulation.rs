@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
 use super::chain::{Chain, Marks};
 use super::contact::{Contact, Ride, depth};
+use super::loose::judged;
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
@@ -206,7 +207,8 @@ impl Simulation {
         rings
     }
 
-    /// What the program makes: the piece that its last cut has parted off, else what is in the chuck.
+    /// What the program makes: the piece that its last cut has parted off, else what is in the chuck; see
+    /// [`super::loose::judged`].
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
         self.parted().unwrap_or_else(|| self.contours())
@@ -427,7 +429,8 @@ impl Simulation {
                     }
                 });
             }
-            add(part.drop_loose());
+            add(part
+                .drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, [first.mm(), last.mm()], ring)));
         }
         removed
     }

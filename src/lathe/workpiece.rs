@@ -1,5 +1,6 @@
 //! The part as it is at a moment, and what a cutter takes away from it.
 
+use super::loose::Loose;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;
@@ -28,13 +29,15 @@ pub struct Workpiece {
     apart: bool,
     /// What fell off last.
     fallen: Vec<Ring>,
+    /// It is one piece, parted off.
+    whole: bool,
 }
 
 impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
-        Self { region: Region::new(rings), meeting: Meeting::default(), apart: false, fallen: Vec::new() }
+        Self { region: Region::new(rings), ..Self::default() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -49,11 +52,10 @@ impl Workpiece {
         self.region.rings().iter().map(|ring| volume(ring)).sum()
     }
 
-    /// The contours of the piece that fell off last, mm; none where nothing has or where it was more than one.
+    /// The contours of the piece that fell off last, mm; none where nothing has, where it was more than one, or a core.
     #[must_use]
     pub fn fallen(&self) -> &[Ring] {
-        let pieces = self.fallen.iter().filter(|ring| volume(ring) >= CHIP).count();
-        if pieces == 1 { &self.fallen } else { &[] }
+        if self.whole { &self.fallen } else { &[] }
     }
 
     /// True where a place, `[z, r]` in mm, lies in the part.
@@ -102,16 +104,23 @@ impl Workpiece {
     }
 
     /// Lets fall off what is held no longer: of several pieces the one that reaches farthest to the left, into the chuck,
-    /// stays. Called once a cut is judged, for until it comes through the tool is beside both.
-    pub fn drop_loose(&mut self) -> Removed {
+    /// stays. Called once a cut is judged, for until it comes through the tool is beside both. `judged` says what a piece
+    /// is by its contour.
+    pub fn drop_loose(&mut self, judged: impl Fn(&Ring) -> Loose) -> Removed {
         let mut removed = Removed::default();
         if std::mem::take(&mut self.apart) {
-            let fallen = self.region.keep_first();
+            let mut fallen = self.region.keep_first();
+            let all: f64 = fallen.iter().map(|ring| volume(ring)).sum();
+            // Holes run clockwise; they stay with the piece that they are in.
+            fallen.retain(|ring| volume(ring) < 0.0 || judged(ring) != Loose::Nib);
             let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
             if pieces < CHIP {
-                removed.volume += pieces;
+                removed.volume += all;
             } else {
+                removed.volume += all - pieces;
                 removed.parted += pieces;
+                let mut parts = fallen.iter().filter(|ring| volume(ring) >= CHIP);
+                self.whole = parts.next().is_some_and(|ring| judged(ring) == Loose::Piece) && parts.next().is_none();
                 self.fallen = fallen;
             }
         }
