@@ -17,6 +17,7 @@ mod cover;
 pub mod deviation;
 pub mod figures;
 pub mod in_force;
+pub mod loose;
 pub mod machine;
 pub mod mesh;
 pub mod outline;

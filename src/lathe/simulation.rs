@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
 use super::chain::{Chain, Pass};
 use super::contact::{Contact, Ride, depth, far_end};
+use super::loose::judged;
 use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
@@ -200,7 +201,8 @@ impl Simulation {
         rings
     }
 
-    /// What the program makes: the piece that its last cut has parted off, else what is in the chuck.
+    /// What the program makes: the piece that its last cut has parted off, else what is in the chuck; see
+    /// [`super::loose::judged`].
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
         self.parted().unwrap_or_else(|| self.contours())
@@ -259,7 +261,8 @@ impl Simulation {
 
         let turning = Turning::new(control, lathe);
         let (index, file) = (self.steps, control.file);
-        let mut tally = Tally { motion, index, file, shift, turning, begins: None, speed: 0.0, alarms: Vec::new() };
+        let (begins, sides, speed, alarms) = (None, [0.0; 2], 0.0, Vec::new());
+        let mut tally = Tally { motion, index, file, shift, turning, begins, sides, speed, alarms };
         let seconds = match motion.kind {
             Kind::Rapid => None,
             _ => motion.seconds,
@@ -341,6 +344,7 @@ impl Simulation {
                         let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
                         if let Some(bite) = contact.add_rib(meeting, &ride) {
                             tally.met(bite, [at.mm(); 2], mirrored);
+                            tally.weigh(meeting, mirrored);
                         }
                     }));
                 }
@@ -391,6 +395,7 @@ impl Simulation {
                         let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
                         if let Some(bite) = contact.add(meeting, &ride) {
                             tally.met(bite, [first.mm(), last.mm()], mirrored);
+                            tally.weigh(meeting, mirrored);
                         }
                         if insert && !mirrored {
                             let pass = Pass { part: cutter, meeting, way, ends: [first.mm(), last.mm()] };
@@ -413,7 +418,8 @@ impl Simulation {
                     }
                 });
             }
-            add(part.drop_loose());
+            add(part
+                .drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, [first.mm(), last.mm()], ring)));
         }
         removed
     }
@@ -461,10 +467,10 @@ impl Simulation {
             return;
         }
         let stopped = turning.at(start[1] + tally.shift[1]) <= 0.0;
-        let right = ready.tool.spindle(lathe.turret_behind, start[1].max(end[1]) < -TOUCH);
+        let right = ready.tool.spindle(lathe.turret_behind, tally.beyond([start, end]));
         for (cause, holds) in [
             (Cause::SpindleStopped, stopped),
-            (Cause::SpindleWrongWay, !stopped && control.spindle != right),
+            (Cause::SpindleWrongWay, !stopped && right.is_some_and(|right| control.spindle != right)),
             (Cause::NoCoolant, !control.coolant),
             (Cause::OffAxis, ready.tool.axial() && start[1].abs().max(end[1].abs()) > TOUCH),
         ] {

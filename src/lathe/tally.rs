@@ -6,8 +6,10 @@ use super::machine::Lathe;
 use super::path::Piece;
 use super::spindle::{Engaged, Turning};
 use super::stock::Fixture;
+use super::workpiece::taken;
 use crate::gcode::motion::Motion;
 use crate::geometry::exact::convex::Convex;
+use crate::geometry::exact::meeting::Meeting;
 use crate::machine::axis::Axis;
 use crate::number::trig::hypot;
 
@@ -22,6 +24,8 @@ pub(super) struct Tally<'a> {
     pub turning: Turning,
     /// Where the programmed point is when the cut begins, `[z, r]` on the grid.
     pub begins: Option<[f64; 2]>,
+    /// What was cut this side of the axis and beyond it, mm³.
+    pub sides: [f64; 2],
     /// The greatest cutting speed, m/min.
     pub speed: f64,
     pub alarms: Vec<Alarm>,
@@ -36,6 +40,18 @@ impl Tally<'_> {
         let (side, reach) = if mirrored { (-1.0, [-high, -low]) } else { (1.0, [low, high]) };
         let engaged = Engaged { from: side * from[1], to: side * to[1], shift: side * self.shift[1], reach, metal };
         self.speed = self.speed.max(self.turning.cutting_speed(&engaged));
+    }
+
+    /// Weighs what a cutter met on either side of the axis.
+    pub fn weigh(&mut self, meeting: &Meeting, mirrored: bool) {
+        self.sides[usize::from(mirrored)] += taken(meeting);
+    }
+
+    /// True where more of the cut lies beyond the axis than this side of it, with the programmed point there too. What both
+    /// sides sweep is cut this side: a nose taken over the axis goes on cutting here, and so does a round insert whose
+    /// centre stands on it. Derived here.
+    pub fn beyond(&self, [start, end]: Piece) -> bool {
+        start[1].max(end[1]) < -TOUCH && self.sides[1] > self.sides[0]
     }
 
     /// The alarm of a cause in this motion, with its place on the grid.

@@ -198,14 +198,15 @@ impl Tool {
     }
 
     /// The way the spindle has to turn for the tool to cut, where the turret stands in front of the axis (towards the
-    /// operator) or behind it: as it is given for the tool, and where it is not, as such a tool usually lies.
+    /// operator) or behind it: as it is given for the tool, and where it is not, as such a tool usually lies. `None` where
+    /// either way may be right.
     ///
     /// M3 turns the work clockwise seen from behind the headstock, so that in front of the axis its surface comes down
     /// upon a tool whose face looks up. A right-hand tool that feeds towards the chuck lies face up in front of the axis,
     /// and behind it face down, where the surface comes up: M3 for both. A left-hand tool that feeds towards the chuck is
-    /// the mirror image: M4. Feeding away from the chuck turns each about. Boring bars follow the same rule. A neutral
-    /// tool lies face up: M3 in front, M4 behind. Drills are right-hand: M3. Beyond the axis, where a cut lies there as a
-    /// whole, the surface goes the other way.
+    /// the mirror image: M4. Feeding away from the chuck turns each about. Boring bars follow the same rule. Drills are
+    /// right-hand: M3. A neutral tool is its own mirror image and cuts the same either face up: what is not given for it
+    /// may be either. Beyond the axis, where most of a cut lies there, the surface goes the other way.
     ///
     /// Of a blade for grooves, parting or threads the tip says which corner is programmed, and not how it lies. On a bar its
     /// edge is at the end that goes ahead to the chuck: M3 for a right-hand one, M4 for a left-hand one. On a shank the rule
@@ -213,25 +214,26 @@ impl Tool {
     /// chuck's side, as it is parted off there: M3. A left-hand one lies face up, to be seen and changed: M3 in front, with
     /// its body towards the chuck; M4 behind, with its edge there. Derived here.
     #[must_use]
-    pub const fn spindle(&self, behind: bool, beyond: bool) -> Spindle {
-        if self.clockwise(behind) != (beyond && !self.axial()) { Spindle::Clockwise } else { Spindle::CounterClockwise }
+    pub const fn spindle(&self, behind: bool, beyond: bool) -> Option<Spindle> {
+        let Some(clockwise) = self.clockwise(behind) else { return None };
+        Some(if clockwise != (beyond && !self.axial()) { Spindle::Clockwise } else { Spindle::CounterClockwise })
     }
 
-    /// True where the spindle has to turn clockwise, M3, this side of the axis.
-    const fn clockwise(&self, behind: bool) -> bool {
+    /// True where the spindle has to turn clockwise, M3, this side of the axis; `None` where it may turn either way.
+    const fn clockwise(&self, behind: bool) -> Option<bool> {
         match self.turns {
-            Some(Spindle::Clockwise) => return true,
-            Some(Spindle::CounterClockwise) => return false,
+            Some(Spindle::Clockwise) => return Some(true),
+            Some(Spindle::CounterClockwise) => return Some(false),
             Some(Spindle::Stopped) | None => {}
         }
         let away = matches!(self.tip, Tip::InsideRight | Tip::OutsideRight | Tip::Right);
         match (self.cutter, self.hand) {
-            (Cutter::Drill { .. } | Cutter::CentreDrill { .. }, _) => true,
-            (Cutter::Insert { .. }, Hand::Right) => !away,
-            (Cutter::Insert { .. }, Hand::Left) => away,
-            (_, Hand::Right) => true,
-            (_, Hand::Left) => matches!(self.holder, Holder::Shank { .. }) && !behind,
-            (_, Hand::Neutral) => !behind,
+            (Cutter::Drill { .. } | Cutter::CentreDrill { .. }, _) => Some(true),
+            (_, Hand::Neutral) => None,
+            (Cutter::Insert { .. }, Hand::Right) => Some(!away),
+            (Cutter::Insert { .. }, Hand::Left) => Some(away),
+            (_, Hand::Right) => Some(true),
+            (_, Hand::Left) => Some(matches!(self.holder, Holder::Shank { .. }) && !behind),
         }
     }
 
@@ -247,10 +249,10 @@ impl Tool {
     /// left; moved behind, that is at the axis. Derived here.
     #[must_use]
     pub const fn ahead(&self, behind: bool) -> Option<bool> {
-        match self.hand {
-            Hand::Right => Some(self.clockwise(behind)),
-            Hand::Left => Some(!self.clockwise(behind)),
-            Hand::Neutral => None,
+        match (self.hand, self.clockwise(behind)) {
+            (Hand::Right, Some(clockwise)) => Some(clockwise),
+            (Hand::Left, Some(clockwise)) => Some(!clockwise),
+            (Hand::Neutral, _) | (_, None) => None,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::tool::{Holder, Tool};
+use super::tool::{Cutter, Holder, Tool};
 use crate::geometry::exact::convex::Convex;
 
 /// The most a body may reach from a tool's programmed point, mm: with the ways of tools it stays on the grid.
@@ -26,15 +26,16 @@ impl Turret {
     /// bar behind its free length, and the turret's body, as far as it lies within 290 mm of the point.
     ///
     /// About a tool along Z there is no other tool's room up to where it is held, at its own length or at the reference
-    /// point, whichever is nearer to its point: a drill or a bar goes as deep as that, and the body counts from there on.
-    /// Derived here.
+    /// point, whichever is nearer to its point: a drill, a bar or a shank with a blade for faces goes as deep as that, and
+    /// the body counts from there on. Derived here.
     #[must_use]
     pub fn bodies(&self, tool: &Tool) -> Vec<Convex> {
         let body = self.body.and_then(|[low, high]| {
             let [x, z] = tool.overhang;
-            let own = match tool.holder {
-                Holder::Bar { length, .. } => length.min(z),
-                Holder::Shank { .. } => -REACH,
+            let own = match (tool.holder, tool.cutter) {
+                (Holder::Bar { length, .. }, _)
+                | (Holder::Shank { length, .. }, Cutter::Groover { face: true, .. }) => length.min(z),
+                (Holder::Shank { .. }, _) => -REACH,
             };
             let (z, r) = ([(low[0] + z).max(own), high[0] + z], [low[1] + x, high[1] + x]);
             let [z, r] = [z, r].map(|ends| ends.map(|end| end.clamp(-REACH, REACH)));

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::loose::Loose;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;
@@ -34,6 +35,8 @@ pub struct Workpiece {
     fallen_labels: BTreeSet<u32>,
     /// Kept so as not to allocate for each cut.
     labels: Vec<u32>,
+    /// It is one piece, parted off.
+    whole: bool,
 }
 
 impl Workpiece {
@@ -55,11 +58,10 @@ impl Workpiece {
         self.region.rings().iter().map(|ring| volume(ring)).sum()
     }
 
-    /// The contours of the piece that fell off last, mm; none where nothing has or where it was more than one.
+    /// The contours of the piece that fell off last, mm; none where nothing has, where it was more than one, or a core.
     #[must_use]
     pub fn fallen(&self) -> &[Ring] {
-        let pieces = self.fallen.iter().filter(|ring| volume(ring) >= CHIP).count();
-        if pieces == 1 { &self.fallen } else { &[] }
+        if self.whole { &self.fallen } else { &[] }
     }
 
     /// The labels of the part's contours, and of what has fallen off.
@@ -97,27 +99,32 @@ impl Workpiece {
             part.labels.clear();
             part.labels.resize(part.meeting.inserted.len(), 0);
             seen(&part.meeting, mirrored, &mut part.labels);
-            let outer: f64 = part.meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
-            let inner: f64 = part.meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
-            removed.volume += outer - inner;
+            removed.volume += taken(&part.meeting);
             part.apart |= part.region.cut(polygon, &part.meeting, &part.labels) == Cut::Apart;
         });
         removed
     }
 
     /// Lets fall off what is held no longer: of several pieces the one that reaches farthest to the left, into the chuck,
-    /// stays. Called once a cut is judged, for until it comes through the tool is beside both.
-    pub fn drop_loose(&mut self) -> Removed {
+    /// stays. Called once a cut is judged, for until it comes through the tool is beside both. `judged` says what a piece
+    /// is by its contour.
+    pub fn drop_loose(&mut self, judged: impl Fn(&Ring) -> Loose) -> Removed {
         let mut removed = Removed::default();
         if std::mem::take(&mut self.apart) {
-            let fallen = self.region.keep_first(|label| {
-                self.fallen_labels.insert(label);
-            });
+            let mut fallen = self.region.keep_first();
+            let all: f64 = fallen.iter().map(|(ring, _)| volume(ring)).sum();
+            // Holes run clockwise; they stay with the piece that they are in.
+            fallen.retain(|(ring, _)| volume(ring) < 0.0 || judged(ring) != Loose::Nib);
+            self.fallen_labels.extend(fallen.iter().flat_map(|(_, labels)| labels));
+            let fallen: Vec<Ring> = fallen.into_iter().map(|(ring, _)| ring).collect();
             let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
             if pieces < CHIP {
-                removed.volume += pieces;
+                removed.volume += all;
             } else {
+                removed.volume += all - pieces;
                 removed.parted += pieces;
+                let mut parts = fallen.iter().filter(|ring| volume(ring) >= CHIP);
+                self.whole = parts.next().is_some_and(|ring| judged(ring) == Loose::Piece) && parts.next().is_none();
                 self.fallen = fallen;
             }
         }
@@ -133,4 +140,12 @@ impl Workpiece {
             act(self, &polygon.mirrored(), true);
         }
     }
+}
+
+/// What a polygon takes away from the part where it meets it, mm³.
+#[must_use]
+pub fn taken(meeting: &Meeting) -> f64 {
+    let outer: f64 = meeting.removed.iter().map(|one| frustum(one.from, one.to)).sum();
+    let inner: f64 = meeting.inserted.iter().map(|(one, _)| frustum(one.from, one.to)).sum();
+    outer - inner
 }

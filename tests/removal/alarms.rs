@@ -1,12 +1,13 @@
 //! Each alarm is raised by one program, and not by its nearest legal neighbour.
 
 use super::lathe::{Run, bar, turret};
+use super::tools;
 use rodete::finding::Grade;
 use rodete::gcode::control::{Speed, Spindle};
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::{Stock, Support};
-use rodete::lathe::tool::{Cutter, Holder};
+use rodete::lathe::tool::{Cutter, Holder, Shape, Tool};
 use rodete::number::trig::{sin_cos, tan};
 
 #[track_caller]
@@ -250,6 +251,40 @@ fn beyond_the_axis_the_spindle_has_to_turn_the_other_way() {
     assert_eq!([wrong(M3, -30.0), wrong(M4, -30.0)], [true, false]);
     // Facing a little over the axis is one cut, and not judged anew.
     silent(&Run::new(bar()).tool(1).rapid(54.0, -0.5).cut(-1.6, -0.5));
+}
+
+#[test]
+fn a_cut_this_side_of_the_axis_with_the_programmed_point_beyond_it_is_judged_as_one_this_side() {
+    let (M3, M4) = (Spindle::Clockwise, Spindle::CounterClockwise);
+    let wrong = |spindle: Spindle, run: fn(Run) -> Run, tool: Tool, bore: f64| {
+        let mut setup = Setup::new(Lathe::default(), Stock { bore, ..bar() }, turret());
+        setup.turret.tools.insert(1, tool);
+        let mut start = Run::on(setup);
+        start.control.spindle = spindle;
+        let run = run(start);
+        assert!(run.last().cuts(), "it cuts");
+        run.alarms().contains(&154)
+    };
+    // Faced to 0.2 mm beyond, and on at another feed: the nose of R 0.8 has not left this side.
+    let faced: fn(Run) -> Run = |run| run.rapid(54.0, -1.0).cut(-0.4, -1.0).cut(-1.6, -1.0);
+    // A round insert of 8 mm plunges with its centre on the axis, and 0.1 mm beyond.
+    let round = || {
+        let cutter = Cutter::Insert { shape: Shape::R, circle: 8.0, main: 0.0, auxiliary: 0.0, nose: 4.0 };
+        Tool { cutter, ..tools::rougher() }
+    };
+    let plunged: fn(Run) -> Run = |run| run.rapid(-8.0, 5.0).cut(-8.0, -2.0);
+    let past: fn(Run) -> Run = |run| run.rapid(-8.2, 5.0).cut(-8.2, -2.0);
+    // The other side of a bore, and of the solid, where the insert's back reaches over the axis: a cut beyond it.
+    let bored: fn(Run) -> Run = |run| run.rapid(-31.0, 5.0).cut(-31.0, -10.0);
+    for (run, tool, bore, told) in [
+        (faced, tools::rougher(), 0.0, [false, true]),
+        (plunged, round(), 0.0, [false, true]),
+        (past, round(), 0.0, [false, true]),
+        (bored, tools::rougher(), 28.0, [true, false]),
+        (bored, tools::rougher(), 0.0, [true, false]),
+    ] {
+        assert_eq!([M3, M4].map(|spindle| wrong(spindle, run, tool.clone(), bore)), told);
+    }
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! The turret's body about each tool: what of it counts, and that it hides nothing else.
 
 use super::lathe::{Run, bar, turret};
+use super::tools;
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::Holder;
+use rodete::lathe::tool::{Cutter, Hand, Holder, Tool};
 use rodete::lathe::turret::Turret;
 
 /// With the usual tools, and a body about the reference point, `[[z, r], [z, r]]`.
@@ -43,6 +44,17 @@ fn a_body_that_covers_a_drill_or_a_bar_begins_behind_its_length() {
     let tube = Stock { bore: 24.0, ..bar() };
     with(body, tube).tool(7).rapid(26.0, 2.0).cut(26.0, -79.9).silent();
     with(body, tube).tool(7).rapid(26.0, 2.0).cut(26.0, -81.0).only(104);
+    // A blade for faces on a shank of 60 mm along Z, too: the neighbour would reach the face before the blade does.
+    let grooved = |z: f64, length: f64| {
+        let cutter = Cutter::Groover { width: 3.0, depth: 40.0, corner: 0.2, face: true };
+        let holder = Holder::Shank { width: 25.0, length };
+        let mut setup = Setup::new(Lathe::default(), bar(), Turret { body: Some(body), ..turret() });
+        let tool = Tool { cutter, hand: Hand::Left, holder, overhang: [0.0, 60.0], ..tools::parter() };
+        setup.turret.tools.insert(1, tool);
+        Run::on(setup).rapid(30.0, 3.0).cut(30.0, z)
+    };
+    grooved(-4.0, 60.0).silent();
+    grooved(-4.0, 3.9).only(104);
     // A tool along X stands out of it and stays clear.
     with([[-30.0, -10.0], [100.0, 200.0]], bar()).rapid(46.0, 2.0).cut(46.0, -30.0).silent();
 }

@@ -4,11 +4,13 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use super::lathe::{Run, bar, turret};
+use super::tools;
 use rodete::geometry::revolution::volume;
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::mesh::{sectors, write_stl};
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::{Stock, turned_about};
+use rodete::lathe::tool::{Cutter, Hand, Shape, Tip, Tool};
 
 #[test]
 fn what_is_parted_off_falls_and_is_counted() {
@@ -23,6 +25,62 @@ fn what_is_parted_off_falls_and_is_counted() {
     // A slot that stops short of the axis holds the piece.
     let short = Run::new(bar()).tool(3).rapid(54.0, -23.0).cut(1.0, -23.0);
     assert!(short.simulation.totals().all.parted == 0.0 && short.alarms().is_empty());
+}
+
+#[test]
+fn a_nib_of_a_face_is_chips_and_the_part_is_what_stays() {
+    // 4 mm off the face in one cut: before the edge, which leans by 17°, a nib of more than 1 mm³ comes off.
+    let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 107.0, auxiliary: 38.0, nose: 0.8 };
+    let setup = |stock: Stock| {
+        let mut setup = Setup::new(Lathe::default(), stock, turret());
+        setup.turret.tools.insert(1, Tool { cutter, ..tools::copier() });
+        Run::on(setup)
+    };
+    // To the axis, in one block and in two, and of a tube to its bore.
+    for (bore, to) in [(0.0, &[-1.6][..]), (0.0, &[-0.4, -2.0]), (20.0, &[18.0])] {
+        let stock = Stock { bore, ..bar() };
+        let run = to.iter().fold(setup(stock).rapid(54.0, -4.0), |run, &x| run.cut(x, -4.0));
+        let nib = {
+            let faced = setup(stock).rapid(54.0, -4.0).cut(bore + 0.4, -4.0);
+            faced.simulation.volume() - run.simulation.volume()
+        };
+        assert!(nib > 1.0, "{nib} mm³ are cut last");
+        let all = &run.simulation.totals().all;
+        assert_eq!((all.parted, run.alarms()), (0.0, vec![]), "{to:?}");
+        assert_eq!(run.simulation.product(), run.simulation.contours());
+        let whole = PI * (625.0 - bore * bore / 4.0) * 150.0;
+        assert!(((all.volume + run.simulation.volume()) / whole - 1.0).abs() < 1e-9, "what is gone is chips");
+    }
+}
+
+#[test]
+fn what_is_cut_loose_beside_the_cut_is_the_part_and_a_core_inside_a_face_groove_is_not() {
+    let tube = Stock { bore: 30.0, ..bar() };
+    let section = |outer: f64, inner: f64| PI * (outer * outer - inner * inner) / 4.0;
+    let made = |run: &Run| run.simulation.parted().map(|rings| rings.iter().map(|ring| volume(ring)).sum::<f64>());
+    // A thin ring of a tube, by a blade wider than it is.
+    let ring = Run::new(Stock { bore: 46.0, ..bar() }).tool(3).rapid(54.0, -5.0).cut(45.0, -5.0);
+    assert!((made(&ring).unwrap() - section(50.0, 46.0) * 2.0).abs() < 0.01);
+    assert_eq!(ring.alarms(), [191]);
+    // A groove from outside, 5 mm deep of 10; the bore comes to meet it, and the ring before it falls off.
+    let grooved = Run::new(tube).tool(3).rapid(54.0, -13.0).cut(40.0, -13.0).rapid(54.0, -13.0);
+    let bored = grooved.rapid(54.0, 20.0).tool(7).rapid(40.2, 20.0).cut(40.2, -11.5);
+    let found = made(&bored).unwrap();
+    assert!((found - section(50.0, 40.2) * 10.0).abs() < 1.0, "{found}");
+    // A groove from inside, and one into the face that meets it: inside a core of 500 mm³ and more falls out.
+    let cored = {
+        let mut setup = Setup::new(Lathe::default(), tube, turret());
+        let groover = Cutter::Groover { width: 2.0, depth: 6.0, corner: 0.1, face: false };
+        setup.turret.tools.insert(1, Tool { cutter: groover, tip: Tip::InsideLeft, ..tools::borer() });
+        let face = Cutter::Groover { width: 3.0, depth: 20.0, corner: 0.1, face: true };
+        let tool = Tool { cutter: face, hand: Hand::Right, ..tools::parter() };
+        setup.turret.tools.insert(3, tool);
+        let run = Run::on(setup).rapid(28.0, 3.0).rapid(28.0, -10.0).cut(36.0, -10.0).rapid(28.0, -10.0);
+        run.rapid(28.0, 5.0).tool(3).rapid(35.0, 5.0).cut(35.0, -9.0)
+    };
+    assert!(cored.simulation.totals().all.parted > 500.0, "{}", cored.simulation.totals().all.parted);
+    assert_eq!(made(&cored), None, "{:?}", cored.alarms());
+    assert_eq!(cored.simulation.product(), cored.simulation.contours());
 }
 
 #[test]

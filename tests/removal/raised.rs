@@ -285,19 +285,29 @@ fn the_way_of_the_spindle_by_hand_and_by_the_side_of_the_turret() {
     let neutral = || Tool { hand: Hand::Neutral, ..rougher() };
     let (m3, m4) = (Spindle::Clockwise, Spindle::CounterClockwise);
     let left = || Tool { hand: Hand::Left, ..rougher() };
+    let given = |spindle| Tool { turns: Some(spindle), ..neutral() };
     for (tool, behind, right) in [
-        (rougher(), false, m3),
-        (rougher(), true, m3),
-        (left(), false, m4),
-        (left(), true, m4),
-        (neutral(), false, m3),
-        (neutral(), true, m4),
+        (rougher(), false, Some(m3)),
+        (rougher(), true, Some(m3)),
+        (left(), false, Some(m4)),
+        (left(), true, Some(m4)),
+        (neutral(), false, None),
+        (neutral(), true, None),
+        (given(m3), true, Some(m3)),
+        (given(m4), true, Some(m4)),
+        (given(m4), false, Some(m4)),
     ] {
         let cut = |spindle: Spindle| {
             let lathe = Lathe { turret_behind: behind, ..Lathe::default() };
             let mut run = Run::on(Setup { lathe, ..with(tool.clone()) });
             run.control.spindle = spindle;
             run.rapid(46.0, 2.0).cut(46.0, -20.0)
+        };
+        let Some(right) = right else {
+            // Its own mirror image, it may lie either face up.
+            [m3, m4].map(cut).iter().for_each(Run::silent);
+            cut(Spindle::Stopped).only(153);
+            continue;
         };
         cut(right).silent();
         assert_eq!(cut(other(right)).only(154).cause, Cause::SpindleWrongWay, "{:?} {behind}", tool.hand);

@@ -138,9 +138,16 @@ impl Region {
         None
     }
 
+    fn labels_of(&self, edge: u32) -> Vec<u32> {
+        let mut labels = Vec::new();
+        self.around(edge, |edge| labels.push(self.edges[edge as usize].label));
+        labels.retain(|label| *label != 0);
+        labels
+    }
+
     /// Drops every piece but the one that reaches to the least z, with the holes in them; gives back the contours of the
     /// pieces dropped, and the labels of their edges.
-    pub fn keep_first(&mut self, mut dropped_label: impl FnMut(u32)) -> Vec<Ring> {
+    pub fn keep_first(&mut self) -> Vec<(Ring, Vec<u32>)> {
         let mut rings: Vec<_> = self.ring_edges().into_iter().map(|edge| (edge, self.ring(edge))).collect();
         if rings.len() < 2 {
             return Vec::new();
@@ -149,15 +156,14 @@ impl Region {
         let (outer, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(|(_, ring)| twice_area(ring) > 0.0);
         let mut dropped = Vec::new();
         for (edge, ring) in outer.into_iter().skip(1) {
-            self.around(edge, |edge| dropped_label(self.edges[edge as usize].label));
             for (hole, inner) in &holes {
                 if inner.first().is_some_and(|&point| encloses(&ring, point)) && self.edges[*hole as usize].alive {
+                    dropped.push((inner.clone(), self.labels_of(*hole)));
                     self.release_ring(*hole);
-                    dropped.push(inner.clone());
                 }
             }
+            dropped.push((ring, self.labels_of(edge)));
             self.release_ring(edge);
-            dropped.push(ring);
         }
         dropped
     }
