@@ -36,6 +36,8 @@ const INTO: f64 = 0.02;
 const HEAD_ON: f64 = 0.7;
 /// It goes on in a surface's sense from this share of it on: up to 75° off.
 const ONWARD: f64 = 0.25;
+/// Ends of ways lie on a grid of nanometres, mm.
+const GRID: f64 = 1e-6;
 /// Beside a place, mm.
 const HAIR: f64 = 1e-4;
 /// Two ends of stretches are one up to this, mm.
@@ -46,8 +48,8 @@ const SENSES: u32 = 256;
 /// The labels of a program's surfaces.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Chain {
-    /// How deep each is, mm, with its alarm; the first has the label `SENSES` + 1.
-    marks: Vec<(f64, Alarm)>,
+    /// The first has the label `SENSES` + 1.
+    marks: Vec<Mark>,
     /// How many of them there were when the way at feed began.
     before: usize,
     /// The nose has drawn a surface in this way.
@@ -64,21 +66,37 @@ pub(super) struct Pass<'a> {
     pub ends: [[f64; 2]; 2],
 }
 
+/// A stretch that lies below what a nose had made.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    /// How deep, mm.
+    deep: f64,
+    /// The line of the surface that had been made.
+    made: Frame,
+    alarm: Alarm,
+}
+
+impl Mark {
+    /// How deep it lies at a place of it.
+    fn at(&self, place: [f64; 2]) -> f64 {
+        self.made.of_point(place)[1].clamp(0.0, self.deep)
+    }
+}
+
 /// What a label says.
 enum Label {
     /// No nose made it.
     None,
     /// A nose made it on a way in this direction.
     Made([f64; 2]),
-    /// It is so deep below what a nose had made, mm.
-    Mark(f64),
+    Mark(Mark),
 }
 
 impl Chain {
     /// A way at feed has ended.
     pub(super) fn end(&mut self) {
         if !self.drew {
-            self.marks.iter_mut().skip(self.before).for_each(|(deep, _)| *deep = 0.0);
+            self.marks.iter_mut().skip(self.before).for_each(|mark| mark.deep = 0.0);
         }
         (self.before, self.drew) = (self.marks.len(), false);
     }
@@ -101,19 +119,20 @@ impl Chain {
                     *new = *own.get_or_insert_with(|| 1 + sense(way));
                     self.drew = true;
                 }
-            } else if let Some(behind) = far(at) {
-                *new = self.mark(behind, alarm(behind, middle(stretch)));
+            } else if let (Some(behind), Some(mut made)) = (far(at), Frame::of(stretch)) {
+                made.from = [0, 1].map(|axis| made.from[axis] - made.into[axis] * behind);
+                *new = self.mark(Mark { deep: behind, made, alarm: alarm(behind, middle(stretch)) });
                 self.drew = true;
             }
         }
         for (removed, label) in meeting.removed.iter().zip(&meeting.labels) {
-            let (base, made) = match self.read(*label) {
+            let Some(frame) = Frame::of(removed) else { continue };
+            let (before, made) = match self.read(*label) {
                 Label::None => continue,
-                Label::Made(made) => (0.0, Some(made)),
-                Label::Mark(deep) if deep > 0.0 => (deep, None),
+                Label::Made(made) => (None, Some(made)),
+                Label::Mark(mark) if mark.deep > 0.0 => (Some(mark), None),
                 Label::Mark(_) => continue,
             };
-            let Some(frame) = Frame::of(removed) else { continue };
             let lead = dot(way, frame.into);
             // What cuts a mark head on makes another surface.
             if made.is_none() && !(0.0..HEAD_ON).contains(&lead) {
@@ -121,22 +140,23 @@ impl Chain {
             }
             let onward = made.is_none_or(|made| lead >= INTO && dot(way, made) >= ONWARD);
             for (at, ((edge, origin), new)) in meeting.inserted.iter().zip(&mut *labels).enumerate() {
-                let ends = || (lead >= INTO || is_auxiliary(part, *origin)) && joins(edge, removed);
-                if is_nose(part, *origin) || !onward && !ends() {
+                let Some(role) = edge_role(part, *origin) else { continue };
+                let ends = || (lead >= INTO || role == Role::Auxiliary) && joins(edge, removed);
+                if !onward && !ends() {
                     continue;
                 }
-                let Some((below, place)) = frame.below(at, pass) else { continue };
-                let deep = below.deep + if below.passed { 0.0 } else { base };
-                let known = if let Label::Mark(known) = self.read(*new) { known } else { 0.0 };
+                let Some((deep, place)) = frame.below(at, pass, before.as_ref()) else { continue };
+                let known = if let Label::Mark(known) = self.read(*new) { known.deep } else { 0.0 };
                 if deep > known.max(STEP) {
-                    *new = self.mark(deep, alarm(deep, place));
+                    let made = before.map_or(frame, |mark| mark.made);
+                    *new = self.mark(Mark { deep, made, alarm: alarm(deep, place) });
                 }
             }
         }
     }
 
-    fn mark(&mut self, deep: f64, alarm: Alarm) -> u32 {
-        self.marks.push((deep, alarm));
+    fn mark(&mut self, mark: Mark) -> u32 {
+        self.marks.push(mark);
         u32::try_from(self.marks.len()).unwrap_or(0).saturating_add(SENSES)
     }
 
@@ -147,14 +167,14 @@ impl Chain {
                 let (sin, cos) = sin_cos(f64::from(label - 1) * (TAU / f64::from(SENSES)));
                 Label::Made([cos, sin])
             }
-            _ => self.marks.get((label - SENSES - 1) as usize).map_or(Label::None, |(deep, _)| Label::Mark(*deep)),
+            _ => self.marks.get((label - SENSES - 1) as usize).map_or(Label::None, |mark| Label::Mark(*mark)),
         }
     }
 
     /// The alarms of the marks among labels: of one motion the deepest.
     pub(super) fn alarms(&self, labels: impl Iterator<Item = u32>) -> Vec<Alarm> {
         let marks = labels.filter_map(|label| self.marks.get(label.checked_sub(SENSES + 1)? as usize));
-        let mut found: Vec<Alarm> = marks.filter(|(deep, _)| *deep > LEAST).map(|(_, alarm)| *alarm).collect();
+        let mut found: Vec<Alarm> = marks.filter(|mark| mark.deep > LEAST).map(|mark| mark.alarm).collect();
         found.sort_by(|one, two| {
             one.motion.cmp(&two.motion).then(two.depth.partial_cmp(&one.depth).unwrap_or(std::cmp::Ordering::Equal))
         });
@@ -164,19 +184,12 @@ impl Chain {
 }
 
 /// A stretch that was taken away: where it begins, its direction, the one into the metal, and how long it is.
+#[derive(Clone, Copy, Debug)]
 struct Frame {
     from: [f64; 2],
     along: [f64; 2],
     into: [f64; 2],
     long: f64,
-}
-
-/// How deep a new stretch lies below one that was taken away, less what the nose takes itself.
-#[derive(Clone, Copy)]
-struct Below {
-    deep: f64,
-    /// The nose passes between them.
-    passed: bool,
 }
 
 impl Frame {
@@ -212,7 +225,8 @@ impl Frame {
     }
 
     /// How deep the inserted stretch of a number lies below, where no other lies between, and from where: the deepest place.
-    fn below(&self, number: usize, pass: Pass) -> Option<(Below, [f64; 2])> {
+    /// Where the nose passes between them, what is beyond it; where it does not, with what was there of a mark before.
+    fn below(&self, number: usize, pass: Pass, before: Option<&Mark>) -> Option<(f64, [f64; 2])> {
         let (stretch, _) = pass.meeting.inserted.get(number)?;
         let [low, high] = self.beside(stretch);
         let wide = high - low;
@@ -227,19 +241,18 @@ impl Frame {
             if between.any(|other| other > 0.0 && other < deep) {
                 return None;
             }
-            let below = match nose.and_then(|nose| nose.within(at)) {
-                Some([first, last]) if last > 0.0 && first < deep => {
-                    Below { deep: (deep - last).max(0.0), passed: true }
-                }
-                _ => Below { deep, passed: false },
+            let place = self.point(at);
+            let deep = match nose.and_then(|nose| nose.within(at)) {
+                Some([first, last]) if last > 0.0 && first < deep => deep - last,
+                _ => deep + before.map_or(0.0, |mark| mark.at(place)),
             };
-            Some((below, self.point(at)))
+            Some((deep, place))
         };
         // Beside where the nose begins and ends to pass, and over the stretch.
         let inner = [0.01, 0.5, 0.99].map(|share| low + wide * share);
         let sides = nose.into_iter().flat_map(|nose| nose.sides()).flatten().flat_map(|at| [at - HAIR, at + HAIR]);
         let places = inner.into_iter().chain(sides.filter(|at| *at > low && *at < high));
-        places.filter_map(below).max_by(|(one, _), (two, _)| one.deep.total_cmp(&two.deep))
+        places.filter_map(below).max_by(|(one, _), (two, _)| one.total_cmp(two))
     }
 
     /// What a nose sweeps, in the frame of the stretch.
@@ -316,8 +329,10 @@ fn middle(stretch: &Stretch) -> [f64; 2] {
     [0, 1].map(|axis| f64::midpoint(stretch.from[axis], stretch.to[axis]))
 }
 
-fn is_auxiliary(part: &Part, origin: Origin) -> bool {
-    matches!(origin, Origin::Edge(edge) if part.roles.get(edge) == Some(&Role::Auxiliary))
+/// What a straight cutting edge is for that left a stretch; `None` where it was something else.
+fn edge_role(part: &Part, origin: Origin) -> Option<Role> {
+    let Origin::Edge(edge) = origin else { return None };
+    part.roles.get(edge).copied().filter(|role| matches!(role, Role::Main | Role::Auxiliary))
 }
 
 /// The number of a direction among the senses.
@@ -338,5 +353,5 @@ fn joins(one: &Stretch, other: &Stretch) -> bool {
 fn is_along(Stretch { from, to }: &Stretch, way: [f64; 2]) -> bool {
     let [z, r] = [to[0] - from[0], to[1] - from[1]];
     let long = hypot(z, r);
-    long > STEP && (z * way[1] - r * way[0]).abs() < 1e-6 * long
+    long > HAIR && (z * way[1] - r * way[0]).abs() < 4.0 * GRID + 1e-6 * long
 }

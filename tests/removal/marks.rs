@@ -136,3 +136,17 @@ fn a_mark_of_roughing_that_finishing_with_another_tool_leaves_is_told() {
     let shallow = rough(-12.0 - 1.0 / tan(7.0_f64.to_radians()));
     assert!(with(tools::rougher(), &shallow).iter().all(|alarm| alarm.cause.number() != 132));
 }
+
+#[test]
+fn a_crown_of_short_chords_is_a_surface_that_was_made() {
+    // Down over a crown of R 10 by ten degrees, and on at forty; a mark in the crown itself, which the plunge has not made.
+    let (sin, cos) = sin_cos(100.0_f64.to_radians());
+    let end = [2.0 * (14.0 + 10.0 * sin), -10.0 + 10.0 * cos];
+    let crown = || Run::new(bar()).rapid(60.0, -10.0).cut(48.0, -10.0).arc(end[0], end[1], [28.0, -10.0], 10.0);
+    let down =
+        |angle: f64| crown().cut(46.0, end[1] - (end[0] / 2.0 - 23.0) / tan(angle.to_radians())).rapid(60.0, 10.0);
+    let alarms = down(40.0).raised();
+    let told: Vec<_> = alarms.iter().filter(|alarm| alarm.cause.number() == 132 && alarm.line == 4).collect();
+    let [alarm] = told[..] else { panic!("{alarms:?}") };
+    assert!(alarm.place[0] < 48.0 && alarm.place[0] > end[0] - 0.01 && alarm.depth.unwrap() > 0.1, "{alarm:?}");
+}
