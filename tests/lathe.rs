@@ -68,6 +68,8 @@ fn what_is_right_raises_no_alarm() {
             assert_eq!((grave(&document, false), exit), (Vec::new(), 0), "{}", program.display());
             assert_eq!(document["totals"]["alarms"], 0, "{}", program.display());
             assert!(document["totals"]["removed_volume_mm3"].as_f64().unwrap() > 100.0, "{}", program.display());
+            let apart = document["totals"]["other_library_apart_mm"].as_f64().unwrap();
+            assert!((0.0..1e-9).contains(&apart), "{}: {apart}", program.display());
         }
     }
 }
@@ -81,6 +83,7 @@ fn each_alarm_is_raised_at_its_line_and_no_other_is() {
             let number: u32 = what.split(' ').next()?.parse().ok()?;
             Some((grade, format!("{number}@{line}")))
         };
+        assert!(document["totals"]["other_library_apart_mm"].as_f64().unwrap() < 1e-9, "{}", program.display());
         let raised: Vec<_> = grave(&document, true).into_iter().filter_map(numbered).collect();
         let mut names: Vec<_> = raised.iter().map(|(_, name)| name.clone()).collect();
         names.sort();

@@ -114,6 +114,7 @@ fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>
                 "Q" => "greatest_removal_rate_cm3_min",
                 "alarms" => "alarms",
                 "stops" => "stops",
+                "δ_2" => "other_library_apart_mm",
                 "dev_plus" => "deviation_plus_mm",
                 "dev_minus" => "deviation_minus_mm",
                 _ => return None,

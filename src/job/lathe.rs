@@ -10,7 +10,7 @@ use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::exact::region::Ring;
 use crate::geometry::revolution::volume;
-use crate::job::lathe_findings::{MOST, MOST_MOTIONS, alarms, at_line, too_many, unjudged_from};
+use crate::job::lathe_findings::{MOST, MOST_MOTIONS, alarms, at_line, not_repeated, too_many, unjudged_from};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Run, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
@@ -18,6 +18,7 @@ use crate::lathe::deviation::{Profile, Span, deviation};
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::in_force::InForce;
 use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SECOND_KEY};
+use crate::lathe::repeat::AGREE;
 use crate::lathe::setup::{self, Given};
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::step::Step;
@@ -65,6 +66,8 @@ struct Followed {
     lost: bool,
     /// A turning cycle was refused, and nothing after it was made.
     uncut: bool,
+    /// How far a library of polygons is from the contours, mm.
+    repeated: Option<f64>,
     drawn: Drawn,
     account: Account,
 }
@@ -233,6 +236,7 @@ fn follow(
         endless: false,
         lost,
         uncut,
+        repeated: None,
         drawn: Drawn { stock, ..Drawn::default() },
         account: Account::default(),
     };
@@ -331,6 +335,8 @@ fn follow(
         }
     }
     faults.extend(held);
+    one.repeated = one.simulation.repeated();
+    faults.extend(one.repeated.filter(|apart| *apart > AGREE).map(not_repeated));
     watch(Seen::End(&faults, &one.simulation));
     one.findings = faults
         .into_iter()
@@ -525,7 +531,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
     let none = || t("", "");
     let left = followed.last().map_or(0.0, |one| one.drawn.part.iter().map(|ring| volume(ring)).sum());
     let mm3 = Unit::CubicMillimetre;
-    vec![
+    let mut quantities = vec![
         quantity("L3", t("Voladizo", "Overhang"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
         quantity(
             "Z_W1",
@@ -569,5 +575,11 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         ),
         quantity("alarms", t("Alarmas", "Alarms"), count(None), Unit::Count, none()),
         quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
-    ]
+    ];
+    // Programs of more cuts are not repeated.
+    if let Some(apart) = followed.iter().map(|one| one.repeated).reduce(|one, two| Some(one?.max(two?))).flatten() {
+        let name = t("Contorno, frente a otra biblioteca de polígonos", "Contour, against another library of polygons");
+        quantities.push(quantity("δ_2", name, apart, Unit::Millimetre, t("distancia media", "mean distance")));
+    }
+    quantities
 }

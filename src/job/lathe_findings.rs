@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::finding::{Finding, Place};
 use crate::job::lathe_tables::Raised;
 use crate::lathe::alarm::Alarm;
+use crate::lathe::repeat::AGREE;
 use crate::parameter::t;
 use crate::text::Text;
 
@@ -92,4 +93,17 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
         ));
     }
     found
+}
+
+/// The stop of a removal that a library of polygons does not confirm.
+pub(super) fn not_repeated(apart: f64) -> Finding {
+    Finding::stop(
+        Place::File,
+        Text::fixed(
+            "otra biblioteca de polígonos deja otro contorno: el cálculo no es de fiar",
+            "another library of polygons leaves another contour: the result cannot be trusted",
+        ),
+        Text::fixed("no use los archivos, y comunique el programa", "do not use the files, and report the program"),
+    )
+    .with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"))
 }

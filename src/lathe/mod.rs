@@ -23,6 +23,7 @@ pub mod mesh;
 pub mod outline;
 pub mod parameters;
 pub mod path;
+pub mod repeat;
 pub mod setup;
 pub mod simulation;
 pub mod spindle;

@@ -233,6 +233,13 @@ impl Simulation {
         self.chain.alarms(self.part.labels())
     }
 
+    /// How far a library of polygons is from the part's contours, mm, that takes the same away; see
+    /// [`super::repeat::Repeat::apart`].
+    #[must_use]
+    pub fn repeated(&self) -> Option<f64> {
+        self.part.repeated()
+    }
+
     /// The sums so far.
     #[must_use]
     pub const fn totals(&self) -> &Totals {

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::loose::Loose;
+use super::repeat::Repeat;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;
@@ -35,6 +36,7 @@ pub struct Workpiece {
     fallen_labels: BTreeSet<u32>,
     /// Kept so as not to allocate for each cut.
     labels: Vec<u32>,
+    repeat: Repeat,
     /// It is one piece, parted off.
     whole: bool,
 }
@@ -43,7 +45,8 @@ impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
-        Self { region: Region::new(rings), ..Self::default() }
+        let region = Region::new(rings);
+        Self { repeat: Repeat::new(region.rings()), region, ..Self::default() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -62,6 +65,12 @@ impl Workpiece {
     #[must_use]
     pub fn fallen(&self) -> &[Ring] {
         if self.whole { &self.fallen } else { &[] }
+    }
+
+    /// How far a library of polygons is from the contours, mm, that takes the same away; see [`Repeat::apart`].
+    #[must_use]
+    pub fn repeated(&self) -> Option<f64> {
+        self.repeat.apart(&self.region.rings())
     }
 
     /// The labels of the part's contours, and of what has fallen off.
@@ -96,6 +105,7 @@ impl Workpiece {
             if part.meeting.is_empty() {
                 return;
             }
+            part.repeat.note(polygon.corners().iter().map(|corner| corner.mm()));
             part.labels.clear();
             part.labels.resize(part.meeting.inserted.len(), 0);
             seen(&part.meeting, mirrored, &mut part.labels);

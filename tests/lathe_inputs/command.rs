@@ -59,6 +59,7 @@ fn the_document_has_these_keys_and_these_units() {
             "greatest_cutting_speed_m_min",
             "greatest_depth_mm",
             "greatest_removal_rate_cm3_min",
+            "other_library_apart_mm",
             "part_volume_mm3",
             "parted_volume_mm3",
             "rapid_time_s",
