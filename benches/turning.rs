@@ -19,6 +19,7 @@ use rodete::geometry::exact::region::{Region, twice_area};
 use rodete::job::lathe::{Seen, watched};
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::parameters::FORM;
+use rodete::lathe::repeat::Repeat;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::stock::Stock;
 use rodete::lathe::text::{Source, Text};
@@ -231,6 +232,13 @@ fn by_lines(polygons: &[Convex]) -> f64 {
     region.rings().iter().map(|ring| twice_area(ring)).sum()
 }
 
+/// By the library in tiles, as every program's removal is made a second time.
+fn by_tiles(polygons: &[Convex]) -> f64 {
+    let repeat = Repeat::new(&[BAR.to_vec()]);
+    polygons.iter().for_each(|polygon| repeat.cut(polygon));
+    repeat.apart(&[BAR.to_vec()])
+}
+
 fn by_library(polygons: &[Vec<[f64; 2]>]) -> f64 {
     let mut left = vec![vec![BAR.to_vec()]];
     for polygon in polygons {
@@ -239,7 +247,7 @@ fn by_library(polygons: &[Vec<[f64; 2]>]) -> f64 {
     left.iter().flatten().map(|ring| twice_area(ring)).sum()
 }
 
-/// The region alone, by lines as it is and by a library of polygons that works over the whole contour at each cut.
+/// The region alone: by lines as it is, by a library of polygons in tiles, and by one over the whole contour at each cut.
 fn bench_library(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("library");
     group.sample_size(10);
@@ -253,7 +261,10 @@ fn bench_library(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("lines", count), |bencher| {
             bencher.iter(|| by_lines(black_box(&polygons)))
         });
-        group.bench_function(BenchmarkId::new("i_overlay", count), |bencher| {
+        group.bench_function(BenchmarkId::new("tiles", count), |bencher| {
+            bencher.iter(|| by_tiles(black_box(&polygons)));
+        });
+        group.bench_function(BenchmarkId::new("whole", count), |bencher| {
             bencher.iter(|| by_library(black_box(&corners)));
         });
     }

@@ -13,6 +13,7 @@ mod removal {
     mod marks;
     mod part;
     mod raised;
+    mod repeated;
     mod tools;
     mod volumes;
 }

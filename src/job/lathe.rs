@@ -67,7 +67,7 @@ struct Followed {
     /// A turning cycle was refused, and nothing after it was made.
     uncut: bool,
     /// How far a library of polygons is from the contours, mm.
-    repeated: Option<f64>,
+    repeated: f64,
     drawn: Drawn,
     account: Account,
 }
@@ -224,7 +224,8 @@ fn follow(
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Followed, Refusal> {
     let program = listed(key, title, source, given);
-    let simulation = Simulation::new(setup)?;
+    let mut simulation = Simulation::new(setup)?;
+    simulation.repeat();
     watch(Seen::Begin(&program, source, &simulation));
     let stock = simulation.contours();
     let mut one = Followed {
@@ -236,7 +237,7 @@ fn follow(
         endless: false,
         lost,
         uncut,
-        repeated: None,
+        repeated: 0.0,
         drawn: Drawn { stock, ..Drawn::default() },
         account: Account::default(),
     };
@@ -335,8 +336,8 @@ fn follow(
         }
     }
     faults.extend(held);
-    one.repeated = one.simulation.repeated();
-    faults.extend(one.repeated.filter(|apart| *apart > AGREE).map(not_repeated));
+    one.repeated = one.simulation.repeated().unwrap_or_default();
+    faults.extend((one.repeated > AGREE).then(|| not_repeated(one.repeated)));
     watch(Seen::End(&faults, &one.simulation));
     one.findings = faults
         .into_iter()
@@ -576,10 +577,8 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         quantity("alarms", t("Alarmas", "Alarms"), count(None), Unit::Count, none()),
         quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
     ];
-    // Programs of more cuts are not repeated.
-    if let Some(apart) = followed.iter().map(|one| one.repeated).reduce(|one, two| Some(one?.max(two?))).flatten() {
-        let name = t("Contorno, frente a otra biblioteca de polígonos", "Contour, against another library of polygons");
-        quantities.push(quantity("δ_2", name, apart, Unit::Millimetre, t("distancia media", "mean distance")));
-    }
+    let apart = followed.iter().map(|one| one.repeated).fold(0.0, f64::max);
+    let name = t("Contorno, frente a otra biblioteca de polígonos", "Contour, against another library of polygons");
+    quantities.push(quantity("δ_2", name, apart, Unit::Millimetre, t("distancia media", "mean distance")));
     quantities
 }

@@ -233,10 +233,13 @@ impl Simulation {
         self.chain.alarms(self.part.labels())
     }
 
-    /// How far a library of polygons is from the part's contours, mm, that takes the same away; see
-    /// [`super::repeat::Repeat::apart`].
-    #[must_use]
-    pub fn repeated(&self) -> Option<f64> {
+    /// From now on a library of polygons takes away the same beside; see [`super::repeat`].
+    pub fn repeat(&mut self) {
+        self.part.repeat();
+    }
+
+    /// How far what the library has left is from the part's contours, mm; `None` where it was not asked for. It ends with this.
+    pub fn repeated(&mut self) -> Option<f64> {
         self.part.repeated()
     }
 

@@ -24,7 +24,7 @@ pub struct Removed {
 }
 
 /// The part: the half of its section at r ≥ 0, turned about the axis.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Workpiece {
     region: Region,
     meeting: Meeting,
@@ -36,7 +36,7 @@ pub struct Workpiece {
     fallen_labels: BTreeSet<u32>,
     /// Kept so as not to allocate for each cut.
     labels: Vec<u32>,
-    repeat: Repeat,
+    repeat: Option<Repeat>,
     /// It is one piece, parted off.
     whole: bool,
 }
@@ -45,8 +45,7 @@ impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
-        let region = Region::new(rings);
-        Self { repeat: Repeat::new(region.rings()), region, ..Self::default() }
+        Self { region: Region::new(rings), ..Self::default() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -67,10 +66,15 @@ impl Workpiece {
         if self.whole { &self.fallen } else { &[] }
     }
 
-    /// How far a library of polygons is from the contours, mm, that takes the same away; see [`Repeat::apart`].
-    #[must_use]
-    pub fn repeated(&self) -> Option<f64> {
-        self.repeat.apart(&self.region.rings())
+    /// From now on a library of polygons takes away the same beside.
+    pub fn repeat(&mut self) {
+        self.repeat = Some(Repeat::new(&self.region.rings()));
+    }
+
+    /// How far the library that takes the same away is from the contours, mm, as it stands now; see [`Repeat::apart`]. `None`
+    /// where none does. It ends with this.
+    pub fn repeated(&mut self) -> Option<f64> {
+        self.repeat.take().map(|repeat| repeat.apart(&self.region.rings()))
     }
 
     /// The labels of the part's contours, and of what has fallen off.
@@ -105,7 +109,9 @@ impl Workpiece {
             if part.meeting.is_empty() {
                 return;
             }
-            part.repeat.note(polygon.corners().iter().map(|corner| corner.mm()));
+            if let Some(repeat) = &part.repeat {
+                repeat.cut(polygon);
+            }
             part.labels.clear();
             part.labels.resize(part.meeting.inserted.len(), 0);
             seen(&part.meeting, mirrored, &mut part.labels);

@@ -9,7 +9,6 @@ use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, Ring, twice_area};
-use rodete::lathe::repeat::{AGREE, MOST, Repeat};
 use rodete::lathe::tool::Tool;
 
 use super::tools;
@@ -91,21 +90,4 @@ fn the_judge_sees_a_micrometre() {
     let (_, judge) = both(&stock, &swept(&tools::rougher(), &way.map(|[z, r]| [z, r + 0.001])));
     let apart = apart(&rings, &judge);
     assert!((apart - 0.001 * 60.0).abs() < 0.002, "{apart}");
-}
-
-#[test]
-fn what_repeats_the_removal_sees_a_tenth_of_a_micrometre_and_says_when_there_were_too_many_cuts() {
-    let bar: Ring = vec![[-120.0, 0.0], [0.0, 0.0], [0.0, 30.0], [-120.0, 30.0]];
-    let cut = || [[-60.0, 25.0], [1.0, 25.0], [1.0, 31.0], [-60.0, 31.0]].into_iter();
-    let left = |r: f64| vec![vec![[-120.0, 0.0], [0.0, 0.0], [0.0, r], [-60.0, r], [-60.0, 30.0], [-120.0, 30.0]]];
-    let mut repeat = Repeat::new(vec![bar]);
-    repeat.note(cut());
-    assert!(repeat.apart(&left(25.0)).unwrap() < 1e-12);
-    let off = repeat.apart(&left(25.0001)).unwrap();
-    assert!(off > AGREE && (off - 1e-4 * 60.0 / 300.0).abs() < 1e-6, "{off}");
-    // A piece parted off is no part of it, and what fell off is not cut again.
-    repeat.note([[-80.0, -1.0], [-78.0, -1.0], [-78.0, 31.0], [-80.0, 31.0]].into_iter());
-    assert!(repeat.apart(&[vec![[-120.0, 0.0], [-80.0, 0.0], [-80.0, 30.0], [-120.0, 30.0]]]).unwrap() < 1e-12);
-    (0..MOST).for_each(|_| repeat.note(cut()));
-    assert_eq!(repeat.apart(&left(25.0)), None);
 }

@@ -1,0 +1,97 @@
+//! The removal repeated with a library of polygons: it agrees over thousands of cuts, and tells what does not.
+
+use rodete::geometry::exact::convex::Convex;
+use rodete::geometry::exact::grid::Point;
+use rodete::geometry::exact::meeting::Meeting;
+use rodete::geometry::exact::region::{Region, Ring};
+use rodete::lathe::repeat::{AGREE, Repeat};
+use rodete::number::trig::sin;
+
+const BAR: [[f64; 2]; 4] = [[-100.0, 0.0], [0.0, 0.0], [0.0, 20.0], [-100.0, 20.0]];
+
+fn rectangle(low: [f64; 2], high: [f64; 2]) -> Convex {
+    Convex::hull_mm(&[low, [high[0], low[1]], high, [low[0], high[1]]]).unwrap()
+}
+
+fn kernel() -> Region {
+    Region::new(&[BAR.map(|corner| Point::near(corner).unwrap()).to_vec()])
+}
+
+/// Teeth of a saw over the bar, in passes each a little deeper and further along, so that the contour gets thousands of corners
+/// and most of them are cut again.
+fn teeth(passes: u32) -> Vec<Convex> {
+    let mut polygons = Vec::new();
+    for pass in 0..passes {
+        for tooth in 0..400 {
+            let z = -0.25 * f64::from(tooth) - 0.037 * f64::from(pass);
+            let r = 19.5 - 0.3 * f64::from(pass) + 0.2 * sin(z);
+            polygons.push(Convex::hull_mm(&[[z, r], [z + 0.31, r + 3.0], [z - 0.17, r + 3.1]]).unwrap());
+        }
+    }
+    polygons
+}
+
+fn cut(region: &mut Region, polygon: &Convex) {
+    let mut meeting = Meeting::default();
+    meeting.find(region, polygon);
+    region.cut(polygon, &meeting, &[]);
+}
+
+#[test]
+fn the_library_leaves_the_same_after_thousands_of_cuts_of_a_contour_of_many_corners() {
+    let (mut region, repeat) = (kernel(), Repeat::new(&[BAR.to_vec()]));
+    for polygon in teeth(20) {
+        cut(&mut region, &polygon);
+        repeat.cut(&polygon);
+    }
+    assert!(region.len() > 1_000, "{} edges", region.len());
+    let apart = repeat.apart(&region.rings());
+    assert!(apart < 1e-9, "{apart}");
+}
+
+#[test]
+fn a_cut_that_was_left_out_is_told_with_its_area_by_the_contours_length() {
+    let (mut region, repeat) = (kernel(), Repeat::new(&[BAR.to_vec()]));
+    for (number, polygon) in teeth(20).into_iter().enumerate() {
+        // One of the last pass.
+        if number != 7_800 {
+            cut(&mut region, &polygon);
+        }
+        repeat.cut(&polygon);
+    }
+    let apart = repeat.apart(&region.rings());
+    assert!(apart > 1e-5, "{apart}");
+
+    let repeat = Repeat::new(&[BAR.to_vec()]);
+    repeat.cut(&rectangle([-10.0, 18.0], [1.0, 21.0]));
+    // 10 mm by 2 mm, by the bar's 240 mm.
+    assert!((repeat.apart(&[BAR.to_vec()]) - 20.0 / 240.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_tenth_of_a_micrometre_is_more_than_what_agrees() {
+    let repeat = Repeat::new(&[BAR.to_vec()]);
+    repeat.cut(&rectangle([-60.0, 15.0], [1.0, 21.0]));
+    let r = 15.0001;
+    let off = repeat.apart(&[vec![[-100.0, 0.0], [0.0, 0.0], [0.0, r], [-60.0, r], [-60.0, 20.0], [-100.0, 20.0]]]);
+    assert!(off > AGREE && (off - 1e-4 * 60.0 / 240.0).abs() < 1e-9, "{off}");
+}
+
+#[test]
+fn of_pieces_the_leftmost_counts_and_holes_are_held() {
+    let repeat = Repeat::new(&[BAR.to_vec()]);
+    repeat.cut(&rectangle([-60.0, -1.0], [-50.0, 30.0]));
+    repeat.cut(&rectangle([-90.0, 5.0], [-80.0, 10.0]));
+    let outer = vec![[-100.0, 0.0], [-60.0, 0.0], [-60.0, 20.0], [-100.0, 20.0]];
+    let hole = vec![[-90.0, 5.0], [-90.0, 10.0], [-80.0, 10.0], [-80.0, 5.0]];
+    let apart = repeat.apart(&[outer, hole]);
+    assert!(apart < 1e-12, "{apart}");
+}
+
+#[test]
+fn of_a_part_that_is_gone_nothing_is_left() {
+    let repeat = Repeat::new(&[BAR.to_vec()]);
+    repeat.cut(&rectangle([-101.0, -1.0], [1.0, 21.0]));
+    let left: [Ring; 0] = [];
+    assert!(repeat.apart(&left) < 1e-12);
+}
