@@ -139,17 +139,23 @@ fn a_mark_of_roughing_that_finishing_with_another_tool_leaves_is_told() {
 }
 
 #[test]
-fn a_crown_of_short_chords_is_a_surface_that_was_made() {
-    // Down over a crown of R 10 by ten degrees, and on at forty; a mark in the crown itself, which the plunge has not made.
-    let (sin, cos) = sin_cos(100.0_f64.to_radians());
-    let end = [2.0 * (14.0 + 10.0 * sin), -10.0 + 10.0 * cos];
-    let crown = || Run::new(bar()).rapid(60.0, -10.0).cut(48.0, -10.0).arc(end[0], end[1], [28.0, -10.0], 10.0);
-    let down =
-        |angle: f64| crown().cut(46.0, end[1] - (end[0] / 2.0 - 23.0) / tan(angle.to_radians())).rapid(60.0, 10.0);
-    let alarms = down(40.0).raised();
-    let told: Vec<_> = alarms.iter().filter(|alarm| alarm.cause.number() == 132 && alarm.line == 4).collect();
+fn a_crown_of_short_chords_whose_ends_lie_off_the_grid_is_a_surface_that_was_made() {
+    // A crown of R 100 in chords of 0.1 mm, each end by turns 0.45 nm above and below a place of the grid of nanometres: none
+    // of the lines that are cut has the very direction of its way. The plunge to where it begins has not made the crown.
+    let place = |at: i32| {
+        let along = f64::from(at) / 10.0;
+        let off = if at % 2 == 0 { 4.5e-7 } else { -4.5e-7 };
+        [2.0 * (24.0 - (along * along / 200.0 * 1e6).round() / 1e6 + off), -2.0 - along]
+    };
+    let plunged = Run::new(bar()).rapid(60.0, -2.0).cut(48.0, -2.0);
+    let crown = (1..=20).map(place).fold(plunged, |run, [x, z]| run.cut(x, z));
+    let [X, z] = place(20);
+    // At its end it falls by 1°, and the way leads down from it by 25°.
+    let alarms = crown.cut(X - 1.4, z - 1.5).cut(X - 1.4, -25.0).cut(52.0, -25.0).raised();
+    let told: Vec<_> = alarms.iter().filter(|alarm| alarm.cause.number() == 132).collect();
     let [alarm] = told[..] else { panic!("{alarms:?}") };
-    assert!(alarm.place[0] < 48.0 && alarm.place[0] > end[0] - 0.01 && alarm.depth.unwrap() > 0.1, "{alarm:?}");
+    let deep = below(X, 0.8, 5.0, [[X, z], [X - 1.4, z - 1.5]]);
+    assert!(alarm.line == 23 && (alarm.depth.unwrap() - deep).abs() < 0.02, "{alarm:?} {deep}");
 }
 
 /// A path mirrored along Z, from where it lies in the second set-up.
@@ -178,7 +184,7 @@ fn what_made_the_surfaces_is_known_in_the_second_set_up_as_in_one() {
         ("a mark that stays", collar, "G0 60,5 49,5 G1 49,-10 54,-10", first),
         ("a mark that goes", collar, "G0 52,5 44,5 G1 44,-30 52,-30", [false; 2]),
         // With what was there of it, all along it.
-        ("a mark that goes deeper", rough, "G0 60,5 46.8,5 G1 46.8,-12 44.6,-14.5 44.6,-30 52,-30", second),
+        ("a mark that goes deeper", rough, "G0 60,-11 47.2,-11 G1 47.2,-12 44.8,-14.5 44.8,-30 52,-30", second),
     ] {
         let marks = |mut alarms: Vec<Alarm>| {
             alarms.retain(|alarm| alarm.cause.number() == 132);
