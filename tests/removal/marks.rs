@@ -169,13 +169,13 @@ fn mirrored(path: &str, about: f64) -> String {
 
 #[test]
 fn what_made_the_surfaces_is_known_in_the_second_set_up_as_in_one() {
-    let shift = 3.0;
+    let shift = -2.0;
     let about = bar().ends()[0] + bar().ends()[1] + shift;
     let mut setup = Setup::new(Lathe::default(), bar(), super::lathe::turret());
     setup.turret.tools.insert(11, Tool { tip: Tip::OutsideRight, hand: Hand::Left, ..tools::rougher() });
     let lying = Setup { part: Some(turned_about(&[bar().contour()], &bar(), shift)), ..setup.clone() };
     let collar = "G0 60,5 48,5 G1 48,-6 46.6,-7.5 46.6,-25 52,-25";
-    let rough = "G0 60,5 47,5 G1 47,-12 45,-14.5 45,-29.5 52,-29.5";
+    let rough = "G0 60,5 46.5,5 G1 47,-12 45,-14.5 45,-29.5 52,-29.5";
     // Who tells of a mark.
     let (first, second) = ([true, false], [false, true]);
     for (case, before, after, told) in [
@@ -183,8 +183,8 @@ fn what_made_the_surfaces_is_known_in_the_second_set_up_as_in_one() {
         ("a land", "G0 60,5 48,5 G1 48,-6 52,-6", collar, second),
         ("a mark that stays", collar, "G0 60,5 49,5 G1 49,-10 54,-10", first),
         ("a mark that goes", collar, "G0 52,5 44,5 G1 44,-30 52,-30", [false; 2]),
-        // With what was there of it, all along it.
-        ("a mark that goes deeper", rough, "G0 60,-11 47.2,-11 G1 47.2,-12 44.8,-14.5 44.8,-30 52,-30", second),
+        // With what was there of it below a cone.
+        ("a mark that goes deeper", rough, "G0 60,-6 47,-6 G1 46,-7.5 52,-7.5", [true; 2]),
     ] {
         let marks = |mut alarms: Vec<Alarm>| {
             alarms.retain(|alarm| alarm.cause.number() == 132);
@@ -198,9 +198,11 @@ fn what_made_the_surfaces_is_known_in_the_second_set_up_as_in_one() {
         let begun = run(Run::on(setup.clone()).tool(11), &mirrored(before, about)).simulation;
         let two = Run { simulation: begun.turned_about(shift).unwrap(), ..Run::on(setup.clone()) };
         let two = run(two, after).simulation;
-        let near = |one: f64, two: f64| (one - two).abs() < 1e-5;
+        // Between lines that are all but parallel, places move by more than the grid.
+        let near = |one: f64, two: f64, most: f64| (one - two).abs() < most;
         let same = |(one, two): (&Alarm, &Alarm)| {
-            near(one.depth.unwrap(), two.depth.unwrap()) && (0..2).all(|axis| near(one.place[axis], two.place[axis]))
+            near(one.depth.unwrap(), two.depth.unwrap(), 1e-5)
+                && (0..2).all(|axis| near(one.place[axis], two.place[axis], 1e-3))
         };
         let [found, mut left] = [two.lasting(), begun.lasting_in(Some(&two))].map(marks);
         left.iter_mut().for_each(|alarm| alarm.place[1] = about - alarm.place[1]);
