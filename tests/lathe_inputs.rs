@@ -19,6 +19,8 @@ mod parted;
 mod programs;
 #[path = "lathe_inputs/second.rs"]
 mod second;
+#[path = "lathe_inputs/second_marks.rs"]
+mod second_marks;
 #[path = "lathe_inputs/sheets.rs"]
 mod sheets;
 #[path = "lathe_inputs/shop.rs"]

@@ -8,26 +8,23 @@ use crate::gcode::interpreter::Stood;
 use crate::gcode::motion::Kind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
-use crate::geometry::exact::region::Ring;
 use crate::geometry::revolution::volume;
 use crate::job::lathe_findings::{MOST, MOST_MOTIONS, alarms, at_line, not_repeated, too_many, unjudged_from};
+use crate::job::lathe_profile::{compared, wanted};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Run, Source, Template, Turned};
 use crate::lathe::alarm::Alarm;
-use crate::lathe::deviation::{Profile, Span, deviation};
+use crate::lathe::deviation::Profile;
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::in_force::InForce;
-use crate::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SECOND_KEY};
+use crate::lathe::parameters::{PROGRAM_KEY, SECOND_KEY};
 use crate::lathe::repeat::AGREE;
 use crate::lathe::setup::{self, Given};
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::step::Step;
-use crate::lathe::stock::turned_about;
 use crate::lathe::text;
 use crate::machine::axis::Position;
 use crate::number::shown;
-use crate::number::trig::hypot;
-use crate::parameter::list::Row;
 use crate::parameter::{Form, Values, t};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
@@ -46,16 +43,19 @@ pub enum Seen<'a> {
     Stood(&'a Stood, &'a Simulation, Option<&'a str>),
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
-    /// An alarm of a motion that could be told only when the program had ended; with the name of the subprogram's file that
-    /// its block stands in.
-    Late(&'a Alarm, Option<&'a str>),
+    /// An alarm that could be told only when all programs had ended, of a motion of the program of this number, from 0; with
+    /// the name of the subprogram's file that its block stands in.
+    Late(usize, &'a Alarm, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
     End(&'a [Finding], &'a Simulation),
 }
 
 /// A program followed to its end.
-struct Followed {
+struct Followed<'a> {
     program: Program,
+    source: &'a text::Source,
+    /// The names of its subprograms' files, by their numbers from 1.
+    files: Vec<String>,
     simulation: Simulation,
     rows: Rows,
     alarms: Vec<Raised>,
@@ -72,7 +72,7 @@ struct Followed {
     account: Account,
 }
 
-impl Followed {
+impl Followed<'_> {
     /// What the program came to.
     fn run(&self) -> Run {
         let all = self.simulation.totals().all;
@@ -112,19 +112,22 @@ pub fn watched(
     };
     let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
-    let mut followed = vec![follow("program", title, &first, &given, Begins::new(given.setup.clone()), watch)?];
-    if let Some(second) = text::Source::of(&values, SECOND_KEY) {
-        let left = followed.first().map(|one| one.drawn.part.clone()).unwrap_or_default();
-        let part = turned_about(&left, &given.setup.stock, given.second);
-        let setup = Setup { part: Some(part), ..given.setup.clone() };
-        let uncut = followed.iter().any(|one| one.uncut);
+    let begins = Begins::new(Simulation::new(given.setup.clone())?);
+    let one = follow("program", title, &first, &given, begins, watch);
+    let second = text::Source::of(&values, SECOND_KEY);
+    let two = if let Some(second) = &second {
+        let simulation = one.simulation.turned_about(given.second)?;
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
-        let lost = followed.iter().any(|one| one.lost);
         // How a part is held that is not the one meant says nothing.
-        let held = (!lost).then(|| values.locate(held(&setup)));
-        let lost = lost || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
-        followed.push(follow("program-2", title, &second, &given, Begins { setup, lost, uncut, held }, watch)?);
-    }
+        let held = (!one.lost).then(|| values.locate(held(simulation.setup())));
+        let lost = one.lost || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
+        let begins = Begins { simulation, lost, uncut: one.uncut, held };
+        Some(follow("program-2", title, second, &given, begins, watch))
+    } else {
+        None
+    };
+    let mut followed: Vec<Followed> = std::iter::once(one).chain(two).collect();
+    late(&mut followed, watch);
     Ok(outcome(form, values, source, &given, followed, profile))
 }
 
@@ -193,7 +196,7 @@ fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) 
 
 /// What a program begins with.
 struct Begins {
-    setup: Setup,
+    simulation: Simulation,
     /// The program before it went wrong, or nothing holds the part.
     lost: bool,
     /// The part that it needs was not made.
@@ -203,8 +206,8 @@ struct Begins {
 }
 
 impl Begins {
-    const fn new(setup: Setup) -> Self {
-        Self { setup, lost: false, uncut: false, held: None }
+    const fn new(simulation: Simulation) -> Self {
+        Self { simulation, lost: false, uncut: false, held: None }
     }
 }
 
@@ -215,21 +218,22 @@ impl Begins {
 ///
 /// Behind a cycle that was refused, and with `uncut` from the start, the program is read and not made, for the part that it
 /// needs was not.
-fn follow(
+fn follow<'a>(
     key: &'static str,
     title: Text,
-    source: &text::Source,
+    source: &'a text::Source,
     given: &Given,
-    Begins { setup, lost, uncut, held }: Begins,
+    Begins { mut simulation, lost, uncut, held }: Begins,
     watch: &mut dyn FnMut(Seen<'_>),
-) -> Result<Followed, Refusal> {
+) -> Followed<'a> {
     let program = listed(key, title, source, given);
-    let mut simulation = Simulation::new(setup)?;
     simulation.repeat();
     watch(Seen::Begin(&program, source, &simulation));
     let stock = simulation.contours();
     let mut one = Followed {
         program,
+        source,
+        files: Vec::new(),
         simulation,
         rows: Rows::default(),
         alarms: Vec::new(),
@@ -313,21 +317,14 @@ fn follow(
             }
         }
     }
-    // What a refused block left undone may have been what takes a mark away.
-    for alarm in one.simulation.lasting().into_iter().filter(|_| last.is_none() && !one.endless) {
-        let file = interpreter.file(alarm.file);
-        one.rows.late(&alarm);
-        watch(Seen::Late(&alarm, file));
-        one.alarms.push(Raised { place: source.place(file, alarm.line, Vec::new()), alarm });
-    }
-    one.alarms.sort_by_key(|raised| raised.alarm.motion);
     if more > 0 {
         faults.push(Finding::note(
             Place::File,
             Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
         ));
     }
-    one.program.parts = source.whole((1..).map_while(|number| interpreter.file(number)));
+    one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
+    one.program.parts = source.whole(one.files.iter().map(String::as_str));
     faults.extend(interpreter.remarks());
     if let Some(place) = last {
         one.lost = true;
@@ -346,9 +343,32 @@ fn follow(
             None => Finding { place: source.placed(finding.place), ..finding },
         })
         .collect();
-    one.findings.extend(alarms(&one.alarms));
     one.drawn.part = one.simulation.product();
-    Ok(one)
+    one
+}
+
+/// Tells the alarms that can be told only when all programs have ended, and makes all alarms findings.
+///
+/// What a refused block left undone, or what lies behind the end of a budget, may have been what takes a mark away: of such a
+/// program's marks, and of those on the part that it began with, none is told.
+fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
+    let whole = |one: &Followed| !one.lost && !one.endless;
+    for number in 0..followed.len() {
+        let Some((one, behind)) = followed[number..].split_first_mut() else { continue };
+        let lasting = match behind.first() {
+            _ if !whole(one) => Vec::new(),
+            None => one.simulation.lasting(),
+            Some(next) => one.simulation.lasting_in(whole(next).then_some(&next.simulation)),
+        };
+        for alarm in lasting {
+            let file = alarm.file.checked_sub(1).and_then(|at| one.files.get(at)).map(String::as_str);
+            one.rows.late(&alarm);
+            watch(Seen::Late(number, &alarm, file));
+            one.alarms.push(Raised { place: one.source.place(file, alarm.line, Vec::new()), alarm });
+        }
+        one.alarms.sort_by_key(|raised| raised.alarm.motion);
+        one.findings.extend(alarms(&one.alarms));
+    }
 }
 
 fn outcome(
@@ -415,104 +435,6 @@ fn outcome(
         values,
         source,
     }
-}
-
-/// The wanted profile of the sheet; `None` where there is none.
-///
-/// # Errors
-/// The cells of a profile that has one point only, and of an arc without a radius or one that does not reach its end.
-fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
-    let rows = values.rows(PROFILE_KEY);
-    let point =
-        |row: &Row| [row.real("profile/Z").unwrap_or_default(), row.real("profile/X").unwrap_or_default() / 2.0];
-    let stop =
-        |row: &Row, key: &str, what, remedy| Err(Box::new(Finding::stop(Place::Cells(row.cell(key)), what, remedy)));
-    let Some((first, rest)) = rows.split_first() else { return Ok(None) };
-    if rest.is_empty() {
-        return stop(
-            first,
-            "profile/G",
-            t("el perfil tiene un solo punto", "the profile has one point only"),
-            t("escriba también dónde termina, o borre la fila", "write where it ends too, or delete the row"),
-        );
-    }
-    let mut profile = Profile { start: point(first), spans: Vec::new() };
-    let mut from = profile.start;
-    for row in rest {
-        let to = point(row);
-        let clockwise = match row.choice("profile/G") {
-            Some("2") => true,
-            Some("3") => false,
-            _ => {
-                profile.spans.push(Span::Line(to));
-                from = to;
-                continue;
-            }
-        };
-        let Some(radius) = row.real("profile/R") else {
-            return stop(
-                row,
-                "profile/R",
-                t("el arco del perfil no tiene radio", "the arc of the profile has no radius"),
-                t("escriba el radio", "write the radius"),
-            );
-        };
-        let span = Span::Arc { to, radius, clockwise };
-        if (Profile { start: from, spans: vec![span] }).points().is_none() {
-            let chord = hypot(to[0] - from[0], to[1] - from[1]);
-            let [r, c, half] = [radius, chord, chord / 2.0].map(|value| shown(value, 3));
-            return stop(
-                row,
-                "profile/R",
-                Text::new(
-                    format!("el arco del perfil tiene {r} mm de radio y su cuerda mide {c} mm: no llega a su final"),
-                    format!(
-                        "the arc of the profile has a radius of {r} mm and a chord of {c} mm: it does not reach its end"
-                    ),
-                ),
-                if chord > 0.0 {
-                    Text::new(
-                        format!("dé un radio de al menos {half} mm"),
-                        format!("give a radius of at least {half} mm"),
-                    )
-                } else {
-                    t("corrija X y Z: el arco termina donde empieza", "correct X and Z: the arc ends where it begins")
-                },
-            );
-        }
-        profile.spans.push(span);
-        from = to;
-    }
-    Ok(Some(profile))
-}
-
-/// How the part compares with the wanted profile, as quantities and a finding.
-fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Vec<Quantity>) -> Option<Finding> {
-    let found = deviation(contours, profile)?;
-    let [over, under] = [found.over, found.under].map(|one| one.map_or(0.0, |(by, _)| by));
-    for (symbol, meaning, value) in [
-        ("dev_plus", t("Material de más sobre el perfil", "Metal left on the profile"), over),
-        ("dev_minus", t("Material de menos en el perfil", "Metal missing from the profile"), under),
-    ] {
-        let source = t("contorno contra la hoja del perfil", "contour against the sheet of the profile");
-        quantities.push(Quantity { symbol, meaning, value, unit: Unit::Millimetre, source });
-    }
-    let place = |one: Option<(f64, [f64; 2])>| {
-        one.map_or(String::new(), |(_, [z, r])| format!(" (X{} Z{})", shown(2.0 * r, 3), shown(z, 3)))
-    };
-    let (plus, minus) = (place(found.over), place(found.under));
-    let (over, under) = (shown(over, 4), shown(under, 4));
-    Some(Finding::note(
-        Place::File,
-        Text::new(
-            format!(
-                "frente al perfil de la hoja PERFIL del libro sobran hasta {over} mm{plus} y faltan hasta {under} mm{minus}"
-            ),
-            format!(
-                "against the profile on the workbook's sheet PROFILE up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
-            ),
-        ),
-    ))
 }
 
 /// What the programs come to.

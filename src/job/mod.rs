@@ -6,6 +6,7 @@ pub mod impeller;
 mod impeller_remarks;
 pub mod lathe;
 mod lathe_findings;
+mod lathe_profile;
 pub(crate) mod lathe_tables;
 pub mod pipe_hole;
 pub mod pipe_insert;

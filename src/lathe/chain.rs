@@ -4,7 +4,8 @@
 //! behind the nose stands, that edge goes ahead of it into the surface that the nose has just made, and leaves its own line
 //! below: the profile cannot be made by this tool. Each stretch of the part's contour carries a label for it: made by a nose,
 //! with the direction of its way; or a mark, with how deep it lies below what a nose had made. At the end of the program the
-//! marks that are on the part are told; what a later motion takes away has left none.
+//! marks that are on the part are told; what a later motion takes away has left none. Labels and marks go with a part that is
+//! turned about, so that this holds over both its set-ups.
 //!
 //! An edge's new stretch is a mark of a surface made by a nose
 //! - if the way leads into the metal under that surface, and either goes on in the sense in which the surface was made, or
@@ -50,6 +51,8 @@ const SENSES: u32 = 256;
 pub(super) struct Chain {
     /// The first has the label `SENSES` + 1.
     marks: Vec<Mark>,
+    /// How many of them a program before this one left.
+    carried: usize,
     /// How many of them there were when the way at feed began.
     before: usize,
     /// The nose has drawn a surface in this way.
@@ -171,9 +174,18 @@ impl Chain {
         }
     }
 
-    /// The alarms of the marks among labels: of one motion the deepest.
+    /// For a part that is turned about, z becoming `about` - z, mm: marks keep their labels, and a way's goes to
+    /// [`turned_about`].
+    pub(super) fn turned_about(&self, about: f64) -> Self {
+        let marks = self.marks.iter().map(|mark| Mark { made: mark.made.turned_about(about), ..*mark }).collect();
+        Self { marks, carried: self.marks.len(), before: self.marks.len(), drew: false }
+    }
+
+    /// The alarms of this program's marks among labels: of one motion the deepest.
     pub(super) fn alarms(&self, labels: impl Iterator<Item = u32>) -> Vec<Alarm> {
-        let marks = labels.filter_map(|label| self.marks.get(label.checked_sub(SENSES + 1)? as usize));
+        let number = |label: u32| label.checked_sub(SENSES + 1).map(|number| number as usize);
+        let own = labels.filter_map(number).filter(|number| *number >= self.carried);
+        let marks = own.filter_map(|number| self.marks.get(number));
         let mut found: Vec<Alarm> = marks.filter(|mark| mark.deep > LEAST).map(|mark| mark.alarm).collect();
         found.sort_by(|one, two| {
             one.motion.cmp(&two.motion).then(two.depth.partial_cmp(&one.depth).unwrap_or(std::cmp::Ordering::Equal))
@@ -199,6 +211,12 @@ impl Frame {
         // The region lies to the left of its contour.
         let along = along.map(|part| part / long);
         (long > ON).then_some(Self { from: *from, along, into: [-along[1], along[0]], long })
+    }
+
+    /// Of a part that is turned about; its contour runs the other way then.
+    fn turned_about(&self, about: f64) -> Self {
+        let ([z, r], [along, up]) = (self.point(self.long), self.along);
+        Self { from: [about - z, r], along: [along, -up], into: [up, along], long: self.long }
     }
 
     /// Along the stretch and into the metal.
@@ -341,6 +359,14 @@ fn sense([z, r]: [f64; 2]) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 256")]
     let part = part as u32;
     part % SENSES
+}
+
+/// A label on a part that is turned about.
+pub(super) const fn turned_about(label: u32) -> u32 {
+    match label {
+        1..=SENSES => (SENSES + SENSES / 2 + 1 - label) % SENSES + 1,
+        _ => label,
+    }
 }
 
 /// True where a stretch ends where what is taken away ends too.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
-use super::chain::{Chain, Pass};
+use super::chain::{self, Chain, Pass};
 use super::contact::{Contact, Ride, depth, far_end};
 use super::loose::judged;
 use super::machine::Lathe;
@@ -11,7 +11,7 @@ use super::outline::Outline;
 use super::path::{self, Piece};
 use super::spindle::{Turning, begun, extent, revolutions, ribs};
 use super::step::{Edit, Step, Totals};
-use super::stock::{Fixture, Stock};
+use super::stock::{Fixture, Stock, turned_about};
 use super::tally::{Tally, collide, travel};
 use super::tool::{Cutter, Tool};
 use super::turret::Turret;
@@ -22,7 +22,7 @@ use crate::gcode::control::{Control, Speed};
 use crate::gcode::motion::{Feed, Kind, Motion, Thread};
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
-use crate::geometry::exact::region::Ring;
+use crate::geometry::exact::region::{Labelled, Ring};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::hypot;
 use crate::text::Text;
@@ -86,7 +86,7 @@ pub struct Simulation {
     steps: usize,
     contour: Ring,
     /// The last cut parted a piece off, and this is it.
-    fallen: Vec<Ring>,
+    fallen: Vec<Labelled>,
     /// The thread that the last motion cut.
     led: Option<Led>,
     /// The tool that stands where it worked last, `[z, r]` on the grid.
@@ -112,6 +112,25 @@ impl Simulation {
     /// Makes everything ready. Refused, with all reasons: a blank or a tool that cannot be, a tolerance out of 10 nm to
     /// 0.1 mm, a part beyond the grid.
     pub fn new(setup: Setup) -> Result<Self, Refusal> {
+        Self::begun(setup, &[], Chain::default())
+    }
+
+    /// The second set-up of what this program makes: turned about and shifted, see [`turned_about`]. What made its surfaces is
+    /// known there.
+    pub fn turned_about(&self, shift: f64) -> Result<Self, Refusal> {
+        let (rings, labels): (Vec<Ring>, Vec<Vec<u32>>) = self.made().into_iter().unzip();
+        let stock = &self.setup.stock;
+        let part = Some(turned_about(&self.shifted(rings), stock, shift));
+        // The edge that began at a corner ends there now.
+        let about =
+            |of: Vec<u32>| of.iter().rev().cycle().skip(1).take(of.len()).copied().map(chain::turned_about).collect();
+        let labels: Vec<Vec<u32>> = labels.into_iter().map(about).collect();
+        let [left, right] = stock.ends();
+        let chain = self.chain.turned_about(left + right + shift - 2.0 * self.middle);
+        Self::begun(Setup { part, ..self.setup.clone() }, &labels, chain)
+    }
+
+    fn begun(setup: Setup, labels: &[Vec<u32>], chain: Chain) -> Result<Self, Refusal> {
         let mut faults = setup.stock.faults();
         let mut stop = |es: String, en: String, remedy: Text| {
             faults.push(Finding::stop(Place::File, Text::new(es, en), remedy));
@@ -162,7 +181,7 @@ impl Simulation {
                 Some((fixture, Convex::hull_mm(&ring)?))
             })
             .collect();
-        let part = Workpiece::new(&part);
+        let part = Workpiece::new(&part, labels);
         let mut made = Self {
             setup,
             tools,
@@ -176,7 +195,7 @@ impl Simulation {
             fallen: Vec::new(),
             led: None,
             stands: None,
-            chain: Chain::default(),
+            chain,
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -205,13 +224,18 @@ impl Simulation {
     /// [`super::loose::judged`].
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
-        self.parted().unwrap_or_else(|| self.contours())
+        self.shifted(self.made().into_iter().map(|(ring, _)| ring).collect())
+    }
+
+    /// The same on the grid, with the labels of its edges.
+    fn made(&self) -> Vec<Labelled> {
+        if self.fallen.is_empty() { self.part.labelled_rings() } else { self.fallen.clone() }
     }
 
     /// The piece, of one, that the last cut has parted off: a program that goes on cutting makes what is left instead.
     #[must_use]
     pub fn parted(&self) -> Option<Vec<Ring>> {
-        (!self.fallen.is_empty()).then(|| self.shifted(self.fallen.clone()))
+        (!self.fallen.is_empty()).then(|| self.product())
     }
 
     /// The part's outer contour when the simulation started, or where the last recorded edit has left it.
@@ -230,7 +254,23 @@ impl Simulation {
     /// what the nose had made, and no later motion has taken that surface.
     #[must_use]
     pub fn lasting(&self) -> Vec<Alarm> {
-        self.chain.alarms(self.part.labels())
+        self.chain.alarms(self.labels().into_iter())
+    }
+
+    /// The same where what the program made has been turned about and a second program has ended: of its marks those that are
+    /// on what the second one left. With `None` those alone that are on what it did not begin with: what had fallen off, or
+    /// what stayed in the chuck.
+    #[must_use]
+    pub fn lasting_in(&self, second: Option<&Self>) -> Vec<Alarm> {
+        let rest = if self.fallen.is_empty() { self.part.fallen() } else { &self.part.labelled_rings() };
+        let left = second.map(Self::labels).unwrap_or_default();
+        self.chain.alarms(self.part.gone().chain(labels(rest)).chain(left))
+    }
+
+    /// The labels of everything: in the chuck, or fallen off.
+    fn labels(&self) -> Vec<u32> {
+        let part = &self.part;
+        labels(&part.labelled_rings()).chain(labels(part.fallen())).chain(part.gone()).collect()
     }
 
     /// From now on a library of polygons takes away the same beside; see [`super::repeat`].
@@ -536,6 +576,10 @@ fn retracts(tool: &Tool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Pi
     let body = tool.tip.mirror();
     let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);
     stands == place && pieces.first().is_some_and(|piece| near(at, piece[0])) && pieces.iter().all(aside)
+}
+
+fn labels(rings: &[Labelled]) -> impl Iterator<Item = u32> + '_ {
+    rings.iter().flat_map(|(_, labels)| labels.iter().copied())
 }
 
 fn near(one: [f64; 2], two: [f64; 2]) -> bool {

@@ -8,7 +8,7 @@ use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::meeting::Meeting;
-use crate::geometry::exact::region::{Region, Ring};
+use crate::geometry::exact::region::{Labelled, Region, Ring};
 use crate::geometry::revolution::{frustum, volume};
 
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
@@ -30,22 +30,21 @@ pub struct Workpiece {
     meeting: Meeting,
     /// A cut has come through, and what is loose has not fallen off yet.
     apart: bool,
-    /// What fell off last.
-    fallen: Vec<Ring>,
-    /// The labels of all that fell off.
-    fallen_labels: BTreeSet<u32>,
+    /// What fell off last, if it is one piece, parted off.
+    fallen: Vec<Labelled>,
+    /// The labels of all else that fell off.
+    gone: BTreeSet<u32>,
     /// Kept so as not to allocate for each cut.
     labels: Vec<u32>,
     repeat: Option<Repeat>,
-    /// It is one piece, parted off.
-    whole: bool,
 }
 
 impl Workpiece {
-    /// The part inside contours on the grid, counter-clockwise, holes clockwise.
+    /// The part inside contours on the grid, counter-clockwise, holes clockwise; with the labels of their edges, see
+    /// [`Region::labelled`].
     #[must_use]
-    pub fn new(rings: &[Vec<Point>]) -> Self {
-        Self { region: Region::new(rings), ..Self::default() }
+    pub fn new(rings: &[Vec<Point>], labels: &[Vec<u32>]) -> Self {
+        Self { region: Region::labelled(rings, labels), ..Self::default() }
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -60,10 +59,16 @@ impl Workpiece {
         self.region.rings().iter().map(|ring| volume(ring)).sum()
     }
 
+    /// The same, with the labels of their edges.
+    #[must_use]
+    pub fn labelled_rings(&self) -> Vec<Labelled> {
+        self.region.labelled_rings()
+    }
+
     /// The contours of the piece that fell off last, mm; none where nothing has, where it was more than one, or a core.
     #[must_use]
-    pub fn fallen(&self) -> &[Ring] {
-        if self.whole { &self.fallen } else { &[] }
+    pub fn fallen(&self) -> &[Labelled] {
+        &self.fallen
     }
 
     /// From now on a library of polygons takes away the same beside.
@@ -77,9 +82,9 @@ impl Workpiece {
         self.repeat.take().map(|repeat| repeat.apart(&self.region.rings()))
     }
 
-    /// The labels of the part's contours, and of what has fallen off.
-    pub fn labels(&self) -> impl Iterator<Item = u32> + '_ {
-        self.region.labels().map(|(label, _)| label).chain(self.fallen_labels.iter().copied())
+    /// The labels of what has fallen off but for [`Self::fallen`].
+    pub fn gone(&self) -> impl Iterator<Item = u32> + '_ {
+        self.gone.iter().copied()
     }
 
     /// How many edges its contours have.
@@ -131,17 +136,17 @@ impl Workpiece {
             let all: f64 = fallen.iter().map(|(ring, _)| volume(ring)).sum();
             // Holes run clockwise; they stay with the piece that they are in.
             fallen.retain(|(ring, _)| volume(ring) < 0.0 || judged(ring) != Loose::Nib);
-            self.fallen_labels.extend(fallen.iter().flat_map(|(_, labels)| labels));
-            let fallen: Vec<Ring> = fallen.into_iter().map(|(ring, _)| ring).collect();
-            let pieces: f64 = fallen.iter().map(|ring| volume(ring)).sum();
+            let pieces: f64 = fallen.iter().map(|(ring, _)| volume(ring)).sum();
             if pieces < CHIP {
                 removed.volume += all;
             } else {
                 removed.volume += all - pieces;
                 removed.parted += pieces;
-                let mut parts = fallen.iter().filter(|ring| volume(ring) >= CHIP);
-                self.whole = parts.next().is_some_and(|ring| judged(ring) == Loose::Piece) && parts.next().is_none();
-                self.fallen = fallen;
+                let mut parts = fallen.iter().map(|(ring, _)| ring).filter(|ring| volume(ring) >= CHIP);
+                let whole = parts.next().is_some_and(|ring| judged(ring) == Loose::Piece) && parts.next().is_none();
+                let (last, others) = if whole { (fallen, Vec::new()) } else { (Vec::new(), fallen) };
+                let before = std::mem::replace(&mut self.fallen, last);
+                self.gone.extend(before.into_iter().chain(others).flat_map(|(_, labels)| labels));
             }
         }
         removed

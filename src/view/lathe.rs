@@ -27,12 +27,19 @@ const MOST: usize = 500;
 pub struct Watching {
     /// The programs, in order.
     pub programs: Vec<Program>,
+    /// What is known of each.
+    known: Vec<Known>,
+    /// The motion that parted a piece off last.
+    parted: Option<usize>,
+}
+
+/// What is known of a program.
+#[derive(Debug, Default)]
+struct Known {
     /// Lines of the list before those of each subprogram's file.
     before: BTreeMap<String, usize>,
     /// Numbers and lines of the alarms that are listed.
-    known: BTreeSet<(u16, usize)>,
-    /// The motion that parted a piece off last.
-    parted: Option<usize>,
+    alarms: BTreeSet<(u16, usize)>,
 }
 
 impl Watching {
@@ -44,10 +51,9 @@ impl Watching {
             }
             Seen::Stood(stood, simulation, file) => self.stood(stood, simulation, file),
             Seen::Step(step, simulation, file) => self.step(step, simulation, file),
-            Seen::Late(alarm, file) => self.late(alarm, file),
+            Seen::Late(number, alarm, file) => self.late(number, alarm, file),
             Seen::End(findings, simulation) => {
-                let before = &self.before;
-                if let Some(program) = self.programs.last_mut() {
+                if let (Some(program), Some(known)) = (self.programs.last_mut(), self.known.last()) {
                     if let (Some(motion), Some(turning)) = (self.parted, &mut program.turning)
                         && let Some(piece) = simulation.parted()
                     {
@@ -62,11 +68,10 @@ impl Watching {
                     program.remarks.extend(findings.iter().map(|finding| {
                         let mut remark = Remark::from(finding);
                         if let Place::Subprogram { file, line, .. } = &finding.place {
-                            remark.line = before.get(file).map(|before| before + line);
+                            remark.line = known.before.get(file).map(|before| before + line);
                         }
                         remark
                     }));
-                    program.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
                 }
             }
         }
@@ -74,7 +79,10 @@ impl Watching {
 
     /// The scene of what was seen.
     #[must_use]
-    pub fn scene(self, title: String, language: Language) -> Scene {
+    pub fn scene(mut self, title: String, language: Language) -> Scene {
+        for program in &mut self.programs {
+            program.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
+        }
         Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: self.programs }
     }
 
@@ -87,14 +95,13 @@ impl Watching {
     ) {
         // Subprograms of other sheets and files follow the program in the list of blocks.
         let mut text = source.main.text.clone();
-        self.before.clear();
-        self.known.clear();
+        let mut known = Known::default();
         self.parted = None;
         for (name, subprogram) in &source.subprograms {
             if !text.is_empty() && !text.ends_with('\n') {
                 text.push('\n');
             }
-            self.before.insert(name.clone(), text.lines().count());
+            known.before.insert(name.clone(), text.lines().count());
             text.push_str(&subprogram.text);
         }
         let setup = simulation.setup();
@@ -109,21 +116,20 @@ impl Watching {
             .collect();
         program.turning = Some(turning);
         self.programs.push(program);
+        self.known.push(known);
     }
 
     fn stood(&mut self, stood: &Stood, simulation: &Simulation, file: Option<&str>) {
-        let before = file.and_then(|name| self.before.get(name)).copied().unwrap_or_default();
-        let Some(program) = self.programs.last_mut() else { return };
+        let (Some(program), Some(known)) = (self.programs.last_mut(), self.known.last()) else { return };
         let [z, r] = simulation.point(stood.control.tool, &stood.machine);
         program.shift = [r - stood.at.get(Axis::X), 0.0, z - stood.at.get(Axis::Z)];
-        program.stand(stood.line + before, &Control { file: 0, ..stood.control }, &stood.at);
+        program.stand(known.line(file, stood.line), &Control { file: 0, ..stood.control }, &stood.at);
     }
 
     fn step(&mut self, step: &Step, simulation: &Simulation, file: Option<&str>) {
-        let before = file.and_then(|name| self.before.get(name)).copied().unwrap_or_default();
-        let Some(program) = self.programs.last_mut() else { return };
+        let (Some(program), Some(known)) = (self.programs.last_mut(), self.known.last_mut()) else { return };
         // Rapid moves take what the machine of the simulation needs.
-        let motion = Motion { line: step.motion.line + before, seconds: step.seconds, ..step.motion };
+        let motion = Motion { line: known.line(file, step.motion.line), seconds: step.seconds, ..step.motion };
         if let Some([z, r]) = step.way.last() {
             program.shift = [r - motion.to.get(Axis::X), 0.0, z - motion.to.get(Axis::Z)];
         }
@@ -139,18 +145,24 @@ impl Watching {
             turning.cut(index, simulation.contours());
         }
         for alarm in &step.alarms {
-            self.raise(alarm, motion.line, index);
+            known.raise(alarm, motion.line, index, program);
         }
     }
 
-    fn late(&mut self, alarm: &Alarm, file: Option<&str>) {
-        let before = file.and_then(|name| self.before.get(name)).copied().unwrap_or_default();
-        self.raise(alarm, alarm.line + before, alarm.motion);
+    fn late(&mut self, number: usize, alarm: &Alarm, file: Option<&str>) {
+        let (Some(program), Some(known)) = (self.programs.get_mut(number), self.known.get_mut(number)) else { return };
+        known.raise(alarm, known.line(file, alarm.line), alarm.motion, program);
+    }
+}
+
+impl Known {
+    /// The line in the list of one of a file.
+    fn line(&self, file: Option<&str>, line: usize) -> usize {
+        file.and_then(|name| self.before.get(name)).copied().unwrap_or_default() + line
     }
 
-    fn raise(&mut self, alarm: &Alarm, line: usize, index: usize) {
-        let Some(program) = self.programs.last_mut() else { return };
-        if self.known.len() < MOST && self.known.insert((alarm.cause.number(), line)) {
+    fn raise(&mut self, alarm: &Alarm, line: usize, index: usize, program: &mut Program) {
+        if self.alarms.len() < MOST && self.alarms.insert((alarm.cause.number(), line)) {
             program.remarks.push(remark(alarm, line, index));
         }
     }

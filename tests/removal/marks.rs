@@ -5,7 +5,8 @@ use super::tools;
 use rodete::lathe::alarm::Alarm;
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::Setup;
-use rodete::lathe::tool::Tool;
+use rodete::lathe::stock::turned_about;
+use rodete::lathe::tool::{Hand, Tip, Tool};
 use rodete::number::trig::{hypot, sin_cos, tan};
 
 /// Goes along a path: places at feed `X, Z`, those behind `G0` at rapid, and `T` changes the tool.
@@ -130,7 +131,7 @@ fn what_a_tool_can_make_and_what_is_taken_away_after_it_is_not_told() {
 #[test]
 fn a_mark_of_roughing_that_finishing_with_another_tool_leaves_is_told() {
     // 0.5 mm are left for the copier; the rougher's mark is deeper, or not.
-    let finish = "T8 G0 46,2 G1 46,-12 44,-14.5 44,-30 52,-30";
+    let finish = "T8 G0 46,5 G1 46,-12 44,-14.5 44,-30 52,-30";
     let rough = |z: f64| format!("G0 47,2 G1 47,-12 45,{z} 45,-29.5 52,-29.5 {finish}");
     assert!(with(tools::rougher(), &rough(-14.5)).iter().any(|alarm| alarm.cause.number() == 132 && alarm.line == 3));
     let shallow = rough(-12.0 - 1.0 / tan(7.0_f64.to_radians()));
@@ -138,15 +139,80 @@ fn a_mark_of_roughing_that_finishing_with_another_tool_leaves_is_told() {
 }
 
 #[test]
-fn a_crown_of_short_chords_is_a_surface_that_was_made() {
-    // Down over a crown of R 10 by ten degrees, and on at forty; a mark in the crown itself, which the plunge has not made.
-    let (sin, cos) = sin_cos(100.0_f64.to_radians());
-    let end = [2.0 * (14.0 + 10.0 * sin), -10.0 + 10.0 * cos];
-    let crown = || Run::new(bar()).rapid(60.0, -10.0).cut(48.0, -10.0).arc(end[0], end[1], [28.0, -10.0], 10.0);
-    let down =
-        |angle: f64| crown().cut(46.0, end[1] - (end[0] / 2.0 - 23.0) / tan(angle.to_radians())).rapid(60.0, 10.0);
-    let alarms = down(40.0).raised();
-    let told: Vec<_> = alarms.iter().filter(|alarm| alarm.cause.number() == 132 && alarm.line == 4).collect();
+fn a_crown_of_short_chords_whose_ends_lie_off_the_grid_is_a_surface_that_was_made() {
+    // A crown of R 100 in chords of 0.1 mm, each end by turns 0.45 nm above and below a place of the grid of nanometres: none
+    // of the lines that are cut has the very direction of its way. The plunge to where it begins has not made the crown.
+    let place = |at: i32| {
+        let along = f64::from(at) / 10.0;
+        let off = if at % 2 == 0 { 4.5e-7 } else { -4.5e-7 };
+        [2.0 * (24.0 - (along * along / 200.0 * 1e6).round() / 1e6 + off), -2.0 - along]
+    };
+    let plunged = Run::new(bar()).rapid(60.0, -2.0).cut(48.0, -2.0);
+    let crown = (1..=20).map(place).fold(plunged, |run, [x, z]| run.cut(x, z));
+    let [X, z] = place(20);
+    // At its end it falls by 1°, and the way leads down from it by 25°.
+    let alarms = crown.cut(X - 1.4, z - 1.5).cut(X - 1.4, -25.0).cut(52.0, -25.0).raised();
+    let told: Vec<_> = alarms.iter().filter(|alarm| alarm.cause.number() == 132).collect();
     let [alarm] = told[..] else { panic!("{alarms:?}") };
-    assert!(alarm.place[0] < 48.0 && alarm.place[0] > end[0] - 0.01 && alarm.depth.unwrap() > 0.1, "{alarm:?}");
+    let deep = below(X, 0.8, 5.0, [[X, z], [X - 1.4, z - 1.5]]);
+    assert!(alarm.line == 23 && (alarm.depth.unwrap() - deep).abs() < 0.02, "{alarm:?} {deep}");
+}
+
+/// A path mirrored along Z, from where it lies in the second set-up.
+fn mirrored(path: &str, about: f64) -> String {
+    let block = |block: &str| match block.split_once(',') {
+        Some((x, z)) => format!("{x},{}", about - z.parse::<f64>().unwrap()),
+        None => block.to_owned(),
+    };
+    path.split(' ').map(block).collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn what_made_the_surfaces_is_known_in_the_second_set_up_as_in_one() {
+    let shift = -2.0;
+    let about = bar().ends()[0] + bar().ends()[1] + shift;
+    let mut setup = Setup::new(Lathe::default(), bar(), super::lathe::turret());
+    setup.turret.tools.insert(11, Tool { tip: Tip::OutsideRight, hand: Hand::Left, ..tools::rougher() });
+    let lying = Setup { part: Some(turned_about(&[bar().contour()], &bar(), shift)), ..setup.clone() };
+    let collar = "G0 60,5 48,5 G1 48,-6 46.6,-7.5 46.6,-25 52,-25";
+    let rough = "G0 60,5 46.5,5 G1 47,-12 45,-14.5 45,-29.5 52,-29.5";
+    // Who tells of a mark.
+    let (first, second) = ([true, false], [false, true]);
+    for (case, before, after, told) in [
+        // The land goes as far as the open face: its sense tells it.
+        ("a land", "G0 60,5 48,5 G1 48,-6 52,-6", collar, second),
+        ("a mark that stays", collar, "G0 60,5 49,5 G1 49,-10 54,-10", first),
+        ("a mark that goes", collar, "G0 52,5 44,5 G1 44,-30 52,-30", [false; 2]),
+        // With what was there of it below a cone.
+        ("a mark that goes deeper", rough, "G0 60,-6 47,-6 G1 46,-7.5 52,-7.5", [true; 2]),
+    ] {
+        let marks = |mut alarms: Vec<Alarm>| {
+            alarms.retain(|alarm| alarm.cause.number() == 132);
+            alarms
+        };
+        // In one set-up; in two, the first with the mirror image of the tool.
+        let one = run(Run::on(lying.clone()), before);
+        let length = one.steps.len();
+        let (of_first, of_second): (Vec<_>, Vec<_>) =
+            marks(run(one, after).simulation.lasting()).into_iter().partition(|alarm| alarm.line <= length);
+        let begun = run(Run::on(setup.clone()).tool(11), &mirrored(before, about)).simulation;
+        let two = Run { simulation: begun.turned_about(shift).unwrap(), ..Run::on(setup.clone()) };
+        let two = run(two, after).simulation;
+        // Between lines that are all but parallel, places move by more than the grid.
+        let near = |one: f64, two: f64, most: f64| (one - two).abs() < most;
+        let same = |(one, two): (&Alarm, &Alarm)| {
+            near(one.depth.unwrap(), two.depth.unwrap(), 1e-5)
+                && (0..2).all(|axis| near(one.place[axis], two.place[axis], 1e-3))
+        };
+        let [found, mut left] = [two.lasting(), begun.lasting_in(Some(&two))].map(marks);
+        left.iter_mut().for_each(|alarm| alarm.place[1] = about - alarm.place[1]);
+        assert_eq!(
+            [&of_first, &of_second].map(|alarms| !alarms.is_empty()),
+            told,
+            "{case}: {of_first:?} {of_second:?}"
+        );
+        for (one, two) in [(of_first, left), (of_second, found)] {
+            assert!(one.len() == two.len() && one.iter().zip(&two).all(same), "{case}: {one:?} {two:?}");
+        }
+    }
 }

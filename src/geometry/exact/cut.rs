@@ -3,7 +3,7 @@
 use super::convex::Convex;
 use super::index::NONE;
 use super::meeting::Meeting;
-use super::region::{Region, Ring, encloses, twice_area};
+use super::region::{Labelled, Region, encloses, twice_area};
 
 /// What became of the pieces of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,31 +138,26 @@ impl Region {
         None
     }
 
-    fn labels_of(&self, edge: u32) -> Vec<u32> {
-        let mut labels = Vec::new();
-        self.around(edge, |edge| labels.push(self.edges[edge as usize].label));
-        labels.retain(|label| *label != 0);
-        labels
-    }
-
     /// Drops every piece but the one that reaches to the least z, with the holes in them; gives back the contours of the
-    /// pieces dropped, and the labels of their edges.
-    pub fn keep_first(&mut self) -> Vec<(Ring, Vec<u32>)> {
+    /// pieces dropped.
+    pub fn keep_first(&mut self) -> Vec<Labelled> {
         let mut rings: Vec<_> = self.ring_edges().into_iter().map(|edge| (edge, self.ring(edge))).collect();
         if rings.len() < 2 {
             return Vec::new();
         }
-        rings.sort_by(|one, two| one.1[0][0].total_cmp(&two.1[0][0]).then(one.1[0][1].total_cmp(&two.1[0][1])));
-        let (outer, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(|(_, ring)| twice_area(ring) > 0.0);
+        rings.sort_by(|(_, (one, _)), (_, (two, _))| {
+            one[0][0].total_cmp(&two[0][0]).then(one[0][1].total_cmp(&two[0][1]))
+        });
+        let (outer, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(|(_, (ring, _))| twice_area(ring) > 0.0);
         let mut dropped = Vec::new();
         for (edge, ring) in outer.into_iter().skip(1) {
             for (hole, inner) in &holes {
-                if inner.first().is_some_and(|&point| encloses(&ring, point)) && self.edges[*hole as usize].alive {
-                    dropped.push((inner.clone(), self.labels_of(*hole)));
+                if inner.0.first().is_some_and(|&point| encloses(&ring.0, point)) && self.edges[*hole as usize].alive {
+                    dropped.push(inner.clone());
                     self.release_ring(*hole);
                 }
             }
-            dropped.push((ring, self.labels_of(edge)));
+            dropped.push(ring);
             self.release_ring(edge);
         }
         dropped

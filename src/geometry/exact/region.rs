@@ -3,7 +3,6 @@
 use super::convex::Convex;
 use super::grid::{Line, Point, UNITS};
 use super::index::{Bounds, Index, NONE};
-use super::meeting::Stretch;
 
 /// An edge runs from where the edge before meets its line to where the next one does; the region is to its left.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +19,9 @@ pub(super) struct Edge {
 
 /// A closed contour of a region, `[z, r]` in mm.
 pub type Ring = Vec<[f64; 2]>;
+
+/// A closed contour, and the labels of the edges that begin at its corners.
+pub type Labelled = (Ring, Vec<u32>);
 
 /// Twice the area that a ring goes round, positive counter-clockwise; mm².
 #[must_use]
@@ -59,6 +61,13 @@ impl Region {
     /// none.
     #[must_use]
     pub fn new(rings: &[Vec<Point>]) -> Self {
+        Self::labelled(rings, &[])
+    }
+
+    /// The same, with the labels of the edges that begin at the corners of each ring; 0 where there are fewer. Of edges on one
+    /// line the greatest label stays.
+    #[must_use]
+    pub fn labelled(rings: &[Vec<Point>], labels: &[Vec<u32>]) -> Self {
         let mut region = Self::default();
         let all = || rings.iter().flatten();
         let Some(&first) = all().next() else { return region };
@@ -71,36 +80,41 @@ impl Region {
         // Edges' bounds are rounded outwards by a unit or two.
         let margin = Point { z: 8, r: 8 };
         region.index = Index::new(Bounds { low: margin.to(low), high: high.plus(margin) });
-        for ring in rings {
-            region.add_ring(ring);
+        let labels = labels.iter().map(Vec::as_slice).chain(std::iter::repeat(&[][..]));
+        for (ring, labels) in rings.iter().zip(labels) {
+            region.add_ring(ring, labels);
         }
         region.top = all().map(|point| point.mm()[1]).fold(f64::NEG_INFINITY, f64::max);
         region
     }
 
-    /// Adds a ring of grid points.
-    pub(super) fn add_ring(&mut self, ring: &[Point]) {
-        let mut lines: Vec<Line> = Vec::new();
-        for (&from, &to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+    /// Adds a ring of grid points, with the labels of the edges that begin at them.
+    pub(super) fn add_ring(&mut self, ring: &[Point], labels: &[u32]) {
+        let mut lines: Vec<(Line, u32)> = Vec::new();
+        let labels = labels.iter().copied().chain(std::iter::repeat(0));
+        for ((&from, &to), label) in ring.iter().zip(ring.iter().cycle().skip(1)).zip(labels) {
             if from != to {
                 let line = Line::through(from, to);
-                if lines.last().is_none_or(|last| !last.same(line)) {
-                    lines.push(line);
+                match lines.last_mut() {
+                    Some((last, of)) if last.same(line) => *of = label.max(*of),
+                    _ => lines.push((line, label)),
                 }
             }
         }
-        while let [first, .., last] = lines[..]
-            && first.same(last)
+        while let [(first, of), .., (last, label)] = &mut lines[..]
+            && first.same(*last)
         {
+            *of = (*label).max(*of);
             lines.pop();
         }
         if lines.len() < 3 {
             return;
         }
-        let slots: Vec<u32> = lines.iter().map(|&line| self.take(line)).collect();
+        let slots: Vec<u32> = lines.iter().map(|&(line, _)| self.take(line)).collect();
         let count = slots.len();
         for at in 0..count {
             let (edge, before) = (slots[at], slots[(at + count - 1) % count]);
+            self.edges[edge as usize].label = lines[at].1;
             self.link(before, edge);
             let start = self.edges[before as usize].line.meets(self.edges[edge as usize].line);
             self.edges[edge as usize].start = start;
@@ -177,14 +191,6 @@ impl Region {
         inside
     }
 
-    /// The labels of all edges that have one, with the stretches that have them.
-    pub fn labels(&self) -> impl Iterator<Item = (u32, Stretch)> + '_ {
-        (0u32..).zip(&self.edges).filter(|(_, edge)| edge.alive && edge.label != 0).map(|(number, edge)| {
-            let [from, to] = self.ends(number);
-            (edge.label, Stretch { from, to })
-        })
-    }
-
     /// The number of edges.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -234,22 +240,32 @@ impl Region {
         }
     }
 
-    /// The ring of an edge.
-    pub(super) fn ring(&self, edge: u32) -> Ring {
-        let mut ring = Ring::new();
-        self.around(edge, |edge| ring.push(self.edges[edge as usize].start));
+    /// The ring of an edge, with its labels.
+    pub(super) fn ring(&self, edge: u32) -> Labelled {
+        let (mut ring, mut labels) = Labelled::default();
+        self.around(edge, |edge| {
+            ring.push(self.edges[edge as usize].start);
+            labels.push(self.edges[edge as usize].label);
+        });
         let first =
             (0..ring.len()).min_by(|&a, &b| ring[a][0].total_cmp(&ring[b][0]).then(ring[a][1].total_cmp(&ring[b][1])));
         ring.rotate_left(first.unwrap_or(0));
-        ring
+        labels.rotate_left(first.unwrap_or(0));
+        (ring, labels)
     }
 
     /// All contours: pieces counter-clockwise, holes clockwise, each from its corner of least z (and among those, of least
     /// r) on; those that begin at less z first.
     #[must_use]
     pub fn rings(&self) -> Vec<Ring> {
+        self.labelled_rings().into_iter().map(|(ring, _)| ring).collect()
+    }
+
+    /// The same, with the labels of their edges.
+    #[must_use]
+    pub fn labelled_rings(&self) -> Vec<Labelled> {
         let mut rings: Vec<_> = self.ring_edges().into_iter().map(|edge| self.ring(edge)).collect();
-        rings.sort_by(|one, two| one[0][0].total_cmp(&two[0][0]).then(one[0][1].total_cmp(&two[0][1])));
+        rings.sort_by(|(one, _), (two, _)| one[0][0].total_cmp(&two[0][0]).then(one[0][1].total_cmp(&two[0][1])));
         rings
     }
 
@@ -265,6 +281,6 @@ impl Region {
     /// Adds a hole: the outline of a convex polygon that lies inside the region.
     pub(super) fn add_hole(&mut self, hole: &Convex) {
         let ring: Vec<_> = hole.corners().iter().rev().copied().collect();
-        self.add_ring(&ring);
+        self.add_ring(&ring, &[]);
     }
 }
