@@ -56,17 +56,8 @@ impl Interpreter<'_> {
         if self.reading.system_a {
             self.take_unit();
         }
-        self.set_speed_mode()?;
-        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
-            self.set_feed_mode(mode);
-        }
-        self.take_feed_and_speed()?;
-        self.take_tool()?;
-        self.machine_codes()?;
+        self.begin_codes()?;
         let at_once = self.block.g(Group::NonModal);
-        if at_once == Some(G::Dwell) {
-            self.dwell()?;
-        }
         if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
             self.modal.plane = plane;
         }
@@ -148,6 +139,21 @@ impl Interpreter<'_> {
             }
             _ => Ok(()),
         }
+    }
+
+    /// The codes that a block obeys first, in their order: what the speed and the feed mean, F and S, T, M, the dwell.
+    pub(super) fn begin_codes(&mut self) -> Outcome<()> {
+        self.set_speed_mode()?;
+        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
+            self.set_feed_mode(mode);
+        }
+        self.take_feed_and_speed()?;
+        self.take_tool()?;
+        self.machine_codes()?;
+        if self.block.g(Group::NonModal) == Some(G::Dwell) {
+            self.dwell()?;
+        }
+        Ok(())
     }
 
     /// Which motion the block makes, and which letters its codes use.
