@@ -29,7 +29,7 @@ struct Plan {
 impl Interpreter<'_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Outcome<()> {
-        self.corner_goes_on()?;
+        self.corner_goes_on();
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
