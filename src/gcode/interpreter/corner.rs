@@ -101,18 +101,7 @@ impl Interpreter<'_> {
         if line && self.block.g(Group::NonModal).is_none() {
             return Ok(());
         }
-        let name = word.name;
-        Err(Fault::at(
-            &[word.column],
-            Text::new(
-                format!("«{name}» sin una recta con G1 no está implementado"),
-                format!("'{name}' without a line with G1 is not supported"),
-            ),
-            Text::fixed(
-                "escriba el chaflán o el arco en un bloque propio",
-                "write the chamfer or arc as a block of its own",
-            ),
-        ))
+        Err(without_line(word.name, word.column))
     }
 
     /// I, K or R of a line at feed in hand becomes its edge.
@@ -231,6 +220,21 @@ impl Interpreter<'_> {
         self.turn_remarks();
         (self.line, self.block.n) = (line, n);
     }
+}
+
+/// The refusal of a word of a corner whose block is no line at feed.
+pub(super) fn without_line(name: &str, column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::new(
+            format!("«{name}» sin una recta con G1 no está implementado"),
+            format!("'{name}' without a line with G1 is not supported"),
+        ),
+        Text::fixed(
+            "escriba el chaflán o el arco en un bloque propio",
+            "write the chamfer or arc as a block of its own",
+        ),
+    )
 }
 
 /// A pose as `[X, Z]`.

@@ -9,6 +9,7 @@ use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
@@ -315,17 +316,19 @@ impl Interpreter<'_> {
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
         let meant = match (motion, name) {
-            (G::Linear, 'R') => Some(("redondear una esquina", "rounding a corner")),
-            (G::Linear, 'C' | 'I' | 'K') => Some(("achaflanar una esquina", "chamfering a corner")),
-            (G::Thread(_), 'Q') => Some(("el ángulo inicial de la rosca", "a thread's start angle")),
+            (G::Linear, 'I' | 'K' | 'R') => Some(without_line(&name.to_string(), self.block.column(index))),
+            (G::Thread(_), 'Q') => Some(Fault::at(
+                &[self.block.column(index)],
+                Text::fixed(
+                    "Q no está implementado en G34: el ángulo inicial de la rosca",
+                    "Q is not supported in G34: a thread's start angle",
+                ),
+                Text::fixed("escriba los movimientos sin ella", "write the motions without it"),
+            )),
             _ => None,
         };
-        if let Some((es, en)) = meant.filter(|_| self.reading.system_a) {
-            return Fault::at(
-                &[self.block.column(index)],
-                Text::new(format!("{name} no está implementado: {es}"), format!("{name} is not supported: {en}")),
-                Text::fixed("escriba los movimientos sin ella", "write the motions without it"),
-            );
+        if let Some(fault) = meant.filter(|_| self.reading.system_a) {
+            return fault;
         }
         Fault::at(
             &[self.block.column(index)],
