@@ -73,8 +73,8 @@ fn m99_with_p_goes_back_to_a_block_of_the_caller() {
 #[test]
 fn a_block_that_m99_does_not_find_is_refused_in_its_own_file() {
     for (program, said) in [
-        ("M98 P2\nM30\n", "PS0078: there is no block N50 (the program that calls)"),
-        ("M98 P2\nN50 Z6.\nM30\nN50 Z7.\n", "N50 stands twice: in lines 2 and 4 (the program that calls)"),
+        ("M98 P2\nM30\n", "PS0078: there is no block N50 in the program that calls"),
+        ("M98 P2\nN50 Z6.\nM30\nN50 Z7.\n", "N50 stands twice: in lines 2 and 4 of the program"),
     ] {
         let read = with_files(program, &[("O0002", "G0 X10.\n\nM99 P50\n")]);
         let [fault] = read.faults.as_slice() else { panic!("{:?}", read.faults) };

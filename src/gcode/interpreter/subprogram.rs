@@ -248,11 +248,12 @@ impl Interpreter<'_> {
                 self.line = line;
                 let block = block.map_err(|mut fault| {
                     // M99 stands here, and the blocks it may mean there.
-                    if std::mem::replace(&mut self.at, here) != here {
-                        let Text { es, en } = fault.told();
-                        fault.what =
-                            Text::new(format!("{es} (programa que llama)"), format!("{en} (the program that calls)"));
-                        fault.others.clear();
+                    if std::mem::replace(&mut self.at, here) != here && fault.others.is_empty() {
+                        let Text { es, en } = &fault.what;
+                        fault.what = Text::new(
+                            format!("{es} en el programa que llama"),
+                            format!("{en} in the program that calls"),
+                        );
                     }
                     fault
                 })?;
