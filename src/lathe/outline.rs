@@ -132,6 +132,7 @@ impl Tool {
     /// Refused with the reason: lengths that are not positive, angles that do not fit the insert, a nose too large for it, a
     /// bar that reaches past its tip.
     pub fn outline(&self, tolerance: f64, behind: bool) -> Result<Outline, Text> {
+        self.check_holder()?;
         self.check()?;
         let mut cutter = Vec::new();
         let mut size = [0.0; 2];
@@ -205,7 +206,6 @@ impl Tool {
 
     fn check(&self) -> Result<(), Text> {
         let bad = |es: &str, en: &str| Err(refuse(es, en));
-        let positive = |values: &[f64]| values.iter().all(|value| *value > 0.0 && *value < 1000.0);
         let sizes = match self.cutter {
             Cutter::Insert { circle, main, auxiliary, nose, shape } => {
                 let round = shape == Shape::R;
@@ -244,6 +244,15 @@ impl Tool {
         if !sizes {
             return bad("una medida de la herramienta no es posible", "a size of the tool is not possible");
         }
+        Ok(())
+    }
+
+    /// Refuses sizes of the holder that it cannot have: lengths that are not positive, a bar that reaches past its tip.
+    ///
+    /// # Errors
+    /// With the reason.
+    pub fn check_holder(&self) -> Result<(), Text> {
+        let bad = |es: &str, en: &str| Err(refuse(es, en));
         match self.holder {
             Holder::Shank { width, length } if positive(&[width, length]) => Ok(()),
             Holder::Bar { diameter, length, reach } if positive(&[diameter, length]) => {
@@ -447,6 +456,11 @@ impl Tool {
         let (sin, _) = sin_cos(half);
         (depth + nose * (1.0 / sin - 1.0)) * tan(half)
     }
+}
+
+/// True of lengths that a tool may have, mm.
+fn positive(values: &[f64]) -> bool {
+    values.iter().all(|value| *value > 0.0 && *value < 1000.0)
 }
 
 fn boxed(z: [f64; 2], r: [f64; 2]) -> [[f64; 2]; 4] {

@@ -370,10 +370,7 @@ fn turret(rows: &[Row], (tolerance, behind): (f64, bool), findings: &mut Vec<Fin
         };
         if let Err(why) = tool.outline(tolerance, behind) {
             findings.push(Finding::stop(
-                Place::Cells(cells(
-                    row,
-                    &["tools/type", "tools/shape", "tools/IC", "tools/R", "tools/phi1", "tools/phi2"],
-                )),
+                Place::Cells(cells(row, sizes(&tool))),
                 Text::new(format!("herramienta {T}: {}", why.es), format!("tool {T}: {}", why.en)),
                 Text::fixed("compruebe las medidas de la herramienta", "check the sizes of the tool"),
             ));
@@ -397,6 +394,23 @@ fn turret(rows: &[Row], (tolerance, behind): (f64, bool), findings: &mut Vec<Fin
 
 fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
     keys.iter().flat_map(|key| row.cell(key)).collect()
+}
+
+/// The cells of what is wrong with a tool that has no outline: of its holder, or else of its type and the sizes that it needs.
+fn sizes(tool: &Tool) -> &'static [&'static str] {
+    match (tool.check_holder(), tool.cutter, tool.holder) {
+        (Err(_), _, Holder::Bar { .. }) => &["tools/b", "tools/l", "tools/c"],
+        (Err(_), _, Holder::Shank { .. }) => &["tools/b", "tools/l"],
+        (_, Cutter::Insert { .. }, _) => {
+            &["tools/type", "tools/shape", "tools/IC", "tools/R", "tools/phi1", "tools/phi2"]
+        }
+        (_, Cutter::Groover { .. }, _) => &["tools/type", "tools/R", "tools/w", "tools/h"],
+        (_, Cutter::Threader { .. }, _) => {
+            &["tools/type", "tools/R", "tools/h", "tools/psi", "tools/p_min", "tools/p_max"]
+        }
+        (_, Cutter::Drill { .. }, _) => &["tools/type", "tools/w", "tools/h", "tools/psi"],
+        (_, Cutter::CentreDrill { .. }, _) => &["tools/type", "tools/IC", "tools/w", "tools/h", "tools/l"],
+    }
 }
 
 /// What a tool needs and its row does not have: the cell is empty, or the sheet has no such column.
@@ -447,7 +461,7 @@ fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
             angle: need("tools/psi")?,
             nose: row.real("tools/R").unwrap_or_default(),
             depth: need("tools/h")?,
-            leads: [row.real("tools/p_min").unwrap_or_default(), need("tools/p_max")?],
+            leads: [need("tools/p_min")?, need("tools/p_max")?],
         },
         "drill" => Cutter::Drill { diameter: need("tools/w")?, point: need("tools/psi")?, length: need("tools/h")? },
         "centre-drill" => Cutter::CentreDrill {
@@ -474,8 +488,10 @@ fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
     };
     let number = row.whole("tools/tip").and_then(|number| u8::try_from(number).ok());
     let (width, length) = (need("tools/b")?, need("tools/l")?);
-    let holder = if internal || matches!(kind, "drill" | "centre-drill") {
-        Holder::Bar { diameter: width, length, reach: row.real("tools/c").unwrap_or_default() }
+    let holder = if internal {
+        Holder::Bar { diameter: width, length, reach: need("tools/c")? }
+    } else if matches!(kind, "drill" | "centre-drill") {
+        Holder::Bar { diameter: width, length, reach: 0.0 }
     } else {
         Holder::Shank { width, length }
     };

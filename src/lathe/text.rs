@@ -135,11 +135,12 @@ impl Source {
         if fault.others.is_empty() {
             return None;
         }
-        let cells = |line: usize| match self.place(fault.file.as_deref(), line, Vec::new()) {
+        let cells = |(file, line): (Option<&str>, usize)| match self.place(file, line, Vec::new()) {
             Place::Cells(cells) => Some(cells),
             _ => None,
         };
-        let lines = std::iter::once(fault.line).chain(fault.others.iter().copied());
+        let others = fault.others.iter().map(|(file, line)| (file.as_deref(), *line));
+        let lines = std::iter::once((fault.file.as_deref(), fault.line)).chain(others);
         let cells: Vec<Vec<CellPlace>> = lines.map(cells).collect::<Option<_>>()?;
         Some(Finding::stop(Place::Cells(cells.concat()), fault.what.clone(), fault.remedy.clone()))
     }

@@ -60,4 +60,9 @@ fn a_block_number_that_stands_twice_is_shown_in_its_cells() {
     let (_folder, document, _) = build(&Book::new(&program("M98 P0005")).subprogram("O0005", &lines_of).bytes());
     let stops: Vec<_> = lines(&document).into_iter().filter(|line| line.starts_with("stop")).collect();
     assert_eq!(stops, ["stop O0005!A6 O0005!A8 O0005!A10 N5 stands twice"]);
+    // Of M99 in a subprogram's sheet, its cell there and those of the blocks in the program's.
+    let blocks = program("M98 P0005|N5 G0 X60.|N5 G0 X61.");
+    let (_folder, document, _) = build(&Book::new(&blocks).subprogram("O0005", &["G4 X1.", "M99 P5"]).bytes());
+    let stops: Vec<_> = lines(&document).into_iter().filter(|line| line.starts_with("stop")).collect();
+    assert_eq!(stops, ["stop O0005!A7 PROGRAM!A12 PROGRAM!A13 N5 stands twice"]);
 }

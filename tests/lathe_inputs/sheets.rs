@@ -152,6 +152,25 @@ fn a_tool_says_what_it_needs_and_cannot_be() {
     ] {
         stops(key, &with(key, value).bytes(), &[&format!("{cells} {what}")], "check the sizes of the tool");
     }
+    // The cells are those of the sizes that its type has, or of its holder.
+    for (row, key, value, said) in [
+        (2, "tools/R", 5.0, "TOOLS!D8 TOOLS!G8 TOOLS!J8 TOOLS!K8 tool 3: the nose radius is too large for the insert"),
+        (
+            3,
+            "tools/p_min",
+            3.5,
+            "TOOLS!D9 TOOLS!G9 TOOLS!K9 TOOLS!L9 TOOLS!M9 TOOLS!N9 tool 4: a size of the tool is not possible",
+        ),
+        (4, "tools/h", 2.0, "TOOLS!D10 TOOLS!J10 TOOLS!K10 TOOLS!L10 tool 5: a size of the tool is not possible"),
+        (5, "tools/c", 1.0, "TOOLS!R11 TOOLS!S11 TOOLS!T11 tool 6: the bar reaches past the tip"),
+    ] {
+        let book = sound().change(TOOLS_KEY, |rows| {
+            rows[row].values.insert(key, Value::Real(value));
+        });
+        stops(key, &book.bytes(), &[said], "check the sizes of the tool");
+    }
+    stops("p_min", &without(3, "tools/p_min").bytes(), &["TOOLS!M9 tool 4 needs p_min"], "fill the cell in");
+    stops("c", &without(5, "tools/c").bytes(), &["TOOLS!T11 tool 6 needs c"], "fill the cell in");
     let comma = sound().change(TOOLS_KEY, |rows| {
         rows[0].values.insert("tools/R", Value::Line("0,8".to_owned()));
     });

@@ -192,3 +192,66 @@ fn the_nose_goes_round_a_broken_corner_as_round_the_same_lines_and_arcs_written_
     assert_eq!(a, b);
     assert!(a.len() >= 10 && short.controls.iter().any(|control| control.compensation == Compensation::Right));
 }
+
+/// Motions and refusals of a program in their order, a refusal by its file, line and alarm.
+fn told(program: &str, setting: rodete::gcode::interpreter::Setting) -> Vec<String> {
+    let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+    let mut told = Vec::new();
+    while let Some(item) = interpreter.next() {
+        told.push(match item {
+            Ok(motion) => {
+                let file = interpreter.file(interpreter.control().file).unwrap_or("-");
+                format!("{file} {} {}", motion.line, line(&motion))
+            }
+            Err(fault) => {
+                let text = fault.what.en.split(':').next().unwrap_or_default();
+                format!("{} {} {text}", fault.file.as_deref().unwrap_or("-"), fault.line)
+            }
+        });
+    }
+    told
+}
+
+const HEAD: &str = "T0101 M3 S1000 F0.2\nG0 X50. Z5.\nG1 Z-10. ,R2.\n";
+
+#[test]
+fn the_block_behind_a_refused_corner_is_executed() {
+    let behind = |blocks: &str| told(&format!("{HEAD}{blocks}"), setting())[1..].to_vec();
+    // The rapid motion is made, and G0 in force behind it.
+    assert_eq!(
+        behind("G0 X60.\nZ5.\nM30\n"),
+        ["- 3 PS0052", "- 3 G1 X50 Z-10 F0.2", "- 4 G0 X60 Z-10", "- 5 G0 X60 Z5"]
+    );
+    assert_eq!(
+        behind("G2 X60. Z-15. R5.\nM30\n"),
+        ["- 3 PS0052", "- 3 G1 X50 Z-10 F0.2", "- 4 G2 X60 Z-15 C60,-10 F0.2"]
+    );
+    // 2 mm of a line of 1.
+    assert_eq!(
+        behind("X52.\nZ-30.\nM30\n"),
+        ["- 3 PS0055", "- 3 G1 X50 Z-10 F0.2", "- 4 G1 X52 Z-10 F0.2", "- 5 G1 X52 Z-30 F0.2"]
+    );
+    // The end of the program is one, and what stands behind it another program.
+    assert_eq!(behind("M30\nO7\nG0 X99.\nM99\n"), ["- 3 PS0051", "- 3 G1 X50 Z-10 F0.2"]);
+    // What is wrong with the block itself is said behind the corner.
+    assert_eq!(behind("G0 X60. U5.\nM30\n"), ["- 3 PS0052", "- 3 G1 X50 Z-10 F0.2", "- 4 X and U in one block"]);
+}
+
+#[test]
+fn a_corner_at_the_end_of_a_subprogram_is_one_of_its_file() {
+    let with = |text: &str| {
+        let files = [("O0002".to_owned(), text.to_owned())].into();
+        rodete::gcode::interpreter::Setting { files: Box::new(crate::lines::Folder(files)), ..setting() }
+    };
+    let program = "T0101 M3 S1000 F0.2\nG0 X50. Z5.\nM98 P2\nG1 X60.\nM30\n";
+    assert_eq!(
+        told(program, with("G1 Z-10. ,R2.\nM99\n"))[1..],
+        ["O0002 1 PS0051", "O0002 1 G1 X50 Z-10 F0.2", "- 4 G1 X60 Z-10 F0.2"]
+    );
+    assert_eq!(
+        told(program, with("G1 Z-10. ,R2. M99\n"))[1..],
+        ["O0002 1 G1 X50 Z-8 F0.2", "O0002 1 G2 X54 Z-10 C54,-8 F0.2", "- 4 G1 X60 Z-10 F0.2"]
+    );
+    let short = told(program, with("G1 Z-10. ,R7. M99\n"));
+    assert_eq!(short[1..], ["O0002 1 PS0055", "O0002 1 G1 X50 Z-10 F0.2", "- 4 G1 X60 Z-10 F0.2"]);
+}

@@ -49,6 +49,44 @@ fn inches_and_dwells_have_increments_of_their_own() {
     assert_eq!(lines("G20 G0 X10000", DecimalPoint::Micrometre), ["G0 X25.4 Z0"]);
     assert_eq!(lines("G20\nG4 X1500", DecimalPoint::Micrometre), ["G4 1.5"]);
     assert_eq!(lines("G4 X2", DecimalPoint::Calculator), ["G4 2"]);
+    for (program, point, said) in [
+        (
+            "G20 G0 X10000",
+            DecimalPoint::Micrometre,
+            "dimensions without decimal point, read as least increments (0.0001 inch)",
+        ),
+        ("G20 G0 X1", DecimalPoint::Calculator, "dimensions without decimal point, read as inches"),
+        ("G20\nG4 X1500", DecimalPoint::Micrometre, "dwells without decimal point, read as ms"),
+        ("G4 U2", DecimalPoint::Calculator, "dwells without decimal point, read as s"),
+    ] {
+        let remarks = read(program, point).remarks;
+        assert!(remarks.iter().any(|remark| remark.what.en == said), "{program} {remarks:?}");
+    }
+    assert!(refusal("G20 G0 X1\nM30\n").contains("X1 has no decimal point: inches or ten-thousandths"));
+    assert!(refusal("G4 X1\nM30\n").contains("X1 has no decimal point: s or ms"));
+}
+
+#[test]
+fn what_has_no_decimal_point_in_a_contour_is_read_by_the_feed_code_in_force_there() {
+    // F120 behind G98 is mm a minute, and what it is in roughing does not matter; behind G99 F1 is a length again.
+    let contour = "N10 G0 X30.\nG1 Z-10. F.1\nG98 X40. F100\nZ-20. F120\nN20 G99 Z-30. F.2\n";
+    let head = "T0101 M3 S1000 F.2\nG0 X50. Z5.\n";
+    let program = format!("{head}G73 U0. W0. R1\nG73 P10 Q20 F.3\n{contour}G70 P10 Q20\nG1 X60.\nM30\n");
+    let read = read_with(&program, setting());
+    assert!(read.faults.is_empty(), "{:?}", read.faults);
+    let finished: Vec<String> = read.motions.iter().rev().take(6).rev().map(line).collect();
+    let wanted =
+        ["G1 X30 Z-10 F0.1", "G1 X40 Z-10 F100", "G1 X40 Z-20 F120", "G1 X40 Z-30 F0.2", "G0 X50 Z5", "G1 X60 Z5 F0.2"];
+    assert_eq!(finished, wanted);
+    let refused = refusal(&format!("{head}G98\nG70 P10 Q20\nM30\nN10 G0 G99 X30.\nN20 G1 Z-10. F1\n"));
+    assert!(refused.starts_with("7:14 F1 has no decimal point"), "{refused}");
+}
+
+#[test]
+fn a_number_with_blanks_is_told_in_a_contour_too() {
+    let contour = "N10 G0 X3 0.\nN20 G1 Z-10. F.1\n";
+    let read = read_with(&format!("T0101 M3 S1000 F.2\nG0 X50. Z5.\nG70 P10 Q20\nM30\n{contour}"), setting());
+    assert!(read.faults.is_empty() && remarked(&read, "number with blanks inside"), "{:?}", read.faults);
 }
 
 #[test]

@@ -71,6 +71,20 @@ fn m99_with_p_goes_back_to_a_block_of_the_caller() {
 }
 
 #[test]
+fn a_block_that_m99_does_not_find_is_refused_in_its_own_file() {
+    for (program, said) in [
+        ("M98 P2\nM30\n", "PS0078: there is no block N50 in the program that calls"),
+        ("M98 P2\nN50 Z6.\nM30\nN50 Z7.\n", "N50 stands twice: in lines 2 and 4 of the program"),
+    ] {
+        let read = with_files(program, &[("O0002", "G0 X10.\n\nM99 P50\n")]);
+        let [fault] = read.faults.as_slice() else { panic!("{:?}", read.faults) };
+        assert_eq!((fault.file.as_deref(), fault.line, fault.columns.as_slice()), (Some("O0002"), 3, [5].as_slice()));
+        assert_eq!(fault.told().en, said);
+    }
+    assert!(refusal("M98 P2\nM30\nO2\nM99 P50\n").starts_with("4:5 PS0078: there is no block N50;"));
+}
+
+#[test]
 fn block_numbers_belong_to_their_program() {
     let program = "O0001\nM97 P10\nM98 P0002\nM30\nN10 G0 W1.\nM99\nO0002\nM97 P10\nM99\nN10 G0 W10.\nM99\n";
     assert_eq!(z(&with_files(program, &[])), ["Z1", "Z11"]);

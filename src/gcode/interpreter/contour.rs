@@ -131,11 +131,13 @@ impl Interpreter<'_> {
     /// Reads the contour of a cycle from where the tool stands. The program stays where it is.
     pub(super) fn contour(&mut self, cycle: u8, ends: Ends) -> Outcome<Contour> {
         let back = self.source().position();
-        let (line, motion, current) = (self.line, self.modal.motion, self.current);
+        let (line, current) = (self.line, self.current);
+        // Of the codes that stay in force, those that say how the words of the blocks behind are read.
+        let (motion, feed_mode) = (self.modal.motion, self.modal.feed_mode);
         let block = std::mem::replace(&mut self.block, Block::new());
         let read = self.read_contour(cycle, ends);
         self.block = block;
-        (self.modal.motion, self.current) = (motion, current);
+        (self.modal.motion, self.modal.feed_mode, self.current) = (motion, feed_mode, current);
         if read.is_ok() {
             self.line = line;
         }
@@ -226,6 +228,9 @@ impl Interpreter<'_> {
         contour.blocks.push(ContourBlock { line: self.line, words: self.block.clone(), side });
         if let Some(motion) = self.block.g(Group::Motion) {
             self.modal.motion = motion;
+        }
+        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
+            self.modal.feed_mode = mode;
         }
         if self.block.present & MOVES.mask() & !dwell == 0 {
             self.edge_fits(None)?;

@@ -35,6 +35,8 @@ pub(super) struct Corner {
     edge: Edge,
     line: usize,
     n: Option<u32>,
+    /// The source that its block stands in.
+    at: usize,
     from: Pose,
     feed: Feed,
     /// What was in force in its block.
@@ -99,18 +101,7 @@ impl Interpreter<'_> {
         if line && self.block.g(Group::NonModal).is_none() {
             return Ok(());
         }
-        let name = word.name;
-        Err(Fault::at(
-            &[word.column],
-            Text::new(
-                format!("«{name}» sin una recta con G1 no está implementado"),
-                format!("'{name}' without a line with G1 is not supported"),
-            ),
-            Text::fixed(
-                "escriba el chaflán o el arco en un bloque propio",
-                "write the chamfer or arc as a block of its own",
-            ),
-        ))
+        Err(without_line(word.name, word.column))
     }
 
     /// I, K or R of a line at feed in hand becomes its edge.
@@ -138,11 +129,11 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// Refuses a block in hand that does not go on from a corner with a line at feed.
-    pub(super) fn corner_goes_on(&mut self) -> Outcome<()> {
+    /// Refuses the corner where the block in hand does not go on from it with a line at feed; the block itself is executed.
+    pub(super) fn corner_goes_on(&mut self) {
         let block = &self.block;
         if self.corner.is_none() || block.says_nothing() {
-            return Ok(());
+            return;
         }
         let allowed = [Group::Motion, Group::CutterCompensation, Group::Speed, Group::Feed];
         let other = block.groups & !allowed.into_iter().fold(0, |groups, group| groups | 1 << group as u16);
@@ -151,22 +142,30 @@ impl Interpreter<'_> {
             && block.g(Group::Motion).unwrap_or(self.modal.motion) == G::Linear
             && !block.has(letter::T)
             && matches!(block.m(4), None | Some((M::Pause, _)));
-        if goes_on { Ok(()) } else { self.lose_corner(moves) }
+        if !goes_on {
+            self.lose_corner(moves);
+        }
     }
 
     /// The program does not go on from a corner: its line is made whole, and the corner refused.
-    pub(super) fn lose_corner(&mut self, motion: bool) -> Outcome<()> {
-        let Some(corner) = self.corner.take() else { return Ok(()) };
-        let (word, line) = (corner.word, corner.line);
-        self.make_corner(corner, None)?;
-        Err(word.alone(line, motion))
+    pub(super) fn lose_corner(&mut self, motion: bool) {
+        if let Some(corner) = self.corner.take() {
+            let fault = corner.word.alone(corner.line, motion);
+            self.refuse_corner(corner, fault);
+        }
+    }
+
+    /// Hands out the refusal of a corner, and its line, which is made whole. The program goes on.
+    fn refuse_corner(&mut self, corner: Corner, mut fault: Box<Fault>) {
+        fault.file = self.sources.get(corner.at).and_then(|source| source.file.clone());
+        self.queue.push_back(Err(fault));
+        self.make_corner(corner, None);
     }
 
     /// The line of a corner is made whole, as what should follow it is refused.
     pub(super) fn leave_corner(&mut self) {
         if let Some(corner) = self.corner.take() {
-            // A line at a feed that is given.
-            let _ = self.make_corner(corner, None);
+            self.make_corner(corner, None);
         }
     }
 
@@ -175,11 +174,10 @@ impl Interpreter<'_> {
         if let Some(corner) = self.corner.take() {
             let points = [corner.from, self.current, to].map(|pose| point(&pose));
             match broken(points, corner.edge, corner.word.square) {
-                Ok(broken) => self.make_corner(corner, broken)?,
+                Ok(broken) => self.make_corner(corner, broken),
                 Err(trouble) => {
                     let fault = corner.word.trouble(corner.line, &trouble);
-                    self.make_corner(corner, None)?;
-                    return Err(fault);
+                    self.refuse_corner(corner, fault);
                 }
             }
         }
@@ -190,6 +188,7 @@ impl Interpreter<'_> {
             edge: word.edge(self.modal.unit),
             line: self.line,
             n: self.block.n,
+            at: self.at,
             from: self.current,
             feed,
             modal: self.modal.clone(),
@@ -199,10 +198,12 @@ impl Interpreter<'_> {
     }
 
     /// Makes the line up to a corner that was held back, and its edge, as in its own block.
-    fn make_corner(&mut self, corner: Corner, broken: Option<Broken>) -> Outcome<()> {
+    fn make_corner(&mut self, corner: Corner, broken: Option<Broken>) {
         let whole = point(&self.current);
         let (line, n) = (self.line, self.block.n);
         let modal = std::mem::replace(&mut self.modal, corner.modal);
+        let at = std::mem::replace(&mut self.at, corner.at);
+        self.turn_remarks();
         (self.line, self.block.n, self.current) = (corner.line, corner.n, corner.from);
         let straight = |to| Move { way: Way::Feed(None), to, line: None };
         let end = broken.map_or(whole, |broken| broken.from);
@@ -210,17 +211,30 @@ impl Interpreter<'_> {
             None => straight(to),
             Some((centre, clockwise)) => Move { way: Way::Arc { centre, clockwise, feed: None }, to, line: None },
         });
-        let mut made = Ok(());
-        if end != point(&corner.from) {
-            made = self.make_way(&straight(end), Some(corner.feed));
+        let line_before = (end != point(&corner.from)).then(|| straight(end));
+        for way in line_before.into_iter().chain(edge) {
+            // A motion at a feed that is given is never refused.
+            let _ = self.make_way(&way, Some(corner.feed));
         }
-        if let Some(edge) = edge {
-            made = made.and_then(|()| self.make_way(&edge, Some(corner.feed)));
-        }
-        self.modal = modal;
+        (self.modal, self.at) = (modal, at);
+        self.turn_remarks();
         (self.line, self.block.n) = (line, n);
-        made
     }
+}
+
+/// The refusal of a word of a corner whose block is no line at feed.
+pub(super) fn without_line(name: &str, column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::new(
+            format!("«{name}» sin una recta con G1 no está implementado"),
+            format!("'{name}' without a line with G1 is not supported"),
+        ),
+        Text::fixed(
+            "escriba el chaflán o el arco en un bloque propio",
+            "write the chamfer or arc as a block of its own",
+        ),
+    )
 }
 
 /// A pose as `[X, Z]`.

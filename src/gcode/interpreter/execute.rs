@@ -9,6 +9,7 @@ use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
@@ -29,7 +30,7 @@ struct Plan {
 impl Interpreter<'_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Outcome<()> {
-        self.corner_goes_on()?;
+        self.corner_goes_on();
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
@@ -56,17 +57,8 @@ impl Interpreter<'_> {
         if self.reading.system_a {
             self.take_unit();
         }
-        self.set_speed_mode()?;
-        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
-            self.set_feed_mode(mode);
-        }
-        self.take_feed_and_speed()?;
-        self.take_tool()?;
-        self.machine_codes()?;
+        self.begin_codes()?;
         let at_once = self.block.g(Group::NonModal);
-        if at_once == Some(G::Dwell) {
-            self.dwell()?;
-        }
         if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
             self.modal.plane = plane;
         }
@@ -148,6 +140,21 @@ impl Interpreter<'_> {
             }
             _ => Ok(()),
         }
+    }
+
+    /// The codes that a block obeys first, in their order: what the speed and the feed mean, F and S, T, M, the dwell.
+    pub(super) fn begin_codes(&mut self) -> Outcome<()> {
+        self.set_speed_mode()?;
+        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
+            self.set_feed_mode(mode);
+        }
+        self.take_feed_and_speed()?;
+        self.take_tool()?;
+        self.machine_codes()?;
+        if self.block.g(Group::NonModal) == Some(G::Dwell) {
+            self.dwell()?;
+        }
+        Ok(())
     }
 
     /// Which motion the block makes, and which letters its codes use.
@@ -309,17 +316,19 @@ impl Interpreter<'_> {
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
         let meant = match (motion, name) {
-            (G::Linear, 'R') => Some(("redondear una esquina", "rounding a corner")),
-            (G::Linear, 'C' | 'I' | 'K') => Some(("achaflanar una esquina", "chamfering a corner")),
-            (G::Thread(_), 'Q') => Some(("el ángulo inicial de la rosca", "a thread's start angle")),
+            (G::Linear, 'I' | 'K' | 'R') => Some(without_line(&name.to_string(), self.block.column(index))),
+            (G::Thread(_), 'Q') => Some(Fault::at(
+                &[self.block.column(index)],
+                Text::fixed(
+                    "Q no está implementado en G34: el ángulo inicial de la rosca",
+                    "Q is not supported in G34: a thread's start angle",
+                ),
+                Text::fixed("escriba los movimientos sin ella", "write the motions without it"),
+            )),
             _ => None,
         };
-        if let Some((es, en)) = meant.filter(|_| self.reading.system_a) {
-            return Fault::at(
-                &[self.block.column(index)],
-                Text::new(format!("{name} no está implementado: {es}"), format!("{name} is not supported: {en}")),
-                Text::fixed("escriba los movimientos sin ella", "write the motions without it"),
-            );
+        if let Some(fault) = meant.filter(|_| self.reading.system_a) {
+            return fault;
         }
         Fault::at(
             &[self.block.column(index)],

@@ -14,8 +14,9 @@ pub struct Fault {
     pub line: usize,
     /// The columns, counted from 1.
     pub columns: Vec<usize>,
-    /// Other lines of the same file that are at fault with it, which `what` does not name; counted from 1.
-    pub others: Vec<usize>,
+    /// Other lines of one file that are at fault with it, which `what` does not name: the file as in `file`, and the line,
+    /// counted from 1.
+    pub others: Vec<(Option<String>, usize)>,
     /// What is wrong.
     pub what: Text,
     /// What to do about it.
@@ -59,10 +60,18 @@ impl Fault {
     /// What is wrong, with the other lines at fault.
     #[must_use]
     pub fn told(&self) -> Text {
-        let Some((last, lines)) = self.others.split_last() else { return self.what.clone() };
-        let lines = lines.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+        let Some(((file, last), lines)) = self.others.split_last() else { return self.what.clone() };
+        let lines = lines.iter().map(|(_, line)| line.to_string()).collect::<Vec<_>>().join(", ");
+        let of = match file {
+            _ if *file == self.file => Text::fixed("", ""),
+            None => Text::fixed(" del programa", " of the program"),
+            Some(file) => Text::new(format!(" de «{file}»"), format!(" of '{file}'")),
+        };
         let Text { es, en } = &self.what;
-        Text::new(format!("{es}: en las líneas {lines} y {last}"), format!("{en}: in lines {lines} and {last}"))
+        Text::new(
+            format!("{es}: en las líneas {lines} y {last}{}", of.es),
+            format!("{en}: in lines {lines} and {last}{}", of.en),
+        )
     }
 
     /// The refusal, after which nothing can be read.

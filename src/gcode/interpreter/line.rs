@@ -73,16 +73,6 @@ impl Interpreter<'_> {
             };
         }
         self.read_words(&mut cursor)?;
-        if let Some(column) = cursor.parted {
-            let line = self.line;
-            self.remarks.add(
-                Grade::Note,
-                line,
-                Some(column),
-                Text::fixed("número con blancos en medio", "number with blanks inside"),
-                Text::fixed("escríbalo sin blancos", "write it without blanks"),
-            );
-        }
         for (parameter, value) in std::mem::take(&mut self.block.settings) {
             match parameter {
                 Parameter::Number(number) => self.parameters.set(number, value),

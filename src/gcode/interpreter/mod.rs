@@ -293,7 +293,7 @@ impl<'a> Interpreter<'a> {
             return self.end_of_file();
         }
         self.count_line()?;
-        self.remarks.turn_to(self.sources.get(self.at).and_then(|source| source.file.as_ref()));
+        self.turn_remarks();
         if self.line == 1 && wide(line) {
             let [what, remedy] = WIDE;
             return Err(Fault::block(what, remedy).fatal());
@@ -311,10 +311,15 @@ impl<'a> Interpreter<'a> {
         self.execute_line(line)
     }
 
+    /// What is remarked from here on stands in the file in hand.
+    fn turn_remarks(&mut self) {
+        self.remarks.turn_to(self.sources.get(self.at).and_then(|source| source.file.as_ref()));
+    }
+
     fn end_of_file(&mut self) -> Outcome<()> {
         let (stage, percent) = (self.stage, self.percent);
         self.stage = Stage::Ended;
-        self.lose_corner(false)?;
+        self.lose_corner(false);
         if self.at != 0 || !self.flow.frames.is_empty() {
             return Err(Fault::block(
                 Text::fixed("el archivo termina dentro de un subprograma", "the file ends inside a subprogram"),
@@ -346,7 +351,7 @@ impl<'a> Interpreter<'a> {
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
     fn end(&mut self) -> Outcome<()> {
         self.stage = Stage::Ended;
-        self.lose_corner(false)?;
+        self.lose_corner(false);
         self.end_of_program();
         Ok(())
     }
@@ -419,7 +424,11 @@ impl Iterator for Interpreter<'_> {
                 self.step()
             };
             if let Err(fault) = result {
-                return Some(Err(fault));
+                // Behind the refusals that its block has handed out already.
+                if !self.queue.iter().any(Result::is_err) {
+                    return Some(Err(fault));
+                }
+                self.queue.push_back(Err(fault));
             }
         }
     }

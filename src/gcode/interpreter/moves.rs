@@ -153,16 +153,7 @@ impl Interpreter<'_> {
 
     /// What a block of a contour puts into force before its motion, in the order of a block of the program.
     fn obey_before(&mut self) -> Outcome<()> {
-        self.set_speed_mode()?;
-        if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
-            self.set_feed_mode(mode);
-        }
-        self.take_feed_and_speed()?;
-        self.take_tool()?;
-        self.machine_codes()?;
-        if self.block.g(Group::NonModal) == Some(G::Dwell) {
-            self.dwell()?;
-        }
+        self.begin_codes()?;
         if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
             self.set_compensation(side)?;
         }

@@ -129,7 +129,8 @@ impl Interpreter<'_> {
                     Text::new(format!("N{number} está dos veces"), format!("N{number} stands twice")),
                     Text::fixed("numere de nuevo uno de los dos bloques", "renumber one of the two blocks"),
                 );
-                fault.others = vec![at.lines + 1, again];
+                let file = &self.source().file;
+                fault.others = [at.lines + 1, again].map(|line| (file.clone(), line)).to_vec();
                 Err(fault)
             }
             Some(block) => Ok(block),

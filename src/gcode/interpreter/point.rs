@@ -34,8 +34,8 @@ impl Interpreter<'_> {
                     format!("{name}{} has a decimal point, which {name} does not take", number.value),
                 ),
                 Text::fixed(
-                    "escriba un número entero: P y Q van en µm o ms",
-                    "write a whole number: P and Q are in µm or ms",
+                    "escriba un número entero: P y Q van en incrementos mínimos, ms o milésimas de grado",
+                    "write a whole number: P and Q are in least increments, ms or thousandths of a degree",
                 ),
             ));
         }
@@ -72,13 +72,19 @@ impl Interpreter<'_> {
 
     /// By what a number without a decimal point is divided.
     fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Outcome<f64> {
+        let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
         let by = match self.setting.point {
             None => {
+                let (es, en) = match self.inch() {
+                    _ if dwell => ("s o ms", "s or ms"),
+                    true => ("pulgadas o diezmilésimas", "inches or ten-thousandths"),
+                    false => ("mm o µm", "mm or µm"),
+                };
                 return Err(Fault::at(
                     &[column],
                     Text::new(
-                        format!("{word} sin punto decimal: según el control son mm o µm"),
-                        format!("{word} has no decimal point: mm or µm, depending on the control"),
+                        format!("{word} sin punto decimal: según el control son {es}"),
+                        format!("{word} has no decimal point: {en}, depending on the control"),
                     ),
                     Text::new(
                         format!("escriba {word}. o diga qué hace el control: --decimal-point"),
@@ -100,28 +106,45 @@ impl Interpreter<'_> {
                 ));
             }
             Some(DecimalPoint::Micrometre) => {
-                let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
-                let inch = match self.block.g(Group::Units) {
-                    Some(unit) => unit == G::Inch,
-                    None => self.modal.unit == LengthUnit::Inch,
-                };
-                if inch && !dwell { 10_000.0 } else { 1_000.0 }
+                if self.inch() && !dwell {
+                    10_000.0
+                } else {
+                    1_000.0
+                }
             }
         };
         let line = self.line;
-        let (es, en) = if self.setting.point == Some(DecimalPoint::Calculator) {
-            ("leídas como mm", "read as mm")
-        } else {
-            ("leídas como incrementos mínimos (0.001 mm)", "read as least increments (0.001 mm)")
+        let calculator = self.setting.point == Some(DecimalPoint::Calculator);
+        let (es, en) = match (calculator, self.inch()) {
+            _ if dwell && calculator => ("leídas como s", "read as s"),
+            _ if dwell => ("leídas como ms", "read as ms"),
+            (true, false) => ("leídas como mm", "read as mm"),
+            (true, true) => ("leídas como pulgadas", "read as inches"),
+            (false, false) => ("leídas como incrementos mínimos (0.001 mm)", "read as least increments (0.001 mm)"),
+            (false, true) => {
+                ("leídas como incrementos mínimos (0.0001 pulgadas)", "read as least increments (0.0001 inch)")
+            }
         };
         self.remarks.add(
             Grade::Note,
             line,
             Some(column),
-            Text::new(format!("cotas sin punto decimal, {es}"), format!("dimensions without decimal point, {en}")),
+            if dwell {
+                Text::new(format!("esperas sin punto decimal, {es}"), format!("dwells without decimal point, {en}"))
+            } else {
+                Text::new(format!("cotas sin punto decimal, {es}"), format!("dimensions without decimal point, {en}"))
+            },
             Text::fixed("", ""),
         );
         Ok(by)
+    }
+
+    /// True where the block's lengths are inches.
+    fn inch(&self) -> bool {
+        match self.block.g(Group::Units) {
+            Some(unit) => unit == G::Inch,
+            None => self.modal.unit == LengthUnit::Inch,
+        }
     }
 
     /// True where the block's F is a length: a feed per revolution, or a lead.

@@ -50,8 +50,7 @@ impl Interpreter<'_> {
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         loop {
             match cursor.peek() {
-                0 if self.block.pointless != 0 || self.block.edge.is_some() => return self.settle_points(),
-                0 => return Ok(()),
+                0 => break,
                 _ if self.reading.system_a && cursor.macro_word() => return Err(macros(cursor.column())),
                 b'g' => self.read_g(cursor)?,
                 b',' if self.reading.system_a => self.read_edge(cursor)?,
@@ -64,6 +63,17 @@ impl Interpreter<'_> {
                 _ => return Err(cursor.refuse_character()),
             }
         }
+        if let Some(column) = cursor.parted {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Note,
+                line,
+                Some(column),
+                Text::fixed("número con blancos en medio", "number with blanks inside"),
+                Text::fixed("escríbalo sin blancos", "write it without blanks"),
+            );
+        }
+        if self.block.pointless != 0 || self.block.edge.is_some() { self.settle_points() } else { Ok(()) }
     }
 
     /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.

@@ -240,13 +240,24 @@ impl Interpreter<'_> {
             },
             (Some(_), Some(number)) => {
                 let column = self.block.column(letter::P);
+                let (here, line) = (self.at, self.line);
                 self.leave()?;
                 // The number is one of the caller's program.
-                let there = self.source().position().lines.max(1);
-                let line = std::mem::replace(&mut self.line, there);
+                self.line = self.source().position().lines.max(1);
                 let block = self.block_numbered(number, column, 78);
                 self.line = line;
-                self.go_to(block?.at)
+                let block = block.map_err(|mut fault| {
+                    // M99 stands here, and the blocks it may mean there.
+                    if std::mem::replace(&mut self.at, here) != here && fault.others.is_empty() {
+                        let Text { es, en } = &fault.what;
+                        fault.what = Text::new(
+                            format!("{es} en el programa que llama"),
+                            format!("{en} in the program that calls"),
+                        );
+                    }
+                    fault
+                })?;
+                self.go_to(block.at)
             }
         }
     }

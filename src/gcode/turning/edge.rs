@@ -79,31 +79,33 @@ fn way(from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], f64)> {
 ///
 /// # Errors
 /// PS0051 where a line has no length or goes another way than `square` says, PS0054 for lines that are not along one axis each,
-/// PS0055 for an edge that takes more than a line has; a refusal for a rounding between two lines
-/// that run back along each other.
+/// PS0055 for an edge that takes more than a line has; a refusal between two lines that run back along each other.
 pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> Result<Option<Broken>, Trouble> {
     let (Some((u, before)), Some((v, behind))) = (way(a, b), way(b, c)) else { return Err(Trouble::ps(51)) };
     square.map_or(Ok(()), |square| square.check(u, v))?;
     // Positive where the path turns from +Z to +X, as G3 does.
     let turn = u[1] * v[0] - u[0] * v[1];
     let straight = u[0] * v[0] + u[1] * v[1];
-    let (size, taken) = match edge {
-        Edge::Chamfer(size) => (size, size),
-        Edge::Round(radius) if turn.abs() < STRAIGHT && straight > 0.0 => (radius, 0.0),
-        Edge::Round(_) if turn.abs() < STRAIGHT => {
-            return Err(Trouble::plain(
-                Text::fixed(
-                    "las dos rectas van y vuelven: no hay esquina",
-                    "the two lines run back along each other: there is no corner",
-                ),
-                Text::fixed("compruebe los dos bloques", "check the two blocks"),
-            ));
-        }
-        Edge::Round(radius) => (radius, radius * turn.abs() / (1.0 + straight)),
-    };
-    if size == 0.0 || taken == 0.0 {
+    let (Edge::Chamfer(size) | Edge::Round(size)) = edge;
+    if size == 0.0 {
         return Ok(None);
     }
+    // 0 where they run back along each other, and then for a turn of up to 1e-8 short of it.
+    let open = 1.0 + straight;
+    if straight < 0.0 && (turn.abs() < STRAIGHT || open <= 0.0) {
+        return Err(Trouble::plain(
+            Text::fixed(
+                "las dos rectas van y vuelven: no hay esquina",
+                "the two lines run back along each other: there is no corner",
+            ),
+            Text::fixed("compruebe los dos bloques", "check the two blocks"),
+        ));
+    }
+    let taken = match edge {
+        Edge::Chamfer(_) => size,
+        Edge::Round(_) if turn.abs() < STRAIGHT => return Ok(None),
+        Edge::Round(_) => size * turn.abs() / open,
+    };
     let shortest = before.min(behind);
     if taken > shortest + TOLERANCE {
         let mut trouble = Trouble::ps(55);
@@ -190,6 +192,17 @@ mod tests {
         let on = [[10.0, 0.0], [20.0, 0.0], [30.0, 0.0]];
         assert_eq!(broken(on, Edge::Round(2.0), None).unwrap(), None);
         assert_eq!(broken(on, Edge::Chamfer(0.0), None).unwrap(), None);
-        assert!(broken([[10.0, 0.0], [20.0, 0.0], [15.0, 0.0]], Edge::Round(2.0), None).is_err());
+    }
+
+    #[test]
+    fn lines_that_run_back_along_each_other_have_no_corner() {
+        // The last by 5e-9 of a turn, which the cosine does not show.
+        for lines in [[[10.0, 0.0], [20.0, 0.0], [15.0, 0.0]], [[0.0, 0.0], [0.0, -9000.0], [0.000_045, 0.0]]] {
+            assert_eq!(broken(lines, Edge::Round(0.0), None).unwrap(), None);
+            for edge in [Edge::Round(2.0), Edge::Chamfer(2.0)] {
+                let trouble = broken(lines, edge, None).unwrap_err();
+                assert_eq!(trouble.told().en, "the two lines run back along each other: there is no corner");
+            }
+        }
     }
 }
