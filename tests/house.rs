@@ -248,13 +248,15 @@ fn nothing_below_the_edge_reaches_the_outside_world() {
         "std::io::stderr",
         "tempfile",
     ];
+    // Its thread gets polygons in their order and is awaited: what comes out hangs on nothing else.
+    let awaited = |path: &Path, used: &str| path.ends_with("lathe/repeat.rs") && used.starts_with("std::thread::");
     let mut faults = Vec::new();
     for path in sources("src") {
         let module = module(&path);
         if module.first().is_some_and(|top| floor(top).is_some_and(|floor| floor < 7)) {
             for used in uses(&path).foreign {
                 let reaches = |outside: &&str| used == **outside || used.starts_with(&format!("{outside}::"));
-                if OUTSIDE.iter().any(reaches) {
+                if OUTSIDE.iter().any(reaches) && !awaited(&path, &used) {
                     faults.push(format!("{}: {used}", path.display()));
                 }
             }

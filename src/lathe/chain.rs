@@ -15,8 +15,10 @@
 //! - and if the nose itself does not pass below it there. The depth is what the edge has taken beyond the nose's own reach, at
 //!   right angles to the surface made; what goes deeper into a mark adds to it.
 //!
-//! Marks of a way at feed in which no nose has drawn a surface, as of a plunge that gives the part the form of the insert, are
-//! none. The far end of an edge that drags along behind the nose leaves a mark as well. Derived here.
+//! What the auxiliary edge leaves where no nose has made a surface before is a mark on a way that goes down in both axes more
+//! steeply than it stands: so deep as it lies beyond the line that the nose draws beside this way. Straight in along an axis, and on
+//! a way at feed in which no nose has drawn a surface, a plunge gives the part the form of the insert, which is none. The far end of an edge that drags along behind the nose leaves a mark as well, as deep as it lies below what was there, and
+//! no deeper than it is behind the nose's line. Derived here.
 
 use std::f64::consts::TAU;
 
@@ -67,6 +69,37 @@ pub(super) struct Pass<'a> {
     pub meeting: &'a Meeting,
     pub way: [f64; 2],
     pub ends: [[f64; 2]; 2],
+}
+
+impl Pass<'_> {
+    /// How far beyond the line that the nose draws on this way an edge has left a stretch, beside the way, on one that goes
+    /// down in both axes more steeply than the edge stands; and the nose's line, from where that is.
+    fn beyond(&self, edge: &Stretch) -> Option<(f64, Frame)> {
+        let (way, left) = (self.way, Frame::of(edge)?);
+        if way.iter().any(|part| part.abs() < INTO) || dot(way, left.into) < INTO {
+            return None;
+        }
+        let side = [way[1], -way[0]];
+        let into = if dot(side, left.into) < 0.0 { side.map(|part| -part) } else { side };
+        let (centre, radius) = self.part.nose.unwrap_or_default();
+        let [first, last] = self.ends.map(|end| [0, 1].map(|axis| end[axis] + centre[axis] + into[axis] * radius));
+        let of_point = |[z, r]: [f64; 2]| {
+            let off = [z - last[0], r - last[1]];
+            [-dot(off, way), dot(off, into)]
+        };
+        // The farther behind the end, the deeper.
+        let (mut near, mut far) = (of_point(edge.from), of_point(edge.to));
+        if near[0] > far[0] {
+            (near, far) = (far, near);
+        }
+        let behind = far[0].min(hypot(last[0] - first[0], last[1] - first[1]));
+        if behind <= near[0].max(0.0) {
+            return None;
+        }
+        let deep = near[1] + (far[1] - near[1]) * (behind - near[0]) / (far[0] - near[0]);
+        let from = [0, 1].map(|axis| last[axis] - way[axis] * behind);
+        Some((deep, Frame { from, along: [into[1], -into[0]], into, long: behind }))
+    }
 }
 
 /// A stretch that lies below what a nose had made.
@@ -122,9 +155,11 @@ impl Chain {
                     *new = *own.get_or_insert_with(|| 1 + sense(way));
                     self.drew = true;
                 }
-            } else if let (Some(behind), Some(mut made)) = (far(at), Frame::of(stretch)) {
-                made.from = [0, 1].map(|axis| made.from[axis] - made.into[axis] * behind);
-                *new = self.mark(Mark { deep: behind, made, alarm: alarm(behind, middle(stretch)) });
+            } else if let (Some(behind), Some(line)) = (far(at), Frame::of(stretch)) {
+                let (deep, place, made) =
+                    self.under(stretch, meeting).unwrap_or_else(|| (behind, middle(stretch), line.raised(behind)));
+                let deep = deep.min(behind);
+                *new = self.mark(Mark { deep, made, alarm: alarm(deep, place) });
                 self.drew = true;
             }
         }
@@ -156,6 +191,40 @@ impl Chain {
                 }
             }
         }
+        self.label_bare(pass, alarm, labels);
+    }
+
+    /// Labels what an auxiliary edge has left where no nose had made a surface before.
+    fn label_bare(&mut self, pass: Pass, alarm: impl Fn(f64, [f64; 2]) -> Alarm, labels: &mut [u32]) {
+        if pass.meeting.labels.iter().any(|label| *label != 0) {
+            return;
+        }
+        for ((edge, origin), new) in pass.meeting.inserted.iter().zip(labels) {
+            if edge_role(pass.part, *origin) == Some(Role::Auxiliary)
+                && let Some((deep, made)) = pass.beyond(edge).filter(|(deep, _)| *deep > STEP)
+            {
+                let place = [0, 1].map(|axis| made.from[axis] + made.into[axis] * deep);
+                *new = self.mark(Mark { deep, made, alarm: alarm(deep, place) });
+            }
+        }
+    }
+
+    /// How deep an end of a stretch lies below what was taken away above it, at which place of that, and its line.
+    fn under(&self, stretch: &Stretch, meeting: &Meeting) -> Option<(f64, [f64; 2], Frame)> {
+        let found = meeting.removed.iter().zip(&meeting.labels).filter_map(|(removed, label)| {
+            let frame = Frame::of(removed)?;
+            let before = if let Label::Mark(mark) = self.read(*label) { Some(mark) } else { None };
+            let ends = [stretch.from, stretch.to].map(|end| frame.of_point(end));
+            let above = ends.into_iter().filter(|[along, deep]| (-ON..=frame.long + ON).contains(along) && *deep > 0.0);
+            above
+                .map(move |[along, deep]| {
+                    let place = frame.point(along);
+                    let more = before.map_or(0.0, |mark| mark.at(place));
+                    (deep + more, place, before.map_or(frame, |mark| mark.made))
+                })
+                .max_by(|(one, ..), (two, ..)| one.total_cmp(two))
+        });
+        found.max_by(|(one, ..), (two, ..)| one.total_cmp(two))
     }
 
     fn mark(&mut self, mark: Mark) -> u32 {
@@ -217,6 +286,11 @@ impl Frame {
     fn turned_about(&self, about: f64) -> Self {
         let ([z, r], [along, up]) = (self.point(self.long), self.along);
         Self { from: [about - z, r], along: [along, -up], into: [up, along], long: self.long }
+    }
+
+    /// The line beside it, so far out of the metal.
+    fn raised(self, by: f64) -> Self {
+        Self { from: [0, 1].map(|axis| self.from[axis] - self.into[axis] * by), ..self }
     }
 
     /// Along the stretch and into the metal.

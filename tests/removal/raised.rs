@@ -158,14 +158,14 @@ fn the_auxiliary_edge_that_the_profile_runs_under() {
     // Down at 45°: the end of the 5°-edge, 12.9 mm from the nose, runs on a line aside of the nose's.
     let far = 12.7 / sin(80.0);
     let run = |by: f64| Run::on(with(rougher())).rapid(60.0, -30.0).cut(50.0, -30.0).cut(40.0, -30.0 - by);
+    // Where the nose's line begins in the skin, the edge has cut 40° below it.
     let alarm = run(5.0).only(132);
-    near(alarm.depth.unwrap(), far * sin(40.0), 1e-5);
-    // It comes in through the skin, r 25, and ends with the motion.
-    let ([z, r], end) = ([far * cos(5.0), far * sin(5.0)], [-35.0, 20.0]);
-    let (into, out) = ([-30.0 + z - r, 25.0], [end[0] + z, end[1] + r]);
-    at(alarm, [into[1] + out[1], f64::midpoint(into[0], out[0])], 1e-5);
-    // At 4.9° it does not.
-    run(5.0 / tan(4.9_f64.to_radians())).silent();
+    near(alarm.depth.unwrap(), 5.0 / sin(45.0) * tan(40_f64.to_radians()), 1e-5);
+    let by = 5.0 * tan(40_f64.to_radians());
+    at(alarm, [2.0 * (25.0 - by), -30.0 + by], 1e-5);
+    // At 6° its end runs on a line beside the nose's.
+    let deep = run(5.0 / tan(6.0_f64.to_radians())).only(132).depth.unwrap();
+    near(deep, far * sin(1.0), 1e-5);
     // Inside, with an edge of 32° behind the corner: 31° outwards is within, 60° is not.
     let cutter = Cutter::Insert { shape: Shape::D, circle: 9.525, main: 93.0, auxiliary: 32.0, nose: 0.0 };
     let holder = Holder::Bar { diameter: 8.0, length: 80.0, reach: 20.0 };
@@ -176,7 +176,30 @@ fn the_auxiliary_edge_that_the_profile_runs_under() {
         Run::on(setup).rapid(28.0, 3.0).rapid(28.0, -10.0).cut(30.0, -10.0).cut(46.0, -10.0 - by)
     };
     bore(31.0).silent();
-    near(bore(60.0).only(132).depth.unwrap(), 9.525 / sin(55.0) * sin(28.0), 1e-5);
+    near(bore(60.0).only(132).depth.unwrap(), 8.0 / sin(60.0) * tan(28_f64.to_radians()), 1e-5);
+}
+
+#[test]
+fn a_descent_steeper_than_the_auxiliary_edge_into_bare_metal() {
+    // 32° behind a nose of 0.4, 13° below the way of 45° and 4√2 mm: d from the nose's line where it begins.
+    let ramp = |x: f64, by: f64| Run::new(bar()).tool(2).rapid(54.0, -10.0).cut(50.0, -10.0).cut(x, -10.0 - by);
+    let (R, L, tan13) = (0.4, 4.0 * 2_f64.sqrt(), tan(13_f64.to_radians()));
+    let d = R * cos(13.0) - R + (L + R * sin(13.0)) * tan13;
+    let alarms = ramp(42.0, 4.0).cut(42.0, -40.0).cut(54.0, -40.0).raised();
+    let [alarm] = alarms[..] else { panic!("{alarms:?}") };
+    assert_eq!((alarm.cause.number(), alarm.motion), (132, 2));
+    near(alarm.depth.unwrap(), d, 1e-5);
+    // In two blocks it is as much; added up by samples beside the ends.
+    let halves = Run::new(bar()).tool(2).rapid(54.0, -10.0).cut(50.0, -10.0).cut(46.0, -12.0).cut(42.0, -14.0);
+    let alarms = halves.cut(42.0, -40.0).cut(54.0, -40.0).raised();
+    let deepest = alarms.iter().filter_map(|alarm| alarm.depth).fold(0.0, f64::max);
+    near(deepest, d, 0.02 * d);
+    // Less steep, in and out again, straight in, or turned away at once: none.
+    ramp(42.0, 8.0).cut(42.0, -40.0).cut(54.0, -40.0).silent();
+    ramp(42.0, 4.0).cut(54.0, 2.0).silent();
+    ramp(42.0, 0.0).cut(42.0, -40.0).cut(54.0, -40.0).silent();
+    let away = ramp(42.0, 4.0).cut(42.0, -40.0).cut(54.0, -40.0).rapid(60.0, 2.0).rapid(42.0, 2.0);
+    away.cut(42.0, -40.0).cut(54.0, -40.0).silent();
 }
 
 #[test]
