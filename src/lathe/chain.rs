@@ -172,8 +172,10 @@ impl Chain {
                 Label::Mark(_) => continue,
             };
             let lead = dot(way, frame.into);
-            // What cuts a mark head on makes another surface.
-            if made.is_none() && !(0.0..HEAD_ON).contains(&lead) {
+            // What cuts a mark head on makes another surface, but for what goes on along the line that it is a mark of.
+            if let Some(mark) = before
+                && (lead < 0.0 || lead >= HEAD_ON && dot(way, mark.made.along).abs() < HEAD_ON)
+            {
                 continue;
             }
             let onward = made.is_none_or(|made| lead >= INTO && dot(way, made) >= ONWARD);
@@ -196,12 +198,13 @@ impl Chain {
 
     /// Labels what an auxiliary edge has left where no nose had made a surface before.
     fn label_bare(&mut self, pass: Pass, alarm: impl Fn(f64, [f64; 2]) -> Alarm, labels: &mut [u32]) {
-        if pass.meeting.labels.iter().any(|label| *label != 0) {
+        if pass.meeting.labels.iter().any(|label| matches!(self.read(*label), Label::Made(_))) {
             return;
         }
         for ((edge, origin), new) in pass.meeting.inserted.iter().zip(labels) {
+            let known = if let Label::Mark(known) = self.read(*new) { known.deep } else { 0.0 };
             if edge_role(pass.part, *origin) == Some(Role::Auxiliary)
-                && let Some((deep, made)) = pass.beyond(edge).filter(|(deep, _)| *deep > STEP)
+                && let Some((deep, made)) = pass.beyond(edge).filter(|(deep, _)| *deep > known.max(STEP))
             {
                 let place = [0, 1].map(|axis| made.from[axis] + made.into[axis] * deep);
                 *new = self.mark(Mark { deep, made, alarm: alarm(deep, place) });
