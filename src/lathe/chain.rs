@@ -212,18 +212,17 @@ impl Chain {
         }
     }
 
-    /// How deep an end of a stretch lies below what was taken away above it, at which place of that, and its line.
+    /// How deep an end of a stretch lies below what was taken away above it, where it is, and the line of what was there.
     fn under(&self, stretch: &Stretch, meeting: &Meeting) -> Option<(f64, [f64; 2], Frame)> {
         let found = meeting.removed.iter().zip(&meeting.labels).filter_map(|(removed, label)| {
             let frame = Frame::of(removed)?;
             let before = if let Label::Mark(mark) = self.read(*label) { Some(mark) } else { None };
-            let ends = [stretch.from, stretch.to].map(|end| frame.of_point(end));
-            let above = ends.into_iter().filter(|[along, deep]| (-ON..=frame.long + ON).contains(along) && *deep > 0.0);
-            above
-                .map(move |[along, deep]| {
-                    let place = frame.point(along);
-                    let more = before.map_or(0.0, |mark| mark.at(place));
-                    (deep + more, place, before.map_or(frame, |mark| mark.made))
+            let ends = [stretch.from, stretch.to].into_iter();
+            ends.map(|end| (end, frame.of_point(end)))
+                .filter(|(_, [along, deep])| (-ON..=frame.long + ON).contains(along) && *deep > 0.0)
+                .map(|(end, [along, deep])| {
+                    let more = before.map_or(0.0, |mark| mark.at(frame.point(along)));
+                    (deep + more, end, before.map_or(frame, |mark| mark.made))
                 })
                 .max_by(|(one, ..), (two, ..)| one.total_cmp(two))
         });

@@ -166,6 +166,9 @@ fn the_auxiliary_edge_that_the_profile_runs_under() {
     // At 6° its end runs on a line beside the nose's.
     let deep = run(5.0 / tan(6.0_f64.to_radians())).only(132).depth.unwrap();
     near(deep, far * sin(1.0), 1e-5);
+    // Into a surface that the nose has made it goes no deeper than the way, 2 mm, however far its end runs beside the nose's line.
+    let shoulder = Run::on(with(rougher())).rapid(44.0, 2.0).cut(44.0, -30.0).cut(40.0, -32.0);
+    near(shoulder.only(132).depth.unwrap(), 2.0 - 2.0 * tan(5_f64.to_radians()), 0.02);
     // Inside, with an edge of 32° behind the corner: 31° outwards is within, 60° is not.
     let cutter = Cutter::Insert { shape: Shape::D, circle: 9.525, main: 93.0, auxiliary: 32.0, nose: 0.0 };
     let holder = Holder::Bar { diameter: 8.0, length: 80.0, reach: 20.0 };
