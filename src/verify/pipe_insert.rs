@@ -67,7 +67,7 @@ pub fn plan(design: &Design, cut: Option<&Cut>) -> ([f64; 2], Vec<Planned>) {
                 TAU * j / f64::from(design.N)
             };
             let mut from = 0;
-            let legs = triples(&points).into_iter().map(|triple| {
+            let legs = triples(&points, design.arc_tolerance).into_iter().map(|triple| {
                 let follows = Follows::Curve([turn(from), turn(triple.j)]);
                 from = triple.j;
                 let bend = triple.circle.map(|circle| (!circle.left, circle.radius));
@@ -256,7 +256,7 @@ impl Watch<'_> {
 /// Reads the program of a branch back and judges it. Beside the verification: the deviation along the curve.
 #[must_use]
 pub fn verify(design: &Design, cut: Option<&Cut>, program: &Program) -> (Verification, Curve, Account) {
-    let setting = Setting { part: design.style == Style::Annex, ..Setting::new(program.dialect) };
+    let setting = Setting { part: design.style == Style::Annex, ..program.setting() };
     let mut text = program.read_back_with(setting);
     let (checks, curve, account) = judge(design, cut, program, &mut text);
     let mut verification = Verification::default();
