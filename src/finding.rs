@@ -83,6 +83,9 @@ pub enum Place {
     },
 }
 
+/// The remedy where only rodete itself can be wrong.
+pub const FAULT: Text = Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
+
 /// One thing found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
@@ -111,6 +114,18 @@ impl Finding {
     #[must_use]
     pub const fn stop(place: Place, what: Text, remedy: Text) -> Self {
         Self::new(Grade::Stop, place, what, remedy)
+    }
+
+    /// A stop for which only rodete itself can be to blame.
+    #[must_use]
+    pub const fn fault(place: Place, what: Text) -> Self {
+        Self::stop(place, what, FAULT)
+    }
+
+    /// True for a stop for which only rodete itself can be to blame: the command ends with [`Exit::Fault`].
+    #[must_use]
+    pub fn is_fault(&self) -> bool {
+        self.grade == Grade::Stop && self.remedy == FAULT
     }
 
     /// A finding for a person to judge.

@@ -41,7 +41,7 @@ fn published_design() -> Design {
 #[test]
 fn the_published_program_is_reproduced_to_the_character() {
     let design = published_design();
-    let ours: Vec<String> = published(&design).text().lines().map(str::to_owned).collect();
+    let ours: Vec<String> = published(&design).expect("within the format").text().lines().map(str::to_owned).collect();
     let printed: Vec<String> = golden("pipe-insert-3in-on-4in.nc").lines().map(str::to_owned).collect();
     assert_eq!(ours, printed);
 }
@@ -249,7 +249,7 @@ fn the_published_case_says_that_its_radius_is_the_outside_one() {
 fn the_deviation_reported_is_that_of_dense_sampling() {
     let design = published_design();
     let outline = design.template();
-    let triples = rodete::pipe::insert::arcs::triples(&template_points(&design));
+    let triples = rodete::pipe::insert::arcs::triples(&template_points(&design), design.arc_tolerance);
     let mut most = 0.0_f64;
     for triple in &triples {
         let circle = triple.circle.expect("an arc");
@@ -277,6 +277,43 @@ fn the_deviation_reported_is_that_of_dense_sampling() {
     let Entry::Text(value) = table.column("Value").unwrap().values.get(row) else { panic!("text") };
     let reported: f64 = value.en.trim_end_matches(" mm").parse().expect("a length");
     assert!((reported - most).abs() < 2e-4, "{reported} {most}");
+}
+
+/// Points nearly on a line need radii that no control takes: there the published arcs are straight moves within the
+/// tolerance, and no variation of the case is a fault of rodete's own.
+#[test]
+fn variations_of_the_published_case_are_no_fault() {
+    let mut straight = 0;
+    for theta in [30.0, 45.0, 60.0, 75.0, 83.0, 90.0, 105.0, 120.0] {
+        for e in [0.0, 5.0, 10.0, -12.7, 12.7] {
+            for N in [3, 16, 61, 64, 180, 360] {
+                let changes = [real("theta", theta), real("e", e), ("N", Value::Whole(N))];
+                let outcome = outcome("3on4-2023", &changes);
+                assert!(!outcome.stopped(), "{changes:?}: {:?}", outcome.findings);
+                let even = outcome.programs[0].text().matches("G01").count() - (N as usize % 2);
+                straight += usize::from(N >= 16 && even > 0);
+                if N == 360 {
+                    let off = outcome.findings.iter().find(|finding| finding.what.en.starts_with("the arcs leave"));
+                    assert!(off.is_none() || e.abs() > 12.0, "{changes:?}: {off:?}");
+                }
+            }
+        }
+    }
+    assert!(straight > 5, "{straight} variations hold straight moves");
+    let square = [real("theta", 90.0), real("e", 5.0), ("N", Value::Whole(360))];
+    assert!(outcome("3on4-2023", &square).programs[0].text().contains("G01 X"));
+}
+
+/// A steep branch reaches farther than a program may: the input is refused, and rodete is not to blame.
+#[test]
+fn a_position_beyond_the_format_is_refused_in_the_published_style_too() {
+    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let changes = [real("theta", 1.0), real("r", 1000.0), real("R", 1500.0)];
+    let refusal = job::run(&FORM, values("3on4-2023", &changes), source).expect_err("beyond the format");
+    assert_eq!(refusal.exit, Exit::Refused);
+    let what = refusal.findings[0].what.en.as_ref();
+    assert!(what.ends_with("does not fit into a program (five digits and three decimals)"), "{what}");
+    assert_eq!(refusal.findings[0].remedy.en, "check D_branch, D_header and Z");
 }
 
 /// One fault at a time in the text of a sound program.

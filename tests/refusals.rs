@@ -2,12 +2,13 @@
 
 mod common;
 
-use rodete::finding::{CellPlace, Exit, Finding, Grade, Place};
+use rodete::finding::{CellPlace, Exit, FAULT, Finding, Grade, Place};
 use rodete::impeller::design::Design;
 use rodete::impeller::parameters::FORM;
 use rodete::job;
 use rodete::parameter::Value;
 use rodete::table::Entry;
+use rodete::text::Text;
 
 /// The findings of a refused design.
 fn refused(case: &str, changes: &[(&'static str, Value)]) -> Vec<Finding> {
@@ -305,4 +306,42 @@ fn feed_gives_way_where_an_axis_would_be_too_fast() {
             }
         });
     }
+}
+
+/// Every judge's fault, whatever else is found beside it, ends with the code of a fault in rodete.
+#[test]
+fn a_fault_in_rodete_never_ends_as_a_refused_input() {
+    let stop = || Finding::stop(Place::File, Text::same("this"), Text::same("another value"));
+    let fault = || Finding::fault(Place::File, Text::same("that"));
+    let caution = || Finding::caution(Place::File, Text::same("that"), FAULT);
+    let exit = |findings: Vec<Finding>, endless: bool| {
+        let mut outcome = common::outcome("full", &[]);
+        outcome.findings.extend(findings);
+        outcome.endless = endless;
+        outcome.exit()
+    };
+    assert_eq!(exit(vec![], false), Exit::Done);
+    assert_eq!(exit(vec![caution()], false), Exit::Done);
+    assert_eq!(exit(vec![stop(), caution()], false), Exit::Refused);
+    assert_eq!(exit(vec![stop()], true), Exit::Limit);
+    assert_eq!(exit(vec![fault()], false), Exit::Fault);
+    assert_eq!(exit(vec![stop(), fault()], false), Exit::Fault);
+    assert_eq!(exit(vec![fault(), stop()], true), Exit::Fault);
+}
+
+/// The words of a fault stand in one place of the sources, so that no stop can carry them and end otherwise.
+#[test]
+fn only_one_remedy_says_that_rodete_is_to_blame() {
+    let mut found = Vec::new();
+    let mut folders = vec![std::path::PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
+            if entry.is_dir() {
+                folders.push(entry);
+            } else if std::fs::read_to_string(&entry).is_ok_and(|text| text.contains(FAULT.en.as_ref())) {
+                found.push(entry.file_name().expect("a name").to_string_lossy().into_owned());
+            }
+        }
+    }
+    assert_eq!(found, ["finding.rs"]);
 }

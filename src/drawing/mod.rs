@@ -58,13 +58,12 @@ impl NotDrawn {
     pub fn finding(self, title: &Text) -> Finding {
         let Text { es, en } = title;
         match self {
-            Self::Empty | Self::NotFinite => Finding::stop(
+            Self::Empty | Self::NotFinite => Finding::fault(
                 Place::File,
                 Text::new(
                     format!("«{es}» no se puede dibujar: no tiene trazos o una coordenada no es finita"),
                     format!("'{en}' cannot be drawn: it has no strokes, or a coordinate is not finite"),
                 ),
-                Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it"),
             ),
             Self::TooManySheets => Finding::caution(
                 Place::File,

@@ -10,6 +10,7 @@ use crate::gcode::word::NumberFormat;
 use crate::impeller::assembly::{Assembly, Limited, Pass};
 use crate::impeller::blade::Blade;
 use crate::impeller::design::{Design, Style};
+use crate::impeller::discretisation;
 use crate::impeller::fade::Fade;
 use crate::impeller::header::{blank_header, header};
 use crate::impeller::splitter::Splitter;
@@ -39,18 +40,23 @@ impl Tracks {
     /// # Errors
     /// For a position that no program may carry.
     pub fn new(blade: &Blade, passes: &Passes, splitter: Option<&Splitter>) -> Result<Self, OutOfFormat> {
+        let last = blade.points() - 1;
+        // The last point may be backed off, and lies nowhere else near the middle of two thousandths.
+        let B = |i: usize| match discretisation::B_on_grid(last, i) {
+            Some(B) if i < last => Ok(B),
+            _ => Milli::round(blade.B[i].to_degrees()),
+        };
         let position = |i: usize, point: &nalgebra::Vector3<f64>| -> Result<Position, OutOfFormat> {
             Ok(Position::default()
                 .with(Axis::X, Milli::round(point.x)?)
                 .with(Axis::Y, Milli::round(point.y)?)
                 .with(Axis::Z, Milli::round(point.z)?)
-                .with(Axis::B, Milli::round(blade.B[i].to_degrees())?)
+                .with(Axis::B, B(i)?)
                 .with(Axis::C, Milli::round(blade.C[i].to_degrees())?))
         };
         let track = |points: &[nalgebra::Vector3<f64>]| -> Result<Arc<[Position]>, OutOfFormat> {
             points.iter().enumerate().map(|(i, point)| position(i, point)).collect()
         };
-        let last = blade.points() - 1;
         Ok(Self {
             obverse: track(&passes.obverse)?,
             reverse: track(&passes.reverse)?,

@@ -97,13 +97,12 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
 
 /// The stop of a removal that a library of polygons does not confirm.
 pub(super) fn not_repeated(apart: f64) -> Finding {
-    Finding::stop(
+    Finding::fault(
         Place::File,
         Text::fixed(
-            "otra biblioteca de polígonos deja otro contorno: el cálculo no es de fiar",
-            "another library of polygons leaves another contour: the result cannot be trusted",
+            "otra biblioteca de polígonos deja otro contorno: el cálculo no es de fiar, no use los archivos",
+            "another library of polygons leaves another contour: the result cannot be trusted, do not use the files",
         ),
-        Text::fixed("no use los archivos, y comunique el programa", "do not use the files, and report the program"),
     )
     .with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"))
 }

@@ -144,11 +144,13 @@ impl Outcome {
         self.findings.iter().any(|finding| finding.grade == Grade::Stop)
     }
 
-    /// How the work ends, once what there is has been delivered.
+    /// How the work ends, once what there is has been delivered. Where one of the stops is a fault of rodete's own, the
+    /// input is not to blame.
     #[must_use]
     pub fn exit(&self) -> Exit {
         match (self.stopped(), self.endless) {
             (false, _) => Exit::Done,
+            _ if self.findings.iter().any(Finding::is_fault) => Exit::Fault,
             (true, false) => Exit::Refused,
             (true, true) => Exit::Limit,
         }
@@ -163,13 +165,9 @@ impl Outcome {
 
 /// The fault of a table with a value that is no number.
 fn not_finite(table: &Table, row: usize) -> Finding {
-    Finding::stop(
+    Finding::fault(
         Place::Point { table: table.key, index: row },
-        Text::fixed(
-            "un valor calculado no es finito: es un fallo de rodete",
-            "a computed value is not finite: a fault in rodete",
-        ),
-        Text::fixed("comuníquelo con el libro de trabajo", "report it with the workbook"),
+        Text::fixed("un valor calculado no es finito", "a computed value is not finite"),
     )
 }
 
@@ -202,13 +200,12 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         "pipe-insert" => pipe_insert::run(form, values, source),
         _ => Err(Refusal::new(
             Exit::Fault,
-            Finding::stop(
+            Finding::fault(
                 Place::File,
                 Text::new(
                     format!("no hay cálculo para el esquema {}", form.schema),
                     format!("there is no computation for schema {}", form.schema),
                 ),
-                Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it"),
             ),
         )),
     }

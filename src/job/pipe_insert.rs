@@ -39,7 +39,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         language: values.language,
     };
     let made = match design.style {
-        Style::Annex => Ok((None, published(&design))),
+        Style::Annex => published(&design).map(|program| (None, program)),
         Style::Full => cut(&design).and_then(|cut| {
             let program = full(&design, &cut, &origin)?;
             Ok((Some(cut), program))

@@ -1,5 +1,6 @@
 //! A check: one question put to one program, with its answer.
 
+pub use crate::finding::FAULT;
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
@@ -87,9 +88,6 @@ pub struct Check {
     remedy: Text,
     place: Place,
 }
-
-/// The remedy where only rodete itself can be wrong.
-pub const FAULT: Text = Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
 
 const NOTHING: Text = Text::fixed("", "");
 

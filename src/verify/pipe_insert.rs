@@ -67,7 +67,7 @@ pub fn plan(design: &Design, cut: Option<&Cut>) -> ([f64; 2], Vec<Planned>) {
                 TAU * j / f64::from(design.N)
             };
             let mut from = 0;
-            let legs = triples(&points).into_iter().map(|triple| {
+            let legs = triples(&points, design.arc_tolerance).into_iter().map(|triple| {
                 let follows = Follows::Curve([turn(from), turn(triple.j)]);
                 from = triple.j;
                 let bend = triple.circle.map(|circle| (!circle.left, circle.radius));

@@ -2,7 +2,8 @@
 //!
 //! On a flat sheet the cut is made of arcs through triples of points. Each starts from the rounded end of the one before
 //! and is the circle through that end, the exact point in the middle and its own rounded end, so that no control finds
-//! start, end and radius at odds. Where an arc bends less than the grid can show it is a straight line.
+//! start, end and radius at odds. Where an arc bends less than the grid can show it is a straight line, and where no control
+//! takes its radius it is one within the tolerance, else one to each of its points.
 //!
 //! On the turning pipe an arc would be none, since one of its axes is an angle: there the curve is parted until no straight
 //! move of both axes leaves it by more than the tolerance.
@@ -14,10 +15,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
 
-use crate::geometry::circle::through;
 use crate::geometry::pipe_pair::Side;
-use crate::number::grid::{LIMIT, Milli, OutOfFormat};
+use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::trig::{acos, atan2, sin_cos};
+use crate::pipe::insert::arcs::{arc_through, bow};
 use crate::pipe::insert::design::{Design, Mode};
 use crate::pipe::insert::outline::Outline;
 
@@ -118,27 +119,26 @@ impl Way {
     }
 
     /// An arc through a point, or straight moves where it is none.
-    fn arc(&mut self, by: Vector2<f64>, to: Vector2<f64>, angles: [f64; 3]) -> Result<(), OutOfFormat> {
+    fn arc(&mut self, by: Vector2<f64>, to: Vector2<f64>, angles: [f64; 3], tolerance: f64) -> Result<(), OutOfFormat> {
         let end = on_grid(to)?;
-        let chord = (point(end) - self.at).norm();
+        let points = [self.at, by, point(end)];
         let [from, middle, last] = angles;
-        if (self.at - by).dot(&(point(end) - by)) > 0.0 {
-            // More than half a circle: the points are too far apart to tell.
-            self.straight(by, Follows::Curve([from, middle]))?;
-            self.go(end, None, Follows::Curve([middle, last]));
-            return Ok(());
-        }
-        let bend = through([self.at, by, point(end)]).and_then(|circle| {
-            let bow = circle.radius - (circle.radius * circle.radius - chord * chord / 4.0).max(0.0).sqrt();
-            if bow < FLAT || circle.radius * 1000.0 >= f64::from(LIMIT) {
-                return None;
+        let bows = bow(points);
+        let Some(circle) = arc_through(points).filter(|_| bows >= FLAT) else {
+            // The grid takes its part of the tolerance.
+            if bows > 0.7 * tolerance {
+                self.straight(by, Follows::Curve([from, middle]))?;
+                self.go(end, None, Follows::Curve([middle, last]));
+            } else {
+                self.go(end, None, Follows::Curve([from, last]));
             }
-            let radius = Milli::round(circle.radius.max(chord / 2.0)).ok()?;
-            // Rounded down, the radius might not reach the end.
-            let radius = if radius.value() < chord / 2.0 { radius + Milli::new(1) } else { radius };
-            Some(Bend { clockwise: !circle.left, radius })
-        });
-        self.go(end, bend, Follows::Curve([from, last]));
+            return Ok(());
+        };
+        let chord = (point(end) - self.at).norm();
+        let radius = Milli::round(circle.radius.max(chord / 2.0))?;
+        // Rounded down, the radius might not reach the end.
+        let radius = if radius.value() < chord / 2.0 { radius + Milli::new(1) } else { radius };
+        self.go(end, Some(Bend { clockwise: !circle.left, radius }), Follows::Curve([from, last]));
         Ok(())
     }
 }
@@ -173,7 +173,8 @@ fn flat(design: &Design) -> Result<Cut, OutOfFormat> {
         let mut i = 0;
         while i < last {
             if i + 2 <= last {
-                way.arc(torch(i + 1), torch(i + 2), [piece[i], piece[i + 1], piece[i + 2]])?;
+                let angles = [piece[i], piece[i + 1], piece[i + 2]];
+                way.arc(torch(i + 1), torch(i + 2), angles, design.arc_tolerance)?;
                 i += 2;
             } else {
                 way.straight(torch(i + 1), Follows::Curve([piece[i], piece[i + 1]]))?;

@@ -20,14 +20,20 @@ pub fn template_points(design: &Design) -> Vec<nalgebra::Vector2<f64>> {
 }
 
 /// The program as published: a rapid move to the first point, and an arc for every triple, with six decimals. It carries no
-/// feed, no torch and no end.
-#[must_use]
-pub fn published(design: &Design) -> Program {
+/// feed, no torch and no end. Straight moves where no control takes the arc.
+///
+/// # Errors
+/// For a position that no program may carry.
+pub fn published(design: &Design) -> Result<Program, OutOfFormat> {
     let points = template_points(design);
+    for point in &points {
+        Milli::round(point.x)?;
+        Milli::round(point.y)?;
+    }
     let start = points.first().map_or(0.0, |first| first.y);
     let mut parts = vec![Part::Line(format!("G0 X0 Y{}", six(start)))];
-    parts.extend(triples(&points).iter().map(|triple| Part::Line(published_line(triple))));
-    Program {
+    parts.extend(triples(&points, design.arc_tolerance).iter().map(|triple| Part::Line(published_line(triple))));
+    Ok(Program {
         key: "insert",
         title: TITLE,
         dialect: design.dialect,
@@ -35,7 +41,7 @@ pub fn published(design: &Design) -> Program {
         block_step: None,
         start: Position::default(),
         parts,
-    }
+    })
 }
 
 fn six(value: f64) -> String {

@@ -42,7 +42,7 @@ pub fn template(design: &Design) -> Table {
 /// The arcs through triples of the template's points, the printed columns of table 2 beside the right ones.
 #[must_use]
 pub fn arcs(design: &Design) -> Table {
-    let triples = triples(&template_points(design));
+    let triples = triples(&template_points(design), design.arc_tolerance);
     let numbers = |symbol, unit, formula, value: &dyn Fn(&crate::pipe::insert::arcs::Triple) -> f64| {
         Column::numbers(symbol, unit, formula, triples.iter().map(value).collect::<Vec<_>>())
     };
