@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use proptest::prelude::*;
 use rodete::finding::Grade;
 use rodete::gcode::header::Origin;
-use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
 use rodete::impeller::blade::Blade;
 use rodete::impeller::blade_count::e_max;
@@ -268,7 +268,7 @@ impl Prepared {
         let geometry = Geometry { design: &self.design, blade: &self.blade, splitter: Some(&self.splitter) };
         let program = self.programs.iter().find(|program| program.key == key).unwrap();
         let text = change(&program.text());
-        let mut read = Interpreter::over(text.as_bytes(), Setting::new(program.dialect));
+        let mut read = Interpreter::over(text.as_bytes(), program.setting());
         let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry));
         let mut characters = Characters::new(program);
         text.lines().for_each(|line| characters.line(line));
