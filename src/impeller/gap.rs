@@ -346,7 +346,11 @@ mod tests {
 
     #[test]
     fn the_bottom_of_a_valley_is_found_from_near_it_only() {
-        let (value, at) = bottom(1.1, 0.05, |x| (x - 1.25) * (x - 1.25) + 0.1 * (x - 1.25).powi(3) + 2.0).unwrap();
+        let valley = |x: f64| {
+            let off = x - 1.25;
+            off * off * (1.0 + 0.1 * off) + 2.0
+        };
+        let (value, at) = bottom(1.1, 0.05, valley).unwrap();
         assert!((value - 2.0).abs() < 1e-9 && (at - 1.25).abs() < 1e-4, "{value} {at}");
         assert_eq!(bottom(0.0, 0.05, |x| (x - 1.25) * (x - 1.25)), None);
         assert_eq!(bottom(0.0, 0.05, |x| -x * x), None);

@@ -43,7 +43,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         None
     };
     let calibration = design.calibration.as_ref().and_then(|slots| {
-        let found = tables::calibration(slots, design.R_p);
+        let found = tables::calibration(slots, design.R_B);
         if found.is_none() {
             stops.push(no_calibration());
         }
@@ -75,7 +75,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     };
     let made = Tracks::new(&blade, &passes, splitter.as_ref())
         .and_then(|tracks| programs(&design, &tracks, &origin))
-        .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_p", "L_t"])]))?;
+        .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_B", "H"])]))?;
     let limits = Limits::new(&design);
     let quantities = quantities(&design, &limits, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
@@ -122,7 +122,7 @@ fn quantities(
             "Pivot length, from the B axis to the torus centre",
             design.machine.L,
             mm,
-            ["R_p + L_t", "R_p + L_t"],
+            ["R_B + H", "R_B + H"],
         ),
         quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"]),
         quantity(
