@@ -452,7 +452,7 @@ proptest! {
         let e = (e_max(torus, a_p, N, d_t) * thick).min(100.0);
         let values = common::values("full", &[
             real("R", R), real("r", torus.r), ("n", Value::Whole(n)), ("N", Value::Whole(N)), real("a_p", a_p),
-            real("d_t", d_t), real("e", e), real("d_s", (e + d_t).min(500.0)), real("R_p", R * L), real("L_t", R),
+            real("d_t", d_t), real("e", e), real("d_s", (e + d_t).min(500.0)), real("R_B", R * L), real("H", R),
             real("L_b", 2.0 * R), real("X_e", 3.0 * R),
         ]);
         prop_assume!(e >= 0.05);
