@@ -18,6 +18,8 @@ mod kept;
 mod limits;
 #[path = "interpreter/ours.rs"]
 mod ours;
+#[path = "interpreter/rotary.rs"]
+mod rotary;
 #[path = "interpreter/soup.rs"]
 mod soup;
 #[path = "interpreter/source.rs"]

@@ -7,7 +7,7 @@ mod common;
 use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
-use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::gcode::interpreter::Interpreter;
 use rodete::job::{self, Outcome, Source};
 use rodete::parameter::{Value, Values};
 use rodete::pipe::insert::cases::CASES;
@@ -326,7 +326,7 @@ fn faults_in_the_text_are_caught() {
         let program = outcome("square", &changes).programs.remove(0);
         let text = program.text();
         let worst = |text: &str| {
-            let mut read = Interpreter::over(text.as_bytes(), Setting::new(program.dialect));
+            let mut read = Interpreter::over(text.as_bytes(), program.setting());
             let (checks, ..) = judge(&design, Some(&way), &program, &mut read);
             checks.iter().map(|check| (check.key, check.verdict)).collect::<std::collections::BTreeMap<_, _>>()
         };

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use proptest::prelude::*;
 use rodete::finding::Grade;
 use rodete::gcode::header::Origin;
-use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
 use rodete::impeller::blade::Blade;
 use rodete::impeller::blade_count::e_max;
@@ -269,7 +269,7 @@ impl Prepared {
         let geometry = Geometry { design: &self.design, blade: &self.blade, splitter: Some(&self.splitter) };
         let program = self.programs.iter().find(|program| program.key == key).unwrap();
         let text = change(&program.text());
-        let mut read = Interpreter::over(text.as_bytes(), Setting::new(program.dialect));
+        let mut read = Interpreter::over(text.as_bytes(), program.setting());
         let mut checks: Vec<Check> = judge(geometry, program, &mut read, &mut Known::new(geometry));
         let mut characters = Characters::new(program);
         text.lines().for_each(|line| characters.line(line));
@@ -453,7 +453,7 @@ proptest! {
         let e = (e_max(torus, a_p, N, d_t) * thick).min(100.0);
         let values = common::values("full", &[
             real("R", R), real("r", torus.r), ("n", Value::Whole(n)), ("N", Value::Whole(N)), real("a_p", a_p),
-            real("d_t", d_t), real("e", e), real("d_s", (e + d_t).min(500.0)), real("R_p", R * L), real("L_t", R),
+            real("d_t", d_t), real("e", e), real("d_s", (e + d_t).min(500.0)), real("R_B", R * L), real("H", R),
             real("L_b", 2.0 * R), real("X_e", 3.0 * R),
         ]);
         prop_assume!(e >= 0.05);

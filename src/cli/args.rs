@@ -8,7 +8,7 @@ use clap::{Args, Parser, Subcommand};
 use super::kinds;
 use super::stock::Stock;
 use crate::gcode::dialect::ALL;
-use crate::gcode::interpreter::DecimalPoint;
+use crate::gcode::interpreter::{DecimalPoint, Rotary};
 use crate::machine::work_offset::System;
 use crate::text::Language;
 
@@ -158,6 +158,10 @@ pub(super) struct Control {
     /// What a Fanuc lathe makes of a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
     #[arg(long, value_name = "RULE", value_parser = decimal_point())]
     pub(super) decimal_point: Option<DecimalPoint>,
+    /// What a rotary axis's word means in G90: linear, the position, counted on beyond a turn; rollover, the angle to go to
+    /// (0 to 359.9999) and by its sign the direction [default: rollover for fagor-8055 and fagor-8055-t, else linear]
+    #[arg(long, value_name = "RULE", value_parser = rotary())]
+    pub(super) rotary: Option<Rotary>,
     /// The control forgets G92 and G52 at the end of a program (DISABLE_G92_PERSISTENCE)
     #[arg(long)]
     pub(super) no_g92_persistence: bool,
@@ -277,6 +281,11 @@ fn system() -> impl TypedValueParser<Value = System> {
 fn decimal_point() -> impl TypedValueParser<Value = DecimalPoint> {
     PossibleValuesParser::new(["calculator", "micrometre"])
         .map(|rule| if rule == "calculator" { DecimalPoint::Calculator } else { DecimalPoint::Micrometre })
+}
+
+fn rotary() -> impl TypedValueParser<Value = Rotary> {
+    PossibleValuesParser::new([Rotary::Linear, Rotary::Rollover].map(Rotary::name))
+        .map(|rule| if rule == Rotary::Rollover.name() { Rotary::Rollover } else { Rotary::Linear })
 }
 
 fn language() -> impl TypedValueParser<Value = Language> {

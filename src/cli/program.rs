@@ -80,6 +80,7 @@ impl<'a> Shared<'a> {
         setting.var_file = self.var_file.clone();
         setting.tools = self.tools.clone();
         setting.point = self.control.decimal_point;
+        setting.rotary = self.control.rotary.unwrap_or(dialect.rotary);
         setting.block_delete = self.control.block_delete;
         setting.keep_g92 = !self.control.no_g92_persistence;
         setting.files = Box::new(Beside::of(path));

@@ -11,11 +11,11 @@ use super::verdict::{Verdict, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::interpreter::{Fault, Interpreter, findings};
+use crate::gcode::interpreter::{Fault, Interpreter, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
-use crate::text::Language;
+use crate::text::{Language, Text};
 use crate::verify::account::{Account, Extents, drift};
 use crate::workbook;
 
@@ -28,6 +28,7 @@ const CHUNK: usize = 1 << 16;
 struct Read {
     verdict: Verdict,
     dialect: Option<&'static Dialect>,
+    rotary: Option<Rotary>,
     account: Account,
     net: [f64; 9],
     lines: usize,
@@ -70,6 +71,7 @@ fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Ter
     let mut read = Read {
         verdict: Verdict::new(path.to_owned()),
         dialect: None,
+        rotary: None,
         account: Account::default(),
         net: [0.0; 9],
         lines: 0,
@@ -91,6 +93,7 @@ fn follow(
     let (named, dialect) = shared.dialect(path, &mut file);
     read.dialect = Some(dialect);
     let setting = shared.setting(path, dialect);
+    read.rotary = Some(setting.rotary);
     let mut interpreter = Interpreter::new(Box::new(file), setting);
     let start = interpreter.position().1;
     let mut before = start;
@@ -207,6 +210,7 @@ fn document(read: &Read) -> Value {
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
         "dialect": read.dialect.map(|dialect| dialect.name),
+        "rotary": read.rotary.map(Rotary::name),
         "exit": code(read.verdict.exit),
         "status": status(read.verdict.exit),
         "lines": read.lines,
@@ -218,6 +222,22 @@ fn document(read: &Read) -> Value {
         "feed_time_s": (!account.untimed).then_some(account.seconds),
         "findings": read.verdict.findings,
     })
+}
+
+/// How the words of rotary axes were read.
+const fn rule(rotary: Rotary) -> Text {
+    match rotary {
+        Rotary::Linear => Text::fixed(
+            "ejes rotativos como lineales: en G90 la palabra es la posición, también más allá de una vuelta (--rotary linear)",
+            "rotary axes as linear ones: in G90 the word is the position, beyond a turn as well (--rotary linear)",
+        ),
+        Rotary::Rollover => Text::fixed(
+            "ejes rotativos rollover: en G90 el número es el ángulo de destino, 0 a 359.9999, y el signo el sentido \
+             (--rotary rollover); lo girado se cuenta más allá de una vuelta",
+            "rotary axes rollover: in G90 the number is the angle to go to, 0 to 359.9999, and the sign the direction \
+             (--rotary rollover); what was turned is counted on beyond a turn",
+        ),
+    }
 }
 
 fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
@@ -255,6 +275,10 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
                     word("máquina", "machine"),
                 ));
             }
+        }
+        let turns = Axis::ALL.into_iter().any(|axis| axis.rotary() && machine.of(axis) != [0.0, 0.0]);
+        if let Some(rotary) = read.rotary.filter(|_| turns) {
+            text.push_str(&format!("  {}\n", rule(rotary).get(language)));
         }
         let list = |pose: &Pose| {
             Axis::ALL

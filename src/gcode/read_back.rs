@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read, Seek, SeekFrom};
 
-use crate::gcode::interpreter::{Interpreter, Setting};
+use crate::gcode::interpreter::{Interpreter, Rotary, Setting};
 use crate::gcode::lines::Lines;
 use crate::gcode::program::Program;
 
@@ -42,11 +42,18 @@ impl Seek for Text<'_> {
 }
 
 impl Program {
+    /// What this program's text is read back with: millimetres, all offsets 0, no tool table. Positions count on beyond a
+    /// turn, so that what is absolute in them holds where rotary axes are [`Rotary::Linear`]; increments hold everywhere.
+    #[must_use]
+    pub fn setting(&self) -> Setting {
+        Setting { rotary: Rotary::Linear, ..Setting::new(self.dialect) }
+    }
+
     /// The interpreter over this program's text, as the control reads it: from the text, not from the positions that it was
-    /// made of. Millimetres, all offsets 0, no tool table.
+    /// made of.
     #[must_use]
     pub fn read_back(&self) -> Interpreter<'_> {
-        self.read_back_with(Setting::new(self.dialect))
+        self.read_back_with(self.setting())
     }
 
     /// The same with another setting.

@@ -15,6 +15,7 @@ pub mod figures;
 pub mod header;
 pub mod ideal;
 pub mod parameters;
+pub mod part;
 pub mod programs;
 pub mod room;
 pub mod safety;

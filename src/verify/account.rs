@@ -69,7 +69,7 @@ impl Account {
     /// `None` where it cannot.
     #[must_use]
     pub fn of(program: &Program) -> Option<Self> {
-        let setting = Setting { part: true, ..Setting::new(program.dialect) };
+        let setting = Setting { part: true, ..program.setting() };
         let (mut account, mut before) = (Self::default(), None);
         for motion in program.read_back_with(setting) {
             let motion = motion.ok()?;

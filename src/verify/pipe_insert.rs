@@ -269,7 +269,7 @@ impl Watch<'_> {
 /// Reads the program of a branch back and judges it. Beside the verification: the deviation along the curve.
 #[must_use]
 pub fn verify(design: &Design, cut: Option<&Cut>, program: &Program) -> (Verification, Curve, Account) {
-    let setting = Setting { part: design.style == Style::Annex, ..Setting::new(program.dialect) };
+    let setting = Setting { part: design.style == Style::Annex, ..program.setting() };
     let mut text = program.read_back_with(setting);
     let (checks, curve, account) = judge(design, cut, program, &mut text);
     let mut verification = Verification::default();

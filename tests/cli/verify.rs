@@ -199,3 +199,22 @@ fn refusals_are_listed_up_to_fifty_and_counted() {
     assert_eq!(findings.iter().filter(|finding| finding["grade"] == "stop").count(), 50);
     assert!(findings.iter().any(|finding| finding["what"]["en"] == "and 30 more errors"));
 }
+
+#[test]
+fn how_rotary_words_were_read_is_told() {
+    let folder = with_program("turn.nc", b"G90 G0 C270\r\nG1 F100 C265.502\r\nM30\r\n");
+    let verify = |arguments: &[&str]| {
+        let output = rodete(&folder).args(["verify", "turn.nc"]).args(arguments).output().expect("an output");
+        [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
+    };
+    let [out, err] = verify(&["--dialect", "fagor-8055"]);
+    assert!(out.contains("rotary axes rollover: in G90 the number is the angle to go to"), "{out}");
+    assert!(err.contains("turn.nc:2\n") && err.contains("one block at feed: C turns 355.502°"), "{err}");
+    let [out, err] = verify(&["--dialect", "fagor-8055", "--rotary", "linear", "--lang", "es"]);
+    assert!(out.contains("ejes rotativos como lineales") && !err.contains("media vuelta"), "{out}{err}");
+    for (arguments, rotary) in
+        [(&["--dialect", "fagor-8055"][..], "rollover"), (&["--dialect", "fagor-8070"][..], "linear")]
+    {
+        assert_eq!(document(&folder, &[&["turn.nc"], arguments].concat()).0["rotary"], rotary);
+    }
+}

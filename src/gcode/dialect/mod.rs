@@ -77,6 +77,26 @@ impl FeedLaw {
     }
 }
 
+/// What an absolute word of a rotary axis means: a setting of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rotary {
+    /// The position, counted on beyond a turn as on a linear axis.
+    Linear,
+    /// The number is the angle to go to, 0 to 359.9999 degrees, and the sign the direction of the turn.
+    Rollover,
+}
+
+impl Rotary {
+    /// The name on the command line and in JSON.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::Rollover => "rollover",
+        }
+    }
+}
+
 /// How comments are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CommentForm {
@@ -118,6 +138,8 @@ pub struct Dialect {
     pub offset_word: bool,
     /// How feed is programmed.
     pub feed: FeedLaw,
+    /// What rotary axes are on a machine as the control is delivered.
+    pub rotary: Rotary,
     /// Memory for one program in bytes, beyond which a Caution is given.
     pub memory: u64,
     /// How programs are read.
@@ -146,6 +168,7 @@ const FAGOR_8055_BASE: Dialect = Dialect {
     change_in_tool_block: true,
     offset_word: true,
     feed: FeedLaw::Resultant,
+    rotary: Rotary::Rollover,
     memory: 1 << 20,
     reading: &fagor::MILLING_8055,
 };
@@ -161,6 +184,7 @@ pub static FAGOR_8070: Dialect = Dialect {
     change_in_tool_block: true,
     offset_word: true,
     feed: FeedLaw::Seconds,
+    rotary: Rotary::Linear,
     memory: 1 << 30,
     reading: &fagor::MILLING_8070,
 };
@@ -176,6 +200,7 @@ pub static LINUXCNC: Dialect = Dialect {
     change_in_tool_block: true,
     offset_word: false,
     feed: FeedLaw::InverseTime,
+    rotary: Rotary::Linear,
     memory: 1 << 30,
     reading: &linuxcnc::READING,
 };
@@ -191,6 +216,7 @@ pub static FANUC_LATHE_A: Dialect = Dialect {
     change_in_tool_block: true,
     offset_word: false,
     feed: FeedLaw::Resultant,
+    rotary: Rotary::Linear,
     memory: 1 << 19,
     reading: &fanuc::LATHE_A,
 };

@@ -5,8 +5,8 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G, Group, M, Pass};
-use crate::gcode::dialect::FeedLaw;
 use crate::gcode::dialect::reading::Letters;
+use crate::gcode::dialect::{FeedLaw, Rotary};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
@@ -38,6 +38,7 @@ impl Interpreter<'_> {
             self.one_word_an_axis()?;
         }
         let plan = self.plan()?;
+        self.rotary_words()?;
         self.take_square_edge(plan.motion)?;
         self.edge_fits(plan.motion)?;
         let idle = self.block.present & !plan.used & !self.reading.free.mask();
@@ -456,6 +457,8 @@ impl Interpreter<'_> {
                     to.set(onto, self.current.get(onto) + value * factor);
                 } else if self.modal.incremental && !machine {
                     to.set(axis, self.current.get(axis) + value);
+                } else if axis.rotary() && self.setting.rotary == Rotary::Rollover {
+                    to.set(axis, self.rolled(axis, value, to.get(axis)));
                 } else {
                     to.set(axis, value);
                 }
@@ -506,6 +509,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out and stands at its end.
     pub(super) fn emit(&mut self, kind: Kind, to: Pose, seconds: Option<f64>) {
+        self.see_turn(kind, &to);
         let motion = Motion {
             line: self.line,
             n: self.block.n,

@@ -1,6 +1,7 @@
 //! What the interpreter refuses, and what it remarks.
 
 use crate::finding::{Exit, Finding, Grade, Place};
+use crate::number::shown;
 use crate::text::Text;
 
 /// A refusal with its place. The block is not executed.
@@ -121,6 +122,16 @@ pub(super) struct Remarks {
     list: Vec<(u64, Finding)>,
     /// The subprogram's own file that the line in hand stands in.
     file: Option<String>,
+    turns: Option<Turns>,
+}
+
+/// Blocks at feed that turn a rotary axis by more than half a turn.
+#[derive(Debug)]
+struct Turns {
+    count: u64,
+    first: Place,
+    /// Letter, degrees and line of the greatest.
+    greatest: (char, f64, usize),
 }
 
 impl Remarks {
@@ -141,6 +152,17 @@ impl Remarks {
         }
     }
 
+    /// Remarks a motion at feed that turns an axis by more than half a turn.
+    pub(super) fn turned(&mut self, line: usize, axis: char, degrees: f64) {
+        let first = || place(self.file.as_deref(), line, Vec::new());
+        let turns =
+            self.turns.get_or_insert_with(|| Turns { count: 0, first: first(), greatest: (axis, degrees, line) });
+        turns.count += 1;
+        if degrees.abs() > turns.greatest.1.abs() {
+            turns.greatest = (axis, degrees, line);
+        }
+    }
+
     /// The remarks as findings, gravest first, with how often each was seen.
     pub(super) fn findings(&self) -> Vec<Finding> {
         let mut findings: Vec<Finding> = self
@@ -154,7 +176,34 @@ impl Remarks {
                 finding
             })
             .collect();
+        findings.extend(self.turns.as_ref().map(Turns::finding));
         findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
         findings
+    }
+}
+
+impl Turns {
+    fn finding(&self) -> Finding {
+        let (axis, degrees, line) = self.greatest;
+        let degrees = shown(degrees, 3);
+        let (es, en) = match self.count {
+            1 => (String::new(), String::new()),
+            count => (
+                format!("; {count} bloques así, este es el mayor, en la línea {line}"),
+                format!("; {count} such blocks, this the greatest, in line {line}"),
+            ),
+        };
+        Finding::new(
+            Grade::Caution,
+            self.first.clone(),
+            Text::new(
+                format!("más de media vuelta de un eje rotativo en un bloque en avance: {axis} gira {degrees}°{es}"),
+                format!("more than half a turn of a rotary axis in one block at feed: {axis} turns {degrees}°{en}"),
+            ),
+            Text::fixed(
+                "compruebe el sentido del giro y si el eje de la máquina es rollover (--rotary)",
+                "check which way the axis is to turn, and whether the machine's axis is rollover (--rotary)",
+            ),
+        )
     }
 }

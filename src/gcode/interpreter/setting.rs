@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::gcode::dialect::Dialect;
+use crate::gcode::dialect::{Dialect, Rotary};
 use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -92,6 +92,8 @@ pub struct Setting {
     pub places: Option<BTreeSet<u32>>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
     pub point: Option<DecimalPoint>,
+    /// What an absolute word of a rotary axis means.
+    pub rotary: Rotary,
     /// Blocks that begin with `/` are skipped.
     pub block_delete: bool,
     /// G92 and G52 outlive the program; else they are cleared at its start and its end.
@@ -105,7 +107,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// A dialect with nothing else known: millimetres, all offsets 0, no tool table.
+    /// A dialect with nothing else known: millimetres, all offsets 0, no tool table, rotary axes as the control is delivered.
     #[must_use]
     pub fn new(dialect: &'static Dialect) -> Self {
         Self {
@@ -116,6 +118,7 @@ impl Setting {
             tools: None,
             places: None,
             point: None,
+            rotary: dialect.rotary,
             block_delete: false,
             keep_g92: true,
             part: false,
