@@ -9,6 +9,8 @@ mod bench;
 mod command;
 #[path = "lathe_inputs/figures.rs"]
 mod figures;
+#[path = "lathe_inputs/hostile.rs"]
+mod hostile;
 #[path = "lathe_inputs/lost.rs"]
 mod lost;
 #[path = "lathe_inputs/messages.rs"]

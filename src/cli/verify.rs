@@ -89,6 +89,7 @@ fn follow(
     read: &mut Read,
     terminal: &mut Terminal,
 ) -> Result<(), Refusal> {
+    let settled = shared.settled(path)?;
     let mut file = workbook::open_program(path)?;
     let (named, dialect) = shared.dialect(path, &mut file);
     read.dialect = Some(dialect);
@@ -128,6 +129,7 @@ fn follow(
     read.lines = interpreter.lines();
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();
     remarks.extend(interpreter.remarks());
+    remarks.extend(settled);
     if !named {
         remarks.push(told_from(dialect));
     }

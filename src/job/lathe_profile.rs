@@ -82,7 +82,16 @@ pub(super) fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
 
 /// How the part compares with the wanted profile, as quantities and a finding.
 pub(super) fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Vec<Quantity>) -> Option<Finding> {
-    let found = deviation(contours, profile)?;
+    let Some(found) = deviation(contours, profile) else {
+        return Some(Finding::caution(
+            Place::File,
+            t(
+                "de la pieza no queda nada que comparar con el perfil de la hoja PERFIL del libro",
+                "nothing is left of the part to hold against the profile on the workbook's sheet PROFILE",
+            ),
+            t("corrija el programa, o borre el perfil", "correct the program, or delete the profile"),
+        ));
+    };
     let [over, under] = [found.over, found.under].map(|one| one.map_or(0.0, |(by, _)| by));
     for (symbol, meaning, value) in [
         ("dev_plus", t("Material de más sobre el perfil", "Metal left on the profile"), over),

@@ -115,7 +115,7 @@ struct Mark {
 impl Mark {
     /// How deep it lies at a place of it.
     fn at(&self, place: [f64; 2]) -> f64 {
-        self.made.of_point(place)[1].clamp(0.0, self.deep)
+        self.made.of_point(place)[1].min(self.deep).max(0.0)
     }
 }
 

@@ -223,9 +223,14 @@ fn ordered([one, two]: [f64; 2]) -> [f64; 2] {
     [one.min(two), one.max(two)]
 }
 
+/// What bounds the metal that was met: of what lay wholly inside the part the new outline alone.
+fn bounds(meeting: &Meeting) -> impl Iterator<Item = Stretch> {
+    meeting.removed.iter().copied().chain(meeting.inserted.iter().map(|(stretch, _)| *stretch))
+}
+
 /// What was met, with the distances outwards as they are.
 fn bite(meeting: &Meeting, ride: &Ride) -> Bite {
-    let ends = || meeting.removed.iter().flat_map(|one| [one.from, one.to]);
+    let ends = || bounds(meeting).flat_map(|one| [one.from, one.to]);
     let span = |of: &dyn Fn([f64; 2]) -> f64| {
         ends().map(of).fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
     };
@@ -243,13 +248,13 @@ impl Contact {
             return None;
         }
         let mut cut = [f64::INFINITY, f64::NEG_INFINITY];
-        for stretch in meeting.removed.iter().chain(meeting.inserted.iter().map(|(stretch, _)| stretch)) {
-            let [low, high] = ordered(ride.span(*stretch));
+        for stretch in bounds(meeting) {
+            let [low, high] = ordered(ride.span(stretch));
             cut = [cut[0].min(low), cut[1].max(high)];
         }
         let across = ride.reach(meeting).unwrap_or(cut[1] - cut[0]);
         if !self.real || across > self.across {
-            self.place = meeting.removed.first().map_or(self.place, |one| ride.flip(one.from));
+            self.place = bounds(meeting).next().map_or(self.place, |one| ride.flip(one.from));
             self.across = across;
         }
         self.real = true;
@@ -265,9 +270,9 @@ impl Contact {
         if film(meeting) < TOUCH / 2.0 {
             return None;
         }
-        let place = meeting.removed.first().map_or(self.place, |one| ride.flip(one.from));
+        let place = bounds(meeting).next().map_or(self.place, |one| ride.flip(one.from));
         // From the tip, in the direction of the profile.
-        let all = meeting.removed.iter().flat_map(|one| [one.from, one.to]).map(|end| ride.flip(end)[1] - ride.from[1]);
+        let all = bounds(meeting).flat_map(|one| [one.from, one.to]).map(|end| ride.flip(end)[1] - ride.from[1]);
         let deep = all.fold(0.0, |deep: f64, off| deep.max(off.abs()));
         if !self.real || deep > self.across {
             (self.across, self.place) = (deep, place);

@@ -118,7 +118,7 @@ fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<
 /// The distance to the nearest contour is taken at the profile's points, along its lines every quarter of a millimetre, and
 /// where each corner of the contours is nearest to it; whether metal is left or missing is told by whether the place lies in
 /// metal. So it does not matter which way the profile runs, nor whether it is outside or inside. `None` for an arc that
-/// cannot be.
+/// cannot be, and for a part of which no surface is left.
 #[must_use]
 pub fn deviation(contours: &[Ring], profile: &Profile) -> Option<Deviation> {
     let points = profile.points()?;
@@ -128,6 +128,7 @@ pub fn deviation(contours: &[Ring], profile: &Profile) -> Option<Deviation> {
         // Along the axis a solid part has no surface.
         .filter(|[from, to]| from[1] > 0.0 || to[1] > 0.0)
         .collect();
+    edges.first()?;
     let mut found = Deviation::default();
     let mut look = |at: [f64; 2]| {
         let off = edges.iter().map(|&[from, to]| beside(at, from, to)).fold(f64::INFINITY, f64::min);

@@ -94,26 +94,28 @@ fn closed(contour: &Contour) -> impl Iterator<Item = [f64; 2]> + '_ {
 
 /// The centre line of contours, a little longer than they are.
 fn axis(contours: &[Contour]) -> Option<Stroke> {
-    let [[least, greatest], _] = extent(contours);
+    let [[least, greatest], _] = extent(contours)?;
     let beyond = 0.06 * (greatest - least);
     (greatest > least).then(|| Stroke::line(Ink::Centre, vec![[least - beyond, 0.0], [greatest + beyond, 0.0]]))
 }
 
-/// Least and greatest z and r of contours.
-fn extent(contours: &[Contour]) -> [[f64; 2]; 2] {
-    [0, 1].map(|axis| {
+/// Least and greatest z and r of contours; `None` of none.
+fn extent(contours: &[Contour]) -> Option<[[f64; 2]; 2]> {
+    contours.iter().flatten().next()?;
+    Some([0, 1].map(|axis| {
         let values = || contours.iter().flatten().map(|point| point[axis]);
         [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
-    })
+    }))
 }
 
 /// The part in the chuck with the stock around it.
 fn half_section(drawn: &Drawn) -> Figure {
     let mut strokes = Vec::new();
     // Of the chuck only what stands near the part.
-    let [[left, right], [_, high]] = extent(&drawn.stock);
-    let near = |&[z, r]: &[f64; 2]| [z.clamp(left - high, right + 2.0 * high), r.clamp(0.0, 2.0 * high)];
-    for contour in &drawn.chuck {
+    // Without a stock, as of a part of which the first set-up left nothing, there is nothing near.
+    let about = extent(&drawn.stock);
+    for (contour, [[left, right], [_, high]]) in drawn.chuck.iter().filter_map(|one| Some((one, about?))) {
+        let near = |&[z, r]: &[f64; 2]| [z.clamp(left - high, right + 2.0 * high), r.clamp(0.0, 2.0 * high)];
         let contour: Contour = contour.iter().map(near).collect();
         strokes.push(Stroke { ink: Ink::Thin, points: contour.clone(), filled: true, arrow: false });
         strokes.push(Stroke::line(Ink::Thin, closed(&contour).collect()));
@@ -178,6 +180,15 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn of_a_part_that_is_all_gone_there_is_a_figure_without_a_chuck() {
+        let chuck = vec![vec![[-9.0, -5.0], [0.0, -5.0], [0.0, 5.0]]];
+        let drawn = Drawn { chuck: chuck.clone(), ..Drawn::default() };
+        assert!(half_section(&drawn).strokes.is_empty());
+        let stock = vec![vec![[-9.0, 0.0], [0.0, 0.0], [0.0, 5.0], [-9.0, 5.0]]];
+        assert!(half_section(&Drawn { chuck, stock, ..Drawn::default() }).strokes.len() >= 3);
+    }
 
     #[test]
     fn the_axis_is_no_line_of_a_section() {
