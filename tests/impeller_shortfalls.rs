@@ -3,6 +3,15 @@
 mod common;
 
 use rodete::finding::{Finding, Grade};
+use rodete::impeller::design::Design;
+use rodete::impeller::floor_depth::{self, deepest};
+use rodete::impeller::part::Part;
+use rodete::impeller::programs::Tracks;
+use rodete::impeller::ribs::ribs;
+use rodete::impeller::sweep::Sweep;
+use rodete::impeller::tables::Passes;
+use rodete::impeller::track::Track;
+use rodete::impeller::undercut;
 use rodete::job::Outcome;
 use rodete::parameter::Value;
 
@@ -79,4 +88,119 @@ fn a_limit_that_does_not_exist_is_said_to_be_none() {
         found.what.en
     );
     assert!(found.what.es.contains("e_max real: ninguno"), "{}", found.what.es);
+}
+
+/// The designs that the plan was simulated for on a dense grid: R, r, N, e, a_p, d_t; the share of the channel that is not
+/// cut, in per cent; how much too deep the floor is.
+const SIMULATED: [([f64; 6], f64, f64); 9] = [
+    ([25.0, 15.0, 4.0, 2.0, 2.0, 6.0], 16.1, 1.137),
+    ([25.0, 15.0, 4.0, 2.0, 2.0, 3.0], 52.3, 0.393),
+    ([25.0, 17.0, 2.0, 1.0, 4.0, 6.0], 58.6, 0.761),
+    ([50.0, 30.0, 5.0, 2.0, 3.0, 6.0], 43.7, 0.609),
+    ([28.10, 20.06, 2.0, 1.01, 2.40, 8.0], 52.2, 1.147),
+    ([58.46, 21.60, 4.0, 2.99, 7.32, 5.0], 56.4, 0.702),
+    ([51.77, 31.10, 2.0, 0.89, 8.30, 10.0], 66.2, 1.136),
+    ([32.78, 20.73, 5.0, 2.11, 1.65, 2.0], 70.5, 0.195),
+    ([74.17, 45.82, 5.0, 2.17, 4.20, 5.0], 69.6, 0.319),
+];
+
+/// A small count.
+fn whole(count: f64) -> u32 {
+    (1..10).find(|&whole| f64::from(whole) >= count).unwrap()
+}
+
+/// The tool's ways along both sides of a blade of such a design, in 40 blocks.
+fn sweeps([R, r, N, e, a_p, d_t]: [f64; 6]) -> (Design, Vec<Sweep>) {
+    let real = |key, value| (key, Value::Real(value));
+    let changes = [
+        ("N", Value::Whole(whole(N))),
+        real("R", R),
+        real("r", r),
+        real("e", e),
+        real("a_p", a_p),
+        real("d_t", d_t),
+        real("L_b", 2.0 * r),
+        real("X_e", 3.0 * R),
+        ("splitters", Value::Choice("no")),
+    ];
+    let design = Design::new(&common::values("tfg-2021", &changes)).unwrap();
+    let blade = common::blade(&design);
+    let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), None).unwrap();
+    let sweep = |track| Sweep::new(&design, &tracks, track, undercut::height(a_p, d_t)).unwrap();
+    let sweeps = [Track::Obverse, Track::Reverse].map(sweep).to_vec();
+    (design, sweeps)
+}
+
+#[test]
+fn ribs_are_those_of_the_simulation_within_what_its_grid_allows() {
+    for (numbers, share, _) in SIMULATED {
+        let (design, sweeps) = sweeps(numbers);
+        let found = ribs(&Part::new(&design), design.N, design.d_t, &sweeps);
+        let [told, off] = found.told().map(|share| share * 100.0);
+        // The simulation counts nodes, the rim's as much as the others, and comes out some tenths high.
+        assert!((told - share).abs() < 0.5, "{numbers:?}: {told} ± {off} against {share}");
+        assert!(off < 0.5 && found.share[0] <= found.share[1], "{numbers:?}: {found:?}");
+    }
+}
+
+#[test]
+fn the_widest_rib_at_the_rim_is_that_of_a_dense_search() {
+    // Counted in steps of 0.13 mm, 0.2 mm, 0.21 mm along the rim.
+    for (design, width) in [(0, 16.23), (2, 59.43), (3, 40.0)] {
+        let (design, sweeps) = sweeps(SIMULATED[design].0);
+        let found = ribs(&Part::new(&design), design.N, design.d_t, &sweeps);
+        assert!((found.width - width).abs() < 0.25, "{} {width}", found.width);
+    }
+}
+
+#[test]
+fn the_floor_beyond_a_p_is_not_told_less_than_it_is() {
+    for (numbers, _, depth) in SIMULATED {
+        let (design, sweeps) = sweeps(numbers);
+        let found = deepest(design.torus, design.a_p, design.d_t, &sweeps).unwrap();
+        assert!(found.most >= depth && found.most < depth * 1.035, "{numbers:?}: {found:?} against {depth}");
+        assert!(found.most - found.found < 0.001, "{found:?}");
+        let [_, _, _, e, a_p, d_t] = numbers;
+        assert!(found.most > floor_depth::law(design.torus, a_p, e, d_t), "the blocks add to the law");
+    }
+}
+
+#[test]
+fn the_undercut_of_the_own_faces_is_not_told_less_than_it_is() {
+    // The simulation of the path in 40 blocks, and a denser one of the same.
+    for (design, simulated, dense) in [(0, 0.0713, 0.0764), (2, 0.2319, 0.2690), (3, 0.0539, 0.0577)] {
+        let (design, sweeps) = sweeps(SIMULATED[design].0);
+        let part = Part::new(&design);
+        let found: Vec<_> = sweeps.iter().map(|sweep| undercut::undercut(&part, sweep, design.d_t).unwrap()).collect();
+        let most = found.iter().map(|one| one.most).fold(0.0, f64::max);
+        assert!(most >= simulated && most >= dense && most < dense * 1.05, "{found:?} against {dense}");
+        assert!(found.iter().all(|one| one.most - one.found < 0.001), "{found:?}");
+    }
+}
+
+#[test]
+fn what_the_plan_leaves_and_spoils_is_told_with_figures_and_places() {
+    let [shipped, deep, _] = designs();
+    let outcome = common::outcome("tfg-2021", &shipped);
+    let ribs = caution(&outcome, "ribs stay uncut").unwrap();
+    assert!(ribs.what.en.contains(" % (± ") && ribs.what.en.contains("mm along the edge"), "{}", ribs.what.en);
+    assert!(ribs.what.es.contains("quedan nervios sin cortar"), "{}", ribs.what.es);
+    let floor = caution(&outcome, "deeper than a_p").unwrap();
+    assert_eq!((floor.value.as_str(), floor.limit.as_str()), ("1.141 mm", "0 mm"));
+    assert!(floor.what.en.contains("worst on obverse, point 30.5"), "{}", floor.what.en);
+    let faces = caution(&outcome, "into the blade's own faces").unwrap();
+    assert_eq!(faces.value, "0.079 mm");
+    assert!(faces.what.en.contains("(point 2.5)"), "{}", faces.what.en);
+    assert!(!outcome.programs.is_empty(), "told, not refused");
+    // Where the law with its margin is more than what the blocks come to, it is told.
+    assert_eq!(caution(&common::outcome("tfg-2021", &deep), "into the blade's own faces").unwrap().value, "0.289 mm");
+}
+
+#[test]
+fn splitters_whose_passes_meet_those_of_the_blades_leave_no_ribs() {
+    let outcome = common::outcome("full", &[]);
+    let ribs = caution(&outcome, "ribs stay uncut");
+    assert!(ribs.is_none(), "{ribs:?}");
+    let thin = common::outcome("full", &[("d_t", Value::Real(3.0))]);
+    assert!(caution(&thin, "ribs stay uncut").is_some());
 }

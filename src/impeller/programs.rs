@@ -87,6 +87,19 @@ impl Tracks {
     }
 }
 
+impl Tracks {
+    /// The safe points before the first point of a track and after its last, seen from the hub.
+    #[must_use]
+    pub const fn safe_points(&self, track: Track) -> [Position; 2] {
+        match track {
+            Track::Obverse => [self.entry_obverse, self.exit_obverse],
+            Track::Reverse | Track::Out => [self.entry_reverse, self.exit_reverse],
+            // It is run back from the obverse's exit to the reverse's entry.
+            Track::Back => [self.entry_reverse, self.exit_obverse],
+        }
+    }
+}
+
 /// The passes of one blade and of one splitter, ready to be put anywhere about the axis.
 struct Cuts {
     obverse: Pass,

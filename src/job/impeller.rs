@@ -16,7 +16,7 @@ use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
 use crate::job::impeller_remarks::{no_calibration, no_splitter, remarks};
-use crate::job::impeller_shortfalls::too_narrow;
+use crate::job::impeller_shortfalls::{shortfalls, too_narrow};
 use crate::job::{Outcome, Source, charts, not_finite, out_of_format};
 use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
@@ -73,13 +73,14 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         version: source.version,
         language: values.language,
     };
-    let made = Tracks::new(&blade, &passes, splitter.as_ref())
-        .and_then(|tracks| programs(&design, &tracks, &origin))
+    let (tracks, made) = Tracks::new(&blade, &passes, splitter.as_ref())
+        .and_then(|tracks| programs(&design, &tracks, &origin).map(|made| (tracks, made)))
         .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_B", "H"])]))?;
     let limits = Limits::new(&design);
     let quantities = quantities(&design, &limits, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
     findings.extend(too_narrow(&design, &limits));
+    findings.extend(shortfalls(&design, &tracks));
     let (verification, curves) =
         verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
     tables.push(verification.table(&made.programs, SOURCE));

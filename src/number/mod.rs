@@ -1,5 +1,6 @@
 //! Numbers: trigonometry that is the same on every machine, the output grid, roots.
 
+pub mod bisection;
 pub mod grid;
 pub mod root;
 pub mod trig;

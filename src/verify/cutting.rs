@@ -289,14 +289,8 @@ impl Cutting<'_, '_> {
             let name =
                 Text::fixed("Fondo: lo más hondo del borde, bajo a_p", "Floor: deepest point of the rim, below a_p");
             let check = Check::passed("floor-depth", name, program, Text::same(mm(depth)), Text::same(""));
-            checks.push(check.at(Some(at)).of_parameters(vec!["d_t", "a_p"]).found(
-                Verdict::Note,
-                Text::new(
-                    format!("el borde de la fresa plana corta hasta {} más hondo que a_p: el fondo es cóncavo y la punta va a w de la fibra media", mm(depth)),
-                    format!("the rim of the flat end mill cuts up to {} deeper than a_p: the floor is hollow and the tip runs w beside the mean line", mm(depth)),
-                ),
-                Text::fixed("", ""),
-            ));
+            // What there is to say of it says the caution about the plan, with an upper bound.
+            checks.push(check.at(Some(at)).informing());
         }
         checks
     }
