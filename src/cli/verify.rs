@@ -117,7 +117,8 @@ fn follow(
             Err(fault) => {
                 total += 1;
                 read.verdict.exit = gravest(read.verdict.exit, fault.exit);
-                if faults.len() < MOST {
+                // Where the reading ended is told whatever went before.
+                if faults.len() < MOST || fault.exit == Exit::Limit {
                     faults.push(*fault);
                 }
             }
