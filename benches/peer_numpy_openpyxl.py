@@ -58,7 +58,7 @@ def blocks(positions):
 def main(workbook, folder):
     p = parameters(workbook)
     R, r, n, N = float(p["R"]), float(p["r"]), int(p["n"]), int(p["N"])
-    L = p["R_p"] + p["L_t"]
+    L = p["R_B"] + p["H"]
     w, a_p = (p["e"] + p["d_t"]) / 2, p["a_p"]
     h = np.pi / 2 / n
     i = np.arange(n + 1, dtype=float)

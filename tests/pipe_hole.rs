@@ -139,6 +139,66 @@ fn the_height_control_is_held_where_the_height_is_not_the_wanted_one() {
     assert!(stations.iter().any(|one| one.D > design.d0) && stations.iter().any(|one| one.D == design.d0));
 }
 
+/// The rows of the table of the verification that a check's English name begins.
+fn check_row(outcome: &Outcome, name: &str) -> (String, String) {
+    let table = outcome.table("verification").expect("the table");
+    let text = |column: &str, row: usize| match table.column(column).expect(column).values.get(row) {
+        Entry::Text(text) => text.en.to_string(),
+        Entry::Number(number) => number.to_string(),
+    };
+    let row = (0..table.rows()).find(|&row| text("Check", row).starts_with(name)).expect(name);
+    (text("Value", row), text("Verdict", row))
+}
+
+/// Blocks of a few hundredths of a second: rounding their times to a whole millisecond made rodete refuse its own program.
+#[test]
+fn times_of_blocks_have_the_digits_that_small_blocks_need() {
+    for (dialect, most) in [("fagor-8070", 1.0), ("linuxcnc", 0.05), ("fagor-8055", 0.05)] {
+        for e in [2.0, 5.0] {
+            for F in [600.0, 6000.0] {
+                let mut changes = vec![choice("dialect", dialect), real("e", e), real("F", F)];
+                if dialect != "linuxcnc" {
+                    changes.push(("hold_on", Value::Line("M41".to_owned())));
+                    changes.push(("hold_off", Value::Line("M42".to_owned())));
+                }
+                let outcome = outcome(&changes);
+                let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
+                assert!(stops.is_empty(), "{changes:?}: {stops:?}");
+                let (slower, _) = check_row(&outcome, "F word");
+                let part: f64 = slower.trim_end_matches(" %").parse().expect("a part");
+                assert!((0.0..=most).contains(&part), "{changes:?}: {slower}");
+                for motion in outcome.programs[0].read_back().map(Result::unwrap) {
+                    let (Some(seconds), Some(F_max)) = (motion.seconds, Some(15_000.0)) else { continue };
+                    for by in motion.to.differences(&motion.from) {
+                        assert!(by.abs() * 60.0 / seconds <= F_max * (1.0 + 1e-8), "{changes:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What four decimals of a second cost is told, with the assumption; where they cost much, a person judges.
+#[test]
+fn what_rounding_the_f_word_costs_is_told() {
+    let hold = [("hold_on", Value::Line("M41".to_owned())), ("hold_off", Value::Line("M42".to_owned()))];
+    let told = |F: f64, tolerance: f64| {
+        let mut changes = hold.to_vec();
+        let set = [choice("dialect", "fagor-8070"), real("F", F), real("F_max", 1e6), real("arc_tolerance", tolerance)];
+        changes.extend(set);
+        let outcome = outcome(&changes);
+        let by_word = |finding: &&Finding| finding.what.en.contains("G93") || finding.what.en.contains("decimals of F");
+        let found = outcome.findings.iter().find(by_word).expect("told").clone();
+        (found.grade, found.what.en.to_string(), check_row(&outcome, "F word"))
+    };
+    let (grade, what, (_, verdict)) = told(1500.0, 0.05);
+    assert_eq!((grade, verdict.as_str()), (Grade::Note, "Note"));
+    assert!(what.contains("an assumption"), "{what}");
+    let (grade, what, (_, verdict)) = told(40_000.0, 0.01);
+    assert_eq!((grade, verdict.as_str()), (Grade::Caution, "Caution"), "{what}");
+    assert!(what.starts_with("the decimals of F slow line "), "{what}");
+}
+
 fn refused(changes: &[(&'static str, Value)]) -> Finding {
     match run(changes) {
         Err(refusal) => {

@@ -64,7 +64,7 @@ fn annex_4_is_reproduced_to_its_last_digit() {
 
 #[test]
 fn annex_5_is_reproduced_to_its_last_digit_with_its_own_pivot_length() {
-    compare("annex-5", &["x", "y", "z"], "annex-05-transformed", &[("L_t", Value::Real(233.95 - 147.5))]);
+    compare("annex-5", &["x", "y", "z"], "annex-05-transformed", &[("H", Value::Real(233.95 - 147.5))]);
 }
 
 #[test]

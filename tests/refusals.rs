@@ -94,9 +94,9 @@ fn safe_points_inside_the_passes_are_refused() {
 fn a_pivot_inside_the_part_is_refused() {
     expect(
         "tfg-2021",
-        &[real("R_p", 10.0), real("L_t", 5.0)],
-        &["R_p", "L_t", "R"],
-        "pivot length L = R_p + L_t is 15 mm: the pivot lies inside the part",
+        &[real("R_B", 10.0), real("H", 5.0)],
+        &["R_B", "H", "R"],
+        "pivot length L = R_B + H is 15 mm: the pivot lies inside the part",
     );
 }
 
@@ -204,10 +204,10 @@ fn an_axis_beyond_its_travel_stops_the_programs() {
     assert_eq!(stops.len(), 6);
     let first =
         stops.iter().find(|stop| stop.what.en.starts_with("axis B") && stop.what.en.contains("One blade")).unwrap();
-    assert_eq!(first.what.en, "axis B goes to 90° in \"One blade\", from line 29 on; its limit is 80°");
+    assert_eq!(first.what.en, "axis B goes to 90° in \"One blade\", from line 31 on; its limit is 80°");
     assert_eq!(first.place, Place::Cells(vec![cell]));
     let text = common::program(&common::outcome("full", &[]), "blade");
-    assert_eq!(text.lines().nth(28), Some("N70 G0 B90.000 C-270.000"));
+    assert_eq!(text.lines().nth(30), Some("N70 G0 B90.000 C-270.000"));
 }
 
 fn calibration(x0: f64, z0: f64) -> Vec<(&'static str, Value)> {
@@ -240,7 +240,7 @@ fn a_calibration_takes_the_root_nearest_the_spindle_height_and_says_so() {
     let remark = outcome.findings.iter().find(|finding| finding.what.en.starts_with("the calibration gives")).unwrap();
     assert_eq!(
         remark.what.en,
-        "the calibration gives R_B = 147.5 mm and B = 0°; R_p is 147.5 mm (the root nearest to R_p is taken)"
+        "the calibration gives R_B = 147.5 mm and B = 0°; in the workbook R_B is 147.5 mm (the nearest root is taken)"
     );
     assert_eq!(remark.grade, Grade::Note);
     let off = common::outcome("full", &calibration(-207.0, -185.5));

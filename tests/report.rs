@@ -40,7 +40,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             meaning: Text::fixed("Longitud de pivote", "Pivot length"),
             value: 242.9,
             unit: Unit::Millimetre,
-            source: Text::fixed("R_p + L_t", "R_p + L_t"),
+            source: Text::fixed("R_B + H", "R_B + H"),
         }],
         tables: vec![Table {
             key: "annex-1",

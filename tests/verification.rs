@@ -24,6 +24,7 @@ use rodete::impeller::track::Track;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
+use rodete::table::Entry;
 use rodete::text::Language;
 use rodete::verify::check::{Check, Verdict};
 use rodete::verify::cutting::Known;
@@ -452,7 +453,7 @@ proptest! {
         let e = (e_max(torus, a_p, N, d_t) * thick).min(100.0);
         let values = common::values("full", &[
             real("R", R), real("r", torus.r), ("n", Value::Whole(n)), ("N", Value::Whole(N)), real("a_p", a_p),
-            real("d_t", d_t), real("e", e), real("d_s", (e + d_t).min(500.0)), real("R_p", R * L), real("L_t", R),
+            real("d_t", d_t), real("e", e), real("d_s", (e + d_t).min(500.0)), real("R_B", R * L), real("H", R),
             real("L_b", 2.0 * R), real("X_e", 3.0 * R),
         ]);
         prop_assume!(e >= 0.05);
@@ -496,4 +497,22 @@ proptest! {
         let twice = exact(&design, Track::Obverse)[0];
         prop_assert!((once / twice - 4.0).abs() < 0.1, "{once} {twice}");
     }
+}
+
+/// Blocks of a few milliseconds: rounded up to whole ones, they ran far below F.
+#[test]
+fn small_blocks_keep_their_feed_on_a_control_that_takes_seconds() {
+    let changes = [("dialect", Value::Choice("fagor-8070")), real("F", 600.0), ("n", Value::Whole(1500))];
+    let outcome = common::outcome("full", &changes);
+    assert!(!outcome.stopped(), "{:?}", outcome.findings);
+    let table = outcome.table("verification").expect("the table");
+    let text = |column: &str, row: usize| match table.column(column).expect(column).values.get(row) {
+        Entry::Text(text) => text.en.to_string(),
+        Entry::Number(number) => number.to_string(),
+    };
+    let rows = (0..table.rows()).filter(|&row| text("Check", row).starts_with("F word"));
+    let slower: Vec<f64> =
+        rows.map(|row| text("Value", row).trim_end_matches(" %").parse().unwrap_or(f64::NAN)).collect();
+    // 0.0001 s of about 0.002 s; of a whole millisecond it was half.
+    assert!(slower.iter().take(2).all(|slower| (0.0..5.0).contains(slower)), "{slower:?}");
 }

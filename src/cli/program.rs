@@ -4,6 +4,7 @@ use std::io::BufRead;
 use std::path::{Path, PathBuf};
 
 use super::args::Control;
+use super::reading;
 use super::turning::of_workbook;
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
@@ -52,6 +53,7 @@ pub(super) struct Shared<'a> {
     /// The lathe workbook in place of a tool table.
     workbook: Option<Given>,
     unit: LengthUnit,
+    settled: Vec<Finding>,
 }
 
 impl<'a> Shared<'a> {
@@ -60,6 +62,8 @@ impl<'a> Shared<'a> {
     /// # Errors
     /// Where one of them cannot be read.
     pub(super) fn new(control: &'a Control) -> Result<Self, Refusal> {
+        let settled =
+            reading::settled([&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file)))?;
         let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
         let bytes =
             |input, path: &Option<PathBuf>| path.as_deref().map(|path| workbook::open_as(input, path)).transpose();
@@ -73,7 +77,18 @@ impl<'a> Shared<'a> {
             Some(bytes) => tools = Some(tool_table::parse(&bytes, unit)?),
             None => {}
         }
-        Ok(Self { control, var_file: var_file.unwrap_or_default(), tools, workbook, unit })
+        Ok(Self { control, var_file: var_file.unwrap_or_default(), tools, workbook, unit, settled })
+    }
+
+    /// What was done with sets that killed runs left half delivered beside the program, the parameter file and the tool
+    /// table.
+    ///
+    /// # Errors
+    /// Exit 3 where files of two sets are mixed there.
+    pub(super) fn settled(&self, program: &Path) -> Result<Vec<Finding>, Refusal> {
+        let mut found = self.settled.clone();
+        found.extend(reading::settled([reading::beside(program)])?);
+        Ok(found)
     }
 
     /// The dialect of a program: as named (true), or told from its beginning. What cannot be read is refused in its turn.

@@ -96,6 +96,7 @@ fn follow(
     read: &mut Read,
     terminal: &mut Terminal,
 ) -> Result<(), Refusal> {
+    let settled = shared.settled(path)?;
     let mut file = workbook::open_program(path)?;
     let (named, dialect) = shared.dialect(path, &mut file);
     read.dialect = Some(dialect);
@@ -124,7 +125,8 @@ fn follow(
             Err(fault) => {
                 total += 1;
                 read.verdict.exit = gravest(read.verdict.exit, fault.exit);
-                if faults.len() < MOST {
+                // Where the reading ended is told whatever went before.
+                if faults.len() < MOST || fault.exit == Exit::Limit {
                     faults.push(*fault);
                 }
             }
@@ -138,6 +140,7 @@ fn follow(
     }
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();
     remarks.extend(interpreter.remarks());
+    remarks.extend(settled);
     if !named {
         remarks.push(told_from(dialect));
     }

@@ -18,8 +18,8 @@ pub static CASES: [Case; 2] = [
     Case {
         name: "tfg-2021",
         note: t(
-            "El caso publicado (UPCT, 2021). Las tablas fijan e + d_t = 8 y d_s + d_t/2 = 8; aquí d_t = 6, e = 2, d_s = 5. L = 147.5 + 95.4 = 242.9.",
-            "The published case (UPCT, 2021). Its tables fix e + d_t = 8 and d_s + d_t/2 = 8; here d_t = 6, e = 2, d_s = 5. L = 147.5 + 95.4 = 242.9.",
+            "El caso publicado (UPCT, 2021). Las tablas fijan e + d_t = 8 y d_s + d_t/2 = 8; aquí d_t = 6, e = 2, d_s = 5. L = R_B + H = 147.5 + 95.4 = 242.9.",
+            "The published case (UPCT, 2021). Its tables fix e + d_t = 8 and d_s + d_t/2 = 8; here d_t = 6, e = 2, d_s = 5. L = R_B + H = 147.5 + 95.4 = 242.9.",
         ),
         filled: published,
         listed: unlisted,
@@ -45,10 +45,10 @@ fn published(language: Language) -> Vec<(&'static str, Value)> {
         ("splitters", Value::Choice("yes")),
         ("splitter_fade", Value::Choice("published")),
         ("d_t", Value::Real(6.0)),
-        ("L_t", Value::Real(95.4)),
         ("T", Value::Whole(1)),
         ("D", Value::Whole(1)),
-        ("R_p", Value::Real(147.5)),
+        ("R_B", Value::Real(147.5)),
+        ("H", Value::Real(95.4)),
         ("B_min", Value::Real(-10.0)),
         ("B_max", Value::Real(100.0)),
         ("d_s", Value::Real(5.0)),

@@ -187,17 +187,14 @@ impl Design {
         let least = self.torus.R.max(self.torus.r);
         if L <= least {
             stop(
-                &["R_p", "L_t", "R"],
-                format!(
-                    "la longitud de pivote L = R_p + L_t es {} mm: el pivote queda dentro de la pieza",
-                    shown(L, 3)
-                ),
-                format!("pivot length L = R_p + L_t is {} mm: the pivot lies inside the part", shown(L, 3)),
+                &["R_B", "H", "R"],
+                format!("la longitud de pivote L = R_B + H es {} mm: el pivote queda dentro de la pieza", shown(L, 3)),
+                format!("pivot length L = R_B + H is {} mm: the pivot lies inside the part", shown(L, 3)),
                 mm(L),
                 mm(least),
                 Text::new(
-                    format!("compruebe R_p y L_t; L debe pasar de {} mm", shown(least, 3)),
-                    format!("check R_p and L_t; L must exceed {} mm", shown(least, 3)),
+                    format!("compruebe R_B y H; L debe pasar de {} mm", shown(least, 3)),
+                    format!("check R_B and H; L must exceed {} mm", shown(least, 3)),
                 ),
             );
         }

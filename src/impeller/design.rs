@@ -35,15 +35,15 @@ pub struct Design {
     pub splitter_fade: Fade,
     /// d_t, tool diameter.
     pub d_t: f64,
-    /// L_t, tool length.
-    pub L_t: f64,
     /// T, tool number.
     pub T: u32,
     /// D, offset number.
     pub D: u32,
-    /// R_p, spindle height.
-    pub R_p: f64,
-    /// The rotary axes with L = R_p + L_t.
+    /// R_B, height of the work spindle's nose over the B axis.
+    pub R_B: f64,
+    /// H, height of the torus centre plane, the turned face, over that nose.
+    pub H: f64,
+    /// The rotary axes with L = R_B + H.
     pub machine: Rotary,
     /// Travel of X, Y, Z in mm and of B in degrees.
     pub travel: [(char, Travel); 4],
@@ -88,6 +88,13 @@ impl Design {
         half_width(self.e, self.d_t)
     }
 
+    /// How much of the tool over its tip is looked at, mm: from a tip within d_s of the stock no longer tool reaches more
+    /// of it, for no two points of the stock are farther apart than 2·R + L_b. How long the tool is, is not asked.
+    #[must_use]
+    pub const fn tool_reach(&self) -> f64 {
+        2.0 * (self.torus.R + self.d_s) + self.blank.L_b
+    }
+
     /// The design of checked values.
     ///
     /// # Errors
@@ -108,7 +115,7 @@ impl Design {
 
     fn from_values(values: &Values) -> Option<Self> {
         let real = |key| values.real(key);
-        let (R_p, L_t) = (real("R_p")?, real("L_t")?);
+        let (R_B, H) = (real("R_B")?, real("H")?);
         Some(Self {
             torus: Torus { R: real("R")?, r: real("r")? },
             n: usize::try_from(values.whole("n")?).ok()?,
@@ -123,11 +130,11 @@ impl Design {
                 Fade::Published
             },
             d_t: real("d_t")?,
-            L_t,
             T: values.whole("T")?,
             D: values.whole("D")?,
-            R_p,
-            machine: Rotary { L: R_p + L_t },
+            R_B,
+            H,
+            machine: Rotary { L: R_B + H },
             travel: [
                 ('X', [real("X_min"), real("X_max")]),
                 ('Y', [real("Y_min"), real("Y_max")]),

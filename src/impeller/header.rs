@@ -34,10 +34,10 @@ fn extents(header: &mut Header, program: &Program) {
 pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>, origin: &Origin<'_>) -> Vec<Part> {
     let mut comments = identity(design, program, origin);
     let (T, D) = (design.T, design.D);
-    let (diameter, length) = (fixed(design.d_t), fixed(design.L_t));
+    let diameter = fixed(design.d_t);
     comments.line(
-        &format!("HERRAMIENTA T{T} D{D} FRESA FRONTAL DIAM. {diameter} LONG. {length}"),
-        &format!("TOOL T{T} D{D} FLAT END MILL DIAM. {diameter} LENGTH {length}"),
+        &format!("HERRAMIENTA T{T} D{D} FRESA FRONTAL DIAM. {diameter}"),
+        &format!("TOOL T{T} D{D} FLAT END MILL DIAM. {diameter}"),
     );
     if let Some([out, back]) = full_from {
         comments.line(
@@ -45,12 +45,14 @@ pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>,
             &format!("SPLITTER IN FULL FROM POINT {out} OUT AND {back} BACK"),
         );
     }
-    let (L, R_p) = (fixed(design.machine.L), fixed(design.R_p));
+    let (L, R_B, H) = (fixed(design.machine.L), fixed(design.R_B), fixed(design.H));
     comments.line(
         &format!("LONGITUD DE PIVOTE L {L} DEL EJE B AL CENTRO DEL TORO"),
         &format!("PIVOT LENGTH L {L} FROM B AXIS TO TORUS CENTRE"),
     );
-    comments.line(&format!("L ES R_P {R_p} MAS L_T {length}"), &format!("L IS R_P {R_p} PLUS L_T {length}"));
+    comments.line(&format!("L ES R_B {R_B} MAS H {H}"), &format!("L IS R_B {R_B} PLUS H {H}"));
+    comments.line("R_B - NARIZ DEL HUSILLO PORTAPIEZA SOBRE EL EJE B", "R_B - WORK SPINDLE NOSE OVER THE B AXIS");
+    comments.line("H - CARA TORNEADA SOBRE ESA NARIZ", "H - TURNED FACE OVER THAT NOSE");
     comments
         .line("CERO G54 - PUNTA EN EL CENTRO DEL TORO CON B0 C0", "ZERO G54 - TOOL TIP IN THE TORUS CENTRE AT B0 C0");
     comments.line(

@@ -5,12 +5,12 @@
 //! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
 
 use crate::impeller::cases::CASES;
-use crate::parameter::{Choice, DIALECTS, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::{Choice, DIALECTS, Earlier, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
 use crate::table::Unit;
 use crate::text::Text;
 
 /// Name and version of the form.
-pub const SCHEMA: &str = "rodete-impeller 1";
+pub const SCHEMA: &str = "rodete-impeller 2";
 
 const YES_NO: &[Choice] = &[Choice { key: "yes", label: t("sí", "yes") }, Choice { key: "no", label: t("no", "no") }];
 
@@ -128,31 +128,37 @@ const TOOL: &[Parameter] = &[
         t("Diámetro de la herramienta", "Tool diameter"),
         t("Fresa cilíndrica frontal; no mayor que 2·r", "Flat end mill; not above 2·r"),
     ),
-    real(
-        "L_t",
-        "tool_length_L_t",
-        MM,
-        [1.0, 1000.0],
-        true,
-        t("Longitud de la herramienta", "Tool length"),
-        t(
-            "L = R_p + L_t debe ser la distancia del eje B al centro del toro con B = 0",
-            "L = R_p + L_t must be the distance from the B axis to the torus centre at B = 0",
-        ),
-    ),
     whole("T", "tool_T", Unit::Count, [1, 9999], true, t("Número de herramienta", "Tool number"), t("", "")),
     whole("D", "tool_offset_D", Unit::Count, [1, 999], true, t("Número de corrector", "Tool offset number"), t("", "")),
 ];
 
 const MACHINE: &[Parameter] = &[
     real(
-        "R_p",
-        "spindle_height_R_p",
+        "R_B",
+        "spindle_height_R_B",
         MM,
         [1.0, 5000.0],
         true,
-        t("Altura del husillo sobre el eje de giro B", "Spindle height above the B axis of rotation"),
+        t(
+            "Altura de la nariz del husillo portapieza sobre el eje de giro B",
+            "Height of the work spindle's nose over the B axis of rotation",
+        ),
         t("De la calibración", "From the calibration"),
+    ),
+    real(
+        "H",
+        "height_H",
+        MM,
+        [1.0, 1000.0],
+        true,
+        t(
+            "Altura de la cara torneada, el plano del centro del toro, sobre la nariz del husillo portapieza",
+            "Height of the turned face, the torus centre plane, over the work spindle's nose",
+        ),
+        t(
+            "L = R_B + H; no es la longitud de la herramienta, que solo entra en el cero o el corrector de Z",
+            "L = R_B + H; no tool length, which enters the zero or the length offset of Z alone",
+        ),
     ),
     real(
         "B_min",
@@ -476,6 +482,18 @@ const CALIBRATION: &[Parameter] = &[
 pub static FORM: Form = Form {
     kind: "impeller",
     schema: SCHEMA,
+    earlier: &[Earlier {
+        schema: "rodete-impeller 1",
+        renamed: &[("R_B", "R_p"), ("H", "L_t")],
+        meaning: t(
+            "el libro es del esquema 1, que llamaba longitud de herramienta L_t a la altura H de la cara torneada sobre la nariz del husillo portapieza, y R_p a R_B: aquí L_t se lee como H y L = R_p + L_t. Si en L_t está la longitud de una herramienta, los programas son falsos",
+            "the workbook is of schema 1, which called the height H of the turned face over the work spindle's nose a tool length L_t, and R_B it called R_p: L_t is read as H here, and L = R_p + L_t. If L_t holds the length of a tool, the programs are wrong",
+        ),
+        remedy: t(
+            "mida H y compruébela; haga un libro nuevo con \"rodete new\" y escriba en él los valores",
+            "measure H and compare; make a new workbook with \"rodete new\" and type the values there",
+        ),
+    }],
     cases: &CASES,
     programs: &["blade", "splitter", "impeller", "blank"],
     templates: &[],

@@ -41,7 +41,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
         None
     };
     let calibration = design.calibration.as_ref().and_then(|slots| {
-        let found = tables::calibration(slots, design.R_p);
+        let found = tables::calibration(slots, design.R_B);
         if found.is_none() {
             stops.push(no_calibration());
         }
@@ -73,7 +73,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     };
     let made = Tracks::new(&blade, &passes, splitter.as_ref())
         .and_then(|tracks| programs(&design, &tracks, &origin))
-        .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_p", "L_t"])]))?;
+        .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_B", "H"])]))?;
     let quantities = quantities(&design, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
     let (verification, curves) =
@@ -112,7 +112,7 @@ fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, pro
             "Pivot length, from the B axis to the torus centre",
             design.machine.L,
             mm,
-            ["R_p + L_t", "R_p + L_t"],
+            ["R_B + H", "R_B + H"],
         ),
         quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"]),
         quantity(

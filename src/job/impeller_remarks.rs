@@ -141,7 +141,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
                 ),
                 Text::fixed("un n menor u otro avance", "a smaller n or another feed"),
             )
-            .with(made.limited.by_format.to_string(), "0.001 … 99999.999"),
+            .with(made.limited.by_format.to_string(), "0.0001 … 99999.999"),
         );
     }
     for key in &made.unnumbered {
@@ -167,17 +167,19 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
 /// Holds the calibrated spindle height against the one in use. Beyond 0.01 mm, the tenth part of what a slot shows to
 /// the eye, a person must judge it.
 fn calibration_remark(design: &Design, axis: Calibrated) -> Finding {
-    let difference = axis.R_B - design.R_p;
-    let (R_B, R_p, B) = (shown(axis.R_B, 4), shown(design.R_p, 4), shown(axis.B.to_degrees(), 5));
+    let difference = axis.R_B - design.R_B;
+    let (found, R_B, B) = (shown(axis.R_B, 4), shown(design.R_B, 4), shown(axis.B.to_degrees(), 5));
     let what = Text::new(
-        format!("la calibración da R_B = {R_B} mm y B = {B}°; R_p es {R_p} mm (se toma la raíz más próxima a R_p)"),
         format!(
-            "the calibration gives R_B = {R_B} mm and B = {B}°; R_p is {R_p} mm (the root nearest to R_p is taken)"
+            "la calibración da R_B = {found} mm y B = {B}°; en el libro R_B es {R_B} mm (se toma la raíz más próxima)"
+        ),
+        format!(
+            "the calibration gives R_B = {found} mm and B = {B}°; in the workbook R_B is {R_B} mm (the nearest root is taken)"
         ),
     );
-    let place = Place::Parameters(vec!["R_p"]);
+    let place = Place::Parameters(vec!["R_B"]);
     if difference.abs() > 0.01 {
-        Finding::caution(place, what, Text::new(format!("considere R_p = {R_B}"), format!("consider R_p = {R_B}")))
+        Finding::caution(place, what, Text::new(format!("considere R_B = {found}"), format!("consider R_B = {found}")))
             .with(format!("{} mm", shown(difference, 4)), "0.01 mm")
     } else {
         Finding::note(place, what).with(format!("{} mm", shown(difference, 4)), "0.01 mm")

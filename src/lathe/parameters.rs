@@ -356,6 +356,7 @@ const BLOCKS_NOTE: Text = t(
 pub static FORM: Form = Form {
     kind: "lathe",
     schema: SCHEMA,
+    earlier: &[],
     cases: &CASES,
     programs: &["program", "program-2"],
     templates: &["contour"],

@@ -127,13 +127,36 @@ impl Case {
     }
 }
 
+/// An earlier version of a form that is still read.
+#[derive(Debug)]
+pub struct Earlier {
+    /// Name and version, as in [`Form::schema`].
+    pub schema: &'static str,
+    /// The keys of parameters of the first sheet, each with the symbol that stood in column A then.
+    pub renamed: &'static [(&'static str, &'static str)],
+    /// What a person who has such a workbook must know.
+    pub meaning: Text,
+    /// What to do about it.
+    pub remedy: Text,
+}
+
+impl Earlier {
+    /// The symbol of a parameter then; `None` where it is the same.
+    #[must_use]
+    pub fn symbol(&self, key: &str) -> Option<&'static str> {
+        self.renamed.iter().find(|(renamed, _)| *renamed == key).map(|(_, symbol)| *symbol)
+    }
+}
+
 /// A workbook kind: the form that a user fills in.
 #[derive(Debug)]
 pub struct Form {
     /// The kind's name on the command line, as `impeller`.
     pub kind: &'static str,
-    /// Name and version, as `rodete-impeller 1`.
+    /// Name and version, as `rodete-impeller 2`.
     pub schema: &'static str,
+    /// Earlier versions that are still read.
+    pub earlier: &'static [Earlier],
     /// The cases that a new workbook can start from, the usual one first.
     pub cases: &'static [Case],
     /// The keys of the programs that its builds may write, in the order of their sheets.

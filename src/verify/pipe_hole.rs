@@ -25,6 +25,7 @@ use crate::pipe::hole::station::{Groove, Station};
 use crate::text::Text;
 use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
+use crate::verify::feed::{feed_word, timely};
 use crate::verify::verification::{Verification, as_planned, reading, torch};
 
 /// Poses of a motion that are looked at.
@@ -104,6 +105,7 @@ struct Watch<'d> {
     speed: [f64; 2],
     off_speed: Option<(f64, At)>,
     slowed: Option<(f64, At)>,
+    rounded: Option<(f64, At)>,
     turn: Worst,
     curve: Curve,
     length: f64,
@@ -165,8 +167,12 @@ impl Watch<'_> {
             let speed = way * 60.0 / seconds;
             self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
             let word = if let Kind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
-            if (seconds / leg.seconds - 1.0).abs() > 1e-6 + 0.0005 / word {
+            if !timely(self.design.dialect.feed, motion, word, leg.seconds) {
                 self.off_speed.get_or_insert((speed, at));
+            }
+            let slower = seconds / leg.seconds - 1.0;
+            if self.rounded.is_none_or(|(most, _)| slower > most) {
+                self.rounded = Some((slower, at));
             }
             let wanted = way * 60.0 / self.design.F;
             if leg.seconds > wanted * 1.01 && self.slowed.is_none_or(|(least, _)| speed < least) {
@@ -221,6 +227,7 @@ pub fn judge(
         speed: [f64::INFINITY, 0.0],
         off_speed: None,
         slowed: None,
+        rounded: None,
         turn: Worst::from(0.0),
         curve: Curve::new(),
         length: 0.0,
@@ -361,7 +368,18 @@ fn answers(design: &Design, program: &Program, watch: &mut Watch<'_>, planned: u
     };
     let name = Text::fixed("Longitud del corte en la raíz", "Length of the cut at the root");
     let length = Check::passed("length", name, program, Text::same(mm(watch.length)), Text::same("")).informing();
-    vec![agreement, beam, branch, bevel, near, tilt, turn, length, feed(design, program, watch)]
+    vec![
+        agreement,
+        beam,
+        branch,
+        bevel,
+        near,
+        tilt,
+        turn,
+        length,
+        feed(design, program, watch),
+        feed_word(program, watch.rounded),
+    ]
 }
 
 fn feed(design: &Design, program: &Program, watch: &Watch<'_>) -> Check {

@@ -8,6 +8,8 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
 
+use crate::gcode::dialect::FeedLaw;
+use crate::gcode::feed_word::step;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::{Kind, Motion};
 use crate::gcode::program::{Program, Style};
@@ -25,15 +27,13 @@ use crate::pipe::insert::program::template_points;
 use crate::text::Text;
 use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
+use crate::verify::feed::{feed_word, timely};
 use crate::verify::verification::{Verification, as_planned, reading, torch};
 
 /// Points of a motion that are looked at.
 const LOOKS: u16 = 64;
 /// How far a position may be from the plan: what the decimals of the published program leave.
 const SAME: f64 = 1e-6;
-/// By what part the cutting speed may differ from F, beside what rounding the F word takes: the way along a curved piece
-/// of the surface is a little longer than its chord.
-const SPEED: f64 = 0.005;
 /// What rounding an end and a radius to 0.001 takes, beside the tolerance.
 const ROUNDING: f64 = 0.002;
 
@@ -108,6 +108,7 @@ struct Watch<'d> {
     speed: Most,
     slowest: Option<f64>,
     off_speed: Option<(f64, At)>,
+    rounded: Option<(f64, At)>,
     untimed: bool,
     curve: Curve,
     length: f64,
@@ -194,21 +195,33 @@ impl Watch<'_> {
     /// Looks at a motion of the cut.
     fn look(&mut self, motion: &Motion, follows: Follows) {
         let points = self.points(motion);
-        let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+        let length = match motion.kind {
+            Kind::Arc(arc, _) => arc.length(0.0),
+            _ => points.first().zip(points.last()).map_or(0.0, |(first, last)| (last - first).norm()),
+        };
         self.length += length;
         match motion.seconds {
             Some(seconds) if seconds > 0.0 => {
                 let speed = length * 60.0 / seconds;
                 self.speed.raise(speed, At::motion(motion));
                 self.slowest = Some(self.slowest.map_or(speed, |least: f64| least.min(speed)));
-                // Half a thousandth of a small F word is much of it.
                 let word = match motion.kind {
                     Kind::Feed(feed) | Kind::Arc(_, feed) => feed.value,
                     Kind::Rapid | Kind::Thread(_) | Kind::Dwell(_) => 0.0,
                 };
                 let F = self.design.F.unwrap_or(speed);
-                if (speed / F - 1.0).abs() > SPEED + 0.0005 / word {
+                let planned = length * 60.0 / F;
+                let good = match self.design.mode {
+                    // F is the speed over the sheet itself.
+                    Mode::Flat => (F - step(FeedLaw::Resultant, F)..=F).contains(&word),
+                    Mode::Rotary => timely(self.design.dialect.feed, motion, word, planned),
+                };
+                if !good || seconds < planned * (1.0 - 1e-6) {
                     self.off_speed.get_or_insert((speed, At::motion(motion)));
+                }
+                let slower = seconds / planned - 1.0;
+                if self.rounded.is_none_or(|(most, _)| slower > most) {
+                    self.rounded = Some((slower, At::motion(motion)));
                 }
             }
             _ => self.untimed = true,
@@ -282,6 +295,7 @@ pub fn judge(
         speed: Most::default(),
         slowest: None,
         off_speed: None,
+        rounded: None,
         untimed: false,
         curve: Curve::new(),
         length: 0.0,
@@ -368,7 +382,7 @@ fn answers(design: &Design, program: &Program, watch: &mut Watch<'_>, planned: u
     };
     let name = Text::fixed("Longitud del corte", "Length of the cut");
     let length = Check::passed("length", name, program, Text::same(mm(watch.length)), Text::same("")).informing();
-    vec![agreement, path, edge, length, feed(design, program, watch)]
+    vec![agreement, path, edge, length, feed(design, program, watch), feed_word(program, watch.rounded)]
 }
 
 fn feed(design: &Design, program: &Program, watch: &Watch<'_>) -> Check {

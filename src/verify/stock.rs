@@ -49,7 +49,7 @@ impl Room {
             stock: Stock { torus: design.torus, length: design.blank.L_b },
             L: design.machine.L,
             radius: design.d_t / 2.0,
-            length: design.L_t,
+            length: design.tool_reach(),
             fine: design.d_s * FINE,
         }
     }

@@ -52,15 +52,15 @@ pub fn part(values: &Values) -> Option<Part> {
         }
     }
     let meshes = [hub(&design), blades, splitters].into_iter().filter(|mesh| !mesh.triangles.is_empty()).collect();
-    let (r, length) = (design.d_t / 2.0, design.L_t);
+    let (r, length) = (design.d_t / 2.0, design.tool_reach());
     Some(Part {
         meshes,
         curves: Vec::new(),
         tool: Tool {
             number: design.T,
             name: Text::new(format!("fresa d{}", design.d_t), format!("end mill d{}", design.d_t)),
-            // The holder beyond the tool's length is not known: a disc shows where it begins.
-            shape: Shape::Revolved(vec![[0.0, 0.0], [r, 0.0], [r, length], [3.0 * r, length], [3.0 * r, length + r]]),
+            // How long the tool is, and where its holder begins, is not known.
+            shape: Shape::Revolved(vec![[0.0, 0.0], [r, 0.0], [r, length]]),
         },
         frame: Frame::Tilting(design.machine),
     })

@@ -1,7 +1,8 @@
 //! From the cells of a workbook to the checked values of a form.
 //!
 //! Values are found by the symbol in column A, wherever its row stands; capitals count (N and n are two parameters). The
-//! schema cell is read first: a workbook of another version is refused for that alone.
+//! schema cell is read first: a workbook of another version is refused for that alone, unless the form says what an earlier one
+//! called its parameters.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -9,7 +10,7 @@ use std::collections::BTreeMap;
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Form, Kind, Parameter, Sheet, Value, Values};
+use crate::parameter::{Earlier, Form, Kind, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text};
 
 use super::book::Book;
@@ -54,7 +55,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if !sheet.survey.filled {
         return Err(no_cells(&entry));
     }
-    let form = form_of(&sheet, forms, language)?;
+    let (form, earlier) = form_of(&sheet, forms, language)?;
     let mut values = Values { language, ..Values::default() };
     let mut exit = Exit::Refused;
     let mut first = Some(sheet);
@@ -90,7 +91,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
             exit = sheet.survey.exit();
         }
         if !sheet.survey.unsound {
-            take(form.schema, described, &sheet, &mut values, &mut findings);
+            take((form.schema, earlier), described, &sheet, &mut values, &mut findings);
         }
     }
     for list in form.lists {
@@ -112,6 +113,11 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
                 }
             }
         }
+    }
+    if let Some(earlier) = earlier {
+        let keys = earlier.renamed.iter().map(|(key, _)| *key).chain(["schema"]).collect();
+        let told = Finding::caution(Place::Parameters(keys), earlier.meaning.clone(), earlier.remedy.clone());
+        findings.push(values.locate(told.with(earlier.schema, form.schema)));
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         return Err(refusal(exit, findings));
@@ -316,8 +322,11 @@ fn same_but_for_case(one: &str, other: &str) -> bool {
     words::fold(one) == words::fold(other)
 }
 
+/// A form, and its earlier version where the workbook follows that.
+type Version = (&'static Form, Option<&'static Earlier>);
+
 /// The form whose schema stands in the sheet's schema cell.
-fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> Result<&'static Form, Refusal> {
+fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> Result<Version, Refusal> {
     let symbols = rows_by_symbol(sheet);
     let mut wanted: Vec<(&'static Form, &'static Parameter)> = Vec::new();
     for form in forms
@@ -359,8 +368,13 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
         Some(Content::Error(error)) => excerpt(error, SHOWN),
         Some(Content::Truth(_) | Content::Date) | None => String::new(),
     };
-    if let Some((form, _)) = wanted.iter().find(|(form, _)| form.schema == found) {
-        return Ok(form);
+    for (form, _) in &wanted {
+        if form.schema == found {
+            return Ok((form, None));
+        }
+        if let Some(earlier) = form.earlier.iter().find(|earlier| earlier.schema == found) {
+            return Ok((form, Some(earlier)));
+        }
     }
     let finding = Finding::stop(
         Place::Cells(vec![sheet.place(at)]),
@@ -388,9 +402,9 @@ fn rows_by_symbol(sheet: &SheetCells) -> BTreeMap<&str, Vec<u32>> {
     rows
 }
 
-/// Takes the values of one sheet; the schema cell is known to say `schema`.
+/// Takes the values of one sheet; the schema cell is known to say `schema`, or the version before it.
 fn take(
-    schema: &'static str,
+    (schema, earlier): (&'static str, Option<&'static Earlier>),
     described: &'static Sheet,
     sheet: &SheetCells,
     values: &mut Values,
@@ -399,8 +413,14 @@ fn take(
     let rows = rows_by_symbol(sheet);
     let parameters: Vec<&'static Parameter> =
         described.sections.iter().flat_map(|section| section.parameters).collect();
-    let found = |parameter: &Parameter| rows.get(parameter.symbol()).map_or(&[][..], Vec::as_slice);
-    unknown(sheet, &parameters, findings);
+    // Under an earlier schema the symbol of then is read, and the one of now beside it: two of them are one too many.
+    let then = |parameter: &Parameter| earlier.and_then(|earlier| earlier.symbol(parameter.key));
+    let found = |parameter: &Parameter| -> Vec<u32> {
+        let symbols = then(parameter).into_iter().chain([parameter.symbol()]);
+        symbols.filter_map(|symbol| rows.get(symbol)).flatten().copied().collect()
+    };
+    let known: Vec<&str> = parameters.iter().flat_map(|one| then(one).into_iter().chain([one.symbol()])).collect();
+    unknown(sheet, &known, findings);
     for parameter in &parameters {
         if let Some(row) = found(parameter).first() {
             values.cells.insert(parameter.key, sheet.place((*row, VALUE)));
@@ -411,7 +431,7 @@ fn take(
         return;
     }
     for parameter in parameters {
-        match found(parameter) {
+        match found(parameter).as_slice() {
             [] if parameter.required => findings.push(missing_row(parameter, sheet)),
             [] => {}
             [_] if matches!(parameter.kind, Kind::Schema) => {
@@ -450,9 +470,8 @@ fn missing_row(parameter: &Parameter, sheet: &SheetCells) -> Finding {
 
 /// Mentions rows that have a value and a symbol that the form does not know. Headings are not among them: what stands
 /// above the first symbol, and rows whose value cell is empty or says "value" itself.
-fn unknown(sheet: &SheetCells, parameters: &[&'static Parameter], findings: &mut Vec<Finding>) {
-    let known =
-        |row: u32| sheet.text((row, 0)).is_some_and(|symbol| parameters.iter().any(|one| one.symbol() == symbol));
+fn unknown(sheet: &SheetCells, symbols: &[&str], findings: &mut Vec<Finding>) {
+    let known = |row: u32| sheet.text((row, 0)).is_some_and(|symbol| symbols.contains(&symbol));
     let rows = sheet.rows.keys().copied().skip_while(|row| !known(*row)).filter(|row| {
         let heading = sheet.text((*row, VALUE)).is_some_and(|text| ["Value", "Valor"].contains(&text));
         !known(*row) && !heading && sheet.cell((*row, 0)).is_some() && value::is_filled(sheet, *row)

@@ -255,8 +255,8 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
         ),
         value(
             "B17 inches",
-            "R_p",
-            &sound().number("R_p", "0.5"),
+            "R_B",
+            &sound().number("R_B", "0.5"),
             "is 0.5 mm, must be from 1 to 5000 mm",
             "did you mean 500 mm (typed in metres) or 12.7 mm (typed in inches)?",
         ),

@@ -414,15 +414,15 @@ fn the_sheet_must_be_there_under_its_name() {
 
 #[test]
 fn the_schema_is_looked_at_first() {
-    let both = Parts::sound().string("schema", "rodete-impeller 2").value("R", "t=\"n\"", "<v>abc</v>");
-    let versions = "schema is \"rodete-impeller 2\"; rodete reads \"rodete-impeller 1\" here";
+    let both = Parts::sound().string("schema", "rodete-impeller 3").value("R", "t=\"n\"", "<v>abc</v>");
+    let versions = "schema is \"rodete-impeller 3\"; rodete reads \"rodete-impeller 2\" here";
     // A fault that keeps the sheet from being read is told first; one that does not, never.
-    let other = Parts::sound().string("schema", "rodete-impeller 2").number("R", "-1");
+    let other = Parts::sound().string("schema", "rodete-impeller 3").number("R", "-1");
     let refusal = impeller(&other.zip()).unwrap_err();
     assert_eq!(refusal.findings.len(), 1, "{refusal:?}");
     assert_eq!(
         (refusal.findings[0].value.as_str(), refusal.findings[0].limit.as_str()),
-        ("rodete-impeller 2", "\"rodete-impeller 1\"")
+        ("rodete-impeller 3", "\"rodete-impeller 2\"")
     );
     compare(vec![
         at("A28", other.zip(), Refused, &cell("schema"), versions, "make a new workbook"),
@@ -432,7 +432,7 @@ fn the_schema_is_looked_at_first() {
             Parts::sound().cell(DATA, &cell("schema"), "").zip(),
             Refused,
             &cell("schema"),
-            "schema is empty; rodete reads \"rodete-impeller 1\" here",
+            "schema is empty; rodete reads \"rodete-impeller 2\" here",
             "make a new workbook",
         ),
         at(

@@ -59,7 +59,7 @@ fn help_and_version_end_with_0() {
     for flag in ["--version", "-V"] {
         rodete(&folder).arg(flag).assert().code(0).stderr("").stdout(format!(
             "rodete {}\n\
-             workbook impeller: schema rodete-impeller 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
+             workbook impeller: schema rodete-impeller 2\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
              workbook pipe-insert: schema rodete-pipe-insert 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
              workbook pipe-hole: schema rodete-pipe-hole 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
              workbook lathe: schema rodete-lathe 1\ndialects: fanuc-lathe-a, fagor-8055-t\n",

@@ -68,7 +68,7 @@ fn json_tells_what_was_found_and_written() {
     assert_eq!(document["exit"], 0);
     let workbook = &document["workbooks"][0];
     assert_eq!(workbook["sha256"], sha256(&fs::read(folder.path().join("impeller.xlsx")).expect("the workbook")));
-    assert_eq!(workbook["schema"], "rodete-impeller 1");
+    assert_eq!(workbook["schema"], "rodete-impeller 2");
     let quantities = workbook["quantities"].as_array().expect("quantities");
     let length = quantities.iter().find(|one| one["symbol"] == "L").expect("L");
     assert_eq!((&length["value"], &length["unit"]), (&Json::from(242.9), &Json::from("mm")));

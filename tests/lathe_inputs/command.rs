@@ -174,7 +174,7 @@ fn a_workbook_of_tools_is_named_where_it_is_wrong() {
     let long = Book::of(Language::En).put("L4", rodete::parameter::Value::Real(200.0));
     fs::write(folder.path().join("held.xlsx"), long.bytes()).unwrap();
     for (tools, exit, what) in [
-        ("other.xlsx", 3, "error: other.xlsx: schema is \"rodete-impeller 1\"; rodete reads \"rodete-lathe 1\" here"),
+        ("other.xlsx", 3, "error: other.xlsx: schema is \"rodete-impeller 2\"; rodete reads \"rodete-lathe 1\" here"),
         ("p.nc", 4, "error: p.nc: this is not an .xlsx workbook"),
         ("missing.xlsx", 4, "error: cannot open missing.xlsx: no such file"),
         (".", 4, "error: cannot open .: it is a folder"),

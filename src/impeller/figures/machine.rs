@@ -73,7 +73,7 @@ fn position(strokes: &mut Vec<Stroke>, labels: &mut Vec<Label>, design: &Design,
     // The tool stands on the point whose normal is vertical: v = 3π/2 − B.
     let v = PI + FRAC_PI_2 - B;
     let tip = turned(torus.rho(v), torus.r * sin_cos(v).0);
-    let (half, top) = (design.d_t / 2.0, tip[1] + 0.45 * design.L_t);
+    let (half, top) = (design.d_t / 2.0, tip[1] + 0.45 * design.tool_reach());
     let tool = vec![
         [tip[0] - half, top],
         [tip[0] - half, tip[1]],
@@ -83,11 +83,11 @@ fn position(strokes: &mut Vec<Stroke>, labels: &mut Vec<Label>, design: &Design,
     ];
     strokes.push(Stroke { ink: Ink::Safe, points: tool.clone(), filled: true, arrow: false });
     strokes.push(line(Ink::Outline, tool));
-    strokes.push(line(Ink::Centre, vec![[tip[0], tip[1]], [tip[0], top + 0.06 * design.L_t]]));
+    strokes.push(line(Ink::Centre, vec![[tip[0], tip[1]], [tip[0], top + 0.06 * design.tool_reach()]]));
     let angle = format!("B = {}°", B.to_degrees());
     // Beside the tool, on the side away from the path.
     let side = if B > FRAC_PI_4 { -0.28 } else { 0.28 };
-    labels.push(label([tip[0] + side * design.L_t, top], Text::same(angle)));
+    labels.push(label([tip[0] + side * design.tool_reach(), top], Text::same(angle)));
 }
 
 /// The way of the tool round a blade in machine XY, with the safe points.

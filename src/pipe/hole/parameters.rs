@@ -205,6 +205,7 @@ const PROGRAM: &[Parameter] = &[
 pub static FORM: Form = Form {
     kind: "pipe-hole",
     schema: SCHEMA,
+    earlier: &[],
     cases: &CASES,
     programs: &["hole"],
     templates: &["template"],

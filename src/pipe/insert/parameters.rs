@@ -176,6 +176,7 @@ const PROGRAM: &[Parameter] = &[
 pub static FORM: Form = Form {
     kind: "pipe-insert",
     schema: SCHEMA,
+    earlier: &[],
     cases: &CASES,
     programs: &["insert"],
     templates: &["template"],
