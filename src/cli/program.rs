@@ -1,7 +1,11 @@
 //! How the commands read a program's file: dialect, machine, and what stands beside it.
 
+use std::cell::RefCell;
 use std::io::BufRead;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use serde::Serialize;
 
 use super::args::Control;
 use super::reading;
@@ -12,30 +16,56 @@ use crate::gcode::interpreter::tool_table;
 use crate::gcode::interpreter::{Files, Setting, Tools};
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
+use crate::store;
 use crate::text::Text;
 use crate::workbook::{self, Input};
 
 /// How the file of a workbook begins: it is a package.
 pub(super) const PACKAGE: &[u8] = b"PK\x03\x04";
 
+/// A file that was read beside a program, with its SHA-256.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub(super) struct Consulted {
+    /// Its path.
+    path: String,
+    /// The SHA-256 of its bytes, in lower-case hexadecimal.
+    sha256: String,
+}
+
+impl Consulted {
+    fn new(path: &Path, bytes: &[u8]) -> Self {
+        Self { path: path.to_string_lossy().into_owned(), sha256: store::sha256(bytes) }
+    }
+}
+
 /// Subprograms that stand beside the program.
-pub(super) struct Beside(PathBuf);
+pub(super) struct Beside {
+    folder: PathBuf,
+    /// Those that were read.
+    read: Rc<RefCell<Vec<Consulted>>>,
+}
 
 impl Beside {
     /// Beside a program.
     pub(super) fn of(program: &Path) -> Self {
-        Self(program.parent().unwrap_or(Path::new("")).to_owned())
+        Self { folder: reading::beside(program).to_owned(), read: Rc::default() }
     }
 }
 
 impl Files for Beside {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
         for ending in [".ngc", ".nc", ""] {
-            let path = self.0.join(format!("{name}{ending}"));
+            let path = self.folder.join(format!("{name}{ending}"));
             if path.is_file() {
-                return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
+                let bytes = workbook::open_as(Input::Program, &path).map_err(|refusal| {
                     refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
-                });
+                })?;
+                let found = Consulted::new(&path, &bytes);
+                let mut read = self.read.borrow_mut();
+                if !read.contains(&found) {
+                    read.push(found);
+                }
+                return Ok(Some(bytes));
             }
         }
         Ok(None)
@@ -49,6 +79,10 @@ pub(super) struct Shared<'a> {
     tools: Option<Tools>,
     unit: LengthUnit,
     settled: Vec<Finding>,
+    /// The parameter file and the tool table.
+    consulted: Vec<Consulted>,
+    /// The subprograms of the program in hand.
+    subprograms: Rc<RefCell<Vec<Consulted>>>,
 }
 
 impl<'a> Shared<'a> {
@@ -60,12 +94,25 @@ impl<'a> Shared<'a> {
         let settled =
             reading::settled([&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file)))?;
         let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
-        let bytes =
-            |input, path: &Option<PathBuf>| path.as_deref().map(|path| workbook::open_as(input, path)).transpose();
+        let mut consulted = Vec::new();
+        let mut bytes = |input, path: &Option<PathBuf>| {
+            let Some(path) = path.as_deref() else { return Ok(None) };
+            let bytes = workbook::open_as(input, path)?;
+            consulted.push(Consulted::new(path, &bytes));
+            Ok(Some(bytes))
+        };
         let var_file = bytes(Input::VarFile, &control.var)?.map(|bytes| VarFile::parse(&bytes)).transpose()?;
         let tools =
             bytes(Input::ToolTable, &control.tools)?.map(|bytes| tool_table::parse(&bytes, unit)).transpose()?;
-        Ok(Self { control, var_file: var_file.unwrap_or_default(), tools, unit, settled })
+        Ok(Self {
+            control,
+            var_file: var_file.unwrap_or_default(),
+            tools,
+            unit,
+            settled,
+            consulted,
+            subprograms: Rc::default(),
+        })
     }
 
     /// What was done with sets that killed runs left half delivered beside the program, the parameter file and the tool
@@ -88,6 +135,11 @@ impl<'a> Shared<'a> {
         }
     }
 
+    /// What was read beside the program that was read last: parameter file, tool table and subprograms.
+    pub(super) fn consulted(&self) -> Vec<Consulted> {
+        self.consulted.iter().chain(self.subprograms.borrow().iter()).cloned().collect()
+    }
+
     /// What a program is read with.
     pub(super) fn setting(&self, path: &Path, dialect: &'static Dialect) -> Setting {
         let mut setting = Setting::new(dialect);
@@ -98,7 +150,8 @@ impl<'a> Shared<'a> {
         setting.rotary = self.control.rotary.unwrap_or(dialect.rotary);
         setting.block_delete = self.control.block_delete;
         setting.keep_g92 = !self.control.no_g92_persistence;
-        setting.files = Box::new(Beside::of(path));
+        self.subprograms.borrow_mut().clear();
+        setting.files = Box::new(Beside { read: Rc::clone(&self.subprograms), ..Beside::of(path) });
         setting
     }
 }

@@ -5,16 +5,18 @@ use std::path::Path;
 use serde_json::{Map, Value, json};
 
 use super::args::Verify;
-use super::program::{Shared, told_from};
+use super::locale::spoken;
+use super::program::{Consulted, Shared, told_from};
 use super::terminal::Terminal;
 use super::verdict::{Verdict, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::interpreter::{Fault, Interpreter, Rotary, findings};
+use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
+use crate::store::{Sum, Summed};
 use crate::text::{Language, Text};
 use crate::verify::account::{Account, Extents, drift};
 use crate::workbook;
@@ -32,11 +34,13 @@ struct Read {
     account: Account,
     net: [f64; 9],
     lines: usize,
+    /// What was read beside it.
+    consulted: Vec<Consulted>,
 }
 
 /// Reads every program and prints what it comes to.
 pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
-    let language = arguments.lang.unwrap_or_default();
+    let language = spoken(arguments.lang, None);
     let shared = plan::twice(&arguments.programs).and_then(|()| Shared::new(&arguments.control));
     let shared = match shared {
         Ok(shared) => shared,
@@ -75,6 +79,7 @@ fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Ter
         account: Account::default(),
         net: [0.0; 9],
         lines: 0,
+        consulted: Vec::new(),
     };
     if let Err(refusal) = follow(path, arguments, shared, &mut read, terminal) {
         read.verdict.refuse(refusal);
@@ -95,7 +100,10 @@ fn follow(
     read.dialect = Some(dialect);
     let setting = shared.setting(path, dialect);
     read.rotary = Some(setting.rotary);
-    let mut interpreter = Interpreter::new(Box::new(file), setting);
+    let sum = Sum::default();
+    // A program may be far larger than memory, and only the document tells its sum.
+    let bytes: Box<dyn Bytes> = if arguments.json { Box::new(Summed::new(file, &sum)) } else { Box::new(file) };
+    let mut interpreter = Interpreter::new(bytes, setting);
     let start = interpreter.position().1;
     let mut before = start;
     let (mut faults, mut total): (Vec<Fault>, usize) = (Vec::new(), 0);
@@ -134,6 +142,9 @@ fn follow(
         remarks.push(told_from(dialect));
     }
     read.verdict.findings = findings(faults, total, remarks);
+    drop(interpreter);
+    read.verdict.sha256 = sum.take();
+    read.consulted = shared.consulted();
     Ok(())
 }
 
@@ -212,6 +223,8 @@ fn document(read: &Read) -> Value {
     let account = &read.account;
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
+        "sha256": read.verdict.sha256,
+        "read": read.consulted,
         "dialect": read.dialect.map(|dialect| dialect.name),
         "rotary": read.rotary.map(Rotary::name),
         "exit": code(read.verdict.exit),

@@ -1,7 +1,10 @@
 //! Names of output files: from the workbook's own file name, never from a cell.
 
 use std::ffi::{OsStr, OsString};
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::folder::here;
 
 use crate::escape::hidden;
 
@@ -30,6 +33,32 @@ pub fn stem(workbook: &Path) -> OsString {
         clean.extend_from_slice(chunk.invalid());
     }
     os_string(end(clean))
+}
+
+/// Another file beside an input, of the same ending and not of the same name, whose outputs would have the same stem;
+/// letter case counts as little as it does to some file systems.
+#[must_use]
+pub fn namesake(input: &Path) -> Option<PathBuf> {
+    let name = input.file_name()?;
+    let claimed = |path: &Path| stem(path).to_string_lossy().to_lowercase();
+    let ending = |path: &Path| path.extension().map(OsStr::to_ascii_lowercase);
+    let own = claimed(input);
+    let mut others: Vec<_> = fs::read_dir(here(input.parent().unwrap_or(Path::new(""))))
+        .ok()?
+        .flatten()
+        .map(|entry| entry.file_name())
+        .filter(|other| {
+            let path = Path::new(other);
+            other != name && ending(path) == ending(input) && claimed(path) == own && !is_only_case(other, name)
+        })
+        .collect();
+    others.sort();
+    others.into_iter().next().map(|other| input.with_file_name(other))
+}
+
+/// True where two names differ in letter case alone: on many systems they are one file.
+fn is_only_case(one: &OsStr, other: &OsStr) -> bool {
+    one.to_string_lossy().to_lowercase() == other.to_string_lossy().to_lowercase()
 }
 
 /// A file name of a stem and an ending, as `impeller` and `-blade.nc`.
@@ -91,6 +120,23 @@ mod tests {
         let long = stem(Path::new(&format!("a{}.xlsx", "é".repeat(150))));
         assert_eq!(long, OsString::from(format!("a{}", "é".repeat(99))));
         assert!(file_name(&long, "-results.xlsx").len() < 255);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn an_input_whose_outputs_another_one_claims_is_seen() {
+        let there = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| there.path().join(name);
+        let long = "é".repeat(110);
+        for name in ["a?.xlsx", "a:.ngc", "b.xlsx", "b.xlsm", "B.XLSX", &format!("{long}1.nc"), &format!("{long}2.nc")]
+        {
+            fs::write(path(name), "").expect("a file");
+        }
+        assert_eq!(namesake(&path("a_.xlsx")), Some(path("a?.xlsx")));
+        assert_eq!(namesake(&path("a?.xlsx")), None);
+        assert_eq!(namesake(&path("b.xlsx")), None);
+        assert_eq!(namesake(&path(&format!("{long}2.nc"))), Some(path(&format!("{long}1.nc"))));
+        assert_eq!(namesake(Path::new("no/such/a.xlsx")), None);
     }
 
     #[cfg(unix)]
