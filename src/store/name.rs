@@ -124,23 +124,6 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn an_input_whose_outputs_another_one_claims_is_seen() {
-        let there = tempfile::tempdir().expect("a folder");
-        let path = |name: &str| there.path().join(name);
-        let long = "é".repeat(110);
-        for name in ["a?.xlsx", "a:.ngc", "b.xlsx", "b.xlsm", "B.XLSX", &format!("{long}1.nc"), &format!("{long}2.nc")]
-        {
-            fs::write(path(name), "").expect("a file");
-        }
-        assert_eq!(namesake(&path("a_.xlsx")), Some(path("a?.xlsx")));
-        assert_eq!(namesake(&path("a?.xlsx")), None);
-        assert_eq!(namesake(&path("b.xlsx")), None);
-        assert_eq!(namesake(&path(&format!("{long}2.nc"))), Some(path(&format!("{long}1.nc"))));
-        assert_eq!(namesake(Path::new("no/such/a.xlsx")), None);
-    }
-
-    #[cfg(unix)]
-    #[test]
     fn bytes_that_are_no_utf8_are_kept() {
         use std::os::unix::ffi::OsStrExt;
         let path = Path::new(OsStr::from_bytes(b"a\xffb:c.xlsx"));
