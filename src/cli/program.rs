@@ -41,9 +41,9 @@ impl Consulted {
     }
 }
 
-/// Subprograms that stand beside the program.
+/// Subprograms that stand beside the program, or in other folders.
 pub(super) struct Beside {
-    folder: PathBuf,
+    folders: Vec<PathBuf>,
     /// Those that were read.
     read: Rc<RefCell<Vec<Consulted>>>,
 }
@@ -51,14 +51,22 @@ pub(super) struct Beside {
 impl Beside {
     /// Beside a program.
     pub(super) fn of(program: &Path) -> Self {
-        Self { folder: reading::beside(program).to_owned(), read: Rc::default() }
+        Self::or_in(program, &[])
+    }
+
+    /// Beside a program, else in folders in their order.
+    fn or_in(program: &Path, folders: &[PathBuf]) -> Self {
+        let own = reading::beside(program).to_owned();
+        Self { folders: std::iter::once(own).chain(folders.iter().cloned()).collect(), read: Rc::default() }
     }
 }
 
 impl Files for Beside {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        for ending in [".ngc", ".nc", ""] {
-            let path = self.folder.join(format!("{name}{ending}"));
+        for (folder, ending) in
+            self.folders.iter().flat_map(|folder| [".ngc", ".nc", ""].map(|ending| (folder, ending)))
+        {
+            let path = folder.join(format!("{name}{ending}"));
             if path.is_file() {
                 let bytes = workbook::open_as(Input::Program, &path).map_err(|refusal| {
                     refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
@@ -98,8 +106,8 @@ impl<'a> Shared<'a> {
     /// # Errors
     /// Where one of them cannot be read.
     pub(super) fn new(control: &'a Control) -> Result<Self, Refusal> {
-        let settled =
-            reading::settled([&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file)))?;
+        let beside = [&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file));
+        let settled = reading::settled(beside.chain(control.subs.iter().map(PathBuf::as_path)))?;
         let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
         let mut consulted = Vec::new();
         let mut bytes = |input, path: &Option<PathBuf>| {
@@ -191,7 +199,8 @@ impl<'a> Shared<'a> {
         }
         setting.keep_g92 = !self.control.no_g92_persistence;
         self.subprograms.borrow_mut().clear();
-        setting.files = Box::new(Beside { read: Rc::clone(&self.subprograms), ..Beside::of(path) });
+        let beside = Beside::or_in(path, &self.control.subs);
+        setting.files = Box::new(Beside { read: Rc::clone(&self.subprograms), ..beside });
         setting
     }
 }
