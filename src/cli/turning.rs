@@ -13,6 +13,7 @@ use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::told::told_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::Kind;
+use crate::job::lathe::MOST_MOTIONS;
 use crate::job::{Outcome, Source, lathe};
 use crate::lathe::cases;
 use crate::lathe::parameters::{BLOCKS_MOST, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
@@ -81,6 +82,7 @@ pub(super) fn follow(
     let sha256 = store::sha256(wanted.bytes);
     verdict.sha256 = Some(sha256.clone());
     let (values, found) = given(wanted).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
+    verdict.language = wanted.tools.map(|_| values.language);
     verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));
     let dialect = wanted.dialect.unwrap_or_else(|| {
         let dialect = told_turning(wanted.bytes);
@@ -142,7 +144,7 @@ fn is_workbook(path: &Path) -> Refusal {
 
 /// A refusal of the workbook beside the program, whose name its findings say: the place they are printed with is the
 /// program's.
-fn of_workbook(refusal: Refusal, tools: Option<&Path>) -> Refusal {
+pub(super) fn of_workbook(refusal: Refusal, tools: Option<&Path>) -> Refusal {
     let findings = refusal.findings.into_iter().map(|finding| told_of(finding, tools)).collect();
     Refusal { exit: refusal.exit, findings }
 }
@@ -200,6 +202,11 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
         values.values.remove("material");
     }
     values.lists.retain(|rows| matches!(rows.list, TOOLS_KEY | PROFILE_KEY));
+    if wanted.tools.is_none() && only_left(&program.main.text) {
+        // Nobody said which face of the example's tools looks up: it is the one that cuts as the program turns.
+        let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
+        rows.for_each(|row| drop(row.values.insert("tools/M", Value::Choice("M4"))));
+    }
     let mut put = |list: &'static str, sheet: &str, text: &text::Text| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
@@ -218,6 +225,19 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
     }
     debug_assert!(values.rows(SECOND_KEY).is_empty());
     values
+}
+
+/// True for a program that turns the spindle with M4 and never with M3.
+fn only_left(text: &str) -> bool {
+    let turns = |way: &str| {
+        text.lines().any(|line| {
+            let code = line.split(['(', ';']).next().unwrap_or_default().to_uppercase().replace([' ', '\t'], "");
+            code.split('M').skip(1).any(|rest| {
+                rest.chars().take_while(char::is_ascii_digit).collect::<String>().trim_start_matches('0') == way
+            })
+        })
+    };
+    turns("4") && !turns("3")
 }
 
 /// Puts another bar into the jaws: of a workbook that was named, what is held and what is faced off stay where they fit.
@@ -246,7 +266,9 @@ fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> 
     let given = Given::of(values).map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
     let (mut X, mut Z): (f64, f64) = (0.0, 0.0);
     let interpreter: Interpreter<'_> = program.read(given.setting());
-    for motion in interpreter.flatten().filter(|motion| !matches!(motion.kind, Kind::Rapid | Kind::Dwell(_))) {
+    // No more than are followed.
+    let motions = interpreter.flatten().take(MOST_MOTIONS);
+    for motion in motions.filter(|motion| !matches!(motion.kind, Kind::Rapid | Kind::Dwell(_))) {
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));
     }
