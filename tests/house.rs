@@ -271,7 +271,7 @@ fn files_are_written_by_the_store_alone_and_read_by_the_gate_alone() {
     const LOOKS: [&str; 3] = ["fs::metadata", "fs::symlink_metadata", "fs::canonicalize"];
     // The report fills a private temporary folder and the compiler in the child process works in it.
     const MAY: [&str; 4] = ["src/store/", "src/workbook/open.rs", "src/report/", "src/embedded_typst.rs"];
-    let found = uses(Path::new("src/store/folder.rs")).foreign;
+    let found = uses(Path::new("src/store/disk.rs")).foreign;
     assert!(found.contains("fs::create_dir"), "the store is seen to write: {found:?}");
     let mut faults = Vec::new();
     for path in sources("src") {
@@ -287,6 +287,35 @@ fn files_are_written_by_the_store_alone_and_read_by_the_gate_alone() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn the_store_changes_files_through_its_disk_alone() {
+    const CHANGES: [&str; 9] = [
+        "File::create",
+        "File::create_new",
+        "fs::copy",
+        "fs::create_dir",
+        "fs::hard_link",
+        "fs::remove_dir",
+        "fs::remove_file",
+        "fs::rename",
+        "fs::write",
+    ];
+    let changes = |path: &Path| {
+        let foreign = uses(path).foreign;
+        CHANGES.into_iter().filter(|change| foreign.contains(*change)).collect::<Vec<_>>()
+    };
+    let disk = changes(Path::new("src/store/disk.rs"));
+    assert_eq!(disk.len(), 6, "the disk is seen to change files: {disk:?}");
+    for path in sources("src/store").into_iter().filter(|path| !path.ends_with("disk.rs")) {
+        // The clearing up before a process ends, about whose errors nothing can be done, and the file of a test.
+        let found: Vec<_> = changes(&path)
+            .into_iter()
+            .filter(|change| !(path.ends_with("draft.rs") && *change != "fs::rename"))
+            .collect();
+        assert!(found.is_empty(), "{}: {found:?}", path.display());
+    }
 }
 
 #[test]

@@ -3,6 +3,8 @@
 
 #[path = "interpreter/agreement.rs"]
 mod agreement;
+#[path = "interpreter/blank.rs"]
+mod blank;
 mod common;
 #[path = "interpreter/corpus.rs"]
 mod corpus;

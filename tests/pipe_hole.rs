@@ -139,6 +139,66 @@ fn the_height_control_is_held_where_the_height_is_not_the_wanted_one() {
     assert!(stations.iter().any(|one| one.D > design.d0) && stations.iter().any(|one| one.D == design.d0));
 }
 
+/// The rows of the table of the verification that a check's English name begins.
+fn check_row(outcome: &Outcome, name: &str) -> (String, String) {
+    let table = outcome.table("verification").expect("the table");
+    let text = |column: &str, row: usize| match table.column(column).expect(column).values.get(row) {
+        Entry::Text(text) => text.en.to_string(),
+        Entry::Number(number) => number.to_string(),
+    };
+    let row = (0..table.rows()).find(|&row| text("Check", row).starts_with(name)).expect(name);
+    (text("Value", row), text("Verdict", row))
+}
+
+/// Blocks of a few hundredths of a second: rounding their times to a whole millisecond made rodete refuse its own program.
+#[test]
+fn times_of_blocks_have_the_digits_that_small_blocks_need() {
+    for (dialect, most) in [("fagor-8070", 1.0), ("linuxcnc", 0.05), ("fagor-8055", 0.05)] {
+        for e in [2.0, 5.0] {
+            for F in [600.0, 6000.0] {
+                let mut changes = vec![choice("dialect", dialect), real("e", e), real("F", F)];
+                if dialect != "linuxcnc" {
+                    changes.push(("hold_on", Value::Line("M41".to_owned())));
+                    changes.push(("hold_off", Value::Line("M42".to_owned())));
+                }
+                let outcome = outcome(&changes);
+                let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
+                assert!(stops.is_empty(), "{changes:?}: {stops:?}");
+                let (slower, _) = check_row(&outcome, "F word");
+                let part: f64 = slower.trim_end_matches(" %").parse().expect("a part");
+                assert!((0.0..=most).contains(&part), "{changes:?}: {slower}");
+                for motion in outcome.programs[0].read_back().map(Result::unwrap) {
+                    let (Some(seconds), Some(F_max)) = (motion.seconds, Some(15_000.0)) else { continue };
+                    for by in motion.to.differences(&motion.from) {
+                        assert!(by.abs() * 60.0 / seconds <= F_max * (1.0 + 1e-8), "{changes:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What four decimals of a second cost is told, with the assumption; where they cost much, a person judges.
+#[test]
+fn what_rounding_the_f_word_costs_is_told() {
+    let hold = [("hold_on", Value::Line("M41".to_owned())), ("hold_off", Value::Line("M42".to_owned()))];
+    let told = |F: f64, tolerance: f64| {
+        let mut changes = hold.to_vec();
+        let set = [choice("dialect", "fagor-8070"), real("F", F), real("F_max", 1e6), real("arc_tolerance", tolerance)];
+        changes.extend(set);
+        let outcome = outcome(&changes);
+        let by_word = |finding: &&Finding| finding.what.en.contains("G93") || finding.what.en.contains("decimals of F");
+        let found = outcome.findings.iter().find(by_word).expect("told").clone();
+        (found.grade, found.what.en.to_string(), check_row(&outcome, "F word"))
+    };
+    let (grade, what, (_, verdict)) = told(1500.0, 0.05);
+    assert_eq!((grade, verdict.as_str()), (Grade::Note, "Note"));
+    assert!(what.contains("an assumption"), "{what}");
+    let (grade, what, (_, verdict)) = told(40_000.0, 0.01);
+    assert_eq!((grade, verdict.as_str()), (Grade::Caution, "Caution"), "{what}");
+    assert!(what.starts_with("the decimals of F slow line "), "{what}");
+}
+
 fn refused(changes: &[(&'static str, Value)]) -> Finding {
     match run(changes) {
         Err(refusal) => {
@@ -323,6 +383,53 @@ fn faults_in_the_text_are_caught() {
         assert!(worst[key] > Verdict::Note, "{letter} {key}");
     }
     assert_eq!(worst(&change('F', 200.0))["feed"], Verdict::Stop);
+}
+
+/// Eight whole turns of C within one motion, and back in the next: at every eighth of them the torch stands as it should.
+#[test]
+fn what_happens_between_the_looks_is_judged() {
+    let design = Design::new(&values(&[])).expect("a design");
+    let way = cut(&design).expect("within the format").expect("a way");
+    let program = outcome(&[]).programs.remove(0);
+    let text = program.text();
+    let line = text.lines().filter(|line| line.contains(" G1 ")).nth(40).expect("a cut");
+    let turned = line.split(' ').map(|word| match word.strip_prefix('C') {
+        Some(number) => format!("C{:.3}", number.parse::<f64>().expect("an angle") + 2880.0),
+        None => word.to_owned(),
+    });
+    let turned = text.replace(line, &turned.collect::<Vec<_>>().join(" "));
+    let mut read = Interpreter::over(turned.as_bytes(), program.setting());
+    let (checks, ..) = judge(&design, &way, &program, &mut read);
+    for key in ["beam", "bevel"] {
+        let check = checks.iter().find(|check| check.key == key).expect(key);
+        assert!(check.verdict > Verdict::Note, "{key}: {}", check.value.en);
+    }
+}
+
+/// The torch lies across the pipe: no point that is looked at on its flank is over the crown, and the flank itself is.
+#[test]
+fn the_flank_of_the_torch_is_judged_between_its_points_too() {
+    use nalgebra::Vector3;
+    use rodete::machine::torch::TorchPose;
+    let design = Design::new(&values(&[])).expect("a design");
+    // Upright over the pipe's side the body's flank is nearest where it is lowest; lying, somewhere along a generator.
+    for (y, z, tilt) in [(-30.0, 95.0, 1.2), (-25.0, 103.0, 1.5), (-41.3, 100.7, 1.55), (0.0, 90.0, 0.3)] {
+        let (sin, cos) = sin_cos(tilt);
+        let pose = TorchPose { tip: Vector3::new(0.0, y, z), axis: Vector3::new(0.0, sin, cos) };
+        let found = clearance(&design, &pose);
+        let h_s = design.torch().shoulder();
+        let mut least = f64::INFINITY;
+        for level in 0..=20_000_u32 {
+            let behind = f64::from(level) / 20_000.0 * (h_s + 2.0 * design.R_g);
+            let radius = design.r_g + (design.R_g - design.r_g) * (behind / h_s).min(1.0);
+            // Square to x the lowest generator lies in the plane of y and z.
+            let middle = pose.tip + pose.axis * behind;
+            let point = middle - Vector3::new(0.0, -cos, sin) * radius;
+            least = least.min(hypot(point.y, point.z) - design.R_o());
+        }
+        // The tip's disc is no part of its generators.
+        assert!(found <= least + 1e-6 && least - found < 1e-3, "{found} {least} {tilt}");
+    }
 }
 
 proptest! {

@@ -35,8 +35,12 @@ fn refusals(changes: &[(&'static str, Value)]) -> Vec<Finding> {
     job::run(&FORM, common::values("full", changes), common::source()).expect_err("it is refused").findings
 }
 
+/// The cautions on how the programs begin; those on what they leave of the part are not looked at here.
 fn cautions(changes: &[(&'static str, Value)]) -> Vec<(Place, String)> {
-    let found = outcome("full", changes).findings.into_iter().filter(|finding| finding.grade == Grade::Caution);
+    let begins = ["rotary", "distance", "retract", "start_codes", "coolant"];
+    let ours = |place: &Place| matches!(place, Place::Parameters(keys) if keys.iter().any(|key| begins.contains(key)));
+    let found = outcome("full", changes).findings.into_iter();
+    let found = found.filter(|finding| finding.grade == Grade::Caution && ours(&finding.place));
     found.map(|finding| (finding.place, finding.what.en.to_string())).collect()
 }
 
@@ -128,15 +132,10 @@ fn positions_on_rollover_axes_are_refused_at_their_cells() {
 #[test]
 fn positions_are_written_where_the_axes_are_linear_and_it_is_told() {
     let changes = absolute(&[("start_codes", line("M3 M11 M13")), ("retract", line("G0 Z100"))]);
+    let told = cautions(&changes);
     let outcome = outcome("full", &changes);
-    let told: Vec<&str> = outcome
-        .findings
-        .iter()
-        .filter(|finding| finding.grade == Grade::Caution)
-        .map(|finding| &*finding.what.en)
-        .collect();
     assert_eq!(told.len(), 1, "{told:?}");
-    assert!(told[0].starts_with("the programs are true only where B and C count as linear axes"), "{told:?}");
+    assert!(told[0].1.starts_with("the programs are true only where B and C count as linear axes"), "{told:?}");
     let blade = milled(&outcome, "blade");
     assert!(blade.text().contains("TRUE ONLY WHERE B AND C ARE NOT ROLLOVER AXES"));
     assert_eq!(rollover::check(blade, Rotary::Linear).verdict, Verdict::Note);

@@ -8,6 +8,9 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
+#[path = "store/killed.rs"]
+mod killed;
+
 use rodete::finding::{Exit, Refusal};
 use rodete::store::{Existing, Folder, Set, Written, sha256};
 use tempfile::TempDir;

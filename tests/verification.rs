@@ -8,7 +8,7 @@ mod blank;
 use std::collections::BTreeMap;
 
 use proptest::prelude::*;
-use rodete::finding::Grade;
+use rodete::finding::{Grade, Place};
 use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
@@ -24,6 +24,7 @@ use rodete::impeller::track::Track;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
+use rodete::table::Entry;
 use rodete::text::Language;
 use rodete::verify::check::{Check, Verdict};
 use rodete::verify::cutting::Known;
@@ -141,9 +142,12 @@ fn shipped_programs_pass_but_for_the_published_splitter() {
 }
 
 #[test]
-fn the_usual_design_gives_nothing_to_judge_but_where_machine_zero_is() {
+fn the_usual_design_gives_nothing_to_judge_but_its_part_and_where_machine_zero_is() {
     let outcome = common::outcome("full", &[]);
-    let above: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade > Grade::Note).collect();
+    // What the plan leaves of the part has tests of its own.
+    let of_part = |place: &Place| matches!(place, Place::Parameters(keys) if keys.iter().any(|key| ["N", "e", "d_t", "a_p"].contains(key)));
+    let above = outcome.findings.iter().filter(|finding| finding.grade > Grade::Note && !of_part(&finding.place));
+    let above: Vec<_> = above.collect();
     assert_eq!(above.len(), 1, "{above:?}");
     assert!(above[0].what.en.starts_with("retract with G53 is an assumption"), "{above:?}");
 }
@@ -499,4 +503,22 @@ proptest! {
         let twice = exact(&design, Track::Obverse)[0];
         prop_assert!((once / twice - 4.0).abs() < 0.1, "{once} {twice}");
     }
+}
+
+/// Blocks of a few milliseconds: rounded up to whole ones, they ran far below F.
+#[test]
+fn small_blocks_keep_their_feed_on_a_control_that_takes_seconds() {
+    let changes = [("dialect", Value::Choice("fagor-8070")), real("F", 600.0), ("n", Value::Whole(1500))];
+    let outcome = common::outcome("full", &changes);
+    assert!(!outcome.stopped(), "{:?}", outcome.findings);
+    let table = outcome.table("verification").expect("the table");
+    let text = |column: &str, row: usize| match table.column(column).expect(column).values.get(row) {
+        Entry::Text(text) => text.en.to_string(),
+        Entry::Number(number) => number.to_string(),
+    };
+    let rows = (0..table.rows()).filter(|&row| text("Check", row).starts_with("F word"));
+    let slower: Vec<f64> =
+        rows.map(|row| text("Value", row).trim_end_matches(" %").parse().unwrap_or(f64::NAN)).collect();
+    // 0.0001 s of about 0.002 s; of a whole millisecond it was half.
+    assert!(slower.iter().take(2).all(|slower| (0.0..5.0).contains(slower)), "{slower:?}");
 }

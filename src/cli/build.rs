@@ -77,6 +77,7 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<
     let (bytes, filled) = reading::read(&item.workbook, verdict)?;
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
+    verdict.findings.extend(folder.settled().cloned());
     let mut set = Set::new(folder, &settings.inputs, Existing::Replace);
     for ending in endings() {
         set.check(&store::file_name(&item.stem, &ending))?;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::args::New;
 use super::kinds::{self, FORMS};
 use super::terminal::Terminal;
-use super::{fault, refused, show};
+use super::{fault, finding, refused, show};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::store::{Existing, Folder, Set, Written};
 use crate::text::Text;
@@ -16,7 +16,10 @@ use crate::workbook::template;
 pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
     super::interrupt::listen();
     match write(arguments) {
-        Ok(written) => {
+        Ok((written, settled)) => {
+            terminal.err(
+                &settled.iter().map(|one| finding::general(one, arguments.lang, terminal.width)).collect::<String>(),
+            );
             for file in written {
                 let path = show::path(&file.path);
                 let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };
@@ -32,7 +35,7 @@ pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
     }
 }
 
-fn write(arguments: &New) -> Result<Vec<Written>, Refusal> {
+fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
     let Some(form) = FORMS.into_iter().find(|form| form.kind == arguments.kind) else {
         return Err(fault::refusal("a kind without a form"));
     };
@@ -56,7 +59,7 @@ fn write(arguments: &New) -> Result<Vec<Written>, Refusal> {
     let mut set = Set::new(&folder, &[], Existing::Keep);
     let (values, lists) = (case.values(arguments.lang), (case.listed)(arguments.lang));
     set.write(name, |out| template::write(form, &values, &lists, &case.note, arguments.lang, out))?;
-    set.commit()
+    Ok((set.commit()?, folder.settled().cloned()))
 }
 
 /// The name of the file to write.

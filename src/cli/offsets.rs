@@ -94,7 +94,7 @@ fn work(
             verdict.schema = Some(offsets_sheet::SCHEMA);
             let table = OffsetsTable::read(&bytes, unit)?;
             table.apply(&mut file).map_err(unfit)?;
-            verdict.findings = table.findings;
+            verdict.findings.extend(table.findings);
             Ok(())
         });
         verdict.exit = gravest(verdict.exit, read.exit);

@@ -31,12 +31,8 @@ pub(super) fn items(workbooks: &[PathBuf], output: Option<&Path>) -> Result<Vec<
     let items: Vec<_> = workbooks
         .iter()
         .map(|workbook| {
-            let stem = store::stem(workbook);
-            let folder = output.map_or_else(
-                || workbook.parent().unwrap_or(Path::new("")).join(store::file_name(&stem, "-out")),
-                Path::to_owned,
-            );
-            Item { workbook: workbook.clone(), stem, folder }
+            let folder = output.map_or_else(|| folder(workbook), Path::to_owned);
+            Item { workbook: workbook.clone(), stem: store::stem(workbook), folder }
         })
         .collect();
     let mut places = BTreeMap::new();
@@ -57,6 +53,11 @@ pub(super) fn items(workbooks: &[PathBuf], output: Option<&Path>) -> Result<Vec<
         }
     }
     Ok(items)
+}
+
+/// The folder of a workbook's outputs where none is named: `<stem>-out` beside it.
+pub(super) fn folder(workbook: &Path) -> PathBuf {
+    workbook.parent().unwrap_or(Path::new("")).join(store::file_name(&store::stem(workbook), "-out"))
 }
 
 /// Refuses a workbook that is named twice.

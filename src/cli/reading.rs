@@ -4,17 +4,20 @@ use std::path::Path;
 
 use super::fault;
 use super::kinds::FORMS;
+use super::plan;
 use super::verdict::Verdict;
 use crate::escape::printable;
-use crate::finding::Refusal;
+use crate::finding::{Exit, Finding, Refusal};
 use crate::job::{self, Outcome, Source};
 use crate::store;
 use crate::view::lathe::Watching;
 use crate::workbook::{self, Filled};
 
-/// Reads a workbook and computes what it asks for; writes nothing.
+/// Reads a workbook and computes what it asks for; writes nothing. The set that an earlier build of it delivered is seen
+/// to, too.
 pub(super) fn check(workbook: &Path) -> Verdict {
     verdict(workbook, |verdict| {
+        verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (_, filled) = read(workbook, verdict)?;
         compute(workbook, filled, verdict).map(|_| ())
     })
@@ -23,6 +26,10 @@ pub(super) fn check(workbook: &Path) -> Verdict {
 /// The verdict on one workbook: what `work` puts into it, and how it ended. A panic is a fault of that workbook alone.
 pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Verdict) -> Result<(), Refusal>) -> Verdict {
     let mut verdict = Verdict::new(workbook.to_owned());
+    let work = |verdict: &mut Verdict| {
+        verdict.findings.extend(settled([beside(workbook)])?);
+        work(verdict)
+    };
     match fault::guarded(|| work(&mut verdict)) {
         Ok(Ok(())) => {}
         Ok(Err(refusal)) => verdict.refuse(refusal),
@@ -34,6 +41,23 @@ pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Verdict) -> Result
         }
     }
     verdict
+}
+
+/// The folder that a file is in.
+pub(super) fn beside(file: &Path) -> &Path {
+    file.parent().unwrap_or(Path::new(""))
+}
+
+/// What was done with sets that killed runs left half delivered in folders that are read.
+///
+/// # Errors
+/// Exit 3 where files of two sets are mixed there: none of them is taken as good.
+pub(super) fn settled<'a>(folders: impl IntoIterator<Item = &'a Path>) -> Result<Vec<Finding>, Refusal> {
+    let mut found = Vec::new();
+    for folder in folders {
+        found.extend(store::settle(folder).map_err(|refusal| Refusal { exit: Exit::Refused, ..refusal })?);
+    }
+    Ok(found)
 }
 
 /// The bytes of a workbook and the form that it fills in.
@@ -68,7 +92,8 @@ pub(super) fn watch(
         sha256: verdict.sha256.clone().unwrap_or_default(),
         version: env!("CARGO_PKG_VERSION"),
     };
-    verdict.findings.clone_from(&filled.findings);
+    let begun = verdict.findings.len();
+    verdict.findings.extend(filled.findings.iter().cloned());
     let mut outcome = match watching {
         Some(watching) => {
             job::lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?
@@ -77,7 +102,8 @@ pub(super) fn watch(
     };
     outcome.findings.extend(filled.findings);
     outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    verdict.findings.clone_from(&outcome.findings);
+    verdict.findings.truncate(begun);
+    verdict.findings.extend(outcome.findings.iter().cloned());
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
     Ok(outcome)

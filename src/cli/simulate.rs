@@ -52,6 +52,8 @@ fn simulate(arguments: &Simulate, verdict: &mut Verdict) -> Result<Followed, Ref
     let path = &arguments.program;
     let bytes = workbook::open_as(Input::Program, path)?;
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
+    verdict.findings.extend(folder.iter().filter_map(Folder::settled).cloned());
+    verdict.findings.extend(reading::settled(arguments.tools.as_deref().map(reading::beside))?);
     let language = arguments.lang.unwrap_or_default();
     let wanted = Wanted {
         program: path,

@@ -58,6 +58,9 @@ fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusa
         None => input.with_file_name(store::file_name(&store::stem(input), ".html")),
     };
     let name = page_name(&output)?;
+    let beside = [Some(input), arguments.control.tools.as_ref(), arguments.control.var.as_ref()].into_iter().flatten();
+    let delivered = plan::folder(input);
+    verdict.findings.extend(reading::settled(beside.map(|file| reading::beside(file)).chain([delivered.as_path()]))?);
     let folder = Folder::open(output.parent().unwrap_or(Path::new("")))?;
     let control = &arguments.control;
     let inputs: Vec<&Path> =
@@ -179,6 +182,7 @@ fn of_program(
     let frame = if milling { Frame::Milling } else { Frame::Turning };
     let text = decoded(&bytes);
     let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);
+    shared.fits(dialect)?;
     let setting = shared.setting(input, dialect);
     for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| milling && tool.diameter > 0.0) {
         let (r, d) = (tool.diameter / 2.0, tool.diameter);

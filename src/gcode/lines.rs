@@ -3,10 +3,10 @@
 use std::io;
 
 use crate::gcode::dialect::CommentForm;
+use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program};
 use crate::gcode::word::{Distance, Word, push_whole};
 use crate::machine::axis::{Axis, Position};
-use crate::number::grid::Milli;
 
 /// The lines of a program. Lends each line from one buffer, so that a program of any length needs no memory for its
 /// text; that is why it is not an `Iterator`.
@@ -16,7 +16,7 @@ pub struct Lines<'a> {
     part: usize,
     step: usize,
     at: Position,
-    feed: Option<Milli>,
+    feed: Option<FeedWord>,
     number: u32,
     line: String,
 }
@@ -181,7 +181,7 @@ impl<'a> Lines<'a> {
             && let Some(&feed) = words.get(step)
             && (self.program.dialect.feed.in_every_block() || self.feed != Some(feed))
         {
-            Word::size('F', feed).write(format, &mut self.line);
+            Word::feed(feed).write(format, &mut self.line);
             self.feed = Some(feed);
         }
         self.at = to;

@@ -7,6 +7,7 @@ pub mod code;
 pub mod comment;
 pub mod control;
 pub mod dialect;
+pub mod feed_word;
 pub mod header;
 pub mod interpreter;
 pub mod lines;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::gcode::dialect::Dialect;
+use crate::gcode::feed_word::FeedWord;
 use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::Milli;
@@ -25,7 +26,7 @@ pub enum Feed {
     /// One for each move.
     Each {
         /// The F words.
-        words: Arc<[Milli]>,
+        words: Arc<[FeedWord]>,
         /// The time that each move takes with its F word, s.
         seconds: Arc<[f64]>,
     },

@@ -1,5 +1,6 @@
 //! Words of a block and how their numbers are written.
 
+use crate::gcode::feed_word::FeedWord;
 use crate::number::grid::Milli;
 
 /// How dimension words are written.
@@ -30,6 +31,8 @@ pub enum Number {
     Whole(u32),
     /// A dimension or feed on the output grid.
     Size(Milli),
+    /// The feed of a move, with the decimals of its law.
+    Feed(FeedWord),
 }
 
 /// An address letter with its number.
@@ -54,6 +57,12 @@ impl Word {
         Self { letter, number: Number::Size(size) }
     }
 
+    /// The feed of a move.
+    #[must_use]
+    pub const fn feed(feed: FeedWord) -> Self {
+        Self { letter: 'F', number: Number::Feed(feed) }
+    }
+
     /// Appends the word to a block.
     pub fn write(self, format: NumberFormat, block: &mut String) {
         if !block.is_empty() {
@@ -62,6 +71,7 @@ impl Word {
         block.push(self.letter);
         match (self.number, format) {
             (Number::Whole(number), _) => push_whole(block, number),
+            (Number::Feed(feed), _) => feed.write(block),
             (Number::Size(size), NumberFormat::Trimmed) => push_size(block, size, true),
             (Number::Size(size), NumberFormat::Fixed | NumberFormat::Six) => push_size(block, size, false),
         }

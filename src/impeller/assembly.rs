@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::gcode::dialect::FeedLaw;
+use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program, Role};
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::impeller::design::{Design, Style};
 use crate::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
-use crate::number::grid::{LIMIT, Milli, OutOfFormat};
+use crate::number::grid::{Milli, OutOfFormat};
 use crate::text::Text;
 
 /// How often feeds had to give way.
@@ -83,31 +83,13 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
             limited.by_axis += 1;
         }
         let resultant = differences.iter().map(|difference| difference * difference).sum::<f64>().sqrt();
-        let least = f64::from(1) / 1000.0;
-        let most = f64::from(LIMIT) / 1000.0;
-        let wanted = if resultant > 0.0 { law.word(seconds, resultant) } else { least };
-        let word = if wanted.is_finite() { wanted.clamp(least, most) } else { most };
-        limited.by_format += usize::from(resultant > 0.0 && (word - wanted).abs() > 0.0);
-        let word = slower(law, word)?;
+        let word = FeedWord::lasting(law, seconds, resultant)?;
+        limited.by_format += usize::from(resultant > 0.0 && word.is_fastest(law));
         words.push(word);
         times.push(if resultant > 0.0 { law.seconds(word.value(), resultant) } else { 0.0 });
         (at, tip) = (*to, next);
     }
     Ok(Feed::Each { words: words.into(), seconds: times.into() })
-}
-
-/// An F word on the grid, rounded to the slower side, so that neither tip nor axes run faster than they may.
-fn slower(law: FeedLaw, word: f64) -> Result<Milli, OutOfFormat> {
-    let scaled = word * 1000.0;
-    // A word that is on the grid but for the arithmetic stays what it is.
-    let whole = if (scaled - scaled.round()).abs() < 1e-6 {
-        scaled
-    } else if law == FeedLaw::Seconds {
-        scaled.ceil()
-    } else {
-        scaled.floor().max(1.0)
-    };
-    Milli::round(whole / 1000.0)
 }
 
 /// The point of the part at which the tip stands, mm.

@@ -143,7 +143,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
                 ),
                 Text::fixed("un n menor u otro avance", "a smaller n or another feed"),
             )
-            .with(made.limited.by_format.to_string(), "0.001 … 99999.999"),
+            .with(made.limited.by_format.to_string(), "0.0001 … 99999.999"),
         );
     }
     for key in &made.unnumbered {

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use sha2::{Digest, Sha256};
-use tempfile::{Builder, NamedTempFile};
+
+use super::disk::Disk;
 
 /// How the names of temporary files begin and end.
 pub(super) const PREFIX: &str = ".rodete-";
@@ -59,36 +60,32 @@ pub fn abandon() {
 #[derive(Debug)]
 pub(super) struct Draft {
     /// `None` once it has been handed over.
-    file: Option<NamedTempFile>,
+    file: Option<File>,
     path: PathBuf,
+    disk: Disk,
 }
 
 impl Draft {
-    /// A new temporary file, locked, with the mode that the umask gives.
-    pub(super) fn new(folder: &Path) -> io::Result<Self> {
-        let mut builder = Builder::new();
-        builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(8);
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    /// A new temporary file, locked.
+    pub(super) fn new(folder: &Path, disk: &Disk) -> io::Result<Self> {
         let mut unfinished = unfinished();
-        let file = builder.tempfile_in(folder)?;
-        let path = file.path().to_owned();
+        let (file, path) = disk.create(folder)?;
         unfinished.begun(&path);
         // Without a lock its age alone keeps it from being taken for a leftover. On Windows a lock would keep everyone
         // else from reading it.
         if cfg!(unix) {
-            let _ = file.as_file().try_lock();
+            let _ = file.try_lock();
         }
-        Ok(Self { file: Some(file), path })
+        Ok(Self { file: Some(file), path, disk: disk.clone() })
     }
 
     fn file(&self) -> io::Result<&File> {
-        self.file.as_ref().map(NamedTempFile::as_file).ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
+        self.file.as_ref().ok_or_else(|| io::Error::from(io::ErrorKind::NotFound))
     }
 
     /// Somewhere to write the file's contents to.
     pub(super) fn output(&self) -> io::Result<Output<'_>> {
-        Ok(Output { inner: BufWriter::with_capacity(1 << 16, self.file()?), fault: None })
+        Ok(Output::new(Paper { file: self.file()?, path: &self.path, disk: &self.disk }, 1 << 16))
     }
 
     /// Where the file is until it gets its final name.
@@ -98,43 +95,32 @@ impl Draft {
 
     /// Brings the file to the disk.
     pub(super) fn sync(&self) -> io::Result<()> {
-        self.file()?.sync_all()
+        self.disk.sync(self.file()?, &self.path)
     }
 
     /// Reads the file back: its bytes and their SHA-256 in lower-case hexadecimal.
     pub(super) fn sum(&self) -> io::Result<(u64, String)> {
         let mut file = self.file()?;
         file.seek(SeekFrom::Start(0))?;
-        let mut digest = Sha256::new();
-        let mut bytes = 0;
-        let mut part = vec![0; 1 << 16];
-        loop {
-            let read = match file.read(&mut part) {
-                Ok(0) => break,
-                Ok(read) => read,
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-                Err(error) => return Err(error),
-            };
-            digest.update(part.get(..read).unwrap_or_default());
-            bytes += u64::try_from(read).unwrap_or(u64::MAX);
-        }
-        Ok((bytes, hexadecimal(&digest.finalize())))
+        sum(&mut file)
     }
 
     /// Renames the file to its final name, replacing what is there if `replace`.
     pub(super) fn become_final(&mut self, target: &Path, replace: bool, unfinished: &mut Unfinished) -> io::Result<()> {
-        let Some(file) = self.file.take() else { return Err(io::ErrorKind::NotFound.into()) };
-        let renamed = if replace { file.persist(target) } else { file.persist_noclobber(target) };
-        match renamed {
-            Ok(file) => {
-                unfinished.forget(&self.path);
-                let _ = file.unlock();
-                Ok(())
-            }
-            Err(failed) => {
-                self.file = Some(failed.file);
-                Err(failed.error)
-            }
+        if replace {
+            self.disk.rename(&self.path, target)?;
+        } else {
+            self.disk.rename_to_free(&self.path, target)?;
+        }
+        self.leave(unfinished);
+        Ok(())
+    }
+
+    /// Leaves the file where it is, and lets go of it.
+    pub(super) fn leave(&mut self, unfinished: &mut Unfinished) {
+        unfinished.forget(&self.path);
+        if let Some(file) = self.file.take() {
+            let _ = file.unlock();
         }
     }
 }
@@ -143,10 +129,29 @@ impl Drop for Draft {
     fn drop(&mut self) {
         if let Some(file) = self.file.take() {
             let mut unfinished = unfinished();
-            let _ = file.close();
+            drop(file);
+            let _ = self.disk.remove(&self.path);
             unfinished.forget(&self.path);
         }
     }
+}
+
+/// The bytes of a file and their SHA-256 in lower-case hexadecimal.
+pub(super) fn sum(file: &mut impl Read) -> io::Result<(u64, String)> {
+    let mut digest = Sha256::new();
+    let mut bytes = 0;
+    let mut part = vec![0; 1 << 16];
+    loop {
+        let read = match file.read(&mut part) {
+            Ok(0) => break,
+            Ok(read) => read,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        digest.update(part.get(..read).unwrap_or_default());
+        bytes += u64::try_from(read).unwrap_or(u64::MAX);
+    }
+    Ok((bytes, hexadecimal(&digest.finalize())))
 }
 
 /// The SHA-256 of bytes, in lower-case hexadecimal.
@@ -168,8 +173,32 @@ fn hexadecimal(bytes: &[u8]) -> String {
 /// that finish their work while giving up shall do so in silence.
 #[derive(Debug)]
 pub struct Output<'a> {
-    inner: BufWriter<&'a File>,
+    inner: BufWriter<Paper<'a>>,
     fault: Option<Fault>,
+}
+
+/// The file itself, under its temporary name.
+#[derive(Debug)]
+struct Paper<'a> {
+    file: &'a File,
+    path: &'a Path,
+    disk: &'a Disk,
+}
+
+impl Write for Paper<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.disk.write(self.file, self.path, bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Seek for Paper<'_> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.file.seek(to)
+    }
 }
 
 /// The first error, and where writing would stand had there been none.
@@ -197,7 +226,11 @@ impl Fault {
     }
 }
 
-impl Output<'_> {
+impl<'a> Output<'a> {
+    fn new(paper: Paper<'a>, buffer: usize) -> Self {
+        Self { inner: BufWriter::with_capacity(buffer, paper), fault: None }
+    }
+
     /// Flushes; gives the first error that writing met.
     pub(super) fn finish(mut self) -> io::Result<()> {
         let flushed = self.flush();
@@ -215,7 +248,7 @@ impl Output<'_> {
                 Some(code) => io::Error::from_raw_os_error(code),
                 None => io::Error::new(error.kind(), error.to_string()),
             };
-            let mut file: &File = self.inner.get_ref();
+            let mut file = self.inner.get_ref().file;
             let at = file.stream_position().unwrap_or(0);
             let at = at.saturating_add(u64::try_from(self.inner.buffer().len()).unwrap_or(0));
             let end = file.metadata().map_or(at, |found| found.len().max(at));
@@ -265,7 +298,8 @@ mod tests {
         fs::write(&path, "0123456789").expect("a file");
         // Open for reading alone: the system takes nothing.
         let file = File::open(&path).expect("the file");
-        let mut output = Output { inner: BufWriter::with_capacity(4, &file), fault: None };
+        let disk = Disk::default();
+        let mut output = Output::new(Paper { file: &file, path: &path, disk: &disk }, 4);
         assert!(output.write_all(b"more than the buffer").is_err());
         assert_eq!(output.seek(SeekFrom::End(0)).expect("an end"), 10);
         output.write_all(b"more").expect("taken");

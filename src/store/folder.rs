@@ -6,10 +6,12 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use super::disk::Disk;
 use super::draft::{Draft, PREFIX, SUFFIX, unfinished};
 use super::lock::Lock;
+use super::notice;
 use super::reason::{refusal, shown, unwritable};
-use crate::finding::Refusal;
+use crate::finding::{Finding, Refusal};
 use crate::text::Text;
 
 /// The age from which an unlocked temporary file is a leftover. It covers the moment between making and locking one, or
@@ -23,16 +25,29 @@ pub struct Folder {
     path: PathBuf,
     /// The folders made for it, outermost first.
     made: Vec<PathBuf>,
+    disk: Disk,
+    /// What was done with a set that a killed run left there half delivered.
+    settled: Option<Finding>,
 }
 
 impl Folder {
-    /// The folder at a path, made with its parents if it is not there. Leftovers of runs that were killed are removed.
-    /// Folders made here are removed again when this value is dropped, if nothing came into them.
+    /// The folder at a path, made with its parents if it is not there. A set that a killed run left there half delivered
+    /// is completed or put back, and leftovers of such runs are removed. Folders made here are removed again when this
+    /// value is dropped, if nothing came into them.
     ///
     /// # Errors
-    /// Exit 5 where the path is not a folder, or where no file can be made in it.
+    /// Exit 5 where the path is not a folder, where no file can be made in it, or where it holds a mixed set that can be
+    /// neither completed nor put back.
     pub fn open(path: &Path) -> Result<Self, Refusal> {
-        let mut folder = Self { path: path.to_owned(), made: Vec::new() };
+        Self::open_on(path, &Disk::default())
+    }
+
+    /// The same on another disk.
+    ///
+    /// # Errors
+    /// As [`Folder::open`].
+    pub fn open_on(path: &Path, disk: &Disk) -> Result<Self, Refusal> {
+        let mut folder = Self { path: path.to_owned(), made: Vec::new(), disk: disk.clone(), settled: None };
         let path = here(path);
         folder.make().map_err(|error| match fs::metadata(path) {
             Ok(found) if !found.is_dir() => refusal(
@@ -41,7 +56,8 @@ impl Folder {
             ),
             _ => unwritable(path, &error),
         })?;
-        Draft::new(path).map_err(|error| unwritable(path, &error))?;
+        Draft::new(path, disk).map_err(|error| unwritable(path, &error))?;
+        folder.settled = notice::settle_on(path, disk)?;
         folder.sweep();
         Ok(folder)
     }
@@ -49,6 +65,17 @@ impl Folder {
     /// The folder's path as the system wants it: `.` for the current folder.
     pub(super) fn place(&self) -> &Path {
         here(&self.path)
+    }
+
+    /// What was done with a set that a killed run had left there half delivered.
+    #[must_use]
+    pub const fn settled(&self) -> Option<&Finding> {
+        self.settled.as_ref()
+    }
+
+    /// The disk that the folder is on.
+    pub(super) fn disk(&self) -> &Disk {
+        &self.disk
     }
 
     /// The path of a file in the folder, beginning with the folder as it was given.
@@ -65,7 +92,7 @@ impl Folder {
             .collect();
         let mut unfinished = unfinished();
         for path in missing.into_iter().rev() {
-            match fs::create_dir(&path) {
+            match self.disk.make_folder(&path) {
                 Ok(()) => {
                     unfinished.folder_made(&path);
                     self.made.push(path);
@@ -86,17 +113,21 @@ impl Folder {
             return;
         }
         // Under the lock, so that no set is just being renamed: its way back lies in such files.
-        let Ok(Some(_lock)) = Lock::attempt(self.place()) else { return };
+        let Ok(Some(_lock)) = Lock::attempt(self.place(), &self.disk) else { return };
+        if notice::stands(self.place()) {
+            return;
+        }
         for path in old {
             let unlocked = OpenOptions::new().write(true).open(&path).is_ok_and(|file| file.try_lock().is_ok());
             if unlocked {
-                let _ = fs::remove_file(path);
+                let _ = self.disk.remove(&path);
             }
         }
     }
 }
 
-fn here(path: &Path) -> &Path {
+/// A folder's path as the system wants it.
+pub(super) fn here(path: &Path) -> &Path {
     if path.as_os_str().is_empty() { Path::new(".") } else { path }
 }
 
@@ -112,7 +143,7 @@ fn is_ours_and_old(entry: &fs::DirEntry) -> bool {
 impl Drop for Folder {
     fn drop(&mut self) {
         for path in self.made.iter().rev() {
-            let _ = fs::remove_dir(path);
+            let _ = self.disk.remove_folder(path);
         }
     }
 }

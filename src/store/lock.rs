@@ -1,13 +1,14 @@
 //! The lock under which a set comes under its final names.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{ErrorKind, Read, Write};
+use std::fs::{self, File, TryLockError};
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use same_file::Handle;
 
+use super::disk::Disk;
 use super::draft::unfinished;
 use super::reason::{refusal, shown, unwritable};
 use crate::escape::printable;
@@ -26,6 +27,7 @@ pub(super) struct Lock {
     path: PathBuf,
     /// `None` on a file system without locks.
     file: Option<File>,
+    disk: Disk,
 }
 
 impl Lock {
@@ -33,10 +35,10 @@ impl Lock {
     ///
     /// # Errors
     /// Exit 5 where the lock file cannot be made, or where another run holds it for more than five seconds.
-    pub(super) fn wait(folder: &Path) -> Result<Self, Refusal> {
+    pub(super) fn wait(folder: &Path, disk: &Disk) -> Result<Self, Refusal> {
         let started = Instant::now();
         loop {
-            if let Some(lock) = Self::attempt(folder)? {
+            if let Some(lock) = Self::attempt(folder, disk)? {
                 return Ok(lock);
             }
             if started.elapsed() > PATIENCE {
@@ -50,7 +52,7 @@ impl Lock {
     ///
     /// # Errors
     /// Exit 5 where the lock file cannot be made.
-    pub(super) fn attempt(folder: &Path) -> Result<Option<Self>, Refusal> {
+    pub(super) fn attempt(folder: &Path, disk: &Disk) -> Result<Option<Self>, Refusal> {
         let path = folder.join(NAME);
         // Under the register, so that an interruption finds the lock file in it or not made at all.
         let mut unfinished = unfinished();
@@ -58,8 +60,7 @@ impl Lock {
         if fs::symlink_metadata(&path).is_ok_and(|found| !found.is_file()) {
             return Err(unwritable(&path, &ErrorKind::AlreadyExists.into()));
         }
-        let open = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
-        let mut file = match open {
+        let file = match disk.lock_file(&path) {
             Ok(file) => file,
             // The system says so while a file of this name is being removed.
             Err(error) if error.kind() == ErrorKind::PermissionDenied && cfg!(windows) => return Ok(None),
@@ -68,7 +69,7 @@ impl Lock {
         match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => return Ok(None),
-            Err(TryLockError::Error(_)) => return Ok(Some(Self { path, file: None })),
+            Err(TryLockError::Error(_)) => return Ok(Some(Self { path, file: None, disk: disk.clone() })),
         }
         // The owner removes the file before letting go: a lock on a file that is no longer there protects nothing.
         let locked = file.try_clone().and_then(Handle::from_file);
@@ -77,16 +78,17 @@ impl Lock {
             _ => return Ok(None),
         }
         // The owner's name is a courtesy: without it the lock holds as well.
-        let _ = file.set_len(0).and_then(|()| writeln!(file, "rodete, process {}", std::process::id()));
+        let owner = format!("rodete, process {}\n", std::process::id());
+        let _ = file.set_len(0).and_then(|()| disk.write(&file, &path, owner.as_bytes()));
         unfinished.begun(&path);
-        Ok(Some(Self { path, file: Some(file) }))
+        Ok(Some(Self { path, file: Some(file), disk: disk.clone() }))
     }
 }
 
 impl Drop for Lock {
     fn drop(&mut self) {
         let mut unfinished = unfinished();
-        let _ = fs::remove_file(&self.path);
+        let _ = self.disk.remove(&self.path);
         unfinished.forget(&self.path);
         if let Some(file) = self.file.take() {
             let _ = file.unlock();

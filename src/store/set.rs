@@ -6,11 +6,11 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
-use tempfile::{Builder, TempPath};
-
-use super::draft::{Draft, Output, PREFIX, SUFFIX, Unfinished, unfinished};
+use super::disk::Disk;
+use super::draft::{Draft, Output, Unfinished, unfinished};
 use super::folder::Folder;
 use super::lock::Lock;
+use super::notice::{self, Notice};
 use super::reason::{shown, unwritable, words};
 use super::target;
 use crate::escape::printable;
@@ -103,7 +103,7 @@ impl<'f> Set<'f> {
     ) -> Result<&Written, Refusal> {
         self.check(name)?;
         let path = self.folder.join(name);
-        let draft = Draft::new(self.folder.place()).map_err(|error| unwritable(&path, &error))?;
+        let draft = Draft::new(self.folder.place(), self.folder.disk()).map_err(|error| unwritable(&path, &error))?;
         let mut output = draft.output().map_err(|error| unwritable(&path, &error))?;
         let filled = fill(&mut output);
         output.finish().map_err(|error| unwritable(&path, &error))?;
@@ -142,7 +142,8 @@ impl<'f> Set<'f> {
         Ok(())
     }
 
-    /// Brings all files under their final names, in order.
+    /// Brings all files under their final names, in order. Where the process is ended meanwhile, whoever comes next into
+    /// the folder completes the set or puts back what was there.
     ///
     /// # Errors
     /// Exit 5 where a file cannot be put there, or another run holds the folder's lock for long. The files that were
@@ -152,80 +153,96 @@ impl<'f> Set<'f> {
             target::check(&one.written.path, &self.inputs)?;
         }
         self.sync()?;
-        let _lock = Lock::wait(self.folder.place())?;
+        let (place, disk) = (self.folder.place(), self.folder.disk());
+        let _lock = Lock::wait(place, disk)?;
+        notice::settle_locked(place, disk)?;
         let mut unfinished = unfinished();
-        let mut replaced = Vec::with_capacity(self.pending.len());
-        for one in &mut self.pending {
-            match replace(one, self.folder, self.existing, &mut unfinished) {
-                Ok(step) => replaced.push(step),
-                Err(error) => {
-                    let stuck = put_back(replaced);
-                    return Err(match error.kind() {
-                        ErrorKind::AlreadyExists if self.existing == Existing::Keep => exists(&one.written.path),
-                        _ => mixed(&one.written.path, &error, &stuck),
-                    });
-                }
-            }
-        }
-        // The old files' second names go before an interruption is let through.
-        drop(replaced);
+        // One file alone is whole at any moment: nothing needs to be noted.
+        let done = if self.pending.len() > 1 { self.together(&mut unfinished) } else { self.alone(&mut unfinished) };
+        // Drafts that are left take the register themselves.
         drop(unfinished);
-        // The renames themselves survive a power cut once the folder is on the disk; not every system can do that.
-        let _ = fs::File::open(self.folder.place()).and_then(|folder| folder.sync_all());
+        done?;
         Ok(self.pending.drain(..).map(|one| one.written).collect())
     }
-}
 
-/// One file that was put in its place, with the way back.
-struct Replaced {
-    target: PathBuf,
-    /// The file that was there, under a temporary name; `None` where there was none.
-    before: Option<TempPath>,
-}
-
-fn replace(
-    one: &mut Pending,
-    folder: &Folder,
-    existing: Existing,
-    unfinished: &mut Unfinished,
-) -> io::Result<Replaced> {
-    let target = &one.written.path;
-    let before = if existing == Existing::Replace { second_name(target, folder)? } else { None };
-    one.draft.become_final(target, existing == Existing::Replace, unfinished)?;
-    Ok(Replaced { target: target.clone(), before })
-}
-
-/// A second name for a file, so that its first one can be replaced and put back; `None` where there is no file. On a
-/// file system without hard links the file is copied.
-fn second_name(target: &Path, folder: &Folder) -> io::Result<Option<TempPath>> {
-    if let Err(error) = fs::symlink_metadata(target) {
-        return if error.kind() == ErrorKind::NotFound { Ok(None) } else { Err(error) };
+    /// Brings one file under its final name.
+    fn alone(&mut self, unfinished: &mut Unfinished) -> Result<(), Refusal> {
+        let replace = self.existing == Existing::Replace;
+        for one in &mut self.pending {
+            one.draft.become_final(&one.written.path, replace, unfinished).map_err(|error| match error.kind() {
+                ErrorKind::AlreadyExists if !replace => exists(&one.written.path),
+                _ => mixed(&one.written.path, &error, &[]),
+            })?;
+        }
+        // The rename survives a power cut once the folder is on the disk; whether it does changes nothing here.
+        let _ = self.folder.disk().sync_folder(self.folder.place());
+        Ok(())
     }
-    let second =
-        Builder::new().prefix(PREFIX).suffix(SUFFIX).rand_bytes(8).make_in(
-            folder.place(),
-            |path| match fs::hard_link(target, path) {
-                Err(error) if matches!(error.kind(), ErrorKind::AlreadyExists | ErrorKind::NotFound) => Err(error),
-                Err(_) => fs::copy(target, path).map(|_| ()),
-                Ok(()) => Ok(()),
-            },
-        )?;
-    Ok(Some(second.into_temp_path()))
+
+    /// Brings several files under their final names, with a notice beside them meanwhile.
+    fn together(&mut self, unfinished: &mut Unfinished) -> Result<(), Refusal> {
+        let (place, disk, existing) = (self.folder.place(), self.folder.disk(), self.existing);
+        let mut notice = Notice::default();
+        if let Err((path, error)) = prepare(&self.pending, place, disk, existing, &mut notice) {
+            notice.end(place, disk);
+            return Err(mixed(&path, &error, &[]));
+        }
+        let renamed = self
+            .pending
+            .iter_mut()
+            .try_for_each(|one| {
+                let path = one.written.path.clone();
+                one.draft.become_final(&path, existing == Existing::Replace, unfinished).map_err(|error| (path, error))
+            })
+            .and_then(|()| disk.sync_folder(place).map_err(|error| (place.to_owned(), error)));
+        let Err((path, error)) = renamed else {
+            notice.end(place, disk);
+            return Ok(());
+        };
+        let stuck = notice.put_back(place, disk);
+        if stuck.is_empty() && disk.sync_folder(place).is_ok() {
+            notice.end(place, disk);
+        } else {
+            // The notice stays, and all that it names: the next run tries again.
+            for one in &mut self.pending {
+                one.draft.leave(unfinished);
+            }
+        }
+        Err(match error.kind() {
+            ErrorKind::AlreadyExists if existing == Existing::Keep => exists(&path),
+            _ => mixed(&path, &error, &stuck),
+        })
+    }
 }
 
-/// Puts back what was replaced, last first; gives the paths where that failed.
-fn put_back(replaced: Vec<Replaced>) -> Vec<PathBuf> {
-    let mut stuck = Vec::new();
-    for step in replaced.into_iter().rev() {
-        let undone = match step.before {
-            Some(before) => before.persist(&step.target).map_err(|failed| failed.error),
-            None => fs::remove_file(&step.target),
-        };
-        if undone.is_err() {
-            stuck.push(step.target);
+/// Gives every file that is replaced a second name, and puts the notice into the folder.
+fn prepare(
+    pending: &[Pending],
+    place: &Path,
+    disk: &Disk,
+    existing: Existing,
+    notice: &mut Notice,
+) -> Result<(), (PathBuf, io::Error)> {
+    for Pending { draft, written } in pending {
+        let wrong = |error| (written.path.clone(), error);
+        let there = existing == Existing::Replace && is_there(&written.path).map_err(wrong)?;
+        let second = if there { Some(disk.second_name(&written.path, place).map_err(wrong)?) } else { None };
+        if let Err(error) = notice.add(&written.name, &written.sha256, draft.path(), second.as_deref()) {
+            if let Some(second) = second {
+                let _ = disk.remove(&second);
+            }
+            return Err(wrong(error));
         }
     }
-    stuck
+    notice.put(place, disk).map_err(|error| (place.to_owned(), error))
+}
+
+fn is_there(path: &Path) -> io::Result<bool> {
+    match fs::symlink_metadata(path) {
+        Ok(_) => Ok(true),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
 }
 
 fn mixed(path: &Path, error: &io::Error, stuck: &[PathBuf]) -> Refusal {

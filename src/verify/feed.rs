@@ -1,11 +1,14 @@
 //! Feed: no axis faster than F_max, and the tip over the part no faster than F.
 //!
 //! The speed of an axis is its way over the time of the motion (mm/min, °/min); that of the tip is the way between the
-//! points of the part at which it stands before and after the motion.
+//! points of the part at which it stands before and after the motion. F words are rounded to the slower side; by how much that
+//! slows the most is a check of its own, here and for pipes.
 
 use nalgebra::Vector3;
 
-use crate::gcode::motion::Kind;
+use crate::gcode::dialect::FeedLaw;
+use crate::gcode::feed_word::step;
+use crate::gcode::motion::{Kind, Motion};
 use crate::gcode::program::Program;
 use crate::impeller::design::Design;
 use crate::machine::axis::{Axis, Pose};
@@ -15,6 +18,61 @@ use crate::text::Text;
 use crate::verify::agreement::tip;
 use crate::verify::check::{At, Check, FAULT, Verdict};
 use crate::verify::step::{Judge, Stage, Step, same};
+
+/// By what part rounding the F word may slow a motion before a person must judge it.
+const SLOWER: f64 = 0.05;
+
+/// The check of what rounding the F words costs: by what part it slows a motion the most, and where; `None` for a program
+/// without F words.
+#[must_use]
+pub fn feed_word(program: &Program, worst: Option<(f64, At)>) -> Check {
+    let name = Text::fixed("Palabra F: lo más que frena el redondeo", "F word: the most that rounding slows");
+    let Some((slower, at)) = worst else {
+        let none = Text::fixed("sin palabra F", "no F word");
+        return Check::passed("feed-word", name, program, none, Text::same("")).informing();
+    };
+    let law = program.dialect.feed;
+    let part = |part: f64| format!("{} %", shown(part * 100.0, 3));
+    let limit = part(SLOWER);
+    let limit = match law {
+        FeedLaw::Seconds => {
+            Text::new(format!("{limit}; F a 0.0001 s, supuesto"), format!("{limit}; F to 0.0001 s, assumed"))
+        }
+        FeedLaw::Resultant | FeedLaw::InverseTime => Text::same(limit),
+    };
+    let check = Check::passed("feed-word", name, program, Text::same(part(slower)), limit).at(Some(at));
+    if slower > SLOWER {
+        let (slower, line) = (part(slower), at.line);
+        return check.found(
+            Verdict::Caution,
+            Text::new(
+                format!("los decimales de F frenan la línea {line} de «{}» un {slower}", program.title.es),
+                format!("the decimals of F slow line {line} of \"{}\" by {slower}", program.title.en),
+            ),
+            Text::fixed("menos F, o tramos más largos", "a smaller F, or longer moves"),
+        );
+    }
+    if law != FeedLaw::Seconds {
+        return check;
+    }
+    check.found(
+        Verdict::Note,
+        Text::fixed(
+            "F en G93 va a 0.0001 s, un supuesto: la página del manual del 8070 no da formato; un control de tres decimales acortaría un bloque hasta 0.0009 s",
+            "F in G93 goes to 0.0001 s, an assumption: the page of the 8070's manual gives no format; a control with three decimals would shorten a block by up to 0.0009 s",
+        ),
+        Text::fixed("pruébelo en el control antes de cortar", "try it on the control before cutting"),
+    )
+}
+
+/// True where the F word of a motion lets it take the time that was planned, or longer by what rounding the word takes.
+#[must_use]
+pub fn timely(law: FeedLaw, motion: &Motion, word: f64, planned: f64) -> bool {
+    let by = motion.to.differences(&motion.from);
+    let wanted = law.word(planned, by.iter().map(|by| by * by).sum::<f64>().sqrt());
+    let slower = if law == FeedLaw::Seconds { word - wanted } else { wanted - word };
+    (-1e-8 * wanted..=step(law, wanted) * (1.0 + 1e-6)).contains(&slower)
+}
 
 /// What the arithmetic of a control may lose.
 const SLACK: f64 = 1.0 + 1e-6;
@@ -28,6 +86,7 @@ pub struct Feeds {
     last: Option<(Pose, Vector3<f64>)>,
     axis: Option<(f64, Axis, At)>,
     tip: Option<(f64, At)>,
+    rounded: Option<(f64, At)>,
     without: Option<At>,
 }
 
@@ -36,7 +95,7 @@ impl Feeds {
     #[must_use]
     pub const fn new(design: &Design) -> Self {
         let (machine, F, F_max) = (design.machine, design.F, design.F_max);
-        Self { machine, F, F_max, last: None, axis: None, tip: None, without: None }
+        Self { machine, F, F_max, last: None, axis: None, tip: None, rounded: None, without: None }
     }
 }
 
@@ -64,7 +123,16 @@ impl Judge for Feeds {
         };
         let to = tip(self.machine, &motion.to);
         self.last = Some((motion.to, to));
-        let speed = (to - from).norm() * 60.0 / seconds;
+        let way = (to - from).norm();
+        if let Some(F) = self.F {
+            let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
+            let wanted = (way * 60.0 / F).max(self.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max));
+            let slower = seconds / wanted - 1.0;
+            if wanted > 0.0 && self.rounded.is_none_or(|(most, _)| slower > most) {
+                self.rounded = Some((slower, at));
+            }
+        }
+        let speed = way * 60.0 / seconds;
         if self.tip.is_none_or(|(most, _)| speed > most) {
             self.tip = Some((speed, at));
         }
@@ -131,6 +199,7 @@ impl Judge for Feeds {
                 }
             },
         ];
+        checks.push(feed_word(program, self.rounded));
         if let Some(at) = self.without {
             let name = Text::fixed("Movimiento de corte sin avance", "Cutting motion without feed");
             let check = Check::passed("feed", name, program, none, Text::same("")).at(Some(at));

@@ -3,10 +3,10 @@
 //! Controls differ in what they forgive, so that one strict form is asked of all: printable ASCII; comments from an
 //! allow-list; words of one capital letter and one number, parted by one blank; dimensions and feeds with at most five
 //! digits before and three after the point, never −0, an exponent or a comma, and always with three decimals where the
-//! layout is fixed; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
+//! layout is fixed, times of a move in seconds with four and inverse times below 1 with six; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
 
 use crate::gcode::comment;
-use crate::gcode::dialect::{CommentForm, Opening};
+use crate::gcode::dialect::{CommentForm, FeedLaw, Opening};
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::text::Text;
@@ -97,7 +97,9 @@ impl<'a> Characters<'a> {
         let letter = word.chars().next().ok_or_else(wrong)?;
         let number = word.get(1..).ok_or_else(wrong)?;
         let good = if SIZES.contains(letter) {
-            size(number, self.program.format) || (DWELLS.contains(letter) && digits(number, 8))
+            size(number, self.program.format)
+                || (DWELLS.contains(letter) && digits(number, 8))
+                || (letter == 'F' && timed(number, self.program.dialect.feed))
         } else {
             // A block number inside the block would be a second one.
             letter != 'N' && WHOLES.contains(letter) && digits(number, 8)
@@ -135,6 +137,20 @@ impl<'a> Characters<'a> {
 
 fn quoted(es: &str, en: &str, what: &str) -> Text {
     Text::new(format!("{es} «{what}»"), format!("{en} '{what}'"))
+}
+
+/// An F word that is a time or its inverse, with the decimals of its law beyond three.
+fn timed(number: &str, law: FeedLaw) -> bool {
+    let Some((whole, part)) = number.split_once('.') else { return false };
+    let plain = digits(whole, 5) && (whole.len() == 1 || !whole.starts_with('0'));
+    let some = number.bytes().any(|digit| matches!(digit, b'1'..=b'9'));
+    plain
+        && some
+        && match law {
+            FeedLaw::Resultant => false,
+            FeedLaw::Seconds => part.len() == 4 && digits(part, 4),
+            FeedLaw::InverseTime => whole == "0" && part.len() == 6 && digits(part, 6),
+        }
 }
 
 /// Between one and `most` digits.
@@ -176,8 +192,22 @@ pub fn read(program: &Program) -> Characters<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::size;
+    use super::{size, timed};
+    use crate::gcode::dialect::FeedLaw;
     use crate::gcode::word::NumberFormat::{Fixed, Trimmed};
+
+    #[test]
+    fn times_have_the_decimals_of_their_law_and_are_never_nothing() {
+        for (number, good) in
+            [("0.0601", true), ("12.0000", true), ("0.0000", false), ("0.060", false), ("00.0601", false)]
+        {
+            assert_eq!(timed(number, FeedLaw::Seconds), good, "{number}");
+        }
+        for (number, good) in [("0.857142", true), ("1.857142", false), ("0.000000", false), ("0.8571", false)] {
+            assert_eq!(timed(number, FeedLaw::InverseTime), good, "{number}");
+        }
+        assert!(!timed("0.0601", FeedLaw::Resultant) && !timed("0.857142", FeedLaw::Resultant));
+    }
 
     #[test]
     fn numbers_are_taken_in_the_form_of_their_layout_only() {

@@ -45,7 +45,7 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
                 if exit != Exit::Limit {
                     exit = fault.exit;
                 }
-                if faults.len() < MOST_REMARKS {
+                if faults.len() < MOST_REMARKS || fault.exit == Exit::Limit {
                     faults.push(*fault);
                 }
             }

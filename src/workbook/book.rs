@@ -1,5 +1,6 @@
 //! A gated workbook with its sheets ready to be read.
 
+use std::borrow::Cow;
 use std::io::Cursor;
 
 use calamine::{Reader, Xlsx};
@@ -18,7 +19,7 @@ use super::{limits, xml};
 pub struct Book<'a> {
     /// What the gate found.
     pub gated: Gated<'a>,
-    xlsx: Xlsx<Cursor<&'a [u8]>>,
+    xlsx: Xlsx<Cursor<Cow<'a, [u8]>>>,
 }
 
 impl<'a> Book<'a> {
@@ -27,7 +28,11 @@ impl<'a> Book<'a> {
     /// # Errors
     /// [`Exit::Unreadable`](crate::finding::Exit::Unreadable) where calamine does not take it.
     pub fn open(gated: Gated<'a>) -> Result<Self, Refusal> {
-        let xlsx = Xlsx::new(Cursor::new(gated.package.bytes)).map_err(|error| {
+        let bytes = match gated.plain.as_slice() {
+            [] => Cow::Borrowed(gated.package.bytes),
+            parts => Cow::Owned(gated.package.with(parts)?),
+        };
+        let xlsx = Xlsx::new(Cursor::new(bytes)).map_err(|error| {
             let why = printable(&error.to_string());
             unreadable(say!("el libro no se puede leer: {why}", "the workbook cannot be read: {why}"))
         })?;

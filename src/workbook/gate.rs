@@ -9,7 +9,7 @@ use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::text::Text;
 
 use super::limits;
-use super::listing::{self, SheetEntry};
+use super::listing::{self, Listing, SheetEntry};
 use super::package::Package;
 use super::shared_tables::{self, structure};
 
@@ -20,6 +20,8 @@ pub struct Gated<'a> {
     pub package: Package<'a>,
     /// The sheets in their order.
     pub sheets: Vec<SheetEntry>,
+    /// Parts that the reader gets in place of those of the package.
+    pub plain: Vec<(String, Vec<u8>)>,
     /// How many shared texts there are.
     pub strings: usize,
     /// Notes on the file.
@@ -35,7 +37,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     signature(bytes)?;
     let mut package = Package::open(bytes)?;
     format(&mut package)?;
-    let (folder, sheets) = listing::sheets(&mut package)?;
+    let Listing { folder, sheets, plain } = listing::sheets(&mut package)?;
     let strings = shared_tables::strings(&mut package, &format!("{folder}sharedStrings.xml"))?;
     shared_tables::styles(&mut package, &format!("{folder}styles.xml"))?;
     structure(&mut package, &format!("{folder}theme/theme1.xml"), limits::ATTRIBUTE, |_, _| Ok(()))?;
@@ -49,7 +51,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
             ),
         ));
     }
-    Ok(Gated { package, sheets, strings, notes })
+    Ok(Gated { package, sheets, plain, strings, notes })
 }
 
 /// Judges the first bytes.

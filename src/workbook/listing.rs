@@ -1,7 +1,9 @@
 //! Which sheets a workbook lists, and the parts of the package that hold them.
 //!
-//! Names and targets are resolved as calamine resolves them, so that both look at the same parts.
+//! Names and targets are resolved as calamine resolves them, so that both look at the same parts. A target may go through
+//! folders with `./` and `../`, which calamine does not follow: it gets the same package with plain targets.
 
+use quick_xml::escape::escape;
 use quick_xml::events::Event;
 
 use crate::escape::excerpt;
@@ -35,8 +37,47 @@ pub struct SheetEntry {
     pub hidden: bool,
 }
 
-/// The folder of the workbook part, and its name, from the package's own relationships.
-fn root(package: &mut Package<'_>) -> Result<(String, String), Refusal> {
+/// What a workbook lists.
+#[derive(Debug)]
+pub struct Listing {
+    /// The folder of the workbook part, with its last `/`.
+    pub folder: String,
+    /// The sheets in their order.
+    pub sheets: Vec<SheetEntry>,
+    /// The parts of relationships with plain targets, by name, where a target has `./` or `../` in it; else empty.
+    pub plain: Vec<(String, Vec<u8>)>,
+}
+
+/// The part that a target in a folder names, without `./` and `../`; `None` where it lies outside of the package.
+fn resolved(folder: &str, target: &str) -> Option<String> {
+    let path = target.strip_prefix('/').map_or_else(|| format!("{folder}{target}"), str::to_owned);
+    if !path.split('/').any(|step| matches!(step, "." | "..")) {
+        return Some(path);
+    }
+    let mut steps = Vec::new();
+    for step in path.split('/') {
+        match step {
+            "." => {}
+            ".." => drop(steps.pop()?),
+            step => steps.push(step),
+        }
+    }
+    Some(steps.join("/"))
+}
+
+/// A part of relationships: id, type and target of each.
+fn relationships<'a>(relations: impl Iterator<Item = (&'a str, &'a str, &'a str)>) -> Vec<u8> {
+    const SPACE: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
+    let mut text = format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?><Relationships xmlns=\"{SPACE}\">");
+    for (id, kind, target) in relations {
+        text.push_str(&format!("<Relationship Id=\"{id}\" Type=\"{kind}\" Target=\"{target}\"/>"));
+    }
+    text.push_str("</Relationships>");
+    text.into_bytes()
+}
+
+/// The folder of the workbook part, its name, and the target as it is written, from the package's own relationships.
+fn root(package: &mut Package<'_>) -> Result<(String, String, String), Refusal> {
     let mut target = None;
     structure(package, "_rels/.rels", limits::ATTRIBUTE, |_, event| {
         if let Event::Start(start) = event
@@ -48,11 +89,12 @@ fn root(package: &mut Package<'_>) -> Result<(String, String), Refusal> {
         Ok(())
     })?;
     let target = target.ok_or_else(|| no_sheets("_rels/.rels"))?;
-    let (folder, name) = target.split_at(target.rfind('/').map_or(0, |slash| slash + 1));
-    let folder = folder.strip_prefix('/').unwrap_or(folder).to_owned();
+    let path = resolved("", &target).ok_or_else(|| no_sheets(&target))?;
+    let (folder, name) = path.split_at(path.rfind('/').map_or(0, |slash| slash + 1));
+    let folder = folder.to_owned();
     let name = if name.is_empty() { "workbook.xml" } else { name }.to_owned();
     if package.has(&format!("{folder}{name}")) {
-        Ok((folder, name))
+        Ok((folder, name, target))
     } else {
         Err(no_sheets(&format!("{folder}{name}")))
     }
@@ -95,13 +137,13 @@ fn relations(package: &mut Package<'_>, folder: &str, workbook: &str) -> Result<
     if found { Ok(relations) } else { Err(no_sheets(&part)) }
 }
 
-/// The folder of the workbook part, with its last `/`, and the sheets that the part lists.
+/// What the workbook lists.
 ///
 /// # Errors
 /// [`Exit::Unreadable`](crate::finding::Exit::Unreadable) where the list or a sheet's part is missing or damaged;
 /// [`Exit::Limit`](crate::finding::Exit::Limit) for more sheets than [`limits::SHEETS`].
-pub fn sheets(package: &mut Package<'_>) -> Result<(String, Vec<SheetEntry>), Refusal> {
-    let (folder, workbook) = root(package)?;
+pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
+    let (folder, workbook, target) = root(package)?;
     let relations = relations(package, &folder, &workbook)?;
     let part = format!("{folder}{workbook}");
     let mut sheets = Vec::new();
@@ -137,8 +179,13 @@ pub fn sheets(package: &mut Package<'_>) -> Result<(String, Vec<SheetEntry>), Re
             Some("chartsheet" | "dialogsheet") => Kind::Other,
             _ => return Err(faulty("es de una clase que no se lee", "is of a kind that is not read")),
         };
-        let target = &relation.target;
-        let path = target.strip_prefix('/').map_or_else(|| format!("{folder}{target}"), str::to_owned);
+        let path = resolved(&folder, &relation.target).ok_or_else(|| {
+            let target = excerpt(&relation.target, 80);
+            faulty(
+                &format!("está en \"{target}\", fuera del paquete"),
+                &format!("stands in \"{target}\", outside of the package"),
+            )
+        })?;
         sheets.push(SheetEntry { name, part: path, kind, hidden });
         Ok(())
     })?;
@@ -155,5 +202,45 @@ pub fn sheets(package: &mut Package<'_>) -> Result<(String, Vec<SheetEntry>), Re
             ),
         ));
     }
-    Ok((folder, sheets))
+    let dotted = |target: &str| target.split('/').any(|step| matches!(step, "." | ".."));
+    let mut plain = Vec::new();
+    if dotted(&target) || relations.iter().any(|relation| dotted(&relation.target)) {
+        const DOCUMENT: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument";
+        let root = escape(&part).into_owned();
+        plain.push(("_rels/.rels".to_owned(), relationships([("rId1", DOCUMENT, root.as_str())].into_iter())));
+        // What leads nowhere is no sheet's, and stays as it is.
+        let absolute: Vec<String> = relations
+            .iter()
+            .map(|one| resolved(&folder, &one.target).map_or_else(|| one.target.clone(), |path| format!("/{path}")))
+            .collect();
+        let listed = relations.iter().zip(&absolute);
+        plain.push((
+            format!("{folder}_rels/{workbook}.rels"),
+            relationships(listed.map(|(one, target)| (one.id.as_str(), one.kind.as_str(), target.as_str()))),
+        ));
+    }
+    Ok(Listing { folder, sheets, plain })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::resolved;
+
+    #[test]
+    fn a_target_may_go_through_folders_and_not_out_of_the_package() {
+        for (folder, target, part) in [
+            ("xl/", "worksheets/sheet1.xml", Some("xl/worksheets/sheet1.xml")),
+            ("xl/", "./worksheets/sheet1.xml", Some("xl/worksheets/sheet1.xml")),
+            ("xl/", "../xl/worksheets/./sheet1.xml", Some("xl/worksheets/sheet1.xml")),
+            ("xl/", "worksheets/../../sheet1.xml", Some("sheet1.xml")),
+            ("xl/", "/xl/../xl/sheet1.xml", Some("xl/sheet1.xml")),
+            ("", "./xl/workbook.xml", Some("xl/workbook.xml")),
+            ("xl/", "..sheet1.xml", Some("xl/..sheet1.xml")),
+            ("xl/", "../../sheet1.xml", None),
+            ("", "../xl/workbook.xml", None),
+            ("xl/", "/../sheet1.xml", None),
+        ] {
+            assert_eq!(resolved(folder, target).as_deref(), part, "{target} in {folder}");
+        }
+    }
 }

@@ -1,10 +1,11 @@
 //! The zip package of a workbook: its entries under caps, every one unpacked to its end.
 
 use std::collections::HashMap;
-use std::io::{self, Cursor, Read};
+use std::io::{self, Cursor, Read, Write};
 
 use zip::result::ZipError;
-use zip::{CompressionMethod, ZipArchive};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use crate::escape::{excerpt, printable};
 use crate::finding::{Exit, Finding, Place, Refusal};
@@ -106,6 +107,27 @@ impl<'a> Package<'a> {
         } else {
             Err(too_large(name, most))
         }
+    }
+
+    /// The same package with other contents in some of its parts; the rest is not packed anew.
+    ///
+    /// # Errors
+    /// [`Exit::Unreadable`] where an entry cannot be taken over.
+    pub fn with(&self, parts: &[(String, Vec<u8>)]) -> Result<Vec<u8>, Refusal> {
+        let mut archive = self.archive.clone();
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+        let replaced: Vec<usize> =
+            parts.iter().filter_map(|(name, _)| self.entries.get(&name.to_ascii_lowercase()).copied()).collect();
+        for index in (0..archive.len()).filter(|index| !replaced.contains(index)) {
+            let entry = archive.by_index_raw(index).map_err(|error| broken("", &error))?;
+            writer.raw_copy_file(entry).map_err(|error| broken("", &error))?;
+        }
+        for (name, content) in parts {
+            let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+            writer.start_file(name.as_str(), stored).map_err(|error| broken(name, &error))?;
+            writer.write_all(content).map_err(|error| broken(name, &ZipError::Io(error)))?;
+        }
+        Ok(writer.finish().map_err(|error| broken("", &error))?.into_inner())
     }
 
     /// Takes the names and the declared sizes.

@@ -1,5 +1,6 @@
 //! The cells of one sheet, streamed: the first columns, A to E of a form, of the rows that hold something.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
@@ -80,7 +81,7 @@ impl SheetCells {
 ///
 /// # Errors
 /// [`Exit::Unreadable`] where calamine does not read the sheet; [`Exit::Limit`] for more than [`limits::ROWS`] rows.
-pub fn stream(xlsx: &mut Xlsx<Cursor<&[u8]>>, sheet: &str, part: &str, columns: u32) -> Result<Rows, Refusal> {
+pub fn stream(xlsx: &mut Xlsx<Cursor<Cow<'_, [u8]>>>, sheet: &str, part: &str, columns: u32) -> Result<Rows, Refusal> {
     let fault = |error: &calamine::XlsxError| {
         let (name, why) = (excerpt(sheet, 80), printable(&error.to_string()));
         damaged(part, say!("la hoja \"{name}\" no se puede leer: {why}", "the sheet \"{name}\" cannot be read: {why}"))

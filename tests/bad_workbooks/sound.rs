@@ -52,6 +52,35 @@ fn the_written_template_is_read_back() {
     }
 }
 
+/// Targets with `./` and `../` are as good as plain ones.
+#[test]
+fn targets_that_go_through_folders_are_followed() {
+    const ROOT: &str = "_rels/.rels";
+    const RELATIONS: &str = "xl/_rels/workbook.xml.rels";
+    let plain = impeller(&sound(Language::En)).unwrap();
+    for (root, one, other) in [
+        ("./xl/workbook.xml", "worksheets/sheet1.xml", "worksheets/sheet2.xml"),
+        ("xl/workbook.xml", "./worksheets/sheet1.xml", "worksheets/sheet2.xml"),
+        ("xl/../xl/./workbook.xml", "../xl/worksheets/sheet1.xml", "/xl/./worksheets/sheet2.xml"),
+    ] {
+        let parts = Parts::sound()
+            .replace(ROOT, "xl/workbook.xml", root)
+            .replace(RELATIONS, "\"worksheets/sheet1.xml", &format!("\"{one}"))
+            .replace(RELATIONS, "\"worksheets/sheet2.xml", &format!("\"{other}"))
+            // One value that is not in the workbook that the parts are of.
+            .cell(DATA, &cell("R"), &format!("<c r=\"{}\"><v>27</v></c>", cell("R")));
+        let filled = impeller(&parts.zip()).unwrap();
+        assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+        assert_eq!(filled.values.values["R"], Value::Real(27.0), "{one}");
+        assert_eq!(filled.values.values.len(), plain.values.values.len(), "{one}");
+    }
+    let outside = Parts::sound().replace(RELATIONS, "\"worksheets/sheet1.xml", "\"../../worksheets/sheet1.xml");
+    let refusal = impeller(&outside.zip()).unwrap_err();
+    assert_eq!(refusal.exit, rodete::finding::Exit::Unreadable);
+    let said = &refusal.findings[0].what.en;
+    assert!(said.contains("stands in \"../../worksheets/sheet1.xml\", outside of the package"), "{said}");
+}
+
 #[test]
 fn rows_may_be_moved_because_values_are_found_by_their_symbol() {
     let data = Parts::sound().text(DATA);

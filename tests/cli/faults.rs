@@ -122,7 +122,7 @@ fn an_interruption_leaves_the_old_set_and_nothing_else() {
             .spawn()
             .expect("started");
         let drafts = || names(&out).iter().filter(|name| name.ends_with(".tmp")).count();
-        for _ in 0..400 {
+        for _ in 0..3000 {
             if drafts() == OUTPUTS.len() {
                 break;
             }

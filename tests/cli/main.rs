@@ -3,6 +3,7 @@
 #![allow(clippy::expect_used)]
 
 mod common;
+mod delivered;
 mod environment;
 mod faults;
 mod offsets;

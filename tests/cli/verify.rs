@@ -170,7 +170,7 @@ fn what_is_wrong_is_refused_with_its_line_and_column() {
 #[test]
 fn what_does_not_end_is_a_limit() {
     for (text, what) in [
-        ("o1 while [1]\no1 endwhile\nM2\n", "has repeated more than 10000000 blocks"),
+        ("o1 while [1]\no1 endwhile\nM2\n", "endless loop: 1000 rounds"),
         ("G0 X1\nM99\n", "repeats it without end"),
         ("F1\nG83 X1 Z-99 R1 Q0.001\nM2\n", "more than 10000 pecks"),
     ] {

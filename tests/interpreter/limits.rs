@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use rodete::finding::Exit;
-use rodete::gcode::interpreter::{Budget, Fault, Interpreter};
+use rodete::gcode::dialect::{ALL, Dialect, FAGOR_8055_T, LINUXCNC};
+use rodete::gcode::interpreter::{Budget, Fault, Interpreter, Setting};
 use rodete::gcode::motion::Motion;
 
 use crate::common::rs274::Judge;
@@ -73,6 +74,81 @@ fn an_endless_program_comes_to_its_budget() {
         let Some(Err(fault)) = read.last() else { panic!("{program}") };
         assert_eq!(fault.exit, Exit::Limit, "{program}: {}", fault.what.en);
     }
+}
+
+/// The refusals of a program: line, end and text.
+fn refusals(program: &str, dialect: &'static Dialect) -> Vec<(usize, Exit, String)> {
+    let read = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+    read.filter_map(Result::err).map(|fault| (fault.line, fault.exit, fault.what.en.to_string())).collect()
+}
+
+#[test]
+fn a_block_that_a_loop_repeats_is_refused_once_and_ends_the_program_at_the_hundredth_time() {
+    let program = "G21 G90\n#1=0\no1 while [#1 LT 1000000]\nG38.2 Z-1 F100\n#1=[#1+1]\no1 endwhile\nM2\n";
+    let [first, last] = refusals(program, &LINUXCNC).try_into().expect("two refusals");
+    assert_eq!((first.0, first.1), (4, Exit::Refused));
+    assert_eq!(last, (4, Exit::Limit, "the block was refused 100 times in a loop; nothing more is read".to_owned()));
+    let ends = program.replace("1000000", "99");
+    assert_eq!(refusals(&ends, &LINUXCNC).len(), 1, "99 times are told once, and the program is read on");
+}
+
+#[test]
+fn a_loop_whose_rounds_change_nothing_is_stopped_and_one_that_counts_is_not() {
+    let told = |program: &str| refusals(program, &LINUXCNC);
+    let idle = "endless loop: 1000 rounds in which nothing moves and no parameter changes";
+    for program in [
+        "o1 while [1]\no1 endwhile\nM2\n",
+        "o1 while [#5399 EQ 0]\nM3 S100\nM5\n#1=7\no1 endwhile\nM2\n",
+        "o1 do\no2 call [5]\no1 while [1]\no2 sub\no2 endsub\nM2\n",
+        "o1 while [1]\no1 continue\no1 endwhile\nM2\n",
+    ] {
+        let told = told(program);
+        assert!(told.len() == 1 && told[0].1 == Exit::Limit && told[0].2 == idle, "{program}: {told:?}");
+    }
+    let counts = "#1=0\no1 while [#1 LT 5000]\n#1=[#1+1]\no1 endwhile\nM2\n";
+    assert!(told(counts).is_empty());
+    let repeats = "o1 repeat [5000]\nM64 P1\no1 endrepeat\nG21 G0 X1\nM2\n";
+    assert!(told(repeats).is_empty());
+}
+
+#[test]
+fn the_motions_of_cycles_are_counted_too() {
+    let mut setting = Setting::new(&LINUXCNC);
+    setting.budget.repeated_blocks = 10_000;
+    let program = b"G21 G90 G17 F100\nG0 Z5\nG98 G83 X0 Y0 Z-100 R1 Q0.1 L9999\nG0 X1\nM2\n";
+    let read: Vec<_> = Interpreter::over(program, setting).collect();
+    let Some(Err(fault)) = read.last() else { panic!("taken") };
+    assert_eq!((fault.exit, fault.line), (Exit::Limit, 3), "{}", fault.what.en);
+    assert!(read.len() < 20_000, "{} motions", read.len());
+}
+
+#[test]
+fn every_word_is_bounded_in_every_dialect() {
+    let digits = "9".repeat(310);
+    for dialect in ALL {
+        for word in ["F", "S", "F-", "T", "X", "Z"] {
+            let told = refusals(&format!("G1 X1. {word}{digits}\nM30\n"), dialect);
+            let wanted = ["number too great", "the line has more than 255 characters"];
+            assert!(
+                told.first().is_some_and(|one| wanted.contains(&one.2.as_str())),
+                "{} {word}: {told:?}",
+                dialect.name
+            );
+        }
+        for (word, message) in [
+            ("F99999999999.", "F99999999999 is over 9,999,999,999"),
+            ("F100000.", "F100000 is over 99,999.999"),
+            ("S100000", "S100000 is over 99,999.999"),
+            ("T10000000000", "T10000000000 is over 9,999,999,999"),
+        ] {
+            let told = refusals(&format!("G1 X1. Z1. F0.1 S100\n{word}\nM30\n"), dialect);
+            let told: Vec<&str> = told.iter().filter(|one| one.0 == 2).map(|one| one.2.as_str()).collect();
+            assert_eq!(told, [message], "{} {word}", dialect.name);
+        }
+    }
+    assert!(refusals("G21 G93 G1 X1 F1000000\nM2\n", &LINUXCNC).is_empty(), "an inverse time in minutes");
+    let cycle = "T1 D1 S100 M3\nG83 X0 Z0 I-10 B5 D1 K9999999\nM30\n";
+    assert!(refusals(cycle, &FAGOR_8055_T).iter().any(|one| one.2.contains("K9999999 is over")));
 }
 
 /// Pieces of programs, so that chance gets further than the first byte.

@@ -15,6 +15,7 @@ pub mod told;
 
 use crate::gcode::code::M;
 use crate::gcode::dialect::reading::Reading;
+use crate::gcode::feed_word;
 use crate::gcode::word::Word;
 
 /// How the control takes the F word of a move that linear and rotary axes make together. In each form the move takes
@@ -52,6 +53,16 @@ impl FeedLaw {
             Self::Resultant => resultant * 60.0 / seconds,
             Self::Seconds => seconds,
             Self::InverseTime => 60.0 / seconds,
+        }
+    }
+
+    /// The least time in seconds for which there is an F word.
+    #[must_use]
+    pub fn least_seconds(self, resultant: f64) -> f64 {
+        match self {
+            Self::Resultant => resultant * 60.0 / feed_word::MOST,
+            Self::Seconds => 1e-4,
+            Self::InverseTime => 60.0 / feed_word::MOST,
         }
     }
 

@@ -206,7 +206,11 @@ impl<'l> Cursor<'l> {
                 .filter(|byte| byte.is_ascii_digit() || **byte == b'.')
                 .map(|&byte| char::from(byte))
                 .collect();
-            text.parse().map_err(|_| no_number(start))?
+            let value: f64 = text.parse().map_err(|_| no_number(start))?;
+            if !value.is_finite() {
+                return Err(too_great(start));
+            }
+            value
         } else {
             decimal(mantissa, decimals)
         };
@@ -417,6 +421,14 @@ pub(super) fn no_number(column: usize) -> Box<Fault> {
         &[column],
         Text::fixed("falta el número", "the number is missing"),
         Text::fixed("escriba un número detrás de la letra", "write a number after the letter"),
+    )
+}
+
+fn too_great(column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::fixed("número demasiado grande", "number too great"),
+        Text::fixed("compruebe el número", "check the number"),
     )
 }
 

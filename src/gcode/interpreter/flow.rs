@@ -151,6 +151,7 @@ impl Interpreter<'_> {
                 match (mark.opens, truth) {
                     // The WHILE that closes a DO.
                     (Some(opens), true) => {
+                        self.round_again()?;
                         let start = self.mark(Some(opens))?;
                         self.go_to(start.after)
                     }
@@ -163,6 +164,7 @@ impl Interpreter<'_> {
             }
             Word::EndWhile => {
                 self.nothing_more(cursor)?;
+                self.round_again()?;
                 let start = self.mark(mark.opens)?;
                 self.go_to(start.at)
             }
@@ -252,6 +254,9 @@ impl Interpreter<'_> {
         };
         let keep = inside.iter().position(|&inside| inside).unwrap_or(inside.len());
         self.flow.loops.truncate(keep);
+        if !leave && opens.word != Word::Do {
+            self.round_again()?;
+        }
         match (leave, opens.word) {
             (true, _) => self.go_to(closes.after),
             // The condition of a DO stands at its end, that of a WHILE at its beginning.

@@ -50,6 +50,7 @@ mod pass;
 mod point;
 mod read;
 mod rollover;
+mod round;
 mod setting;
 mod source;
 mod stood;
@@ -78,6 +79,7 @@ use self::modal::Modal;
 use self::moves::Run;
 use self::numbers::Numbers;
 use self::parameters::Parameters;
+use self::round::Rounds;
 pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, WIDE, decoded, line_feeds, wide};
@@ -133,6 +135,7 @@ pub struct Interpreter<'a> {
     standing: Standing,
     remarks: Remarks,
     flow: Flow,
+    rounds: Rounds,
     stage: Stage,
     percent: bool,
     unit_said: bool,
@@ -203,6 +206,7 @@ impl<'a> Interpreter<'a> {
             standing: Standing::default(),
             remarks,
             flow: Flow::default(),
+            rounds: Rounds::default(),
             stage: Stage::Opening,
             percent: false,
             unit_said: false,
@@ -414,7 +418,10 @@ impl Iterator for Interpreter<'_> {
                 }));
             }
             let result = if self.run.is_some() {
-                self.go_on()
+                let made = self.made();
+                let result = self.go_on();
+                self.cycle_went_on(made);
+                result
             } else if self.stage == Stage::Ended {
                 self.flush();
                 if self.queue.is_empty() {
@@ -425,7 +432,7 @@ impl Iterator for Interpreter<'_> {
             } else {
                 self.step()
             };
-            if let Err(fault) = result {
+            if let Some(fault) = result.err().and_then(|fault| self.told_once(fault)) {
                 // Behind the refusals that its block has handed out already.
                 if !self.queue.iter().any(Result::is_err) {
                     return Some(Err(fault));

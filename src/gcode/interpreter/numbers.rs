@@ -43,7 +43,7 @@ impl Numbers {
         let back = source.position();
         let mut numbers = Self::default();
         let mut line = Vec::new();
-        source.go_to(Position { offset: 0, lines: 0 })?;
+        source.go_to(Position::START)?;
         loop {
             let at = source.position();
             if !source.next_line(&mut line)? {

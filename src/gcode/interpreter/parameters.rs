@@ -14,6 +14,8 @@ pub(super) struct Parameters {
     known: Vec<bool>,
     globals: BTreeMap<String, f64>,
     locals: Vec<BTreeMap<String, f64>>,
+    /// How often a parameter has got another value.
+    changes: u64,
 }
 
 impl Parameters {
@@ -23,6 +25,7 @@ impl Parameters {
             known: vec![false; COUNT],
             globals: BTreeMap::new(),
             locals: vec![BTreeMap::new()],
+            changes: 0,
         }
     }
 
@@ -36,8 +39,18 @@ impl Parameters {
         self.known.get(number).copied().unwrap_or(false)
     }
 
+    /// How often the program has given a parameter another value; a call's arguments do not count.
+    pub(super) const fn changes(&self) -> u64 {
+        self.changes
+    }
+
     /// Sets a numbered parameter.
     pub(super) fn set(&mut self, number: usize, value: f64) {
+        self.changes += u64::from(self.get(number).to_bits() != value.to_bits());
+        self.put(number, value);
+    }
+
+    fn put(&mut self, number: usize, value: f64) {
         if let (Some(slot), Some(known)) = (self.values.get_mut(number), self.known.get_mut(number)) {
             *slot = value;
             *known = true;
@@ -52,10 +65,9 @@ impl Parameters {
 
     /// Sets a named parameter.
     pub(super) fn set_named(&mut self, name: String, value: f64) {
-        if name.starts_with('_') {
-            self.globals.insert(name, value);
-        } else if let Some(locals) = self.locals.last_mut() {
-            locals.insert(name, value);
+        let names = if name.starts_with('_') { Some(&mut self.globals) } else { self.locals.last_mut() };
+        if let Some(names) = names {
+            self.changes += u64::from(names.insert(name, value).map(f64::to_bits) != Some(value.to_bits()));
         }
     }
 
@@ -63,7 +75,7 @@ impl Parameters {
     pub(super) fn enter(&mut self, arguments: &[f64]) -> Vec<(f64, bool)> {
         let saved = (1..=LOCAL).map(|number| (self.get(number), self.known(number))).collect();
         for number in 1..=LOCAL {
-            self.set(number, arguments.get(number - 1).copied().unwrap_or(0.0));
+            self.put(number, arguments.get(number - 1).copied().unwrap_or(0.0));
         }
         self.locals.push(BTreeMap::new());
         saved
@@ -72,7 +84,7 @@ impl Parameters {
     /// Ends a call: the caller's #1 to #30 and names are in force again.
     pub(super) fn leave(&mut self, saved: &[(f64, bool)]) {
         for (number, &(value, known)) in (1..=LOCAL).zip(saved) {
-            self.set(number, value);
+            self.put(number, value);
             self.known[number] = known;
         }
         if self.locals.len() > 1 {

@@ -4,15 +4,18 @@ use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, Turning};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::interpreter::block::EdgeWord;
+use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::motion::FeedMode;
 use crate::number::grid::LIMIT;
 use crate::text::Text;
 
 /// Addresses whose numbers are lengths or angles on the part.
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
+/// What no count, tool, time or inverse time may exceed, whatever the code that it belongs to allows.
+const MOST: f64 = 9_999_999_999.0;
 
 fn unverifiable() -> Text {
     Text::fixed(
@@ -73,7 +76,33 @@ impl Interpreter<'_> {
                 Text::fixed("escríbalo sin blancos", "write it without blanks"),
             );
         }
-        if self.block.pointless != 0 || self.block.edge.is_some() { self.settle_points() } else { Ok(()) }
+        if self.block.pointless != 0 || self.block.edge.is_some() {
+            self.settle_points()?;
+        }
+        self.feed_and_speed_in_bounds()
+    }
+
+    /// Refuses an F or S beyond what a coordinate may be; an F that is an inverse time may be greater.
+    fn feed_and_speed_in_bounds(&self) -> Outcome<()> {
+        for index in [letter::F, letter::S] {
+            let Some(value) = self.block.get(index).filter(|value| *value > f64::from(LIMIT) / 1000.0) else {
+                continue;
+            };
+            let mode = match self.block.g(Group::Feed) {
+                Some(G::Feed(mode)) => mode,
+                _ => self.modal.feed_mode,
+            };
+            if index == letter::F && mode == FeedMode::InverseTime {
+                continue;
+            }
+            let name = if index == letter::F { 'F' } else { 'S' };
+            return Err(Fault::at(
+                &[self.block.column(index)],
+                Text::new(format!("{name}{value} supera 99 999.999"), format!("{name}{value} is over 99,999.999")),
+                Text::fixed("compruebe el número", "check the number"),
+            ));
+        }
+        Ok(())
     }
 
     /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
@@ -248,7 +277,7 @@ impl Interpreter<'_> {
         }
         let number = self.value(cursor)?;
         let value = number.value;
-        if DIMENSIONS.has(index) {
+        if DIMENSIONS.has(index) || self.fagor_cycle() {
             if value.abs() > f64::from(LIMIT) / 1000.0 {
                 return Err(Fault::at(
                     &[number_column],
@@ -259,6 +288,15 @@ impl Interpreter<'_> {
                     Text::fixed("compruebe el número", "check the number"),
                 ));
             }
+        } else if value.abs() > MOST {
+            return Err(Fault::at(
+                &[number_column],
+                Text::new(
+                    format!("{}{value} supera 9 999 999 999", name(letter)),
+                    format!("{}{value} is over 9,999,999,999", name(letter)),
+                ),
+                Text::fixed("compruebe el número", "check the number"),
+            ));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
             && !(letter == b'q' && self.reading.system_a)

@@ -23,14 +23,19 @@ pub(super) struct Position {
     pub(super) offset: u64,
     /// Lines before it.
     pub(super) lines: usize,
+    /// The line before it ended with a carriage return: a line feed right there belongs to that end.
+    after_return: bool,
+}
+
+impl Position {
+    /// The beginning of a text.
+    pub(super) const START: Self = Self { offset: 0, lines: 0, after_return: false };
 }
 
 /// A program's text.
 pub(super) struct Source<'a> {
     bytes: Box<dyn Bytes + 'a>,
     at: Position,
-    /// The last line ended with a carriage return: a line feed right after it belongs to it.
-    after_return: bool,
     /// Lines read so far, counted once.
     furthest: usize,
     /// The name of a subprogram's own file.
@@ -39,7 +44,7 @@ pub(super) struct Source<'a> {
 
 impl<'a> Source<'a> {
     pub(super) fn new(bytes: Box<dyn Bytes + 'a>, file: Option<String>) -> Self {
-        Self { bytes, at: Position { offset: 0, lines: 0 }, after_return: false, furthest: 0, file }
+        Self { bytes, at: Position::START, furthest: 0, file }
     }
 
     /// Where the next line begins.
@@ -62,8 +67,8 @@ impl<'a> Source<'a> {
         line.clear();
         loop {
             let buffer = self.bytes.fill_buf().map_err(|error| unreadable(&error))?;
-            if self.after_return && buffer.first() == Some(&b'\n') {
-                self.after_return = false;
+            if self.at.after_return && buffer.first() == Some(&b'\n') {
+                self.at.after_return = false;
                 self.bytes.consume(1);
                 self.at.offset += 1;
                 continue;
@@ -75,7 +80,7 @@ impl<'a> Source<'a> {
                 self.at.lines += 1;
                 return Ok(true);
             }
-            self.after_return = false;
+            self.at.after_return = false;
             let end = memchr::memchr2(b'\n', b'\r', buffer);
             let taken = end.unwrap_or(buffer.len());
             if line.len() + taken > LONGEST_LINE {
@@ -83,7 +88,7 @@ impl<'a> Source<'a> {
             }
             line.extend_from_slice(&buffer[..taken]);
             let used = taken + usize::from(end.is_some());
-            self.after_return = end.is_some_and(|end| buffer[end] == b'\r');
+            self.at.after_return = end.is_some_and(|end| buffer[end] == b'\r');
             self.bytes.consume(used);
             self.at.offset += used as u64;
             if self.at.offset > LARGEST_PROGRAM {
@@ -100,8 +105,6 @@ impl<'a> Source<'a> {
     pub(super) fn go_to(&mut self, position: Position) -> Outcome<()> {
         self.bytes.seek(SeekFrom::Start(position.offset)).map_err(|error| unreadable(&error))?;
         self.at = position;
-        // A position lies behind the whole end of a line or in front of the line feed that belongs to a return.
-        self.after_return = true;
         Ok(())
     }
 }

@@ -208,7 +208,7 @@ impl Structure {
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
         let mut line = Vec::new();
-        source.go_to(Position { offset: 0, lines: 0 })?;
+        source.go_to(Position::START)?;
         loop {
             let at = source.position();
             if !source.next_line(&mut line)? {

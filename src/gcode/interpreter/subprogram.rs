@@ -216,7 +216,7 @@ impl Interpreter<'_> {
                 Text::fixed("corrija el número o el nombre del archivo", "correct the number or the file's name"),
             ));
         }
-        let start = Position { offset: 0, lines: 0 };
+        let start = Position::START;
         let mut line = Vec::new();
         self.go_to(start)?;
         let opens = self.source().next_line(&mut line)? && line.trim_ascii() == b"%";

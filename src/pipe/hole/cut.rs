@@ -15,9 +15,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 
-use crate::gcode::dialect::FeedLaw;
 use crate::machine::torch::{TorchAxes, TorchPose};
-use crate::number::grid::{LIMIT, Milli, OutOfFormat};
+use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::pipe::hole::design::Design;
 use crate::pipe::hole::height::Rule;
@@ -70,27 +69,6 @@ pub struct TooHigh {
     pub sigma_o: Option<f64>,
     /// The height that it would need.
     pub D: f64,
-}
-
-/// Places looked at for the height.
-const LOOKS: u32 = 1440;
-
-/// The place where the torch would have to be highest, if that is beyond the greatest height.
-#[must_use]
-pub fn too_high(design: &Design) -> Option<TooHigh> {
-    let groove = design.groove();
-    let mut worst: Option<TooHigh> = None;
-    for at in 0..LOOKS {
-        let alpha = TAU * f64::from(at) / f64::from(LOOKS);
-        let found = match groove.at(alpha) {
-            None => TooHigh { alpha, sigma_o: None, D: f64::INFINITY },
-            Some(station) => TooHigh { alpha, sigma_o: Some(station.sigma_o), D: station.D },
-        };
-        if found.D > design.D_max && worst.is_none_or(|worst| found.D > worst.D) {
-            worst = Some(found);
-        }
-    }
-    worst
 }
 
 /// The tilt, in radians, below which C begins to give way; below half of it C has given way.
@@ -238,12 +216,7 @@ impl Way<'_> {
         let by: [f64; 5] = std::array::from_fn(|axis| (place[axis] - self.place[axis]).value());
         let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
         let resultant = by.iter().map(|by| by * by).sum::<f64>().sqrt();
-        let most = f64::from(LIMIT) / 1000.0;
-        let word = match self.design.dialect.feed {
-            FeedLaw::Resultant => resultant * 60.0 / most,
-            FeedLaw::Seconds => 0.001,
-            FeedLaw::InverseTime => 60.0 / most,
-        };
+        let word = self.design.dialect.feed.least_seconds(resultant);
         let axis = self.design.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max);
         let seconds = (way * 60.0 / self.design.F).max(axis).max(word);
         self.place = place;

@@ -1,11 +1,12 @@
 //! The program of the hole.
 
 use crate::gcode::dialect::FeedLaw;
+use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{NumberFormat, Word};
 use crate::machine::axis::{Axis, Position};
-use crate::number::grid::{LIMIT, Milli, OutOfFormat};
+use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
 use crate::pipe::hole::cut::{Cut, Follows, Leg, Place};
 use crate::pipe::hole::design::Design;
@@ -37,10 +38,10 @@ fn words(place: Place) -> impl Iterator<Item = Word> {
 }
 
 /// The F word of a leg, so that it takes its time.
-fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<Milli, OutOfFormat> {
+fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<FeedWord, OutOfFormat> {
     let by = (0..5).map(|axis| (leg.to[axis] - from[axis]).value());
     let resultant = by.map(|by| by * by).sum::<f64>().sqrt();
-    Milli::round(law.word(leg.seconds, resultant).clamp(0.001, f64::from(LIMIT) / 1000.0))
+    FeedWord::lasting(law, leg.seconds, resultant)
 }
 
 /// The complete program.
@@ -86,7 +87,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
         let F = feed(law, at, leg)?;
         let mut line: Vec<Word> = std::iter::once(Word::whole('G', 1)).chain(words(leg.to)).collect();
         if law.in_every_block() || last != Some(F) {
-            line.push(Word::size('F', F));
+            line.push(Word::feed(F));
             last = Some(F);
         }
         block(line);

@@ -1,11 +1,12 @@
 //! The program of the torch, as published or complete.
 
 use crate::gcode::dialect::{Dialect, FeedLaw};
+use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{NumberFormat, Word};
 use crate::machine::axis::Position;
-use crate::number::grid::{LIMIT, Milli, OutOfFormat};
+use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
 use crate::pipe::insert::arcs::{Triple, triples};
 use crate::pipe::insert::cut::{Cut, Leg};
@@ -132,15 +133,14 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
         let mut words: Vec<Word> = std::iter::once(Word::whole('G', code)).chain(place(leg.to)).collect();
         words.extend(leg.bend.map(|bend| Word::size('R', bend.radius)));
         let feed = if design.mode == Mode::Flat {
-            Milli::round(F)?
+            FeedWord::lasting(law, 60.0 / F, 1.0)?
         } else {
             let by = |axis: usize| (leg.to[axis] - at[axis]).value();
             let resultant = (by(0) * by(0) + by(1) * by(1)).sqrt();
-            let wanted = law.word(way(design, at, leg) * 60.0 / F, resultant);
-            Milli::round(wanted.clamp(0.001, f64::from(LIMIT) / 1000.0))?
+            FeedWord::lasting(law, way(design, at, leg) * 60.0 / F, resultant)?
         };
         if law.in_every_block() || last != Some(feed) {
-            words.push(Word::size('F', feed));
+            words.push(Word::feed(feed));
             last = Some(feed);
         }
         block(words);

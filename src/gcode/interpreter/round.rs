@@ -1,0 +1,96 @@
+//! Loops that come to nothing: one block refused again and again, rounds in which nothing happens, cycles without an end.
+
+use std::collections::BTreeMap;
+
+use crate::gcode::control::Control;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::{Interpreter, Stage};
+use crate::text::Text;
+
+/// How often one block may be refused.
+const MOST_REFUSALS: u32 = 100;
+/// Rounds of a loop one after another in which nothing moves and no parameter changes.
+const MOST_IDLE: u32 = 1_000;
+/// Most refused lines that are remembered.
+const MOST_LINES: usize = 10_000;
+
+/// What is watched of the rounds of loops.
+#[derive(Debug, Default)]
+pub(super) struct Rounds {
+    /// How often the blocks of a source and line were refused.
+    refusals: BTreeMap<(usize, usize), u32>,
+    /// Motions made, parameters changed and what was in force at the end of the last round.
+    last: Option<(u64, u64, Control)>,
+    idle: u32,
+    /// Motions that cycles have made.
+    cycled: u64,
+}
+
+impl Interpreter<'_> {
+    /// A refusal as it is to be told: a block that is refused once more in a loop is not, and one too often ends the program.
+    pub(super) fn told_once(&mut self, fault: Box<Fault>) -> Option<Box<Fault>> {
+        let key = (self.at, fault.line);
+        let known = self.rounds.refusals.len();
+        if fault.fatal || (known >= MOST_LINES && !self.rounds.refusals.contains_key(&key)) {
+            return Some(fault);
+        }
+        let times = self.rounds.refusals.entry(key).or_insert(0);
+        *times += 1;
+        match *times {
+            1 => Some(fault),
+            MOST_REFUSALS => {
+                self.stage = Stage::Ended;
+                let mut limit = Fault::limit(
+                    Text::new(
+                        format!("el bloque se ha rehusado {MOST_REFUSALS} veces en un bucle; no se lee más"),
+                        format!("the block was refused {MOST_REFUSALS} times in a loop; nothing more is read"),
+                    ),
+                    Text::fixed("corrija el bloque", "correct the block"),
+                );
+                (limit.line, limit.file) = (fault.line, fault.file);
+                Some(limit)
+            }
+            _ => None,
+        }
+    }
+
+    /// A loop goes round again because of its condition: where nothing has happened since it did so last, it never ends.
+    pub(super) fn round_again(&mut self) -> Outcome<()> {
+        let now = (self.made(), self.parameters.changes(), self.modal.control());
+        let rounds = &mut self.rounds;
+        rounds.idle = if rounds.last.replace(now) == Some(now) { rounds.idle + 1 } else { 0 };
+        if rounds.idle < MOST_IDLE {
+            return Ok(());
+        }
+        Err(Fault::limit(
+            Text::new(
+                format!("bucle sin fin: {MOST_IDLE} vueltas sin que nada se mueva ni cambie ningún parámetro"),
+                format!("endless loop: {MOST_IDLE} rounds in which nothing moves and no parameter changes"),
+            ),
+            Text::fixed(
+                "cambie dentro del bucle lo que su condición compara; las entradas de la máquina no se conocen",
+                "change what its condition compares inside the loop; the machine's inputs are not known",
+            ),
+        ))
+    }
+
+    /// A cycle has gone on, from so many motions made.
+    pub(super) fn cycle_went_on(&mut self, before: u64) {
+        self.rounds.cycled += self.made() - before;
+        let most = self.setting.budget.repeated_blocks;
+        if self.rounds.cycled <= most || self.run.is_none() {
+            return;
+        }
+        self.run = None;
+        self.stage = Stage::Ended;
+        let mut limit = Fault::limit(
+            Text::new(
+                format!("los ciclos fijos del programa pasan de {most} movimientos; no se lee más"),
+                format!("the program's canned cycles come to more than {most} motions; nothing more is read"),
+            ),
+            Text::fixed("menos agujeros, o pasadas mayores", "fewer holes, or greater pecks"),
+        );
+        limit.line = self.line;
+        self.queue.push_back(Err(limit));
+    }
+}
