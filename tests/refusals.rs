@@ -345,3 +345,22 @@ fn only_one_remedy_says_that_rodete_is_to_blame() {
     }
     assert_eq!(found, ["finding.rs"]);
 }
+
+#[test]
+fn a_greatest_thickness_below_nothing_is_not_named() {
+    let findings = refused("tfg-2021", &[("N", Value::Whole(9))]);
+    let words: Vec<&str> = findings.iter().map(|finding| finding.what.en.as_ref()).collect();
+    assert_eq!(
+        words,
+        [
+            "number of blades N is 9, must not exceed N_max = 5 for e = 2 mm and d_t = 6 mm",
+            "with N = 9 no blade thickness fits (e is 2 mm): there are 5.585 mm a blade at the hub, and the tool needs 8 mm",
+        ]
+    );
+    let findings = refused("tfg-2021", &[("N", Value::Whole(1)), real("e", 45.0)]);
+    assert_eq!(
+        findings[0].what.en,
+        "not even one blade fits with e = 45 mm and d_t = 6 mm: there are 50.265 mm round the hub"
+    );
+    assert_eq!(findings[1].what.en, "blade thickness e is 45 mm, must not exceed e_max = 42.265 mm for 1 blades");
+}

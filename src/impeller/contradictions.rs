@@ -97,59 +97,84 @@ impl Design {
             (N_max(self.torus, self.a_p, self.e, self.d_t), e_max(self.torus, self.a_p, self.N, self.d_t));
         let gap = hub_circumference(self.torus, self.a_p) / f64::from(self.N) - self.e;
         if f64::from(self.N) > most {
+            let (N, e, d_t) = (self.N, shown(self.e, 3), shown(self.d_t, 3));
+            let (what, limit) = if most < 1.0 {
+                let hub = shown(hub_circumference(self.torus, self.a_p), 3);
+                (
+                    (
+                        format!(
+                            "no cabe ni un álabe de e = {e} mm con d_t = {d_t} mm: en el cubo hay {hub} mm en total"
+                        ),
+                        format!(
+                            "not even one blade fits with e = {e} mm and d_t = {d_t} mm: there are {hub} mm round the hub"
+                        ),
+                    ),
+                    String::new(),
+                )
+            } else {
+                let most = shown(most, 0);
+                (
+                    (
+                        format!(
+                            "el número de álabes N es {N} y no debe pasar de N_max = {most} con e = {e} mm y d_t = {d_t} mm"
+                        ),
+                        format!(
+                            "number of blades N is {N}, must not exceed N_max = {most} for e = {e} mm and d_t = {d_t} mm"
+                        ),
+                    ),
+                    most,
+                )
+            };
+            let (gap, least) = (shown(gap.max(0.0), 3), shown(least_gap(self.d_t), 3));
             stop(
                 &["N", "e", "d_t"],
-                (
-                    format!(
-                        "el número de álabes N es {} y no debe pasar de N_max = {} con e = {} mm y d_t = {} mm",
-                        self.N,
-                        shown(most.max(0.0), 0),
-                        shown(self.e, 3),
-                        shown(self.d_t, 3)
-                    ),
-                    format!(
-                        "number of blades N is {}, must not exceed N_max = {} for e = {} mm and d_t = {} mm",
-                        self.N,
-                        shown(most.max(0.0), 0),
-                        shown(self.e, 3),
-                        shown(self.d_t, 3)
-                    ),
-                ),
-                self.N.to_string(),
-                shown(most.max(0.0), 0),
+                what,
+                N.to_string(),
+                limit,
                 Text::new(
                     format!(
-                        "menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {} mm y hacen falta {} mm",
-                        shown(gap, 3),
-                        shown(least_gap(self.d_t), 3)
+                        "menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {gap} mm y hacen falta {least} mm"
                     ),
                     format!(
-                        "fewer blades, thinner blades, or a smaller tool; {} mm are left between blades and {} mm are needed",
-                        shown(gap, 3),
-                        shown(least_gap(self.d_t), 3)
+                        "fewer blades, thinner blades, or a smaller tool; {gap} mm are left between blades and {least} mm are needed"
                     ),
                 ),
             );
         }
         if self.e > thickest {
+            let (N, e) = (self.N, shown(self.e, 3));
+            // With the tool alone the turn is used up: there is no greatest thickness to name.
+            let (what, limit) = if thickest <= 0.0 {
+                let room = shown(hub_circumference(self.torus, self.a_p) / f64::from(N), 3);
+                let least = shown(least_gap(self.d_t), 3);
+                (
+                    (
+                        format!(
+                            "con N = {N} ningún espesor de álabe cabe (e es {e} mm): por álabe hay {room} mm en el cubo y la herramienta pide {least} mm"
+                        ),
+                        format!(
+                            "with N = {N} no blade thickness fits (e is {e} mm): there are {room} mm a blade at the hub, and the tool needs {least} mm"
+                        ),
+                    ),
+                    String::new(),
+                )
+            } else {
+                let thickest = shown(thickest, 3);
+                (
+                    (
+                        format!(
+                            "el espesor del álabe e es {e} mm y no debe pasar de e_max = {thickest} mm con {N} álabes"
+                        ),
+                        format!("blade thickness e is {e} mm, must not exceed e_max = {thickest} mm for {N} blades"),
+                    ),
+                    format!("{thickest} mm"),
+                )
+            };
             stop(
                 &["e", "N", "d_t"],
-                (
-                    format!(
-                        "el espesor del álabe e es {} mm y no debe pasar de e_max = {} mm con {} álabes",
-                        shown(self.e, 3),
-                        shown(thickest, 3),
-                        self.N
-                    ),
-                    format!(
-                        "blade thickness e is {} mm, must not exceed e_max = {} mm for {} blades",
-                        shown(self.e, 3),
-                        shown(thickest, 3),
-                        self.N
-                    ),
-                ),
+                what,
                 mm(self.e),
-                mm(thickest),
+                limit,
                 Text::fixed(
                     "menos álabes, álabes más delgados o una herramienta menor",
                     "fewer blades, a thinner blade, or a smaller tool",

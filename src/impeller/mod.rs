@@ -13,6 +13,7 @@ pub mod design;
 pub mod discretisation;
 pub mod fade;
 pub mod figures;
+pub mod gap;
 pub mod header;
 pub mod ideal;
 pub mod parameters;

@@ -11,10 +11,12 @@ use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::impeller::design::Design;
 use crate::impeller::fade::Fade;
 use crate::impeller::figures::figures;
+use crate::impeller::gap::Limits;
 use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, Passes};
 use crate::job::impeller_remarks::{no_calibration, no_splitter, remarks};
+use crate::job::impeller_shortfalls::too_narrow;
 use crate::job::{Outcome, Source, charts, not_finite, out_of_format};
 use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
@@ -74,8 +76,10 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     let made = Tracks::new(&blade, &passes, splitter.as_ref())
         .and_then(|tracks| programs(&design, &tracks, &origin))
         .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_B", "H"])]))?;
-    let quantities = quantities(&design, &passes, splitter.as_ref(), &made.programs);
+    let limits = Limits::new(&design);
+    let quantities = quantities(&design, &limits, &passes, splitter.as_ref(), &made.programs);
     let mut findings = remarks(&design, &made, calibrated);
+    findings.extend(too_narrow(&design, &limits));
     let (verification, curves) =
         verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
     tables.push(verification.table(&made.programs, SOURCE));
@@ -100,7 +104,13 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
 }
 
 /// Derived limits, angles and lengths.
-fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, programs: &[Program]) -> Vec<Quantity> {
+fn quantities(
+    design: &Design,
+    limits: &Limits,
+    passes: &Passes,
+    splitter: Option<&Splitter>,
+    programs: &[Program],
+) -> Vec<Quantity> {
     let (torus, a_p, e, d_t) = (design.torus, design.a_p, design.e, design.d_t);
     let mm = Unit::Millimetre;
     let circle = crate::geometry::villarceau::Villarceau::new(torus);
@@ -149,27 +159,35 @@ fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, pro
         ),
         quantity(
             "gap",
-            "Separación entre álabes en el cubo",
-            "Gap between blades at the hub",
+            "Separación entre álabes en el cubo, medida por el paralelo",
+            "Gap between blades at the hub, along the parallel",
             gap,
             mm,
             ["2π(R − r − a_p)/N − e", "2π(R − r − a_p)/N − e"],
         ),
         quantity(
             "N_max",
-            "Número máximo de álabes",
-            "Greatest number of blades",
+            "Número máximo de álabes, según lo publicado",
+            "Greatest number of blades, as published",
             N_max(torus, a_p, e, d_t),
             Unit::Count,
             ["ec. (34)", "eq. (34)"],
         ),
         quantity(
             "e_max",
-            "Espesor máximo del álabe",
-            "Greatest blade thickness",
+            "Espesor máximo del álabe, según lo publicado",
+            "Greatest blade thickness, as published",
             e_max(torus, a_p, design.N, d_t),
             mm,
             ["ec. (35)", "eq. (35)"],
+        ),
+        quantity(
+            "gap_true",
+            "Separación real: mayor herramienta que pasa entre los álabes",
+            "True gap: largest tool that passes between the blades",
+            limits.gap.width,
+            mm,
+            ["2·mín máx mín(D_a, D_r); eje de la fresa a las caras", "2·min max min(D_o, D_r); tool axis to the faces"],
         ),
         quantity(
             "beta",
@@ -188,6 +206,27 @@ fn quantities(design: &Design, passes: &Passes, splitter: Option<&Splitter>, pro
             ["ec. (22)", "eq. (22)"],
         ),
     ];
+    // A limit that does not exist is left out; the caution about the gap says so.
+    list.extend(limits.N_max.map(|N| {
+        quantity(
+            "N_max_true",
+            "Número máximo de álabes por la separación real",
+            "Greatest number of blades by the true gap",
+            f64::from(N),
+            Unit::Count,
+            ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
+        )
+    }));
+    list.extend(limits.e_max.map(|e| {
+        quantity(
+            "e_max_true",
+            "Espesor máximo del álabe por la separación real",
+            "Greatest blade thickness by the true gap",
+            e,
+            mm,
+            ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
+        )
+    }));
     list.extend(splitter.map(crossings).into_iter().flatten());
     if let Some(program) =
         programs.iter().find(|program| program.format == NumberFormat::Fixed && program.key == "blade")

@@ -4,6 +4,7 @@ pub mod charts;
 pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
+mod impeller_shortfalls;
 pub mod lathe;
 mod lathe_findings;
 mod lathe_profile;
