@@ -5,11 +5,14 @@ use std::path::{Path, PathBuf};
 
 use super::args::Control;
 use super::reading;
-use crate::finding::{Finding, Place, Refusal};
+use super::turning::of_workbook;
+use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::told::told;
 use crate::gcode::interpreter::tool_table;
 use crate::gcode::interpreter::{Files, Setting, Tools};
+use crate::lathe::parameters::FORM;
+use crate::lathe::setup::Given;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
 use crate::text::Text;
@@ -47,12 +50,14 @@ pub(super) struct Shared<'a> {
     control: &'a Control,
     var_file: VarFile,
     tools: Option<Tools>,
+    /// The lathe workbook in place of a tool table.
+    workbook: Option<Given>,
     unit: LengthUnit,
     settled: Vec<Finding>,
 }
 
 impl<'a> Shared<'a> {
-    /// The parameter file and the tool table that were named.
+    /// The parameter file and the tool table, or the lathe workbook in its place, that were named.
     ///
     /// # Errors
     /// Where one of them cannot be read.
@@ -63,9 +68,16 @@ impl<'a> Shared<'a> {
         let bytes =
             |input, path: &Option<PathBuf>| path.as_deref().map(|path| workbook::open_as(input, path)).transpose();
         let var_file = bytes(Input::VarFile, &control.var)?.map(|bytes| VarFile::parse(&bytes)).transpose()?;
-        let tools =
-            bytes(Input::ToolTable, &control.tools)?.map(|bytes| tool_table::parse(&bytes, unit)).transpose()?;
-        Ok(Self { control, var_file: var_file.unwrap_or_default(), tools, unit, settled })
+        let (mut tools, mut workbook) = (None, None);
+        match bytes(Input::ToolTable, &control.tools)? {
+            Some(bytes) if bytes.starts_with(PACKAGE) => {
+                let given = given(&bytes).map_err(|refusal| of_workbook(refusal, control.tools.as_deref()))?;
+                workbook = Some(given);
+            }
+            Some(bytes) => tools = Some(tool_table::parse(&bytes, unit)?),
+            None => {}
+        }
+        Ok(Self { control, var_file: var_file.unwrap_or_default(), tools, workbook, unit, settled })
     }
 
     /// What was done with sets that killed runs left half delivered beside the program, the parameter file and the tool
@@ -88,6 +100,26 @@ impl<'a> Shared<'a> {
         }
     }
 
+    /// Whether the tools that were named are for a dialect.
+    ///
+    /// # Errors
+    /// Of a lathe workbook for a program of a milling machine.
+    pub(super) fn fits(&self, dialect: &Dialect) -> Result<(), Refusal> {
+        if self.workbook.is_none() || dialect.reading.diameter {
+            return Ok(());
+        }
+        let name = dialect.name;
+        let what = Text::new(
+            format!("--tools es un libro de torno, y el programa se lee como {name}"),
+            format!("--tools is a lathe workbook, and the program is read as {name}"),
+        );
+        let remedy = Text::fixed(
+            "indique el control del torno con --dialect, o una tabla de herramientas de LinuxCNC",
+            "name the lathe's control with --dialect, or a tool table of LinuxCNC",
+        );
+        Err(Refusal::new(Exit::Refused, Finding::stop(Place::File, what, remedy)))
+    }
+
     /// What a program is read with.
     pub(super) fn setting(&self, path: &Path, dialect: &'static Dialect) -> Setting {
         let mut setting = Setting::new(dialect);
@@ -97,10 +129,19 @@ impl<'a> Shared<'a> {
         setting.point = self.control.decimal_point;
         setting.rotary = self.control.rotary.unwrap_or(dialect.rotary);
         setting.block_delete = self.control.block_delete;
+        if let Some(given) = &self.workbook {
+            given.lend(&mut setting);
+        }
         setting.keep_g92 = !self.control.no_g92_persistence;
         setting.files = Box::new(Beside::of(path));
         setting
     }
+}
+
+/// What a lathe workbook gives.
+fn given(bytes: &[u8]) -> Result<Given, Refusal> {
+    let filled = workbook::read(bytes, &[&FORM])?;
+    Given::of(&filled.values).map_err(|findings| Refusal { exit: Exit::Refused, findings })
 }
 
 /// The note on a dialect that nobody named.

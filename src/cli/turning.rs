@@ -13,6 +13,7 @@ use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::told::told_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::Kind;
+use crate::job::lathe::MOST_MOTIONS;
 use crate::job::{Outcome, Source, lathe};
 use crate::lathe::cases;
 use crate::lathe::parameters::{BLOCKS_MOST, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
@@ -142,7 +143,7 @@ fn is_workbook(path: &Path) -> Refusal {
 
 /// A refusal of the workbook beside the program, whose name its findings say: the place they are printed with is the
 /// program's.
-fn of_workbook(refusal: Refusal, tools: Option<&Path>) -> Refusal {
+pub(super) fn of_workbook(refusal: Refusal, tools: Option<&Path>) -> Refusal {
     let findings = refusal.findings.into_iter().map(|finding| told_of(finding, tools)).collect();
     Refusal { exit: refusal.exit, findings }
 }
@@ -246,7 +247,9 @@ fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> 
     let given = Given::of(values).map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
     let (mut X, mut Z): (f64, f64) = (0.0, 0.0);
     let interpreter: Interpreter<'_> = program.read(given.setting());
-    for motion in interpreter.flatten().filter(|motion| !matches!(motion.kind, Kind::Rapid | Kind::Dwell(_))) {
+    // No more than are followed.
+    let motions = interpreter.flatten().take(MOST_MOTIONS);
+    for motion in motions.filter(|motion| !matches!(motion.kind, Kind::Rapid | Kind::Dwell(_))) {
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));
     }

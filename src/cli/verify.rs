@@ -34,6 +34,13 @@ struct Read {
     lines: usize,
 }
 
+impl Read {
+    /// True of a program whose X is a diameter.
+    fn lathe(&self) -> bool {
+        self.dialect.is_some_and(|dialect| dialect.reading.diameter)
+    }
+}
+
 /// Reads every program and prints what it comes to.
 pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
     let language = arguments.lang.unwrap_or_default();
@@ -93,6 +100,7 @@ fn follow(
     let mut file = workbook::open_program(path)?;
     let (named, dialect) = shared.dialect(path, &mut file);
     read.dialect = Some(dialect);
+    shared.fits(dialect)?;
     let setting = shared.setting(path, dialect);
     read.rotary = Some(setting.rotary);
     let mut interpreter = Interpreter::new(Box::new(file), setting);
@@ -127,6 +135,9 @@ fn follow(
     terminal.out(&canon);
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
+    if dialect.reading.diameter {
+        as_diameters(read);
+    }
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();
     remarks.extend(interpreter.remarks());
     remarks.extend(settled);
@@ -137,9 +148,24 @@ fn follow(
     Ok(())
 }
 
-/// The axes of a pose by name: X, Y and Z, and what is not 0.
-fn pose(pose: &Pose) -> Value {
-    let named = Axis::ALL.into_iter().filter(|axis| !axis.rotary() && (*axis as usize) < 3 || pose.get(*axis) != 0.0);
+/// X as the lathe's program has it, a diameter, in what is told in sum; canonical motions have radii.
+fn as_diameters(read: &mut Read) {
+    let Account { program, machine, end, .. } = &mut read.account;
+    let reached = [program, machine].into_iter().flatten().flat_map(|one| [&mut one.least, &mut one.greatest]);
+    for pose in reached.chain(end) {
+        pose.set(Axis::X, 2.0 * pose.get(Axis::X));
+    }
+    read.net[Axis::X as usize] *= 2.0;
+}
+
+/// The axes that are told though nothing moves along them: X, Y and Z, of a lathe X and Z.
+fn always(axis: Axis, lathe: bool) -> bool {
+    (axis as usize) < 3 && !(lathe && axis == Axis::Y)
+}
+
+/// The axes of a pose by name: those of the machine, and what is not 0.
+fn pose(pose: &Pose, lathe: bool) -> Value {
+    let named = Axis::ALL.into_iter().filter(|axis| always(*axis, lathe) || pose.get(*axis) != 0.0);
     // Adding 0 takes the sign of a negative zero away.
     Value::Object(named.map(|axis| (axis.letter().to_string(), json!(pose.get(axis) + 0.0))).collect())
 }
@@ -160,8 +186,8 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
         Kind::Dwell(_) => "dwell",
     };
     object.insert("motion".into(), json!(name));
-    object.insert("to".into(), pose(&motion.to));
-    object.insert("machine".into(), pose(&motion.machine));
+    object.insert("to".into(), pose(&motion.to, false));
+    object.insert("machine".into(), pose(&motion.machine, false));
     if let Kind::Arc(arc, _) = motion.kind {
         let [first, second, _] = arc.plane.axes();
         let centre: Map<String, Value> = [first, second]
@@ -196,9 +222,9 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
     Value::Object(object)
 }
 
-fn extents(extents: &Option<Extents>) -> Value {
+fn extents(extents: &Option<Extents>, lathe: bool) -> Value {
     let Some(extents) = extents else { return json!({}) };
-    let moved = |axis: &Axis| (*axis as usize) < 3 || extents.of(*axis) != [0.0, 0.0];
+    let moved = |axis: &Axis| always(*axis, lathe) || extents.of(*axis) != [0.0, 0.0];
     Value::Object(
         Axis::ALL
             .into_iter()
@@ -209,7 +235,7 @@ fn extents(extents: &Option<Extents>) -> Value {
 }
 
 fn document(read: &Read) -> Value {
-    let account = &read.account;
+    let (account, lathe) = (&read.account, read.lathe());
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
         "dialect": read.dialect.map(|dialect| dialect.name),
@@ -218,9 +244,9 @@ fn document(read: &Read) -> Value {
         "status": status(read.verdict.exit),
         "lines": read.lines,
         "motions": account.motions,
-        "extents": { "program": extents(&account.program), "machine": extents(&account.machine) },
-        "end": { "program": pose(&account.end[0]), "machine": pose(&account.end[1]) },
-        "net_travel": pose(&Pose(read.net)),
+        "extents": { "program": extents(&account.program, lathe), "machine": extents(&account.machine, lathe) },
+        "end": { "program": pose(&account.end[0], lathe), "machine": pose(&account.end[1], lathe) },
+        "net_travel": pose(&Pose(read.net), lathe),
         "path_mm": { "feed": account.feed_path, "rapid": account.rapid_path },
         "feed_time_s": (!account.untimed).then_some(account.seconds),
         "findings": read.verdict.findings,
@@ -251,7 +277,7 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
     if canon {
         return;
     }
-    let account = &read.account;
+    let (account, lathe) = (&read.account, read.lathe());
     let es = language == Language::Es;
     let word = |spanish: &'static str, english: &'static str| if es { spanish } else { english };
     let number = |value: f64| shown(value, 3);
@@ -266,9 +292,9 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
     if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
         for axis in Axis::ALL {
             let (program, machine) = (program.of(axis), machine.of(axis));
-            if (axis as usize) < 3 || machine != [0.0, 0.0] || program != [0.0, 0.0] {
+            if always(axis, lathe) || machine != [0.0, 0.0] || program != [0.0, 0.0] {
                 text.push_str(&format!(
-                    "  {}  {} … {}  {}, {} … {}  {}\n",
+                    "  {}  {} … {}  {}, {} … {}  {}{}\n",
                     axis.letter(),
                     number(program[0]),
                     number(program[1]),
@@ -276,6 +302,7 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
                     number(machine[0]),
                     number(machine[1]),
                     word("máquina", "machine"),
+                    if lathe && axis == Axis::X { word(" (diámetro)", " (diameter)") } else { "" },
                 ));
             }
         }
@@ -286,7 +313,7 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
         let list = |pose: &Pose| {
             Axis::ALL
                 .into_iter()
-                .filter(|axis| (*axis as usize) < 3 || pose.get(*axis) != 0.0)
+                .filter(|axis| always(*axis, lathe) || pose.get(*axis) != 0.0)
                 .map(|axis| format!("{} {}", axis.letter(), number(pose.get(axis))))
                 .collect::<Vec<_>>()
                 .join("  ")

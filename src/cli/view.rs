@@ -182,6 +182,7 @@ fn of_program(
     let frame = if milling { Frame::Milling } else { Frame::Turning };
     let text = decoded(&bytes);
     let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);
+    shared.fits(dialect)?;
     let setting = shared.setting(input, dialect);
     for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| milling && tool.diameter > 0.0) {
         let (r, d) = (tool.diameter / 2.0, tool.diameter);

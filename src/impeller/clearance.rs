@@ -37,6 +37,9 @@ use crate::number::trig::hypot;
 pub const CLOSE: f64 = 2e-5;
 /// Cells that are evaluated at most for a pass; a usual one takes some hundreds.
 pub const WORK: usize = 200_000;
+/// Below this part of the radius the distance from the axis is known well enough to this part of it.
+const DEEP: f64 = 0.2;
+const COARSE: f64 = 0.01;
 /// What the arithmetic may lose, mm.
 const ARITHMETIC: f64 = 1e-9;
 /// A ruling steeper than this against the end's plane is not clipped by a limit of h.
@@ -247,6 +250,8 @@ impl Search<'_> {
         let mut order = 0;
         let radius = self.walls.radius;
         let enough = |seen: f64| match until {
+            // Of a face that reaches nearly to the axis only that is worth knowing.
+            Until::Within(tolerance) if seen < radius * DEEP => seen - tolerance.max(radius * COARSE),
             Until::Within(tolerance) => seen - tolerance,
             Until::Decided(asked) => asked + radius + ARITHMETIC,
         };

@@ -9,7 +9,8 @@ use crate::gcode::motion::Kind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
-use crate::job::lathe_findings::{MOST, MOST_MOTIONS, alarms, at_line, not_repeated, too_many, unjudged_from};
+pub use crate::job::lathe_findings::MOST_MOTIONS;
+use crate::job::lathe_findings::{MOST, alarms, at_line, not_repeated, too_many, too_much_work, unjudged_from};
 use crate::job::lathe_profile::{compared, wanted};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Run, Source, Template, Turned};
@@ -282,6 +283,11 @@ fn follow<'a>(
                     faults.push(fault);
                 }
                 let mut step = one.simulation.take(&motion, &control);
+                if one.simulation.is_spent() {
+                    one.endless = true;
+                    faults.insert(0, too_much_work(file, &motion, one.rows.len()));
+                    break;
+                }
                 in_force.judge(&mut step);
                 if last.is_some() {
                     step.alarms.clear();

@@ -3,9 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{Finding, Place};
+use crate::gcode::motion::{Kind, Motion};
 use crate::job::lathe_tables::Raised;
 use crate::lathe::alarm::Alarm;
 use crate::lathe::repeat::AGREE;
+use crate::lathe::spindle::revolutions;
+use crate::machine::axis::Axis;
 use crate::parameter::t;
 use crate::text::Text;
 
@@ -13,7 +16,7 @@ use crate::text::Text;
 pub(super) const MOST: usize = 50;
 
 /// Most motions of one program: each has a row on the sheet of motions.
-pub(super) const MOST_MOTIONS: usize = 1_000_000;
+pub const MOST_MOTIONS: usize = 1_000_000;
 
 /// A line of the program, or of the file of a subprogram.
 pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {
@@ -48,6 +51,43 @@ pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
             format!("the program makes more than {MOST_MOTIONS} motions"),
         ),
         t("divídalo, o repita menos los subprogramas", "split it, or repeat its subprograms less often"),
+    )
+}
+
+/// The stop of a program whose motions take more work than is done: what was made until there, and at which motion, with the
+/// turns of the thread where it is one.
+pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) -> Finding {
+    let stop = |what, remedy| Finding::stop(at_line(file, motion.line), what, remedy);
+    let shown = |value: f64| crate::number::shown(value, 6);
+    if let Kind::Thread(thread) = motion.kind {
+        let lead = shown(thread.lead);
+        let length = [Axis::X, Axis::Z].map(|axis| (motion.to.get(axis) - motion.from.get(axis)).abs());
+        let turns = revolutions(thread, length[0].max(length[1])).unwrap_or_default();
+        return stop(
+            Text::new(
+                format!("seguir esta rosca pide más trabajo del que se hace; movimientos hechos hasta ella: {made}"),
+                format!("to follow this thread takes more work than is done; motions made before it: {made}"),
+            ),
+            Text::new(
+                format!(
+                    "compruebe F: con un paso de {lead} mm el husillo da {} vueltas",
+                    crate::number::shown(turns, 0)
+                ),
+                format!("check F: at a lead of {lead} mm the spindle makes {} turns", crate::number::shown(turns, 0)),
+            ),
+        );
+    }
+    stop(
+        Text::new(
+            format!(
+                "seguir el programa pide más trabajo del que se hace; movimientos hechos hasta este bloque: {made}"
+            ),
+            format!("to follow the program takes more work than is done; motions made before this block: {made}"),
+        ),
+        t(
+            "divida el programa, o elija una tolerancia eps mayor, o pasadas y pasos mayores",
+            "split the program, or choose a greater tolerance eps, or greater passes and leads",
+        ),
     )
 }
 

@@ -212,7 +212,7 @@ impl Given {
             })
             .collect();
         Ok(Self {
-            setup: Setup { lathe, stock, turret: Turret { tools, body }, tolerance, part: None, record: false },
+            setup: Setup { tolerance, ..Setup::new(lathe, stock, Turret { tools, body }) },
             dialect,
             point,
             block_delete: values.choice("block_delete") == Some("yes"),
@@ -277,6 +277,15 @@ impl Given {
         [X.clamp(lathe.travel_x[0], lathe.travel_x[1]), Z.clamp(lathe.travel_z[0], lathe.travel_z[1])]
     }
 
+    /// What a program is read with where only the tools of the workbook are asked for: its offsets, the places of the turret,
+    /// and how the control reads its words.
+    pub fn lend(&self, setting: &mut Setting) {
+        setting.tools = Some(self.offsets.clone());
+        setting.places = Some(self.setup.turret.tools.keys().copied().collect());
+        setting.point = setting.point.or(self.point);
+        setting.block_delete |= self.block_delete;
+    }
+
     /// What the program is read with: W1 at the stock, W2 to W6 as given, the turret's offsets.
     #[must_use]
     pub fn setting(&self) -> Setting {
@@ -303,10 +312,7 @@ impl Given {
                 setting.start.offset = self.first_offset;
             }
         }
-        setting.tools = Some(self.offsets.clone());
-        setting.places = Some(self.setup.turret.tools.keys().copied().collect());
-        setting.point = self.point;
-        setting.block_delete = self.block_delete;
+        self.lend(&mut setting);
         setting
     }
 }

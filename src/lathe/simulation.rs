@@ -16,10 +16,10 @@ use super::tally::{Tally, collide, travel};
 use super::tool::{Cutter, Tool};
 use super::turret::Turret;
 use super::watch::Watch;
-use super::workpiece::{CHIP, Removed, Workpiece};
+use super::workpiece::{CHIP, MOST_WORK, Removed, TURN, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::control::{Control, Speed};
-use crate::gcode::motion::{Feed, Kind, Motion, Thread};
+use crate::gcode::motion::{Feed, Kind, Motion};
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::region::{Labelled, Ring};
@@ -43,13 +43,15 @@ pub struct Setup {
     pub part: Option<Vec<Ring>>,
     /// Each step tells how the contour changed.
     pub record: bool,
+    /// How many steps of work the simulation may take; see [`Simulation::is_spent`].
+    pub most_work: u64,
 }
 
 impl Setup {
     /// A blank in a lathe with a turret, with the usual tolerance of 0.0002 mm.
     #[must_use]
     pub const fn new(lathe: Lathe, stock: Stock, turret: Turret) -> Self {
-        Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false }
+        Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false, most_work: MOST_WORK }
     }
 
     /// What stands still about the work; the jaws are closed on the part where there is one.
@@ -181,7 +183,7 @@ impl Simulation {
                 Some((fixture, Convex::hull_mm(&ring)?))
             })
             .collect();
-        let part = Workpiece::new(&part, labels);
+        let part = Workpiece::new(&part, labels, setup.most_work);
         let mut made = Self {
             setup,
             tools,
@@ -283,6 +285,19 @@ impl Simulation {
         self.part.repeated()
     }
 
+    /// True where the work that the set-up allows was used up: the last motion was not made as a whole, and none can be made
+    /// any more.
+    #[must_use]
+    pub const fn is_spent(&self) -> bool {
+        self.part.is_spent()
+    }
+
+    /// The steps of work so far: stretches of outlines looked at.
+    #[must_use]
+    pub const fn work(&self) -> u64 {
+        self.part.work()
+    }
+
     /// The sums so far.
     #[must_use]
     pub const fn totals(&self) -> &Totals {
@@ -309,6 +324,7 @@ impl Simulation {
         let mut pieces = std::mem::take(&mut self.pieces);
         path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
 
+        self.part.spend(pieces.len());
         let turning = Turning::new(control, lathe);
         let (index, file) = (self.steps, control.file);
         let (begins, sides, speed, alarms) = (None, [0.0; 2], 0.0, Vec::new());
@@ -360,7 +376,7 @@ impl Simulation {
             alarms: tally.alarms,
             edit: None,
         };
-        if self.setup.record && removed != Removed::default() {
+        if self.setup.record && removed != Removed::default() && self.part.spend(self.contour.len()) {
             let after = self.contours().into_iter().next().unwrap_or_default();
             step.edit = Edit::between(&self.contour, &after);
             self.contour = after;
@@ -390,7 +406,7 @@ impl Simulation {
             let Some(at) = Point::near(at) else { return };
             for cutter in &ready.outline.cutter {
                 if cutter.polygon.sweep(at, at, swept) {
-                    add(part.cut(swept, |meeting, mirrored, _| {
+                    add(part.cut_rib(swept, |meeting, mirrored, _| {
                         let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
                         if let Some(bite) = contact.add_rib(meeting, &ride) {
                             tally.met(bite, [at.mm(); 2], mirrored);
@@ -405,7 +421,13 @@ impl Simulation {
                 // Blocks of a thread that follow one another go on in its revolution; a new pass at its angle.
                 let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
                 let left = goes_on.map_or_else(|| begun(thread), |led| led.left);
-                ribs(thread, piece, left).for_each(|at| ring(at, part, swept, tally));
+                // A place out of the grid is a step too.
+                for at in ribs(thread, piece, left) {
+                    if !part.spend(TURN) {
+                        break;
+                    }
+                    ring(at, part, swept, tally);
+                }
                 let length = extent(piece);
                 let turned = revolutions(thread, length).unwrap_or(0.0) - left;
                 let left = if thread.lead > 0.0 { turned.ceil() - turned } else { 0.0 };
@@ -420,6 +442,9 @@ impl Simulation {
             ring(from, part, swept, tally);
         }
         for &piece in pieces {
+            if part.is_spent() {
+                break;
+            }
             let [from, to] = piece;
             let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
             let long = hypot(to[0] - from[0], to[1] - from[1]);
@@ -494,7 +519,8 @@ impl Simulation {
             tally.raise(Cause::UnknownTool(control.tool), start, None);
         }
         if let Kind::Thread(thread) = kind {
-            watch_thread(watch, thread, [start, end], (control, ready), cuts, tally);
+            self.part.spend(watch.passes());
+            watch.thread(thread, [start, end], (control.tool, ready.map(|ready| &ready.tool.cutter)), cuts, tally);
         }
         let turning = Turning::new(control, lathe);
         let asked = [start, end].map(|at| turning.asked(at[1] + tally.shift[1])).into_iter().fold(0.0, f64::max);
@@ -535,39 +561,6 @@ impl Simulation {
         if let Some(deep) = contact.back.or(contact.beside.filter(|_| !contact.dragged)) {
             tally.raise(Cause::BackInMetal, contact.place, Some(deep));
         }
-    }
-}
-
-/// What is wrong with a thread's pass as it is programmed.
-fn watch_thread(
-    watch: &mut Watch,
-    thread: Thread,
-    [start, end]: Piece,
-    (control, ready): (&Control, Option<&Ready>),
-    cuts: bool,
-    tally: &mut Tally,
-) {
-    if revolutions(thread, extent([start, end])).is_none() {
-        tally.raise(Cause::NoLead, start, None);
-        return;
-    }
-    let Some(ready) = ready else { return };
-    let lead = thread.lead;
-    match ready.tool.cutter {
-        Cutter::Threader { leads, .. } => {
-            let other = lead < leads[0] - 1e-9 || lead > leads[1] + 1e-9;
-            if watch.begins(Cause::Lead { lead, leads }, other, control.tool) {
-                tally.raise(Cause::Lead { lead, leads }, start, None);
-            }
-        }
-        _ => {
-            if watch.begins(Cause::NoThreader, cuts, control.tool) {
-                tally.raise(Cause::NoThreader, start, None);
-            }
-        }
-    }
-    if cuts && let Some(before) = watch.lead([start, end], lead) {
-        tally.raise(Cause::LeadDiffers { lead, before }, start, None);
     }
 }
 

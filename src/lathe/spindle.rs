@@ -8,9 +8,6 @@ use crate::gcode::control::{Control, Speed, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion, Thread};
 use crate::number::trig::hypot;
 
-/// The most ribs of a thread's pass.
-const RIBS: u32 = 100_000;
-
 /// The spindle during a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
@@ -178,8 +175,9 @@ pub fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f6
     let step = [to[0] - from[0], to[1] - from[1]];
     let turns =
         revolutions(thread, length).filter(|_| length > 0.0).map_or(-1.0, |turns| (turns - left + 1e-9).floor());
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and RIBS")]
-    let count = (turns + 1.0).clamp(0.0, f64::from(RIBS)) as u32;
+    // More than any simulation's work comes to.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and the greatest")]
+    let count = (turns + 1.0).clamp(0.0, f64::from(u32::MAX)) as u32;
     (0..count).map(move |turn| {
         let k = f64::from(turn) + left;
         let part = (thread.lead * k + thread.change * k * k / 2.0) / length;

@@ -2,6 +2,10 @@
 
 use super::alarm::Cause;
 use super::path::Piece;
+use super::spindle::{extent, revolutions};
+use super::tally::Tally;
+use super::tool::Cutter;
+use crate::gcode::motion::Thread;
 
 /// A pass of a thread.
 #[derive(Clone, Copy, Debug)]
@@ -61,5 +65,43 @@ impl Watch {
         }
         self.passes.push(Pass { z, r, lead });
         None
+    }
+
+    /// How many passes of threads are held against a new one.
+    pub const fn passes(&self) -> usize {
+        self.passes.len()
+    }
+
+    /// What is wrong with a thread's pass as it is programmed; with the place of the tool in the turret and what cuts.
+    pub(super) fn thread(
+        &mut self,
+        thread: Thread,
+        [start, end]: Piece,
+        (place, cutter): (u32, Option<&Cutter>),
+        cuts: bool,
+        tally: &mut Tally,
+    ) {
+        if revolutions(thread, extent([start, end])).is_none() {
+            tally.raise(Cause::NoLead, start, None);
+            return;
+        }
+        let Some(cutter) = cutter else { return };
+        let lead = thread.lead;
+        match *cutter {
+            Cutter::Threader { leads, .. } => {
+                let other = lead < leads[0] - 1e-9 || lead > leads[1] + 1e-9;
+                if self.begins(Cause::Lead { lead, leads }, other, place) {
+                    tally.raise(Cause::Lead { lead, leads }, start, None);
+                }
+            }
+            _ => {
+                if self.begins(Cause::NoThreader, cuts, place) {
+                    tally.raise(Cause::NoThreader, start, None);
+                }
+            }
+        }
+        if cuts && let Some(before) = self.lead([start, end], lead) {
+            tally.raise(Cause::LeadDiffers { lead, before }, start, None);
+        }
     }
 }

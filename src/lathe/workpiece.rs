@@ -14,6 +14,16 @@ use crate::geometry::revolution::{frustum, volume};
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
 pub const CHIP: f64 = 1.0;
 
+/// How many steps of work a simulation may take, where a step is about one edge of an outline looked at. The shaft of the example
+/// takes some hundreds a motion; what takes more is a lead far too small, or an outline of many thousand edges that is gone over
+/// again and again.
+pub const MOST_WORK: u64 = 400_000_000;
+/// The steps of one turn of a thread, wherever it is.
+pub const TURN: usize = 16;
+/// How many times as many steps a rib of a thread counts as another cut: the outline that it meets is made of ribs, and of the
+/// tiles of the other library that it lies on every one has to be gone through. As measured.
+const RIB: usize = 12;
+
 /// What a cut took away.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Removed {
@@ -37,14 +47,55 @@ pub struct Workpiece {
     /// Kept so as not to allocate for each cut.
     labels: Vec<u32>,
     repeat: Option<Repeat>,
+    /// The steps of work done, and the most of them.
+    work: u64,
+    most: u64,
 }
 
 impl Workpiece {
     /// The part inside contours on the grid, counter-clockwise, holes clockwise; with the labels of their edges, see
-    /// [`Region::labelled`].
+    /// [`Region::labelled`]. `most` is how many steps of work it takes; from there on it stays as it is.
     #[must_use]
-    pub fn new(rings: &[Vec<Point>], labels: &[Vec<u32>]) -> Self {
-        Self { region: Region::labelled(rings, labels), ..Self::default() }
+    pub fn new(rings: &[Vec<Point>], labels: &[Vec<u32>], most: u64) -> Self {
+        Self { region: Region::labelled(rings, labels), most, ..Self::default() }
+    }
+
+    /// The steps of work done so far.
+    #[must_use]
+    pub const fn work(&self) -> u64 {
+        self.work
+    }
+
+    /// True where there are no steps left: what has come since was not done.
+    #[must_use]
+    pub const fn is_spent(&self) -> bool {
+        self.work > self.most
+    }
+
+    /// As [`Self::cut`], of a rib of a thread.
+    pub fn cut_rib(&mut self, polygon: &Convex, seen: impl FnMut(&Meeting, bool, &mut [u32])) -> Removed {
+        let before = self.work;
+        let removed = self.cut(polygon, seen);
+        let done = usize::try_from(self.work.saturating_sub(before)).unwrap_or(usize::MAX);
+        self.spend(done.saturating_mul(RIB - 1));
+        removed
+    }
+
+    /// Counts steps before they are done; false where they are too many to be done.
+    pub fn spend(&mut self, steps: usize) -> bool {
+        self.work = self.work.saturating_add(u64::try_from(steps).unwrap_or(u64::MAX));
+        !self.is_spent()
+    }
+
+    /// Finds what a polygon and the part have in common, and counts what that took and what it takes to judge it, to cut it out
+    /// and to repeat that: the edges looked at and the stretches found; both outlines against each other; and what goes over all
+    /// of the contour, as the walk along it and the other library's tiles, sixteen edges to a step. False where they have nothing in common, or too few steps are left.
+    fn find(&mut self, polygon: &Convex) -> bool {
+        self.meeting.find(&self.region, polygon);
+        let Meeting { looked, removed, inserted, .. } = &self.meeting;
+        let found = removed.len() + inserted.len() + removed.len().saturating_mul(inserted.len());
+        let all = if self.meeting.is_empty() { 0 } else { self.region.len() / 16 };
+        self.spend((1 + looked + all).saturating_add(found)) && !self.meeting.is_empty()
     }
 
     /// Its contours, mm; see [`Region::rings`].
@@ -97,8 +148,7 @@ impl Workpiece {
     /// from the other side is shown as mirrored, with `true`.
     pub fn probe(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool)) {
         self.both_sides(polygon, |part, polygon, mirrored| {
-            part.meeting.find(&part.region, polygon);
-            if !part.meeting.is_empty() {
+            if part.find(polygon) {
                 seen(&part.meeting, mirrored);
             }
         });
@@ -110,8 +160,7 @@ impl Workpiece {
     pub fn cut(&mut self, polygon: &Convex, mut seen: impl FnMut(&Meeting, bool, &mut [u32])) -> Removed {
         let mut removed = Removed::default();
         self.both_sides(polygon, |part, polygon, mirrored| {
-            part.meeting.find(&part.region, polygon);
-            if part.meeting.is_empty() {
+            if !part.find(polygon) {
                 return;
             }
             if let Some(repeat) = &part.repeat {
@@ -131,7 +180,7 @@ impl Workpiece {
     /// is by its contour.
     pub fn drop_loose(&mut self, judged: impl Fn(&Ring) -> Loose) -> Removed {
         let mut removed = Removed::default();
-        if std::mem::take(&mut self.apart) {
+        if std::mem::take(&mut self.apart) && self.spend(self.region.len()) {
             let mut fallen = self.region.keep_first();
             let all: f64 = fallen.iter().map(|(ring, _)| volume(ring)).sum();
             // Holes run clockwise; they stay with the piece that they are in.
@@ -154,6 +203,9 @@ impl Workpiece {
 
     fn both_sides(&mut self, polygon: &Convex, mut act: impl FnMut(&mut Self, &Convex, bool)) {
         let (low, high) = polygon.extent();
+        if self.is_spent() {
+            return;
+        }
         if high.r > 0 {
             act(self, polygon, false);
         }

@@ -21,7 +21,7 @@ use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
 use crate::gcode::program::Program;
 use crate::impeller::design::{Design, Style};
 use crate::lathe::alarm::{Alarm, Cause, TOUCH};
-use crate::lathe::deviation::{Profile, Span, deviation};
+use crate::lathe::deviation::{Deviation, Profile, Span, deviation};
 use crate::lathe::machine::{Chuck, Lathe};
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::stock::{Stock, Support};
@@ -259,7 +259,10 @@ impl Over {
     fn checks(mut self, program: &Program) -> Vec<Check> {
         let Some(straight) = self.ways.first() else { return Vec::new() };
         straight.lasting().into_iter().for_each(|alarm| count(&mut self.other, alarm));
-        let found = deviation(&straight.contours(), &self.wanted).unwrap_or_default();
+        // Of a part that is all gone, or was not followed to the end, all is missing.
+        let gone = Deviation { over: None, under: Some((self.wanted.start[1], self.wanted.start)) };
+        let followed = self.ways.iter().all(|way| !way.is_spent());
+        let found = deviation(&straight.contours(), &self.wanted).filter(|_| followed).unwrap_or(gone);
         let sides = [
             (
                 "blank-metal-left",

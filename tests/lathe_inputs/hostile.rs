@@ -1,7 +1,12 @@
 //! Short programs that nobody would write, each with what must be said of it.
 
-use rodete::parameter::Value;
+use rodete::gcode::interpreter::Interpreter;
+use rodete::lathe::parameters::FORM;
+use rodete::lathe::setup::Given;
+use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::parameter::list::{Row, Rows};
+use rodete::parameter::{Value, Values};
+use rodete::text::Language;
 use serde_json::Value as Json;
 
 use crate::bench::{Book, bilingual, build, line, program, run};
@@ -55,4 +60,108 @@ fn of_a_part_that_is_all_gone_no_deviation_of_0_is_told() {
         "caution file nothing is left of the part to hold against the profile on the workbook's sheet PROFILE ";
     assert!(grave(&document).contains(&wanted.to_owned()), "{:?}", grave(&document));
     assert_eq!(exit, 3);
+}
+
+/// A program in the words of the interpreter over a bar of 50 mm, with so many steps of work allowed: the motions made, and the
+/// work that they took.
+fn steps(lines: &[&str], most_work: u64) -> (usize, u64, bool) {
+    let mut values = Values::default();
+    values.values.extend(FORM.cases[0].values(Language::En));
+    values.lists.extend((FORM.cases[0].listed)(Language::En));
+    let given = Given::of(&values).unwrap();
+    let mut simulation = Simulation::new(Setup { most_work, ..given.setup.clone() }).unwrap();
+    let text = lines.join("\n");
+    let mut interpreter = Interpreter::over(text.as_bytes(), given.setting());
+    let mut made = 0;
+    while let Some(item) = interpreter.next() {
+        let motion = item.unwrap_or_else(|fault| panic!("{fault:?}"));
+        simulation.take(&motion, &interpreter.control().clone());
+        if simulation.is_spent() {
+            break;
+        }
+        made += 1;
+    }
+    (made, simulation.work(), simulation.is_spent())
+}
+
+#[test]
+fn a_thread_of_too_many_turns_ends_where_its_work_does() {
+    let thread = |F: &str| {
+        let pass = format!("G32 Z-28. F{F}");
+        let lines = ["T0606", "G97 S500 M3", "G0 X40. Z2.", pass.as_str(), "M30"];
+        steps(&lines, 2_000_000)
+    };
+    let (made, work, spent) = thread("0.001");
+    assert!(made == 1 && spent && (2_000_000..3_000_000).contains(&work), "{made} {work}");
+    // Beyond a hundred thousand turns none is left out without a word.
+    let (made, work, spent) = thread("0.00001");
+    assert!(made == 1 && spent && (2_000_000..3_000_000).contains(&work), "{made} {work}");
+    let (made, work, spent) = thread("2.");
+    assert!(made == 2 && !spent && work < 300_000, "{made} {work}");
+}
+
+#[test]
+fn passes_and_pecks_are_counted_and_an_end_of_the_work_is_told() {
+    // Each way of a comb of grooves is gone over again and again.
+    let passes = [
+        "T0101",
+        "G97 S500 M3 F.1",
+        "G0 X54. Z2.",
+        "G71 U.01 R.1",
+        "G71 P10 Q20",
+        "N10 G0 X30.",
+        "N20 G1 Z-40.",
+        "M30",
+    ];
+    let (made, work, spent) = steps(&passes, 50_000);
+    assert!(made > 10 && spent && work < 100_000, "{made} {work}");
+    let pecks = ["T0505", "G97 S500 M3 F.1", "G0 X0. Z2.", "G83 Z-40. R-1. Q50", "G80", "M30"];
+    let (made, work, spent) = steps(&pecks, 50_000);
+    assert!(made > 10 && spent && work < 100_000, "{made} {work}");
+    let (document, exit) =
+        simulate(&["T0404", "G97 S500 M3", "G0 X40. Z3000.", "G32 Z2000. F0.00001", "M30"], "D50xL100");
+    let wanted = "stop 4 to follow this thread takes more work than is done; motions made before it: 1 ";
+    assert_eq!(exit, 7, "{:?}", grave(&document));
+    assert!(grave(&document).contains(&wanted.to_owned()), "{:?}", grave(&document));
+    let findings = document["findings"].as_array().unwrap();
+    let remedies: Vec<_> = findings.iter().filter_map(|one| one["remedy"]["en"].as_str()).collect();
+    let wanted = "check F: at a lead of 0.00001 mm the spindle makes 100000000 turns";
+    assert!(remedies.contains(&wanted), "{remedies:?}");
+}
+
+#[test]
+fn verify_reads_the_tool_sheet_of_a_workbook_and_tells_diameters() {
+    let folder = tempfile::tempdir().unwrap();
+    let book = |name: &str, book: &Book| std::fs::write(folder.path().join(name), book.bytes()).unwrap();
+    book("lathe.xlsx", &Book::of(Language::En));
+    book("wrong.xlsx", &Book::of(Language::En).put("L4", Value::Real(400.0)));
+    let file = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    file("p.nc", "T0101\nG97 S500 M3\nG0 X60 Z2.\nG1 X40. F.2\nZ-30.\nG0 X100. Z50.\nM30\n");
+    file("other.nc", "T0909\nG0 X60. Z2.\nM30\n");
+    file("mill.nc", "G21 G90\nG0 X1 Y2\nM2\n");
+    let verify = |arguments: &[&str]| run(folder.path(), &[&["verify"], arguments].concat());
+    let said = verify(&["p.nc", "--dialect", "fanuc-lathe-a", "--tools", "lathe.xlsx"]);
+    assert_eq!((said.err.as_str(), said.exit), ("", 0));
+    // The offset of T1 is 60 mm on the radius and 40 mm along Z.
+    for line in ["  X  -120 … 100  program, 0 … 220  machine (diameter)", "  end (program): X 100  Z 50"] {
+        assert!(said.out.contains(line), "{}", said.out);
+    }
+    assert!(!said.out.contains("Y "), "{}", said.out);
+    let said = verify(&["p.nc", "--dialect", "fanuc-lathe-a", "--tools", "lathe.xlsx", "--json"]);
+    let document: Json = serde_json::from_str(&said.out).unwrap();
+    let end = &document["programs"][0]["end"]["program"];
+    assert_eq!((end["X"].as_f64(), end["Z"].as_f64(), end["Y"].as_f64()), (Some(100.0), Some(50.0), None));
+    let said = verify(&["p.nc", "--dialect", "fanuc-lathe-a", "--tools", "lathe.xlsx", "--canon"]);
+    assert!(said.out.contains("\"to\":{\"X\":50.0"), "{}", said.out);
+    let said = verify(&["other.nc", "--dialect", "fanuc-lathe-a", "--tools", "lathe.xlsx"]);
+    assert!(said.err.contains("tool 9 is not in the tool table"), "{}", said.err);
+    let said = verify(&["p.nc", "--dialect", "fanuc-lathe-a", "--tools", "wrong.xlsx"]);
+    assert!(
+        said.exit == 3 && said.err.contains("wrong.xlsx: L4 is 400 mm, must be less than L = 120 mm"),
+        "{}",
+        said.err
+    );
+    let said = verify(&["mill.nc", "--dialect", "linuxcnc", "--tools", "lathe.xlsx"]);
+    let wanted = "error: --tools is a lathe workbook, and the program is read as linuxcnc";
+    assert!(said.exit == 3 && said.err.contains(wanted), "{}", said.err);
 }

@@ -180,11 +180,14 @@ impl Index {
         }
     }
 
-    /// Visits the edges whose bounds meet a box and are not to the right of one of some lines as a whole.
-    pub(super) fn near(&self, within: Bounds, lines: &[Line], visit: impl FnMut(u32)) {
+    /// Visits the edges whose bounds meet a box and are not to the right of one of some lines as a whole. Gives back how many
+    /// squares and edges it has looked at.
+    pub(super) fn near(&self, within: Bounds, lines: &[Line], visit: impl FnMut(u32)) -> usize {
+        let mut search = Search { index: self, within, lines, beyond: 0, looked: 0, visit };
         if !self.squares.is_empty() {
-            Search { index: self, within, lines, beyond: 0, visit }.open(0);
+            search.open(0);
         }
+        search.looked
     }
 }
 
@@ -194,11 +197,13 @@ struct Search<'a, F> {
     lines: &'a [Line],
     /// The line that had the last of what was passed over to its right: neighbours lie there too.
     beyond: usize,
+    looked: usize,
     visit: F,
 }
 
 impl<F: FnMut(u32)> Search<'_, F> {
     fn is_out(&mut self, bounds: &Bounds) -> bool {
+        self.looked += 1;
         let beyond = |line: &Line| line.has_right(bounds.low, bounds.high);
         if !bounds.meets(&self.within) || self.lines.get(self.beyond).is_some_and(beyond) {
             return true;

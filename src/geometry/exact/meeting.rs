@@ -76,6 +76,8 @@ pub struct Meeting {
     pub labels: Vec<u32>,
     /// The stretches of the polygon's outline inside the region, clockwise, with what made the edge.
     pub inserted: Vec<(Stretch, Origin)>,
+    /// How many edges of the region, and squares that hold some, were looked at to find it.
+    pub looked: usize,
     /// The polygon lies inside the region as a whole.
     pub(super) hole: bool,
     around: Vec<i64>,
@@ -100,7 +102,7 @@ impl Meeting {
         self.removed.clear();
         self.labels.clear();
         self.inserted.clear();
-        self.hole = false;
+        (self.looked, self.hole) = (0, false);
         if polygon.is_empty() {
             return;
         }
@@ -112,7 +114,7 @@ impl Meeting {
         self.main.clear();
         self.main.extend(polygon.lines().iter().enumerate().filter(some).map(|(_, line)| line));
         let (hits, around) = (&mut self.hits, &mut self.around);
-        region.near(low, high, &self.main, |edge| hits.extend(hit(region, polygon, edge, around)));
+        self.looked = region.near(low, high, &self.main, |edge| hits.extend(hit(region, polygon, edge, around)));
         for (at, hit) in self.hits.iter().enumerate() {
             self.hit_of[hit.edge as usize] = u32::try_from(at).unwrap_or(NONE);
         }

@@ -170,8 +170,8 @@ impl Region {
     }
 
     /// Visits the edges near the inside of some lines within a box: see [`Index::near`].
-    pub(super) fn near(&self, low: Point, high: Point, lines: &[Line], visit: impl FnMut(u32)) {
-        self.index.near(Bounds { low, high }, lines, visit);
+    pub(super) fn near(&self, low: Point, high: Point, lines: &[Line], visit: impl FnMut(u32)) -> usize {
+        self.index.near(Bounds { low, high }, lines, visit)
     }
 
     /// True where a point of the plane, `[z, r]` in mm, lies in the region; undecided on its edge.
