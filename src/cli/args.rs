@@ -152,6 +152,9 @@ pub(super) struct Control {
     /// LinuxCNC's tool table: tool lengths; to view a turning program, a lathe workbook
     #[arg(long, value_name = "FILE")]
     pub(super) tools: Option<PathBuf>,
+    /// Folder of subprograms, looked through behind the program's own; may be given several times, in their order
+    #[arg(long, value_name = "DIR")]
+    pub(super) subs: Vec<PathBuf>,
     /// Skip blocks that begin with /
     #[arg(long)]
     pub(super) block_delete: bool,

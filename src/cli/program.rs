@@ -21,20 +21,26 @@ use crate::workbook::{self, Input};
 /// How the file of a workbook begins: it is a package.
 pub(super) const PACKAGE: &[u8] = b"PK\x03\x04";
 
-/// Subprograms that stand beside the program.
-pub(super) struct Beside(PathBuf);
+/// Subprograms that stand beside the program, or in other folders.
+pub(super) struct Beside(Vec<PathBuf>);
 
 impl Beside {
     /// Beside a program.
     pub(super) fn of(program: &Path) -> Self {
-        Self(program.parent().unwrap_or(Path::new("")).to_owned())
+        Self::or_in(program, &[])
+    }
+
+    /// Beside a program, else in folders in their order.
+    fn or_in(program: &Path, folders: &[PathBuf]) -> Self {
+        let own = program.parent().unwrap_or(Path::new("")).to_owned();
+        Self(std::iter::once(own).chain(folders.iter().cloned()).collect())
     }
 }
 
 impl Files for Beside {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        for ending in [".ngc", ".nc", ""] {
-            let path = self.0.join(format!("{name}{ending}"));
+        for (folder, ending) in self.0.iter().flat_map(|folder| [".ngc", ".nc", ""].map(|ending| (folder, ending))) {
+            let path = folder.join(format!("{name}{ending}"));
             if path.is_file() {
                 return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
                     refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
@@ -133,7 +139,7 @@ impl<'a> Shared<'a> {
             given.lend(&mut setting);
         }
         setting.keep_g92 = !self.control.no_g92_persistence;
-        setting.files = Box::new(Beside::of(path));
+        setting.files = Box::new(Beside::or_in(path, &self.control.subs));
         setting
     }
 }

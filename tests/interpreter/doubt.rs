@@ -1,4 +1,5 @@
-//! What is told and not refused, because the control runs it; and refusals that follow from a refused block.
+//! What is told and not refused, because the control runs it; and refusals that follow from a refused block; and where a
+//! control does what its reference does not say.
 
 use rodete::finding::Grade;
 use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FANUC_LATHE_A, LINUXCNC};
@@ -116,4 +117,30 @@ fn a_motion_a_feed_a_tool_or_a_parameter_that_a_refused_block_named_is_in_doubt(
     for program in ["G77 X1\nG1 X2\nM2\n", "G1 F1,5 X1\nF0\nG0 X1\nG1 X2\nM2\n", "#<b>=[1/0]\nG0 X#<a>\nM2\n"] {
         assert_eq!(read(&LINUXCNC, &format!("G21 G90\n{program}")).refused.len(), 2, "{program}");
     }
+}
+
+#[test]
+fn a_dwell_behind_an_arc_of_a_fagor_is_no_arc() {
+    let found = read(&FAGOR_8055, "G71 G17 G90 F100\nG2 X10 Y0 I5 J0\nG4 K100\nG1 X20\nM30\n");
+    assert!(found.refused.is_empty(), "{found:?}");
+    assert_eq!(found.ends, [[10.0, 0.0], [10.0, 0.0], [20.0, 0.0]]);
+}
+
+#[test]
+fn abort_ends_the_program() {
+    let found = read(&LINUXCNC, "G21 G0 X1\n(abort, no stock)\nG0 X2\nG77\n");
+    assert_eq!((found.ends.len(), found.refused.len()), (1, 0), "{found:?}");
+    assert_eq!(found.cautions, ["the program ends here: abort, no stock"]);
+}
+
+#[test]
+fn where_linuxcnc_goes_elsewhere_is_a_caution() {
+    let cautions = |program: &str| read(&LINUXCNC, &format!("G21 G90 F100 G98\n{program}M2\n")).cautions;
+    let tap = |plane: &str| cautions(&format!("{plane} M3 S100\nG84 X1 Y1 Z1 R2\n"));
+    assert!(tap("G17").is_empty());
+    assert!(tap("G18").iter().any(|one| one.contains("G84 outside G17: LinuxCNC 2.9 takes the axes for one another")));
+    let turn = "G10 L2 P1 R30\nG92.1\n";
+    assert!(cautions(&format!("G0 X1\n{turn}")).is_empty());
+    assert!(cautions(&format!("G92 X5\n{turn}")).iter().any(|one| one.contains("LinuxCNC 2.9 forgets G92")));
+    assert!(cautions("G92 X5\nG10 L2 P2 R30\nG92.1\n").is_empty(), "of a system that is not active");
 }

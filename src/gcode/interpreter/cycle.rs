@@ -11,7 +11,7 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::moves;
 use crate::gcode::interpreter::{Interpreter, doubt};
-use crate::gcode::motion::{Feed, FeedMode, Kind};
+use crate::gcode::motion::{Feed, FeedMode, Kind, Plane};
 use crate::machine::axis::Pose;
 use crate::text::Text;
 
@@ -254,6 +254,27 @@ impl Interpreter<'_> {
                 Text::fixed("programe M3 o M4 antes", "program M3 or M4 before"),
             )
             .hanging_on(doubt::SPINDLE));
+        }
+        if wanted.is_some() && self.modal.plane != Plane::XY && self.reading.expressions {
+            self.remarks.add(
+                Grade::Caution,
+                self.line,
+                None,
+                Text::new(
+                    format!(
+                        "G{} fuera de G17: LinuxCNC 2.9 cambia los ejes entre sí y rosca hacia un lado",
+                        cycle.number()
+                    ),
+                    format!(
+                        "G{} outside G17: LinuxCNC 2.9 takes the axes for one another and taps sideways",
+                        cycle.number()
+                    ),
+                ),
+                Text::fixed(
+                    "leído como lo dice el plano; en ese control, rosque en G17",
+                    "read as the plane says; on that control tap in G17",
+                ),
+            );
         }
         if cycle == Cycle::BoreManual {
             let line = self.line;

@@ -219,7 +219,7 @@ impl Interpreter<'_> {
             None if block.has(letter::R) && matches!(self.modal.motion, G::Pass(_)) && at_once.is_none() => {
                 Some(self.modal.motion)
             }
-            None if block.present & CENTRE_WORDS != 0 && matches!(self.modal.motion, G::Arc(_)) => {
+            None if block.present & !dwell & CENTRE_WORDS != 0 && matches!(self.modal.motion, G::Arc(_)) => {
                 Some(self.modal.motion)
             }
             None => None,

@@ -46,6 +46,9 @@ impl Interpreter<'_> {
         }
         if memchr::memchr3(b'(', b')', b';', line).is_some() {
             self.see_comments(line)?;
+            if self.aborted {
+                return self.end().map(|()| None);
+            }
         }
         let mut cursor = Cursor::new(line, self.reading.comments);
         let first = cursor.peek();
@@ -214,6 +217,18 @@ impl Interpreter<'_> {
         for (column, text) in comments(line, self.reading.comments)? {
             let text = String::from_utf8_lossy(text);
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
+            self.aborted |= self.reading.expressions && word.starts_with("ABORT,");
+            if self.aborted {
+                let shown = text.trim();
+                self.remarks.add(
+                    Grade::Caution,
+                    self.line,
+                    Some(column),
+                    Text::new(format!("el programa termina aquí: {shown}"), format!("the program ends here: {shown}")),
+                    Text::fixed("quite el comentario si no ha de parar", "take the comment out if it is not to stop"),
+                );
+                return Ok(());
+            }
             if self.reading.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
                 let at = self.line;
                 let shown = text.trim();

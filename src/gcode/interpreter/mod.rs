@@ -141,6 +141,8 @@ pub struct Interpreter<'a> {
     doubts: Doubts,
     stage: Stage,
     percent: bool,
+    /// A comment has ended the program.
+    aborted: bool,
     unit_said: bool,
     repeated: u64,
     lines: usize,
@@ -213,6 +215,7 @@ impl<'a> Interpreter<'a> {
             doubts: Doubts::default(),
             stage: Stage::Opening,
             percent: false,
+            aborted: false,
             unit_said: false,
             repeated: 0,
             lines: 0,
