@@ -12,7 +12,7 @@ mod tool;
 use std::collections::BTreeMap;
 
 use proptest::prelude::*;
-use rodete::finding::Grade;
+use rodete::finding::{Grade, Place};
 use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
@@ -146,9 +146,11 @@ fn shipped_programs_pass_but_for_the_published_splitter() {
 }
 
 #[test]
-fn the_usual_design_gives_nothing_to_judge() {
+fn the_programs_of_the_usual_design_give_nothing_to_judge() {
     let outcome = common::outcome("full", &[]);
-    let above: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade > Grade::Note).collect();
+    let above = outcome.findings.iter().filter(|finding| finding.grade > Grade::Note);
+    // Its gap, and what its passes leave of the part, are the design's; the tests of those say them.
+    let above: Vec<_> = above.filter(|finding| matches!(finding.place, Place::Block { .. })).collect();
     assert!(above.is_empty(), "{above:?}");
 }
 
