@@ -211,10 +211,20 @@ proptest! {
         };
         let mut most = 0.0_f64;
         let flat = design.mode == insert::design::Mode::Flat;
-        for motion in program.read_back_with(setting).map(|motion| motion.expect("taken")) {
-            if matches!(motion.kind, Kind::Rapid | Kind::Dwell(_)) {
-                continue;
-            }
+        let spans: Vec<Option<[f64; 2]>> = match insert::cut::cut(&design) {
+            Ok(cut) if !annex => cut.legs.iter().map(|leg| match leg.follows {
+                insert::cut::Follows::Curve(span) => Some(span),
+                _ => None,
+            }).collect(),
+            _ => insert::arcs::triples(&insert::program::template_points(&design), tolerance)
+                .windows(2)
+                .map(|pair| Some([pair[0].to.x / outline.radius, pair[1].to.x / outline.radius]))
+                .collect(),
+        };
+        let feeds = program.read_back_with(setting).map(|motion| motion.expect("taken"));
+        let feeds = feeds.filter(|motion| matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..)));
+        for (motion, span) in feeds.skip(usize::from(annex)).zip(spans) {
+            let Some([from, to]) = span else { continue };
             let [x, y] = if flat { [Axis::X, Axis::Y] } else { [Axis::A, Axis::X] };
             for part in PARTS {
                 let point = match motion.kind {
@@ -230,27 +240,14 @@ proptest! {
                         Vector2::new(round, axis(&motion, y, part))
                     }
                 };
-                let phi = point.x / outline.radius;
-                // Lead-in and overcut lie beyond the curve or beside it.
-                let beside_curve = (point.y - outline.curve(phi).y).abs() > 2.0 * (told + outline.beside) + 1.0;
-                if !(0.02..TAU - 0.02).contains(&phi) || beside_curve {
-                    continue;
-                }
-                let corner = |phi: f64| outline.corners().iter().any(|corner| (corner - phi).abs() < 0.2);
-                if corner(phi) {
-                    continue;
-                }
-                let reach = 1.5 * (told + outline.beside + 0.01) / outline.radius;
-                let least = (-400..=400_i16)
-                    .map(|step| {
-                        let near = phi + reach * f64::from(step) / 400.0;
-                        (outline.torch(near, Side::After) - point).norm()
-                    })
-                    .fold(f64::INFINITY, f64::min);
-                most = most.max(least);
-                // As far as points so far apart can miss the nearest.
-                let slack = reach * outline.radius / 400.0 * 3.0 / rodete::number::trig::sin(theta.to_radians());
-                prop_assert!(least <= told + slack, "{least} {told} {motion:?}");
+                let near = |step: u16| {
+                    outline.torch(from + (to - from) * f64::from(step) / 800.0, if step < 400 { Side::After } else { Side::Before })
+                };
+                let least = (0..=800).map(|step| (near(step) - point).norm()).fold(f64::INFINITY, f64::min);
+                // The nearest may lie between two.
+                let slack = (0..800).map(|step| (near(step + 1) - near(step)).norm()).fold(0.0, f64::max);
+                most = most.max(least - 0.5 * slack);
+                prop_assert!(least <= told + 0.5 * slack + 1e-4, "{least} {told} {motion:?}");
             }
         }
         if !annex {

@@ -96,3 +96,38 @@ pub fn within<const K: usize>(
 pub fn row(key: &'static str, name: Text, program: &Program, at_most: f64, limit: f64) -> Check {
     Check::passed(key, name, program, Text::same(format!("≤ {}", mm(at_most))), Text::same(mm(limit)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::word::NumberFormat;
+    use crate::machine::axis::Position;
+
+    /// The verdict on a length that is 1 mm where it is looked at, and between up to `over`.
+    fn verdict(over: f64, tolerance: f64, remedy: Text) -> Verdict {
+        let mut enclosed = Enclosed::new([0.0], [tolerance], 0);
+        let at = At { line: 1, n: None, point: None };
+        enclosed.take(at, &[0.0, 1.0], |_| [1.0], |_, _| [over], |one, _| *one);
+        let program = Program {
+            key: "hole",
+            title: Text::same(""),
+            dialect: &LINUXCNC,
+            format: NumberFormat::Fixed,
+            block_step: None,
+            start: Position::default(),
+            parts: Vec::new(),
+        };
+        let check = row("path", Text::same(""), &program, enclosed.at_most(0), tolerance);
+        within(check, (&enclosed, 0), tolerance, ["", ""], remedy).verdict
+    }
+
+    #[test]
+    fn what_the_work_does_not_settle_is_not_passed() {
+        assert_eq!(verdict(1.1, 1.2, FAULT), Verdict::Passed);
+        assert_eq!(verdict(1.3, 1.2, FAULT), Verdict::Caution);
+        assert_eq!(verdict(f64::NAN, 1.2, FAULT), Verdict::Caution);
+        assert_eq!(verdict(1.1, 0.9, FAULT), Verdict::Stop);
+        assert_eq!(verdict(1.1, 0.9, Text::same("a greater N")), Verdict::Caution);
+    }
+}

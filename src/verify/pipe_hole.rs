@@ -50,7 +50,7 @@ fn rounding(design: &Design) -> f64 {
 const BEVEL: f64 = 1.0;
 
 /// Looks that a program may take at its cut, and at the torch's clearance, beyond the first at each motion.
-const WORK: u32 = 200_000;
+const WORK: u32 = 100_000;
 /// What the arithmetic of a look may lose.
 const ARITHMETIC: f64 = 1e-9;
 

@@ -254,7 +254,7 @@ impl Watch<'_> {
 const ARITHMETIC: f64 = 1e-9;
 
 /// Looks that a program may take beyond the first three at each motion.
-const WORK: u32 = 400_000;
+const WORK: u32 = 100_000;
 
 /// What path and edge may be off.
 fn limits(design: &Design) -> [f64; 2] {
