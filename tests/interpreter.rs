@@ -8,6 +8,8 @@ mod blank;
 mod common;
 #[path = "interpreter/corpus.rs"]
 mod corpus;
+#[path = "interpreter/doubt.rs"]
+mod doubt;
 #[path = "interpreter/expressions.rs"]
 mod expressions;
 #[path = "interpreter/generated.rs"]

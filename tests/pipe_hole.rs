@@ -385,6 +385,53 @@ fn faults_in_the_text_are_caught() {
     assert_eq!(worst(&change('F', 200.0))["feed"], Verdict::Stop);
 }
 
+/// Eight whole turns of C within one motion, and back in the next: at every eighth of them the torch stands as it should.
+#[test]
+fn what_happens_between_the_looks_is_judged() {
+    let design = Design::new(&values(&[])).expect("a design");
+    let way = cut(&design).expect("within the format").expect("a way");
+    let program = outcome(&[]).programs.remove(0);
+    let text = program.text();
+    let line = text.lines().filter(|line| line.contains(" G1 ")).nth(40).expect("a cut");
+    let turned = line.split(' ').map(|word| match word.strip_prefix('C') {
+        Some(number) => format!("C{:.3}", number.parse::<f64>().expect("an angle") + 2880.0),
+        None => word.to_owned(),
+    });
+    let turned = text.replace(line, &turned.collect::<Vec<_>>().join(" "));
+    let mut read = Interpreter::over(turned.as_bytes(), program.setting());
+    let (checks, ..) = judge(&design, &way, &program, &mut read);
+    for key in ["beam", "bevel"] {
+        let check = checks.iter().find(|check| check.key == key).expect(key);
+        assert!(check.verdict > Verdict::Note, "{key}: {}", check.value.en);
+    }
+}
+
+/// The torch lies across the pipe: no point that is looked at on its flank is over the crown, and the flank itself is.
+#[test]
+fn the_flank_of_the_torch_is_judged_between_its_points_too() {
+    use nalgebra::Vector3;
+    use rodete::machine::torch::TorchPose;
+    let design = Design::new(&values(&[])).expect("a design");
+    // Upright over the pipe's side the body's flank is nearest where it is lowest; lying, somewhere along a generator.
+    for (y, z, tilt) in [(-30.0, 95.0, 1.2), (-25.0, 103.0, 1.5), (-41.3, 100.7, 1.55), (0.0, 90.0, 0.3)] {
+        let (sin, cos) = sin_cos(tilt);
+        let pose = TorchPose { tip: Vector3::new(0.0, y, z), axis: Vector3::new(0.0, sin, cos) };
+        let found = clearance(&design, &pose);
+        let h_s = design.torch().shoulder();
+        let mut least = f64::INFINITY;
+        for level in 0..=20_000_u32 {
+            let behind = f64::from(level) / 20_000.0 * (h_s + 2.0 * design.R_g);
+            let radius = design.r_g + (design.R_g - design.r_g) * (behind / h_s).min(1.0);
+            // Square to x the lowest generator lies in the plane of y and z.
+            let middle = pose.tip + pose.axis * behind;
+            let point = middle - Vector3::new(0.0, -cos, sin) * radius;
+            least = least.min(hypot(point.y, point.z) - design.R_o());
+        }
+        // The tip's disc is no part of its generators.
+        assert!(found <= least + 1e-6 && least - found < 1e-3, "{found} {least} {tilt}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 

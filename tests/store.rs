@@ -12,7 +12,7 @@ use std::time::{Duration, SystemTime};
 mod killed;
 
 use rodete::finding::{Exit, Refusal};
-use rodete::store::{Existing, Folder, Set, Written, sha256};
+use rodete::store::{Existing, Folder, Set, Written, namesake, sha256};
 use tempfile::TempDir;
 
 fn folder() -> TempDir {
@@ -344,4 +344,20 @@ fn names_that_are_no_utf8_are_written() {
     let mut contents = String::new();
     File::open(there.path().join(name)).and_then(|mut file| file.read_to_string(&mut contents)).expect("the file");
     assert_eq!(contents, "x");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_input_whose_outputs_another_one_claims_is_seen() {
+    let there = folder();
+    let path = |name: &str| there.path().join(name);
+    let long = "é".repeat(110);
+    for name in ["a?.xlsx", "a:.ngc", "b.xlsx", "b.xlsm", "B.XLSX", &format!("{long}1.nc"), &format!("{long}2.nc")] {
+        fs::write(path(name), "").expect("a file");
+    }
+    assert_eq!(namesake(&path("a_.xlsx")), Some(path("a?.xlsx")));
+    assert_eq!(namesake(&path("a?.xlsx")), None);
+    assert_eq!(namesake(&path("b.xlsx")), None);
+    assert_eq!(namesake(&path(&format!("{long}2.nc"))), Some(path(&format!("{long}1.nc"))));
+    assert_eq!(namesake(Path::new("no/such/a.xlsx")), None);
 }

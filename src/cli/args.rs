@@ -109,7 +109,7 @@ pub(super) struct Check {
     /// Workbooks to check
     #[arg(required = true, value_name = "WORKBOOK")]
     pub(super) workbooks: Vec<PathBuf>,
-    /// Language of the messages [default: en]
+    /// Language of the messages [default: the workbook's, else the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
     /// Print one JSON document instead of text
@@ -126,7 +126,7 @@ pub(super) struct Build {
     /// Folder for the outputs [default: <stem>-out beside each workbook]
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
-    /// Language of sheets, report and messages [default: the workbook's, messages in English]
+    /// Language of sheets, report and messages [default: the workbook's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
     /// Write no report and no templates to print
@@ -152,6 +152,9 @@ pub(super) struct Control {
     /// LinuxCNC's tool table: tool lengths; to view a turning program, a lathe workbook
     #[arg(long, value_name = "FILE")]
     pub(super) tools: Option<PathBuf>,
+    /// Folder of subprograms, looked through behind the program's own; may be given several times, in their order
+    #[arg(long, value_name = "DIR")]
+    pub(super) subs: Vec<PathBuf>,
     /// Skip blocks that begin with /
     #[arg(long)]
     pub(super) block_delete: bool,
@@ -182,7 +185,7 @@ pub(super) struct Verify {
     /// Print one JSON object for each canonical motion
     #[arg(long, conflicts_with = "json")]
     pub(super) canon: bool,
-    /// Language of the messages [default: en]
+    /// Language of the messages [default: the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
     /// Print one JSON document instead of text
@@ -206,7 +209,7 @@ pub(super) struct View {
     /// How a program is read; a workbook says itself what its programs are.
     #[command(flatten)]
     pub(super) control: Control,
-    /// Language that the page begins in, and of the messages [default: the workbook's, else en; messages in English]
+    /// Language that the page begins in, and of the messages [default: the workbook's; of a program en, messages the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
 }
@@ -234,7 +237,7 @@ pub(super) struct Simulate {
     /// Skip blocks that begin with /
     #[arg(long)]
     pub(super) block_delete: bool,
-    /// Language of the outputs and messages [default: en]
+    /// Language of the outputs and messages [default: en; messages the workbook's of --tools, else the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
     /// Print one JSON document instead of text: totals, findings, files
@@ -266,7 +269,7 @@ pub(super) struct Offsets {
     /// The machine counts in inches: lengths of the file, of --set and of the workbook
     #[arg(long)]
     pub(super) inch: bool,
-    /// Language of the messages and of a new workbook [default: en]
+    /// Language of the messages and of a new workbook [default: en; messages the workbook's, else the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
     /// Print one JSON document instead of text

@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 use super::args::Build;
 use super::delivery::{self, Delivery, REPORT, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
+use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Verdict;
@@ -39,7 +40,7 @@ struct Settings<'a> {
 
 /// Builds every workbook and prints what came of it.
 pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
-    let language = arguments.lang.unwrap_or_default();
+    let language = spoken(arguments.lang, None);
     let items = match plan::items(&arguments.workbooks, arguments.output.as_deref()) {
         Ok(items) => items,
         Err(refusal) => return refused(&refusal, language, terminal),
@@ -55,7 +56,7 @@ pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
         folder: folder.as_ref(),
         inputs: arguments.workbooks.iter().map(PathBuf::as_path).collect(),
     };
-    let mut sink = Sink::new(BUILD, language, arguments.json);
+    let mut sink = Sink::new(BUILD, arguments.lang, arguments.json);
     let work = |item: &Item| reading::verdict(&item.workbook, |verdict| build(item, &settings, verdict));
     side_by_side::run(&items, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
     sink.end(terminal)

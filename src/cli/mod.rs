@@ -12,6 +12,7 @@ mod finding;
 mod interrupt;
 mod json;
 mod kinds;
+mod locale;
 mod new;
 mod offsets;
 mod offsets_view;
@@ -37,6 +38,7 @@ use clap::Parser;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
+use self::locale::spoken;
 use self::terminal::Terminal;
 use self::verdict::{Verdict, code, gravest};
 use crate::escape::printable;
@@ -101,12 +103,12 @@ fn misunderstood(error: &Error, terminal: &mut Terminal) -> Exit {
 }
 
 fn check(arguments: &Check, terminal: &mut Terminal) -> Exit {
-    let language = arguments.lang.unwrap_or_default();
+    let language = spoken(arguments.lang, None);
     if let Err(refusal) = plan::twice(&arguments.workbooks) {
         return refused(&refusal, language, terminal);
     }
     interrupt::listen();
-    let mut sink = Sink::new(CHECK, language, arguments.json);
+    let mut sink = Sink::new(CHECK, arguments.lang, arguments.json);
     let work = |workbook: &PathBuf| reading::check(workbook);
     side_by_side::run(&arguments.workbooks, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
     sink.end(terminal)
@@ -123,14 +125,15 @@ fn refused(refusal: &Refusal, language: Language, terminal: &mut Terminal) -> Ex
 /// Where the verdicts of a command go, one by one.
 struct Sink {
     command: &'static str,
-    language: Language,
+    /// The language that was asked for.
+    language: Option<Language>,
     /// The verdicts so far, if they are to be printed as one document.
     kept: Option<Vec<Verdict>>,
     exit: Exit,
 }
 
 impl Sink {
-    const fn new(command: &'static str, language: Language, json: bool) -> Self {
+    const fn new(command: &'static str, language: Option<Language>, json: bool) -> Self {
         Self { command, language, kept: if json { Some(Vec::new()) } else { None }, exit: Exit::Done }
     }
 
@@ -138,7 +141,10 @@ impl Sink {
         self.exit = gravest(self.exit, verdict.exit);
         match &mut self.kept {
             Some(kept) => kept.push(verdict),
-            None => show::verdict(&verdict, self.command == BUILD, self.language, terminal),
+            None => {
+                let language = spoken(self.language, verdict.language);
+                show::verdict(&verdict, self.command == BUILD, language, terminal);
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::args::Offsets;
+use super::locale::spoken;
 use super::offsets_view::{self, View};
 use super::terminal::Terminal;
 use super::verdict::{Verdict, gravest};
@@ -33,7 +34,7 @@ pub(super) enum Way {
 
 /// Shows, edits or exchanges, and prints what came of it.
 pub(super) fn run(arguments: &Offsets, terminal: &mut Terminal) -> Exit {
-    let language = arguments.lang.unwrap_or_default();
+    let language = spoken(arguments.lang, None);
     let unit = if arguments.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
     let named: Vec<_> = [Some(&arguments.file), arguments.workbook.as_ref()].into_iter().flatten().cloned().collect();
     let begun = plan::twice(&named).and_then(|()| edits(&arguments.set, unit));
@@ -48,7 +49,8 @@ pub(super) fn run(arguments: &Offsets, terminal: &mut Terminal) -> Exit {
     if arguments.json {
         terminal.out(&offsets_view::document(&verdict, &view));
     } else {
-        offsets_view::show(&verdict, &view, language, terminal);
+        let workbook = view.sheet.as_ref().and_then(|(_, sheet)| sheet.language);
+        offsets_view::show(&verdict, &view, spoken(arguments.lang, workbook), terminal);
     }
     exit
 }
@@ -92,6 +94,7 @@ fn work(
             let bytes = workbook::open(path)?;
             verdict.sha256 = Some(store::sha256(&bytes));
             verdict.schema = Some(offsets_sheet::SCHEMA);
+            verdict.language = workbook::language(&bytes, &[]);
             let table = OffsetsTable::read(&bytes, unit)?;
             table.apply(&mut file).map_err(unfit)?;
             verdict.findings.extend(table.findings);

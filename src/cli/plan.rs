@@ -28,6 +28,9 @@ pub(super) struct Item {
 /// letter case aside.
 pub(super) fn items(workbooks: &[PathBuf], output: Option<&Path>) -> Result<Vec<Item>, Refusal> {
     twice(workbooks)?;
+    if output.is_none() {
+        workbooks.iter().try_for_each(|workbook| alone(workbook))?;
+    }
     let items: Vec<_> = workbooks
         .iter()
         .map(|workbook| {
@@ -39,12 +42,9 @@ pub(super) fn items(workbooks: &[PathBuf], output: Option<&Path>) -> Result<Vec<
     for item in &items {
         let stem = item.stem.to_string_lossy().to_lowercase();
         if let Some(other) = places.insert((real(&item.folder), stem), item) {
-            let (one, two) = (shown(&other.workbook), shown(&item.workbook));
-            return Err(refusal(
-                Text::new(
-                    format!("las salidas de {one} y {two} tendrían los mismos nombres"),
-                    format!("the outputs of {one} and {two} would have the same names"),
-                ),
+            return Err(same_names(
+                &other.workbook,
+                &item.workbook,
                 Text::fixed(
                     "cambie el nombre de uno de los libros o constrúyalos en carpetas distintas",
                     "rename one of the workbooks or build them into different folders",
@@ -58,6 +58,35 @@ pub(super) fn items(workbooks: &[PathBuf], output: Option<&Path>) -> Result<Vec<
 /// The folder of a workbook's outputs where none is named: `<stem>-out` beside it.
 pub(super) fn folder(workbook: &Path) -> PathBuf {
     workbook.parent().unwrap_or(Path::new("")).join(store::file_name(&store::stem(workbook), "-out"))
+}
+
+/// Refuses an input beside which another one stands whose outputs would bear the same names, because what may not stand
+/// in a file name is replaced, or what is too long cut.
+///
+/// # Errors
+/// Exit 2, naming both.
+pub(super) fn alone(input: &Path) -> Result<(), Refusal> {
+    store::namesake(input).map_or(Ok(()), |other| {
+        Err(same_names(
+            input,
+            &other,
+            Text::fixed(
+                "cambie el nombre de uno de los dos o indique otra salida (opción -o)",
+                "rename one of the two or name another output (option -o)",
+            ),
+        ))
+    })
+}
+
+fn same_names(one: &Path, two: &Path, remedy: Text) -> Refusal {
+    let (one, two) = (shown(one), shown(two));
+    refusal(
+        Text::new(
+            format!("las salidas de {one} y {two} tendrían los mismos nombres"),
+            format!("the outputs of {one} and {two} would have the same names"),
+        ),
+        remedy,
+    )
 }
 
 /// Refuses a workbook that is named twice.

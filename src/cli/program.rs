@@ -1,7 +1,11 @@
 //! How the commands read a program's file: dialect, machine, and what stands beside it.
 
+use std::cell::RefCell;
 use std::io::BufRead;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use serde::Serialize;
 
 use super::args::Control;
 use super::reading;
@@ -15,30 +19,64 @@ use crate::lathe::parameters::FORM;
 use crate::lathe::setup::Given;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
-use crate::text::Text;
+use crate::store;
+use crate::text::{Language, Text};
 use crate::workbook::{self, Input};
 
 /// How the file of a workbook begins: it is a package.
 pub(super) const PACKAGE: &[u8] = b"PK\x03\x04";
 
-/// Subprograms that stand beside the program.
-pub(super) struct Beside(PathBuf);
+/// A file that was read beside a program, with its SHA-256.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub(super) struct Consulted {
+    /// Its path.
+    path: String,
+    /// The SHA-256 of its bytes, in lower-case hexadecimal.
+    sha256: String,
+}
+
+impl Consulted {
+    fn new(path: &Path, bytes: &[u8]) -> Self {
+        Self { path: path.to_string_lossy().into_owned(), sha256: store::sha256(bytes) }
+    }
+}
+
+/// Subprograms that stand beside the program, or in other folders.
+pub(super) struct Beside {
+    folders: Vec<PathBuf>,
+    /// Those that were read.
+    read: Rc<RefCell<Vec<Consulted>>>,
+}
 
 impl Beside {
     /// Beside a program.
     pub(super) fn of(program: &Path) -> Self {
-        Self(program.parent().unwrap_or(Path::new("")).to_owned())
+        Self::or_in(program, &[])
+    }
+
+    /// Beside a program, else in folders in their order.
+    fn or_in(program: &Path, folders: &[PathBuf]) -> Self {
+        let own = reading::beside(program).to_owned();
+        Self { folders: std::iter::once(own).chain(folders.iter().cloned()).collect(), read: Rc::default() }
     }
 }
 
 impl Files for Beside {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
-        for ending in [".ngc", ".nc", ""] {
-            let path = self.0.join(format!("{name}{ending}"));
+        for (folder, ending) in
+            self.folders.iter().flat_map(|folder| [".ngc", ".nc", ""].map(|ending| (folder, ending)))
+        {
+            let path = folder.join(format!("{name}{ending}"));
             if path.is_file() {
-                return workbook::open_as(Input::Program, &path).map(Some).map_err(|refusal| {
+                let bytes = workbook::open_as(Input::Program, &path).map_err(|refusal| {
                     refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
-                });
+                })?;
+                let found = Consulted::new(&path, &bytes);
+                let mut read = self.read.borrow_mut();
+                if !read.contains(&found) {
+                    read.push(found);
+                }
+                return Ok(Some(bytes));
             }
         }
         Ok(None)
@@ -52,8 +90,14 @@ pub(super) struct Shared<'a> {
     tools: Option<Tools>,
     /// The lathe workbook in place of a tool table.
     workbook: Option<Given>,
+    /// The language of that workbook.
+    pub(super) language: Option<Language>,
     unit: LengthUnit,
     settled: Vec<Finding>,
+    /// The parameter file and the tool table.
+    consulted: Vec<Consulted>,
+    /// The subprograms of the program in hand.
+    subprograms: Rc<RefCell<Vec<Consulted>>>,
 }
 
 impl<'a> Shared<'a> {
@@ -62,22 +106,38 @@ impl<'a> Shared<'a> {
     /// # Errors
     /// Where one of them cannot be read.
     pub(super) fn new(control: &'a Control) -> Result<Self, Refusal> {
-        let settled =
-            reading::settled([&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file)))?;
+        let beside = [&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file));
+        let settled = reading::settled(beside.chain(control.subs.iter().map(PathBuf::as_path)))?;
         let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
-        let bytes =
-            |input, path: &Option<PathBuf>| path.as_deref().map(|path| workbook::open_as(input, path)).transpose();
+        let mut consulted = Vec::new();
+        let mut bytes = |input, path: &Option<PathBuf>| {
+            let Some(path) = path.as_deref() else { return Ok(None) };
+            let bytes = workbook::open_as(input, path)?;
+            consulted.push(Consulted::new(path, &bytes));
+            Ok(Some(bytes))
+        };
         let var_file = bytes(Input::VarFile, &control.var)?.map(|bytes| VarFile::parse(&bytes)).transpose()?;
-        let (mut tools, mut workbook) = (None, None);
+        let (mut tools, mut workbook, mut language) = (None, None, None);
         match bytes(Input::ToolTable, &control.tools)? {
             Some(bytes) if bytes.starts_with(PACKAGE) => {
+                language = workbook::language(&bytes, &[&FORM]);
                 let given = given(&bytes).map_err(|refusal| of_workbook(refusal, control.tools.as_deref()))?;
                 workbook = Some(given);
             }
             Some(bytes) => tools = Some(tool_table::parse(&bytes, unit)?),
             None => {}
         }
-        Ok(Self { control, var_file: var_file.unwrap_or_default(), tools, workbook, unit, settled })
+        Ok(Self {
+            control,
+            var_file: var_file.unwrap_or_default(),
+            tools,
+            workbook,
+            language,
+            unit,
+            settled,
+            consulted,
+            subprograms: Rc::default(),
+        })
     }
 
     /// What was done with sets that killed runs left half delivered beside the program, the parameter file and the tool
@@ -98,6 +158,11 @@ impl<'a> Shared<'a> {
             Some(dialect) => (true, dialect),
             None => (false, told(file.fill_buf().unwrap_or_default(), &ending)),
         }
+    }
+
+    /// What was read beside the program that was read last: parameter file, tool table and subprograms.
+    pub(super) fn consulted(&self) -> Vec<Consulted> {
+        self.consulted.iter().chain(self.subprograms.borrow().iter()).cloned().collect()
     }
 
     /// Whether the tools that were named are for a dialect.
@@ -133,7 +198,9 @@ impl<'a> Shared<'a> {
             given.lend(&mut setting);
         }
         setting.keep_g92 = !self.control.no_g92_persistence;
-        setting.files = Box::new(Beside::of(path));
+        self.subprograms.borrow_mut().clear();
+        let beside = Beside::or_in(path, &self.control.subs);
+        setting.files = Box::new(Beside { read: Rc::clone(&self.subprograms), ..beside });
         setting
     }
 }

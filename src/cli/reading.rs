@@ -67,8 +67,10 @@ pub(super) fn settled<'a>(folders: impl IntoIterator<Item = &'a Path>) -> Result
 pub(super) fn read(path: &Path, verdict: &mut Verdict) -> Result<(Vec<u8>, Filled), Refusal> {
     let bytes = workbook::open(path)?;
     verdict.sha256 = Some(store::sha256(&bytes));
-    let filled = workbook::read(&bytes, &FORMS)?;
+    let filled =
+        workbook::read(&bytes, &FORMS).inspect_err(|_| verdict.language = workbook::language(&bytes, &FORMS))?;
     verdict.schema = Some(filled.form.schema);
+    verdict.language = Some(filled.values.language);
     Ok((bytes, filled))
 }
 

@@ -6,6 +6,7 @@ use serde_json::json;
 
 use super::args::Simulate;
 use super::delivery::{self, Delivery};
+use super::locale::spoken;
 use super::plan::Item;
 use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
@@ -21,13 +22,13 @@ use crate::workbook::{self, Input};
 
 /// Follows the program and says what it comes to.
 pub(super) fn run(arguments: &Simulate, terminal: &mut Terminal) -> Exit {
-    let language = arguments.lang.unwrap_or_default();
     interrupt::listen();
     let mut followed = None;
     let verdict = reading::verdict(&arguments.program, |verdict| {
         followed = Some(simulate(arguments, verdict)?);
         Ok(())
     });
+    let language = spoken(arguments.lang, verdict.language);
     if verdict.exit == Exit::CommandLine && followed.is_none() {
         return refused(&Refusal { exit: verdict.exit, findings: verdict.findings }, language, terminal);
     }

@@ -82,6 +82,7 @@ pub(super) fn follow(
     let sha256 = store::sha256(wanted.bytes);
     verdict.sha256 = Some(sha256.clone());
     let (values, found) = given(wanted).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
+    verdict.language = wanted.tools.map(|_| values.language);
     verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));
     let dialect = wanted.dialect.unwrap_or_else(|| {
         let dialect = told_turning(wanted.bytes);
@@ -201,6 +202,11 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
         values.values.remove("material");
     }
     values.lists.retain(|rows| matches!(rows.list, TOOLS_KEY | PROFILE_KEY));
+    if wanted.tools.is_none() && only_left(&program.main.text) {
+        // Nobody said which face of the example's tools looks up: it is the one that cuts as the program turns.
+        let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
+        rows.for_each(|row| drop(row.values.insert("tools/M", Value::Choice("M4"))));
+    }
     let mut put = |list: &'static str, sheet: &str, text: &text::Text| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
@@ -219,6 +225,19 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
     }
     debug_assert!(values.rows(SECOND_KEY).is_empty());
     values
+}
+
+/// True for a program that turns the spindle with M4 and never with M3.
+fn only_left(text: &str) -> bool {
+    let turns = |way: &str| {
+        text.lines().any(|line| {
+            let code = line.split(['(', ';']).next().unwrap_or_default().to_uppercase().replace([' ', '\t'], "");
+            code.split('M').skip(1).any(|rest| {
+                rest.chars().take_while(char::is_ascii_digit).collect::<String>().trim_start_matches('0') == way
+            })
+        })
+    };
+    turns("4") && !turns("3")
 }
 
 /// Puts another bar into the jaws: of a workbook that was named, what is held and what is faced off stay where they fit.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::store::Written;
 use crate::table::Quantity;
+use crate::text::Language;
 
 /// The end of one workbook's work.
 #[derive(Debug)]
@@ -15,6 +16,8 @@ pub(super) struct Verdict {
     pub(super) sha256: Option<String>,
     /// The form that it fills in, where that is known.
     pub(super) schema: Option<&'static str>,
+    /// The language that it is in, where that is known.
+    pub(super) language: Option<Language>,
     /// How its work ended.
     pub(super) exit: Exit,
     /// Derived values.
@@ -34,6 +37,7 @@ impl Verdict {
             workbook,
             sha256: None,
             schema: None,
+            language: None,
             exit: Exit::Done,
             quantities: Vec::new(),
             findings: Vec::new(),

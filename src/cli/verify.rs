@@ -5,16 +5,18 @@ use std::path::Path;
 use serde_json::{Map, Value, json};
 
 use super::args::Verify;
-use super::program::{Shared, told_from};
+use super::locale::spoken;
+use super::program::{Consulted, Shared, told_from};
 use super::terminal::Terminal;
 use super::verdict::{Verdict, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::interpreter::{Fault, Interpreter, Rotary, findings};
+use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
+use crate::store::{Sum, Summed};
 use crate::text::{Language, Text};
 use crate::verify::account::{Account, Extents, drift};
 use crate::workbook;
@@ -32,6 +34,8 @@ struct Read {
     account: Account,
     net: [f64; 9],
     lines: usize,
+    /// What was read beside it.
+    consulted: Vec<Consulted>,
 }
 
 impl Read {
@@ -43,12 +47,13 @@ impl Read {
 
 /// Reads every program and prints what it comes to.
 pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
-    let language = arguments.lang.unwrap_or_default();
+    let language = spoken(arguments.lang, None);
     let shared = plan::twice(&arguments.programs).and_then(|()| Shared::new(&arguments.control));
     let shared = match shared {
         Ok(shared) => shared,
         Err(refusal) => return refused(&refusal, language, terminal),
     };
+    let language = spoken(arguments.lang, shared.language);
     interrupt::listen();
     let mut exit = Exit::Done;
     let mut documents = Vec::new();
@@ -82,6 +87,7 @@ fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Ter
         account: Account::default(),
         net: [0.0; 9],
         lines: 0,
+        consulted: Vec::new(),
     };
     if let Err(refusal) = follow(path, arguments, shared, &mut read, terminal) {
         read.verdict.refuse(refusal);
@@ -103,7 +109,10 @@ fn follow(
     shared.fits(dialect)?;
     let setting = shared.setting(path, dialect);
     read.rotary = Some(setting.rotary);
-    let mut interpreter = Interpreter::new(Box::new(file), setting);
+    let sum = Sum::default();
+    // A program may be far larger than memory, and only the document tells its sum.
+    let bytes: Box<dyn Bytes> = if arguments.json { Box::new(Summed::new(file, &sum)) } else { Box::new(file) };
+    let mut interpreter = Interpreter::new(bytes, setting);
     let start = interpreter.position().1;
     let mut before = start;
     let (mut faults, mut total): (Vec<Fault>, usize) = (Vec::new(), 0);
@@ -145,6 +154,9 @@ fn follow(
         remarks.push(told_from(dialect));
     }
     read.verdict.findings = findings(faults, total, remarks);
+    drop(interpreter);
+    read.verdict.sha256 = sum.take();
+    read.consulted = shared.consulted();
     Ok(())
 }
 
@@ -238,6 +250,8 @@ fn document(read: &Read) -> Value {
     let (account, lathe) = (&read.account, read.lathe());
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
+        "sha256": read.verdict.sha256,
+        "read": read.consulted,
         "dialect": read.dialect.map(|dialect| dialect.name),
         "rotary": read.rotary.map(Rotary::name),
         "exit": code(read.verdict.exit),

@@ -5,6 +5,7 @@ use std::io::BufRead;
 use std::path::Path;
 
 use super::args::View;
+use super::locale::spoken;
 use super::program::{PACKAGE, Shared, told_from};
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
@@ -24,17 +25,19 @@ use crate::workbook;
 
 /// Writes the file and says where it is.
 pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
-    let language = arguments.lang.unwrap_or_default();
     interrupt::listen();
     let mut verdict = Verdict::new(arguments.input.clone());
     let written = match shown(arguments, &mut verdict) {
         Ok(written) => written,
-        Err(refusal) if verdict.findings.is_empty() => return refused(&refusal, language, terminal),
+        Err(refusal) if verdict.findings.is_empty() => {
+            return refused(&refusal, spoken(arguments.lang, verdict.language), terminal);
+        }
         Err(refusal) => {
             verdict.refuse(refusal);
             Vec::new()
         }
     };
+    let language = spoken(arguments.lang, verdict.language);
     let (name, width) = (printable_path(&arguments.input), terminal.width);
     // Cells are those of the input, or of the lathe workbook beside a program.
     let beside = arguments.control.tools.as_deref().filter(|_| verdict.schema.is_none()).map(printable_path);
@@ -55,7 +58,10 @@ fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusa
     let input = &arguments.input;
     let output = match &arguments.output {
         Some(output) => output.clone(),
-        None => input.with_file_name(store::file_name(&store::stem(input), ".html")),
+        None => {
+            plan::alone(input)?;
+            input.with_file_name(store::file_name(&store::stem(input), ".html"))
+        }
     };
     let name = page_name(&output)?;
     let beside = [Some(input), arguments.control.tools.as_ref(), arguments.control.var.as_ref()].into_iter().flatten();
@@ -82,7 +88,10 @@ fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusa
     } else {
         Some(of_program(arguments, title, &mut file, verdict)?)
     };
-    let Some(scene) = scene else { return Ok(Vec::new()) };
+    // A program that is refused is shown as far as it was read; one that was given up is not.
+    let Some(scene) = scene.filter(|_| matches!(verdict.exit, Exit::Done | Exit::Refused)) else {
+        return Ok(Vec::new());
+    };
     set.write(&name, |out| view::write(&scene, out))?;
     set.commit()
 }

@@ -5,6 +5,7 @@ pub mod chords;
 pub mod circle;
 pub mod darboux;
 pub mod exact;
+mod pipe_jets;
 pub mod pipe_pair;
 pub mod polyline;
 pub mod revolution;

@@ -48,6 +48,16 @@ impl PipePair {
         Self { r, R, sin, cos, e }
     }
 
+    /// sin θ and cos θ.
+    pub(super) const fn angle(&self) -> [f64; 2] {
+        [self.sin, self.cos]
+    }
+
+    /// √(R² − q²) at φ = 0, from which depths are counted.
+    pub(super) fn level(&self) -> f64 {
+        self.R * self.cos_beta(0.0)
+    }
+
     /// By how much the branch overhangs the header: the greatest |r sin φ + e| less R; negative where it does not.
     #[must_use]
     pub fn overhang(&self) -> f64 {

@@ -1,6 +1,9 @@
-//! Numbers: trigonometry that is the same on every machine, the output grid, roots.
+//! Numbers: trigonometry that is the same on every machine, the output grid, roots, intervals and bounds.
 
+pub mod bound;
 pub mod grid;
+pub mod interval;
+pub mod jet;
 pub mod root;
 pub mod trig;
 

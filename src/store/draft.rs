@@ -139,6 +139,12 @@ impl Drop for Draft {
 /// The bytes of a file and their SHA-256 in lower-case hexadecimal.
 pub(super) fn sum(file: &mut impl Read) -> io::Result<(u64, String)> {
     let mut digest = Sha256::new();
+    let bytes = sum_into(&mut digest, file)?;
+    Ok((bytes, hexadecimal(&digest.finalize())))
+}
+
+/// Takes a file, from where it stands to its end, into a sum; gives how many bytes there were.
+pub(super) fn sum_into(digest: &mut Sha256, file: &mut impl Read) -> io::Result<u64> {
     let mut bytes = 0;
     let mut part = vec![0; 1 << 16];
     loop {
@@ -151,7 +157,7 @@ pub(super) fn sum(file: &mut impl Read) -> io::Result<(u64, String)> {
         digest.update(part.get(..read).unwrap_or_default());
         bytes += u64::try_from(read).unwrap_or(u64::MAX);
     }
-    Ok((bytes, hexadecimal(&digest.finalize())))
+    Ok(bytes)
 }
 
 /// The SHA-256 of bytes, in lower-case hexadecimal.
@@ -160,7 +166,7 @@ pub fn sha256(bytes: &[u8]) -> String {
     hexadecimal(&Sha256::digest(bytes))
 }
 
-fn hexadecimal(bytes: &[u8]) -> String {
+pub(super) fn hexadecimal(bytes: &[u8]) -> String {
     use std::fmt::Write as _;
     bytes.iter().fold(String::with_capacity(2 * bytes.len()), |mut text, byte| {
         let _ = write!(text, "{byte:02x}");

@@ -29,11 +29,13 @@ mod name;
 mod notice;
 mod reason;
 mod set;
+mod summed;
 mod target;
 
 pub use disk::{Disk, Step};
 pub use draft::{Output, abandon, sha256};
 pub use folder::Folder;
-pub use name::{file_name, stem};
+pub use name::{file_name, namesake, stem};
 pub use notice::{settle, settle_on};
 pub use set::{Existing, Set, Written};
+pub use summed::{Sum, Summed};

@@ -1,7 +1,10 @@
 //! Names of output files: from the workbook's own file name, never from a cell.
 
 use std::ffi::{OsStr, OsString};
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::folder::here;
 
 use crate::escape::hidden;
 
@@ -30,6 +33,32 @@ pub fn stem(workbook: &Path) -> OsString {
         clean.extend_from_slice(chunk.invalid());
     }
     os_string(end(clean))
+}
+
+/// Another file beside an input, of the same ending and not of the same name, whose outputs would have the same stem;
+/// letter case counts as little as it does to some file systems.
+#[must_use]
+pub fn namesake(input: &Path) -> Option<PathBuf> {
+    let name = input.file_name()?;
+    let claimed = |path: &Path| stem(path).to_string_lossy().to_lowercase();
+    let ending = |path: &Path| path.extension().map(OsStr::to_ascii_lowercase);
+    let own = claimed(input);
+    let mut others: Vec<_> = fs::read_dir(here(input.parent().unwrap_or(Path::new(""))))
+        .ok()?
+        .flatten()
+        .map(|entry| entry.file_name())
+        .filter(|other| {
+            let path = Path::new(other);
+            other != name && ending(path) == ending(input) && claimed(path) == own && !is_only_case(other, name)
+        })
+        .collect();
+    others.sort();
+    others.into_iter().next().map(|other| input.with_file_name(other))
+}
+
+/// True where two names differ in letter case alone: on many systems they are one file.
+fn is_only_case(one: &OsStr, other: &OsStr) -> bool {
+    one.to_string_lossy().to_lowercase() == other.to_string_lossy().to_lowercase()
 }
 
 /// A file name of a stem and an ending, as `impeller` and `-blade.nc`.

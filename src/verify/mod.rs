@@ -26,6 +26,7 @@ pub mod blank;
 pub mod check;
 pub mod closure;
 pub mod cutting;
+pub mod enclosed;
 pub mod feed;
 pub mod flanks;
 pub mod floor;

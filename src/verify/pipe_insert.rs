@@ -1,8 +1,10 @@
 //! The verification of a branch's program: what the torch would do, held against plan, curve and both pipes.
 //!
-//! Every motion of the cut is looked at in many points. From each the nearest point of the exact torch path is sought,
+//! Every motion of the cut is looked at in some points. From each the nearest point of the exact torch path is sought,
 //! which gives how far the torch leaves it; half a kerf back across the curve lies the edge that is cut, and that edge, put
-//! on the branch's surface, must lie on the header's.
+//! on the branch's surface, must lie on the header's. Between two looks the error e, taken between points that run evenly from
+//! look to look, is nowhere greater than at them by more than an eighth of its greatest second derivative (as jets enclose it),
+//! nor, where the curve has a corner, than the way between them allows. Motions are parted until that decides.
 
 use std::f64::consts::TAU;
 
@@ -16,9 +18,10 @@ use crate::gcode::program::{Program, Style};
 use crate::geometry::pipe_pair::Side;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
+use crate::number::jet::{Jet, bow};
 use crate::number::root::golden;
 use crate::number::shown;
-use crate::number::trig::{atan2, sin_cos};
+use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::pipe::insert::arcs::triples;
 use crate::pipe::insert::cut::{Cut, Follows};
 use crate::pipe::insert::design::{Design, Mode};
@@ -27,11 +30,10 @@ use crate::pipe::insert::program::template_points;
 use crate::text::Text;
 use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
+use crate::verify::enclosed::{Enclosed, row, within};
 use crate::verify::feed::{feed_word, timely};
 use crate::verify::verification::{Verification, as_planned, reading, torch};
 
-/// Points of a motion that are looked at.
-const LOOKS: u16 = 64;
 /// How far a position may be from the plan: what the decimals of the published program leave.
 const SAME: f64 = 1e-6;
 /// What rounding an end and a radius to 0.001 takes, beside the tolerance.
@@ -79,21 +81,6 @@ pub fn plan(design: &Design, cut: Option<&Cut>) -> ([f64; 2], Vec<Planned>) {
     }
 }
 
-/// A greatest value and its place.
-#[derive(Clone, Copy, Debug, Default)]
-struct Most {
-    value: f64,
-    at: Option<At>,
-}
-
-impl Most {
-    fn raise(&mut self, value: f64, at: At) {
-        if value > self.value || self.at.is_none() {
-            *self = Self { value, at: Some(at) };
-        }
-    }
-}
-
 /// The deviation along the curve, to be drawn: φ in degrees and mm, positive into the waste.
 pub type Curve = Vec<[f64; 2]>;
 
@@ -103,9 +90,9 @@ struct Watch<'d> {
     outline: Outline,
     agreed: usize,
     different: Option<(At, Text)>,
-    path: Most,
-    header: Most,
-    speed: Most,
+    /// How far the torch leaves its path, and the edge that is cut the header.
+    errors: Enclosed<2>,
+    speed: Option<(f64, At)>,
     slowest: Option<f64>,
     off_speed: Option<(f64, At)>,
     rounded: Option<(f64, At)>,
@@ -122,12 +109,6 @@ fn axes(mode: Mode, pose: &Pose) -> [f64; 2] {
     }
 }
 
-/// The angle of a span at which a path is nearest to a point.
-fn nearest(path: &dyn Fn(f64) -> Vector2<f64>, point: Vector2<f64>, span: [f64; 2]) -> f64 {
-    // Sideways to a hundred thousandth of the span: the distance, which is square in it, far better.
-    golden(span, 25, |phi| (path(phi) - point).norm_squared()).1
-}
-
 impl Watch<'_> {
     fn development(&self, [first, second]: [f64; 2]) -> Vector2<f64> {
         match self.design.mode {
@@ -136,26 +117,19 @@ impl Watch<'_> {
         }
     }
 
-    /// The points of a motion over the surface that is cut.
-    fn points(&self, motion: &Motion) -> Vec<Vector2<f64>> {
+    /// The way of a motion over the surface that is cut.
+    fn way(&self, motion: &Motion) -> Way {
         let [from, to] = [&motion.from, &motion.to].map(|pose| axes(self.design.mode, pose));
-        (0..=LOOKS)
-            .map(|at| {
-                let part = f64::from(at) / f64::from(LOOKS);
-                let straight = [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
-                match motion.kind {
-                    Kind::Arc(arc, _) => {
-                        let centre = Vector2::from(arc.centre);
-                        let start = Vector2::from(from) - centre;
-                        let (sin, cos) = sin_cos(atan2(start.y, start.x) + arc.sweep * part);
-                        // The radius runs over from that of the start to that of the end.
-                        let radius = start.norm() + ((Vector2::from(to) - centre).norm() - start.norm()) * part;
-                        centre + Vector2::new(cos, sin) * radius
-                    }
-                    _ => self.development(straight),
-                }
-            })
-            .collect()
+        match motion.kind {
+            Kind::Arc(arc, _) => {
+                let centre = Vector2::from(arc.centre);
+                let [start, end] = [from, to].map(|place| Vector2::from(place) - centre);
+                let angle = atan2(start.y, start.x);
+                // The radius runs over from that of the start to that of the end.
+                Way::Arc { centre, angle, sweep: arc.sweep, radii: [start.norm(), end.norm()] }
+            }
+            _ => Way::Straight([self.development(from), self.development(to)]),
+        }
     }
 
     fn compare(&mut self, motion: &Motion, planned: Option<&Planned>) {
@@ -194,76 +168,192 @@ impl Watch<'_> {
 
     /// Looks at a motion of the cut.
     fn look(&mut self, motion: &Motion, follows: Follows) {
-        let points = self.points(motion);
-        let length = match motion.kind {
-            Kind::Arc(arc, _) => arc.length(0.0),
-            _ => points.first().zip(points.last()).map_or(0.0, |(first, last)| (last - first).norm()),
-        };
+        let way = self.way(motion);
+        let length = if let Kind::Arc(arc, _) = motion.kind { arc.length(0.0) } else { way.length() };
         self.length += length;
-        match motion.seconds {
-            Some(seconds) if seconds > 0.0 => {
-                let speed = length * 60.0 / seconds;
-                self.speed.raise(speed, At::motion(motion));
-                self.slowest = Some(self.slowest.map_or(speed, |least: f64| least.min(speed)));
-                let word = match motion.kind {
-                    Kind::Feed(feed) | Kind::Arc(_, feed) => feed.value,
-                    Kind::Rapid | Kind::Thread(_) | Kind::Dwell(_) => 0.0,
-                };
-                let F = self.design.F.unwrap_or(speed);
-                let planned = length * 60.0 / F;
-                let good = match self.design.mode {
-                    // F is the speed over the sheet itself.
-                    Mode::Flat => (F - step(FeedLaw::Resultant, F)..=F).contains(&word),
-                    Mode::Rotary => timely(self.design.dialect.feed, motion, word, planned),
-                };
-                if !good || seconds < planned * (1.0 - 1e-6) {
-                    self.off_speed.get_or_insert((speed, At::motion(motion)));
-                }
-                let slower = seconds / planned - 1.0;
-                if self.rounded.is_none_or(|(most, _)| slower > most) {
-                    self.rounded = Some((slower, At::motion(motion)));
-                }
-            }
-            _ => self.untimed = true,
-        }
-        let outline = self.outline;
+        self.look_at_speed(motion, length);
         let at = At::motion(motion);
         match follows {
-            Follows::Curve([from, to]) => {
-                let margin = (to - from) * 0.5 + 1e-9;
-                for (i, point) in points.iter().enumerate() {
-                    #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-                    let part = i as f64 / f64::from(LOOKS);
-                    let near = from + (to - from) * part;
-                    let span = [(near - margin).max(from), (near + margin).min(to)];
-                    let side = if near * 2.0 < from + to { Side::After } else { Side::Before };
-                    let phi = nearest(&|phi| outline.torch(phi, side), *point, span);
-                    let off = point - outline.torch(phi, side);
-                    let across = outline.across(phi, side);
-                    self.path.raise(off.norm(), at);
-                    if i.is_multiple_of(16) {
-                        self.curve.push([phi.to_degrees(), off.dot(&across)]);
-                    }
-                    let edge = point - across * outline.beside;
-                    self.edge(edge, at);
-                }
-            }
+            Follows::Curve(leg) => self.look_along(&way, leg, at),
             Follows::Corner(phi) => {
-                let corner = outline.curve(phi);
-                for point in &points {
-                    self.path.raise(((point - corner).norm() - outline.beside).abs(), at);
-                }
+                let off = way.off_circle(self.outline.curve(phi), self.outline.beside);
+                self.errors.take(at, &[off], |off| [*off, 0.0], |one, other| [one.max(*other), 0.0], |one, _| *one);
             }
             Follows::WayIn | Follows::Beyond => {}
         }
     }
 
-    /// How far a point of the edge that is cut is from the header.
-    fn edge(&mut self, edge: Vector2<f64>, at: At) {
-        let pair = self.outline.pair;
-        let point = pair.on_branch(edge.x / self.outline.radius, edge.y - self.outline.Z);
-        self.header.raise(pair.off_header(&point).abs(), at);
+    fn look_at_speed(&mut self, motion: &Motion, length: f64) {
+        let Some(seconds) = motion.seconds.filter(|seconds| *seconds > 0.0) else {
+            self.untimed = true;
+            return;
+        };
+        let at = At::motion(motion);
+        let speed = length * 60.0 / seconds;
+        if self.speed.is_none_or(|(most, _)| speed > most) {
+            self.speed = Some((speed, at));
+        }
+        self.slowest = Some(self.slowest.map_or(speed, |least: f64| least.min(speed)));
+        let word = match motion.kind {
+            Kind::Feed(feed) | Kind::Arc(_, feed) => feed.value,
+            Kind::Rapid | Kind::Thread(_) | Kind::Dwell(_) => 0.0,
+        };
+        let F = self.design.F.unwrap_or(speed);
+        let planned = length * 60.0 / F;
+        let good = match self.design.mode {
+            // F is the speed over the sheet itself.
+            Mode::Flat => (F - step(FeedLaw::Resultant, F)..=F).contains(&word),
+            Mode::Rotary => timely(self.design.dialect.feed, motion, word, planned),
+        };
+        if !good || seconds < planned * (1.0 - 1e-6) {
+            self.off_speed.get_or_insert((speed, at));
+        }
+        let slower = seconds / planned - 1.0;
+        if self.rounded.is_none_or(|(most, _)| slower > most) {
+            self.rounded = Some((slower, at));
+        }
     }
+
+    /// Holds a motion against the curve between two angles.
+    fn look_along(&mut self, way: &Way, leg: [f64; 2], at: At) {
+        let outline = self.outline;
+        let [from, to] = leg;
+        let inside = f64::midpoint(from, to);
+        let side = |phi: f64| if phi < inside { Side::After } else { Side::Before };
+        let curve = &mut self.curve;
+        let mut look = |part: f64, span: [f64; 2], steps: u32| {
+            let point = way.at(part);
+            let near = side(f64::midpoint(span[0], span[1]));
+            // Sideways to a small part of the span: the distance, which is square in it, far better.
+            let phi = golden(span, steps, |phi| (outline.torch(phi, near) - point).norm_squared()).1;
+            let across = outline.across(phi, near);
+            let off = point - outline.torch(phi, near);
+            curve.push([phi.to_degrees(), off.dot(&across)]);
+            Look { part, phi, off: off.norm(), edge: off_header(&outline, point - across * outline.beside).abs() }
+        };
+        let margin = (to - from) * 0.5 + 1e-9;
+        let first = [0.0, 0.5, 1.0].map(|part| {
+            let near = from + (to - from) * part;
+            look(part, [(near - margin).max(from), (near + margin).min(to)], 25)
+        });
+        self.errors.take(
+            at,
+            &first,
+            |look| [look.off, look.edge],
+            |one, other| over(&outline, way, inside, one, other),
+            |one, other| {
+                let (low, high) = (one.phi.min(other.phi), one.phi.max(other.phi));
+                let wider = 0.25 * (high - low) + 1e-9;
+                look(f64::midpoint(one.part, other.part), [(low - wider).max(from), (high + wider).min(to)], 20)
+            },
+        );
+    }
+}
+
+/// What the arithmetic of a look may lose.
+const ARITHMETIC: f64 = 1e-9;
+
+/// Looks that a program may take beyond the first three at each motion.
+const WORK: u32 = 100_000;
+
+/// What path and edge may be off.
+fn limits(design: &Design) -> [f64; 2] {
+    let tolerance = design.arc_tolerance + if design.style == Style::Full { ROUNDING } else { 0.0 };
+    // An error over the development is one of the edge, longer by as much as the branch's curve is than the development.
+    [tolerance, tolerance * (design.r / design.outline().radius).max(1.0) + SAME]
+}
+
+/// A look at a motion.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    /// What part of the motion lies before it.
+    part: f64,
+    /// The angle at which the torch's path is nearest.
+    phi: f64,
+    /// How far that is.
+    off: f64,
+    /// How far the edge that is cut is from the header.
+    edge: f64,
+}
+
+/// The way of a motion over the surface that is cut.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    Straight([Vector2<f64>; 2]),
+    Arc { centre: Vector2<f64>, angle: f64, sweep: f64, radii: [f64; 2] },
+}
+
+impl Way {
+    fn at(&self, part: f64) -> Vector2<f64> {
+        match *self {
+            Self::Straight([from, to]) => from + (to - from) * part,
+            Self::Arc { centre, angle, sweep, radii: [first, last] } => {
+                let (sin, cos) = sin_cos(angle + sweep * part);
+                centre + Vector2::new(cos, sin) * (first + (last - first) * part)
+            }
+        }
+    }
+
+    /// What its length is at most.
+    fn length(&self) -> f64 {
+        match *self {
+            Self::Straight([from, to]) => (to - from).norm(),
+            Self::Arc { sweep, radii: [first, last], .. } => hypot(sweep * first.max(last), last - first),
+        }
+    }
+
+    /// The way between two parts of it, while a parameter runs from 0 to 1.
+    fn jets(&self, [one, other]: [f64; 2]) -> [Jet; 2] {
+        match *self {
+            Self::Straight(_) => {
+                let (from, to) = (self.at(one), self.at(other));
+                [Jet::running(from.x, to.x, [0.0, 1.0]), Jet::running(from.y, to.y, [0.0, 1.0])]
+            }
+            Self::Arc { centre, angle, sweep, radii: [first, last] } => {
+                let running = |from: f64, by: f64| Jet::running(from + by * one, from + by * other, [0.0, 1.0]);
+                let (angle, radius) = (running(angle, sweep), running(first, last - first));
+                [Jet::of(centre.x) + radius * angle.cos(), Jet::of(centre.y) + radius * angle.sin()]
+            }
+        }
+    }
+
+    /// How far the way leaves a circle.
+    fn off_circle(&self, middle: Vector2<f64>, radius: f64) -> f64 {
+        match *self {
+            Self::Straight([from, to]) => {
+                let chord = to - from;
+                let part = ((middle - from).dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+                let nearest = if part.is_nan() { from } else { self.at(part) };
+                let far = [from, to].map(|end| (end - middle).norm() - radius);
+                far[0].abs().max(far[1].abs()).max(radius - (nearest - middle).norm())
+            }
+            Self::Arc { centre, radii, .. } => {
+                (centre - middle).norm() + radii.map(|own| (own - radius).abs()).into_iter().fold(0.0, f64::max)
+            }
+        }
+    }
+}
+
+/// How far a point of the edge that is cut, on the development, is from the header.
+fn off_header(outline: &Outline, edge: Vector2<f64>) -> f64 {
+    outline.pair.off_header(&outline.pair.on_branch(edge.x / outline.radius, edge.y - outline.Z))
+}
+
+/// What the errors nowhere exceed between two looks.
+fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> [f64; 2] {
+    let point = way.jets([one.part, other.part]);
+    let phi = Jet::running(one.phi, other.phi, [0.0, 1.0]);
+    let [torch, across] = outline.torch_jets(phi, inside);
+    let bends = bow(&[point[0] - torch[0], point[1] - torch[1]], 1.0);
+    let edge = [0, 1].map(|k| point[k] - across[k] * outline.beside);
+    let place = outline.pair.on_branch_jets(edge[0] * (1.0 / outline.radius), edge[1] - Jet::of(outline.Z));
+    let rises = bow(&[(place[1].square() + place[2].square()).sqrt()], 1.0);
+    // However the curve runs, the torch comes nearer to it or leaves it by no more than it goes.
+    let goes = 0.5 * way.length() * (other.part - one.part);
+    let path = (one.off.max(other.off) + bends).min(f64::midpoint(one.off, other.off) + goes);
+    let longer = if outline.beside > 0.0 { f64::INFINITY } else { (outline.pair.r / outline.radius).max(1.0) };
+    let header = (one.edge.max(other.edge) + rises).min(f64::midpoint(one.edge, other.edge) + longer * goes);
+    [path + ARITHMETIC, header + ARITHMETIC]
 }
 
 /// Reads the program of a branch back and judges it. Beside the verification: the deviation along the curve.
@@ -290,9 +380,8 @@ pub fn judge(
         outline: design.outline(),
         agreed: 0,
         different: None,
-        path: Most::default(),
-        header: Most::default(),
-        speed: Most::default(),
+        errors: Enclosed::new([1e-3 * design.arc_tolerance; 2], limits(design), WORK),
+        speed: None,
         slowest: None,
         off_speed: None,
         rounded: None,
@@ -345,41 +434,16 @@ pub fn judge(
 
 fn answers(design: &Design, program: &Program, watch: &mut Watch<'_>, planned: usize) -> Vec<Check> {
     let agreement = as_planned(program, watch.agreed, planned, watch.different.take());
-    let tolerance = design.arc_tolerance + if design.style == Style::Full { ROUNDING } else { 0.0 };
+    let [tolerance, limit] = limits(design);
     let name = Text::fixed("Trayectoria contra la curva exacta", "Path against the exact curve");
-    let path = Check::passed("path", name, program, Text::same(mm(watch.path.value)), Text::same(mm(tolerance)));
-    let path = path.at(watch.path.at);
-    let path = if watch.path.value <= tolerance {
-        path
-    } else {
-        let (off, limit) = (mm(watch.path.value), mm(tolerance));
-        let verdict = if design.mode == Mode::Flat { Verdict::Caution } else { Verdict::Stop };
-        path.of_parameters(vec!["arc_tolerance", "N"]).found(
-            verdict,
-            Text::new(
-                format!("los arcos se apartan {off} de la curva exacta; la tolerancia es {limit}"),
-                format!("the arcs leave the exact curve by {off}; the tolerance is {limit}"),
-            ),
-            if design.mode == Mode::Flat { Text::fixed("un N mayor", "a greater N") } else { FAULT },
-        )
-    };
+    let path = row("path", name, program, watch.errors.at_most(0), tolerance).of_parameters(vec!["arc_tolerance", "N"]);
+    let remedy = if design.mode == Mode::Flat { Text::fixed("un N mayor", "a greater N") } else { FAULT };
+    let words = ["los arcos se apartan de la curva exacta", "the arcs leave the exact curve by"];
+    let path = within(path, (&watch.errors, 0), tolerance, words, remedy);
     let name = Text::fixed("Borde cortado, sobre el tubo base", "Edge that is cut, on the header");
-    // Down the branch a deviation of the path is at most a deviation of the edge from the header.
-    let limit = tolerance + SAME;
-    let edge = Check::passed("edge", name, program, Text::same(mm(watch.header.value)), Text::same(mm(limit)));
-    let edge = edge.at(watch.header.at);
-    let edge = if watch.header.value <= limit || path.verdict > Verdict::Note {
-        edge
-    } else {
-        edge.found(
-            Verdict::Stop,
-            Text::new(
-                format!("el borde cortado queda a {} del tubo base", mm(watch.header.value)),
-                format!("the edge that is cut is {} off the header", mm(watch.header.value)),
-            ),
-            FAULT,
-        )
-    };
+    let edge = row("edge", name, program, watch.errors.at_most(1), limit).at(watch.errors.at[1]);
+    let words = ["el borde cortado queda fuera del tubo base por", "the edge that is cut is off the header by"];
+    let edge = if path.verdict > Verdict::Note { edge } else { within(edge, (&watch.errors, 1), limit, words, FAULT) };
     let name = Text::fixed("Longitud del corte", "Length of the cut");
     let length = Check::passed("length", name, program, Text::same(mm(watch.length)), Text::same("")).informing();
     vec![agreement, path, edge, length, feed(design, program, watch), feed_word(program, watch.rounded)]
@@ -391,11 +455,12 @@ fn feed(design: &Design, program: &Program, watch: &Watch<'_>) -> Check {
         let none = Text::fixed("sin palabra F", "no F word");
         return Check::passed("feed", name, program, none, Text::same("")).informing();
     };
-    let (most, least) = (watch.speed.value, watch.slowest.unwrap_or(watch.speed.value));
+    let most = watch.speed.map_or(0.0, |(most, _)| most);
+    let least = watch.slowest.unwrap_or(most);
     let show = |speed: f64| shown(speed, 1);
     let value = Text::same(format!("{} … {} mm/min", show(least), show(most)));
     let check = Check::passed("feed", name, program, value, Text::same(format!("{} mm/min", shown(F, 3))));
-    let check = check.at(watch.speed.at);
+    let check = check.at(watch.speed.map(|(_, at)| at));
     let F = shown(F, 3);
     match watch.off_speed {
         None if !watch.untimed => check,

@@ -12,7 +12,7 @@ use crate::parameter::list::{List, Row, Rows};
 use crate::text::Text;
 
 use super::address::{self, Position};
-use super::sheet_cells::{Content, SheetCells};
+use super::sheet_cells::SheetCells;
 use super::unit;
 use super::value::{holds, read_at};
 use super::words::fold;
@@ -142,31 +142,33 @@ fn columns(
 
 /// Compares the units above the headings with those of the columns.
 fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], findings: &mut Vec<Finding>) {
+    let written_at = |at: u32| sheet.text((row, at)).unwrap_or_default();
+    // One that says a unit makes it the row of the units, and the others may not be without.
+    let is_row = columns.iter().any(|&(one, at)| !one.unit.label().is_empty() && unit::says(one.unit, written_at(at)));
     for &(parameter, at) in columns {
-        let Some(Content::Text(written, _)) = sheet.cell((row, at)).map(|cell| &cell.content) else { continue };
-        let written = written.trim();
-        if unit::says(parameter.unit, written) {
+        let written = written_at(at);
+        if unit::says(parameter.unit, written) || (written.is_empty() && !is_row) {
             continue;
         }
         let (symbol, label) = (parameter.symbol(), parameter.unit.label());
-        let (shown, cell) = (excerpt(written, SHOWN), address::format((row, at)));
+        let cell = address::format((row, at));
+        let said = if written.is_empty() {
+            say!("{cell} está vacía", "{cell} is empty")
+        } else {
+            let shown = excerpt(written, SHOWN);
+            say!("{cell} dice \"{shown}\"", "{cell} says \"{shown}\"")
+        };
         let place = Place::Cells(vec![sheet.place((row, at))]);
         let finding = if label.is_empty() {
             Finding::stop(
                 place,
-                say!(
-                    "{symbol} no tiene unidad y {cell} dice \"{shown}\"",
-                    "{symbol} has no unit, and {cell} says \"{shown}\""
-                ),
+                say!("{symbol} no tiene unidad y {said}", "{symbol} has no unit, and {said}", said = said),
                 say!("vacíe la celda {cell}", "empty cell {cell}"),
             )
         } else {
             Finding::stop(
                 place,
-                say!(
-                    "{symbol} se da en {label} y {cell} dice \"{shown}\"",
-                    "{symbol} is given in {label}, and {cell} says \"{shown}\""
-                ),
+                say!("{symbol} se da en {label} y {said}", "{symbol} is given in {label}, and {said}", said = said),
                 say!(
                     "convierta los valores a {label} y escriba {label} en {cell}",
                     "convert the values to {label} and write {label} in {cell}"

@@ -8,11 +8,12 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Refusal};
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Earlier, Form, Kind, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text};
 
+use super::address;
 use super::book::Book;
 use super::gate::gate;
 use super::list_rows;
@@ -24,6 +25,8 @@ use super::words;
 
 /// Most unknown symbols that are mentioned.
 const UNKNOWN: usize = 20;
+/// Most cells with formulas that are named.
+const FORMULAS: usize = 10;
 /// Characters of a name or a symbol shown in a message.
 const SHOWN: usize = 40;
 
@@ -60,8 +63,11 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     let mut exit = Exit::Refused;
     let mut first = Some(sheet);
     for (index, described) in form.sheets.iter().enumerate() {
-        let found =
-            if index == 0 { Some(entry.clone()) } else { find(&book.gated.sheets, &described.name, &mut findings)? };
+        let found = if index == 0 {
+            Some(entry.clone())
+        } else {
+            find(&book.gated.sheets, &described.name, language, &mut findings)?
+        };
         let Some(entry) = found else {
             if !described.optional {
                 let name = described.name.get(language);
@@ -92,6 +98,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         }
         if !sheet.survey.unsound {
             take((form.schema, earlier), described, &sheet, &mut values, &mut findings);
+            let inputs = described.sections.iter().flat_map(|section| section.parameters);
+            findings.extend(calculated(&sheet, inputs.filter_map(|one| values.cells.get(one.key))));
         }
     }
     for list in form.lists {
@@ -104,7 +112,10 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
                         exit = sheet.survey.exit();
                     }
                     if !sheet.survey.unsound {
-                        values.lists.extend(list_rows::read(list, &sheet, &mut findings));
+                        let rows = list_rows::read(list, &sheet, &mut findings);
+                        let inputs = rows.iter().flat_map(|rows| &rows.rows).flat_map(|row| row.cells.values());
+                        findings.extend(calculated(&sheet, inputs));
+                        values.lists.extend(rows);
                     }
                 }
                 Err(mut refusal) => {
@@ -156,6 +167,27 @@ pub(super) fn hidden(entry: &SheetEntry) -> Option<Finding> {
             say!(
                 "la hoja \"{name}\" está oculta; se lee igualmente",
                 "the sheet \"{name}\" is hidden; it is read all the same"
+            ),
+        )
+    })
+}
+
+/// A note on inputs that are results of formulas: what is read is what the spreadsheet stored with them.
+pub(super) fn calculated<'a>(sheet: &SheetCells, inputs: impl Iterator<Item = &'a CellPlace>) -> Option<Finding> {
+    let mut cells: Vec<CellPlace> = inputs
+        .filter(|place| address::parse(&place.cell).is_some_and(|at| sheet.survey.formulas.contains(&at)))
+        .cloned()
+        .collect();
+    let (count, most) = (cells.len(), FORMULAS);
+    cells.truncate(most);
+    let more = if count > most { say!(" (las primeras {most})", " (the first {most})") } else { Text::fixed("", "") };
+    (count > 0).then(|| {
+        Finding::note(
+            Place::Cells(cells),
+            say!(
+                "valores de entrada que son resultados de fórmulas: {count}{more}; se lee lo que la hoja de cálculo guardó",
+                "input values that are results of formulas: {count}{more}; what the spreadsheet stored is read",
+                more = more
             ),
         )
     })
@@ -230,7 +262,12 @@ pub(super) fn sheet_named(
 }
 
 /// A further sheet of a form, in either language.
-fn find(sheets: &[SheetEntry], name: &Text, findings: &mut Vec<Finding>) -> Result<Option<SheetEntry>, Refusal> {
+fn find(
+    sheets: &[SheetEntry],
+    name: &Text,
+    language: Language,
+    findings: &mut Vec<Finding>,
+) -> Result<Option<SheetEntry>, Refusal> {
     let names = Language::ALL.map(|language| name.get(language));
     let mut alike: Vec<_> =
         sheets.iter().filter(|entry| names.iter().any(|name| same_but_for_case(name, &entry.name))).collect();
@@ -248,15 +285,15 @@ fn find(sheets: &[SheetEntry], name: &Text, findings: &mut Vec<Finding>) -> Resu
     if names.contains(&entry.name.as_str()) {
         return Ok(Some((*entry).clone()));
     }
-    let name = excerpt(&entry.name, SHOWN);
-    let [es, en] = names;
+    // The name that it has in a workbook of this language, whatever the language of the message.
+    let (right, name) = (name.get(language), excerpt(&entry.name, SHOWN));
     findings.push(Finding::caution(
         Place::Sheet(entry.name.clone()),
         say!(
-            "la hoja \"{name}\" no se lee: su nombre no es \"{es}\"",
-            "the sheet \"{name}\" is not read: its name is not \"{en}\""
+            "la hoja \"{name}\" no se lee: su nombre no es \"{right}\"",
+            "the sheet \"{name}\" is not read: its name is not \"{right}\""
         ),
-        say!("cambie su nombre a \"{es}\" para que se lea", "rename it to \"{en}\" to have it read"),
+        say!("cambie su nombre a \"{right}\" para que se lea", "rename it to \"{right}\" to have it read"),
     ));
     Ok(None)
 }
@@ -270,7 +307,7 @@ fn list_sheets(
 ) -> Result<Vec<SheetEntry>, Refusal> {
     match &list.naming {
         Naming::One(name) => {
-            let found = find(sheets, name, findings)?;
+            let found = find(sheets, name, language, findings)?;
             if found.is_none() && !list.optional {
                 let name = name.get(language);
                 findings.push(Finding::stop(

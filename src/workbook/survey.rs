@@ -36,6 +36,8 @@ pub struct Survey {
     pub judged: BTreeSet<Position>,
     /// Cells with a formula and no value stored with it.
     pub uncalculated: BTreeSet<Position>,
+    /// Cells with a formula and the value that was stored with it.
+    pub formulas: BTreeSet<Position>,
     /// Merged cells that reach into the columns that are read.
     pub merges: Vec<Range>,
     /// True where calamine must not read the sheet.
@@ -300,6 +302,8 @@ impl Walk<'_> {
         let kind = cell.kind.as_deref();
         if near && cell.formula && value.is_empty() && !cell.inline && !(kind == Some("str") && cell.value.is_some()) {
             self.survey.uncalculated.insert(position);
+        } else if near && cell.formula {
+            self.survey.formulas.insert(position);
         }
         if let Some(fault) = raw_value::judge(kind, value, self.strings)
             && (near || fault.unsound)

@@ -5,7 +5,7 @@ use crate::text::Text;
 
 use super::typed_number::decimal;
 
-/// True where a unit cell says this unit, in one of its usual spellings.
+/// True where a unit cell says this unit, in one of its usual spellings. An empty one says only that there is none.
 #[must_use]
 pub fn says(unit: Unit, cell: &str) -> bool {
     let cell = cell.trim();
@@ -24,7 +24,7 @@ pub fn says(unit: Unit, cell: &str) -> bool {
         Unit::CubicMillimetre => &["mm3"],
         Unit::CubicCentimetrePerMinute => &["cm3/min"],
     };
-    cell.is_empty() || cell == unit.label() || spellings.contains(&cell)
+    cell == unit.label() || spellings.contains(&cell)
 }
 
 /// A number with its unit.
@@ -104,14 +104,14 @@ mod tests {
 
     #[test]
     fn units_are_compared_and_not_ignored() {
-        for cell in ["mm", " mm ", ""] {
+        for cell in ["mm", " mm "] {
             assert!(says(Unit::Millimetre, cell), "{cell}");
         }
-        for cell in ["in", "inch", "m", "cm", "Mm", "µm", "°"] {
+        for cell in ["in", "inch", "m", "cm", "Mm", "µm", "°", "", " "] {
             assert!(!says(Unit::Millimetre, cell), "{cell}");
         }
         assert!(says(Unit::Degree, "º") && !says(Unit::Degree, "rad"));
-        assert!(says(Unit::Count, "-") && !says(Unit::Count, "mm"));
+        assert!(says(Unit::Count, "-") && says(Unit::Count, "") && !says(Unit::Count, "mm"));
     }
 
     #[test]

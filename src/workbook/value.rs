@@ -305,17 +305,34 @@ impl Reading<'_> {
     /// Compares the unit cell with the unit the parameter has.
     fn unit(&mut self) {
         let at = (self.at.0, UNIT);
-        let Some(held) = self.sheet.cell(at) else { return };
-        let written = match &held.content {
-            Content::Text(text, _) => text.trim().to_owned(),
-            Content::Number(number) => decimal(*number),
-            Content::Truth(_) | Content::Date | Content::Error(_) => "?".to_owned(),
+        let written = match self.sheet.cell(at).map(|held| &held.content) {
+            None => String::new(),
+            Some(Content::Text(text, _)) => text.trim().to_owned(),
+            Some(Content::Number(number)) => decimal(*number),
+            Some(Content::Truth(_) | Content::Date | Content::Error(_)) => "?".to_owned(),
         };
         let unit = self.parameter.unit;
         if unit::says(unit, &written) {
             return;
         }
         let (written, label, cell) = (excerpt(&written, SHOWN), unit.label(), address::format(at));
+        if written.is_empty() {
+            // A label or a value merged over it hides it, and was not typed in its place.
+            if self.sheet.survey.covering(at).is_some() {
+                return;
+            }
+            let what = say!(
+                ": la celda {cell} no dice su unidad; se da en {label}",
+                ": cell {cell} does not say its unit; it is given in {label}"
+            );
+            let remedy = say!(
+                "compruebe que el valor está en {label} y escriba {label} en {cell}",
+                "check that the value is in {label} and write {label} in {cell}"
+            );
+            let place = Place::Cells(vec![self.sheet.place(at)]);
+            self.findings.push(Finding::stop(place, join(&named(self.parameter), &what), remedy).with("", label));
+            return;
+        }
         let place = Place::Cells(vec![self.sheet.place(at)]);
         let name = named(self.parameter);
         let finding = if matches!(self.parameter.kind, Kind::Real { .. } | Kind::Whole { .. }) {

@@ -239,6 +239,14 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "convert the value to mm and write mm in D7",
         ),
         at(
+            "B16 emptied",
+            &sound().cell(DATA, "D7", ""),
+            Refused,
+            "D7",
+            "cell D7 does not say its unit; it is given in mm",
+            "check that the value is in mm and write mm in D7",
+        ),
+        at(
             "B16 unit of a count",
             &sound().cell(DATA, &format!("D{}", row("N")), &format!("<c r=\"D{}\" t=\"str\"><v>mm</v></c>", row("N"))),
             Refused,

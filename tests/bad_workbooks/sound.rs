@@ -81,6 +81,38 @@ fn targets_that_go_through_folders_are_followed() {
     assert!(said.contains("stands in \"../../worksheets/sheet1.xml\", outside of the package"), "{said}");
 }
 
+/// What a formula came to when the workbook was saved is read, and noted with its cell.
+#[test]
+fn the_stored_value_of_a_formula_is_noted() {
+    let formula = |key: &str, text: &str| format!("<c r=\"{}\"><f>{text}</f><v>27</v></c>", cell(key));
+    let parts = Parts::sound().cell(DATA, &cell("R"), &formula("R", "20+7"));
+    // Formulas that are no input are none of anybody's business.
+    let parts = parts.cell(DATA, "E7", "<c r=\"E7\"><f>1+1</f><v>2</v></c>");
+    let filled = impeller(&parts.zip()).unwrap();
+    assert_eq!(filled.values.values["R"], Value::Real(27.0));
+    assert_noted(
+        &parts,
+        Grade::Note,
+        &cell("R"),
+        "input values that are results of formulas: 1; what the spreadsheet stored is read",
+    );
+}
+
+/// A sheet whose name is nearly right is told its right name in the language of the workbook.
+#[test]
+fn a_renamed_sheet_is_told_its_name_in_the_language_of_the_workbook() {
+    let [es, en] = Language::ALL.map(|language| FORM.sheets[1].name.get(language).to_owned());
+    assert_ne!(es, en);
+    for (language, right, wrong) in [(Language::Es, &es, &en), (Language::En, &en, &es)] {
+        let parts = Parts::of(&sound(language)).replace("xl/workbook.xml", right, &right.to_lowercase());
+        let filled = impeller(&parts.zip()).unwrap();
+        let [told] = filled.findings.as_slice() else { panic!("{:?}", filled.findings) };
+        assert_eq!(told.remedy.es, format!("cambie su nombre a \"{right}\" para que se lea"));
+        assert_eq!(told.remedy.en, format!("rename it to \"{right}\" to have it read"));
+        assert!(!told.what.en.contains(wrong.as_str()), "{}", told.what.en);
+    }
+}
+
 #[test]
 fn rows_may_be_moved_because_values_are_found_by_their_symbol() {
     let data = Parts::sound().text(DATA);

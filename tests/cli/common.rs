@@ -19,19 +19,24 @@ pub fn folder() -> TempDir {
 /// The command, run in a folder.
 pub fn rodete(folder: &TempDir) -> Command {
     let mut command = Command::cargo_bin("rodete").expect("the binary");
-    command.current_dir(folder.path()).env_remove("RODETE_TYPST");
+    command.current_dir(folder.path()).env_remove("RODETE_TYPST").env("LC_ALL", "C");
     command
 }
 
-/// Writes a workbook of the usual case with some values changed.
+/// Writes an English workbook of the usual case with some values changed.
 pub fn workbook(path: &Path, changes: &[(&'static str, Value)]) {
-    let mut values = CASES.first().expect("a case").values(Language::En);
+    workbook_in(Language::En, path, changes);
+}
+
+/// Writes a workbook of the usual case with some values changed.
+pub fn workbook_in(language: Language, path: &Path, changes: &[(&'static str, Value)]) {
+    let mut values = CASES.first().expect("a case").values(language);
     for (key, value) in changes {
         values.retain(|(other, _)| other != key);
         values.push((key, value.clone()));
     }
     let file = File::create(path).expect("a workbook to write");
-    template::write(&FORM, &values, &[], &Text::same(""), Language::En, file).expect("a workbook");
+    template::write(&FORM, &values, &[], &Text::same(""), language, file).expect("a workbook");
 }
 
 /// A folder with `impeller.xlsx` of the usual case in it.

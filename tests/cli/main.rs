@@ -7,6 +7,8 @@ mod delivered;
 mod environment;
 mod faults;
 mod offsets;
+mod outputs;
+mod spoken;
 mod usage;
 mod verify;
 mod view;

@@ -218,3 +218,18 @@ fn how_rotary_words_were_read_is_told() {
         assert_eq!(document(&folder, &[&["turn.nc"], arguments].concat()).0["rotary"], rotary);
     }
 }
+
+#[test]
+fn subprograms_are_found_in_named_folders_behind_the_programs_own() {
+    let folder = with_program("main.ngc", b"G21\no<one> call\no<two> call\nM2\n");
+    for (name, x) in [("one", 1), ("first/two", 2), ("second/two", 3), ("second/one", 4)] {
+        let path = folder.path().join(format!("{name}.ngc"));
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        let label = name.rsplit('/').next().expect("a name");
+        fs::write(path, format!("o<{label}> sub\nG0 X{x}\no<{label}> endsub\n")).expect("a subprogram");
+    }
+    let (program, exit) = document(&folder, &["main.ngc", "--subs", "first", "--subs", "second"]);
+    assert_eq!((exit, &program["end"]["program"]["X"], &program["motions"]), (0, &Json::from(2.0), &Json::from(2)));
+    let (_, exit) = document(&folder, &["main.ngc"]);
+    assert_eq!(exit, 3, "without the folders there is no subprogram");
+}

@@ -424,7 +424,6 @@ fn what_is_no_program_is_refused() {
         ("", "stop 1 no program: the file has no block, 0 moves"),
         ("%\n%\n", "stop 2 no program: the file has no block, 0 moves"),
         ("(only words)\n", "stop 1 no program: the file has no block, 0 moves"),
-        ("G0 X50.\n", "stop 1 the program ends without M2 or M30"),
         ("\u{1}\u{2}\u{3}\n", "stop 1:1 "),
         ("<html>\n", "stop 1:1 character '<' is not allowed"),
     ] {
@@ -433,6 +432,13 @@ fn what_is_no_program_is_refused() {
         assert!(lines(&document).iter().any(|line| line.starts_with(found)), "{text:?} {:?}", lines(&document));
         bilingual(&document);
     }
+    // The control runs it, and stops at its end.
+    let (document, exit) = simulate("G0 X50.\n", &[], &["--dialect", "fanuc-lathe-a"]);
+    let found = lines(&document);
+    assert!(
+        exit == 0 && found.iter().any(|line| line.contains("the program ends without M2 or M30: read as")),
+        "{found:?}"
+    );
 }
 
 #[test]

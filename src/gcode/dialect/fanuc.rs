@@ -90,6 +90,8 @@ static CODES: Codes = Codes::new(&[
     (820, G::Cycle(Cycle::DrillDwell)),
     (830, G::Cycle(Cycle::Peck)),
     (900, G::Pass(Pass::Axial)),
+    // No code of the system; alone in a block it is passed over.
+    (910, G::Incremental),
     (920, G::Pass(Pass::Thread)),
     (940, G::Pass(Pass::Radial)),
     (960, G::ConstantSurfaceSpeed),

@@ -4,19 +4,23 @@ use crate::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 
 /// The dialect that the beginning of a program and its file's ending (without the dot) tell.
 ///
-/// `.ngc` is LinuxCNC. A first line `%name,MX--,` is a Fagor 8055, `%number-name` a Fagor 8070. An M code from M10 to M18
+/// The header of a program that rodete wrote names it. `.ngc` is LinuxCNC. A first line `%name,MX--,` is a Fagor 8055, or 8055 T
+/// where a block has G96 with S; `%number-name` is a Fagor 8070. An M code from M10 to M18
 /// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
 /// 8055. A T of four digits, place and offset as in `T0101`, is a Fanuc lathe of system A. Everything else is LinuxCNC.
 #[must_use]
 pub fn told(head: &[u8], ending: &str) -> &'static Dialect {
+    let text = String::from_utf8_lossy(head);
+    if let Some(dialect) = text.lines().find_map(headed) {
+        return dialect;
+    }
     if ending.eq_ignore_ascii_case("ngc") {
         return &LINUXCNC;
     }
-    let text = String::from_utf8_lossy(head);
     let first = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();
     if let Some(name) = first.strip_prefix('%') {
         if name.contains(",MX") {
-            return &FAGOR_8055;
+            return if text.lines().any(surface_speed) { &FAGOR_8055_T } else { &FAGOR_8055 };
         }
         if name.starts_with(|letter: char| letter.is_ascii_digit()) {
             return &FAGOR_8070;
@@ -35,6 +39,20 @@ pub fn told_turning(head: &[u8]) -> &'static Dialect {
     let text = String::from_utf8_lossy(head);
     let named = text.lines().any(|line| line.trim_start().starts_with('%') && line.contains(",MX"));
     if named || text.lines().any(tool_and_offset) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
+}
+
+/// The dialect that a header of rodete's names, as `;RODETE 0.1.0 - DIALECT FAGOR-8055-T`.
+fn headed(line: &str) -> Option<&'static Dialect> {
+    let comment = line.trim().trim_start_matches([';', '(']).trim_end_matches(')').to_ascii_lowercase();
+    let (_, named) = comment.strip_prefix("rodete ")?.split_once(" - dialect")?;
+    Dialect::named(named.trim_start_matches('o').trim())
+}
+
+/// True where a line has G96 and S: constant surface speed, which no milling program has.
+fn surface_speed(line: &str) -> bool {
+    let code = code(line);
+    let g96 = code.split("G96").nth(1).is_some_and(|rest| !rest.starts_with(|one: char| one.is_ascii_digit()));
+    g96 && code.split('S').skip(1).any(|rest| rest.starts_with(|one: char| one.is_ascii_digit()))
 }
 
 /// A line without its comment and its blanks.
@@ -75,6 +93,10 @@ mod tests {
             ("N10 G91 M3 M11 M13\n", "ngc", "linuxcnc"),
             ("%0001-A,MX--,\r\nG71\r\n", "nc", "fagor-8055"),
             ("%0001-A\r\nG71\r\n", "nc", "fagor-8070"),
+            ("%0001-A,MX--,\r\n;RODETE 0.1.0 - DIALECTO FAGOR-8055-T\r\nG71\r\n", "nc", "fagor-8055-t"),
+            ("(RODETE 0.1.0 - DIALECT FAGOR-8070)\nG71\n", "nc", "fagor-8070"),
+            ("%0001-A,MX--,\r\nG71\r\nN40 G96 S300 M4\r\n", "nc", "fagor-8055-t"),
+            ("%0001-A,MX--,\r\nG71\r\n;G96 S300\r\nS960\r\n", "nc", "fagor-8055"),
             ("%\nG21\nM30\n%\n", "nc", "linuxcnc"),
             ("O0001\nN10 G50 S2500\nN20 T0101 M41\n", "nc", "fanuc-lathe-a"),
             ("O0001\nN20 T0101\n", "ngc", "linuxcnc"),

@@ -8,10 +8,10 @@
 use std::f64::consts::{SQRT_2, TAU};
 
 use crate::gcode::code::G;
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Arc, Kind, Plane};
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -132,10 +132,11 @@ impl Interpreter<'_> {
                         Text::fixed("dé el punto final", "give the end point"),
                     ));
                 }
-                self.centre_by_radius(start, end, self.modal.unit.to_mm(R), clockwise)?
+                self.centre_by_radius(start, end, self.modal.unit.to_mm(R), clockwise)
             }
-            None => self.centre_by_offsets(start, end, [first, second])?,
+            None => self.centre_by_offsets(start, end, [first, second]),
         };
+        let centre = centre.map_err(|fault| fault.hanging_on(doubt::axis(a) | doubt::axis(b) | doubt::MODES))?;
         Ok((centre, to))
     }
 

@@ -74,6 +74,7 @@ impl Interpreter<'_> {
                 FeedMode::PerMinute | FeedMode::PerRevolution => self.modal.unit.to_mm(F),
                 FeedMode::InverseTime | FeedMode::Seconds => F,
             };
+            self.modal.feed_word = F;
             self.modal.feed_stale = false;
         }
         if let Some(S) = self.block.get(letter::S) {
@@ -96,7 +97,7 @@ impl Interpreter<'_> {
         self.modal.feed_stale |= self.reading.diameter && mode != self.modal.feed_mode && self.modal.feed > 0.0;
         self.modal.feed_mode = mode;
         if mode != FeedMode::InverseTime && self.reading.feed_required {
-            self.modal.feed = 0.0;
+            (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
         }
     }
 

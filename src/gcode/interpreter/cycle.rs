@@ -6,12 +6,12 @@
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G};
 use crate::gcode::control::Spindle;
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::moves;
-use crate::gcode::motion::{Feed, FeedMode, Kind};
+use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::motion::{Feed, FeedMode, Kind, Plane};
 use crate::machine::axis::Pose;
 use crate::text::Text;
 
@@ -47,6 +47,7 @@ pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
         Text::new(format!("falta {letter} en G{number}"), format!("{letter} is missing in G{number}")),
         Text::new(format!("dé {letter} en el bloque"), format!("give {letter} in the block")),
     )
+    .hanging_on(doubt::MOTION)
 }
 
 impl Interpreter<'_> {
@@ -251,7 +252,29 @@ impl Interpreter<'_> {
                     format!("G{}: the spindle stands still or turns the wrong way", cycle.number()),
                 ),
                 Text::fixed("programe M3 o M4 antes", "program M3 or M4 before"),
-            ));
+            )
+            .hanging_on(doubt::SPINDLE));
+        }
+        if wanted.is_some() && self.modal.plane != Plane::XY && self.reading.expressions {
+            self.remarks.add(
+                Grade::Caution,
+                self.line,
+                None,
+                Text::new(
+                    format!(
+                        "G{} fuera de G17: LinuxCNC 2.9 cambia los ejes entre sí y rosca hacia un lado",
+                        cycle.number()
+                    ),
+                    format!(
+                        "G{} outside G17: LinuxCNC 2.9 takes the axes for one another and taps sideways",
+                        cycle.number()
+                    ),
+                ),
+                Text::fixed(
+                    "leído como lo dice el plano; en ese control, rosque en G17",
+                    "read as the plane says; on that control tap in G17",
+                ),
+            );
         }
         if cycle == Cycle::BoreManual {
             let line = self.line;

@@ -7,10 +7,10 @@ use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G, Group, M, Pass};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::dialect::{FeedLaw, Rotary};
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
+use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
 use crate::text::Text;
@@ -36,6 +36,7 @@ impl Interpreter<'_> {
         }
         if self.reading.system_a {
             self.one_word_an_axis()?;
+            self.no_increments()?;
         }
         let plan = self.plan()?;
         self.rotary_words()?;
@@ -81,7 +82,7 @@ impl Interpreter<'_> {
         }
         match self.block.g(Group::Distance) {
             Some(G::Absolute) => self.modal.incremental = false,
-            Some(G::Incremental) => self.modal.incremental = true,
+            Some(G::Incremental) => self.modal.incremental = !self.reading.system_a,
             _ => {}
         }
         match self.block.g(Group::Centre) {
@@ -218,7 +219,7 @@ impl Interpreter<'_> {
             None if block.has(letter::R) && matches!(self.modal.motion, G::Pass(_)) && at_once.is_none() => {
                 Some(self.modal.motion)
             }
-            None if block.present & CENTRE_WORDS != 0 && matches!(self.modal.motion, G::Arc(_)) => {
+            None if block.present & !dwell & CENTRE_WORDS != 0 && matches!(self.modal.motion, G::Arc(_)) => {
                 Some(self.modal.motion)
             }
             None => None,
@@ -236,7 +237,8 @@ impl Interpreter<'_> {
                 &[block.g_column(Group::NonModal)],
                 Text::fixed("G53 sin G0 ni G1 en vigor", "G53 without G0 or G1 in force"),
                 Text::fixed("programe G53 G0 y los ejes", "program G53 G0 and the axes"),
-            ));
+            )
+            .hanging_on(doubt::MOTION));
         }
         let mut used = dwell;
         let turning = matches!(at_once, Some(G::Turning(_)));
@@ -310,6 +312,7 @@ impl Interpreter<'_> {
             what,
             Text::fixed("programe G0, G1, G2 o G3 antes de los ejes", "program G0, G1, G2 or G3 before the axes"),
         )
+        .hanging_on(doubt::MOTION)
     }
 
     pub(super) fn unused(&self, idle: u32) -> Box<Fault> {
@@ -339,6 +342,7 @@ impl Interpreter<'_> {
             ),
             Text::fixed("quítela, o añada el código", "take it out, or add the code"),
         )
+        .hanging_on(doubt::MOTION)
     }
 
     fn make_motion(&mut self, motion: G) -> Outcome<()> {
@@ -408,14 +412,16 @@ impl Interpreter<'_> {
                         "dé un F mayor que 0 en cada bloque de movimiento",
                         "give an F greater than 0 in every motion block",
                     ),
-                ));
+                )
+                .hanging_on(doubt::FEED));
             }
             FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
                 if self.reading.feed_required || self.block.has(letter::F) {
                     return Err(Fault::block(
                         Text::fixed("movimiento de avance sin F, o con F0", "feed move without F, or with F0"),
                         Text::fixed("dé el avance con F", "give the feed with F"),
-                    ));
+                    )
+                    .hanging_on(doubt::FEED));
                 }
                 let line = self.line;
                 self.remarks.add(
@@ -430,7 +436,8 @@ impl Interpreter<'_> {
                 return Err(Fault::block(
                     Text::fixed("avance por vuelta con el husillo a 0", "feed per revolution with spindle speed 0"),
                     Text::fixed("dé la velocidad del husillo con S", "give the spindle speed with S"),
-                ));
+                )
+                .hanging_on(doubt::SPEED));
             }
             _ => {}
         }

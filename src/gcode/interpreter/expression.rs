@@ -315,6 +315,7 @@ impl Interpreter<'_> {
                     ),
                     Text::fixed("dele un valor antes de usarlo", "give it a value before it is used"),
                 )
+                .hanging_on(self.doubt_of(&format!("<{name}>")))
             });
         }
         let number = self.parameter_number(cursor)?;

@@ -27,6 +27,8 @@ pub struct Fault {
     /// True where the motions of a turning cycle are not made because of it: what comes after it meets another part than
     /// the program reckons with.
     pub uncut: bool,
+    /// Parts of what is in force that it hangs on: where one is in doubt behind a refused block, it follows from that.
+    pub(super) hangs: u32,
 }
 
 impl Fault {
@@ -42,6 +44,7 @@ impl Fault {
             remedy,
             fatal: false,
             uncut: false,
+            hangs: 0,
         })
     }
 
@@ -90,7 +93,7 @@ impl From<Fault> for Finding {
 }
 
 /// The place of a line of the program, or of a subprogram's own file.
-fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Place {
+pub(super) fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Place {
     match file {
         None => Place::Line { line, columns },
         Some(file) => Place::Subprogram { file: file.to_owned(), line, columns },

@@ -133,7 +133,13 @@ impl Interpreter<'_> {
                 self.nothing_more(cursor)?;
                 self.go_to(end.after)
             }
-            Word::EndSub | Word::Return => self.give_back(cursor, &name),
+            Word::EndSub => self.give_back(cursor, &name),
+            Word::Return => {
+                // It ends the subprogram that it stands in, whatever label it names.
+                let around = self.structure()?.around(index);
+                let around = self.mark(around)?.label;
+                self.give_back(cursor, &around)
+            }
             Word::If | Word::ElseIf => {
                 if kind == Word::ElseIf && !clause {
                     return self.leave_clauses(index);

@@ -58,6 +58,28 @@ impl Interpreter<'_> {
         Ok(())
     }
 
+    /// G91, which system A does not have: told where it stands without axes, else refused.
+    pub(super) fn no_increments(&mut self) -> Outcome<()> {
+        if self.block.g(Group::Distance) != Some(G::Incremental) {
+            return Ok(());
+        }
+        let column = self.block.g_column(Group::Distance);
+        if self.has_axes() {
+            return Err(self.unknown('G', 91.0, column));
+        }
+        self.remarks.add(
+            Grade::Caution,
+            self.line,
+            Some(column),
+            Text::fixed(
+                "G91 no es un código del sistema A: leído como si no estuviera, X y Z siguen absolutas",
+                "G91 is no code of system A: read as if it were not there, X and Z stay absolute",
+            ),
+            Text::fixed("escriba los incrementos con U y W", "write increments with U and W"),
+        );
+        Ok(())
+    }
+
     /// G20 and G21, G70 and G71.
     pub(super) fn take_unit(&mut self) {
         match self.block.g(Group::Units) {

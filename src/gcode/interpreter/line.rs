@@ -5,8 +5,12 @@ use crate::gcode::dialect::reading::Comments;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::{Interpreter, Stage, block_number};
+use crate::gcode::interpreter::source::Position;
+use crate::gcode::interpreter::{Interpreter, Stage, block_number, without_end};
 use crate::text::Text;
+
+/// Most lines that are looked through for the first `%`.
+const LONGEST_LEADER: usize = 1_000;
 
 impl Interpreter<'_> {
     /// Counts the line that has just been read.
@@ -42,6 +46,9 @@ impl Interpreter<'_> {
         }
         if memchr::memchr3(b'(', b')', b';', line).is_some() {
             self.see_comments(line)?;
+            if self.aborted {
+                return self.end().map(|()| None);
+            }
         }
         let mut cursor = Cursor::new(line, self.reading.comments);
         let first = cursor.peek();
@@ -79,7 +86,9 @@ impl Interpreter<'_> {
                 Parameter::Name(name) => self.parameters.set_named(name, value),
             }
         }
-        self.execute()
+        self.execute()?;
+        self.certain();
+        Ok(())
     }
 
     /// `%` begins and ends a program; a Fagor program begins with `%` and its name.
@@ -96,8 +105,14 @@ impl Interpreter<'_> {
                 self.percent = true;
                 return Ok(());
             }
-            if self.percent || self.at != 0 {
-                return if self.stage == Stage::Opening || self.at != 0 { self.end_of_file() } else { self.end() };
+            if self.percent || self.at != 0 || self.reading.system_a {
+                if self.stage == Stage::Opening || self.at != 0 {
+                    return self.end_of_file();
+                }
+                if self.reading.system_a {
+                    self.remark_no_end();
+                }
+                return self.end();
             }
         }
         Err(Fault::at(
@@ -110,6 +125,57 @@ impl Interpreter<'_> {
         ))
     }
 
+    /// A lathe's program has come to the end of its text without a code that ends it.
+    pub(super) fn remark_no_end(&mut self) {
+        self.remarks.add(
+            Grade::Caution,
+            self.line,
+            None,
+            Text::fixed(
+                "el programa termina sin M2 ni M30: leído como su final; el control se para ahí con una alarma",
+                "the program ends without M2 or M30: read as its end; the control stops there with an alarm",
+            ),
+            Text::fixed("añada M30 al final", "add M30 at the end"),
+        );
+    }
+
+    /// Passes over what stands before the first `%`, as a Fanuc does: text that is no block, with a program behind it.
+    pub(super) fn pass_leader(&mut self) -> Outcome<()> {
+        let mut line = Vec::new();
+        let (mut text, mut lines) = (false, 0);
+        while lines < LONGEST_LEADER {
+            let at = self.source().position();
+            if !self.source().next_line(&mut line)? {
+                break;
+            }
+            lines += 1;
+            let words = line.trim_ascii().to_ascii_uppercase();
+            if words == b"%" {
+                let behind = text && self.source().next_line(&mut line)? && !line.trim_ascii().is_empty();
+                if behind {
+                    self.remarks.add(
+                        Grade::Caution,
+                        1,
+                        None,
+                        Text::fixed(
+                            "lo que está delante del primer «%» no se lee, como en el control",
+                            "what stands before the first '%' is not read, as on the control",
+                        ),
+                        Text::fixed("empiece el archivo con «%»", "begin the file with '%'"),
+                    );
+                    return self.go_to(at);
+                }
+                break;
+            }
+            let code = |letter: u8| words.windows(2).any(|two| two[0] == letter && two[1].is_ascii_digit());
+            if b"GMOTN".iter().any(|&letter| code(letter)) {
+                break;
+            }
+            text |= !words.is_empty() && words != b"\xEF\xBB\xBF";
+        }
+        self.go_to(Position::START)
+    }
+
     /// The number and name of a program without O-words.
     fn program_number(&mut self, cursor: &mut Cursor<'_>, opening: bool) -> Outcome<()> {
         let column = cursor.column();
@@ -119,8 +185,9 @@ impl Interpreter<'_> {
             return Ok(());
         }
         if self.reading.system_a && cursor.peek() == 0 {
-            // What follows is another program.
-            return self.end_of_file().map_err(Fault::fatal);
+            // What follows is another program: whether a control goes on into it is not known.
+            let inside = self.at != 0 || !self.flow.frames.is_empty();
+            return if inside { self.end_of_file().map_err(Fault::fatal) } else { Err(without_end(false).fatal()) };
         }
         Err(Fault::at(
             &[column],
@@ -150,6 +217,18 @@ impl Interpreter<'_> {
         for (column, text) in comments(line, self.reading.comments)? {
             let text = String::from_utf8_lossy(text);
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
+            self.aborted |= self.reading.expressions && word.starts_with("ABORT,");
+            if self.aborted {
+                let shown = text.trim();
+                self.remarks.add(
+                    Grade::Caution,
+                    self.line,
+                    Some(column),
+                    Text::new(format!("el programa termina aquí: {shown}"), format!("the program ends here: {shown}")),
+                    Text::fixed("quite el comentario si no ha de parar", "take the comment out if it is not to stop"),
+                );
+                return Ok(());
+            }
             if self.reading.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
                 let at = self.line;
                 let shown = text.trim();

@@ -33,6 +33,7 @@ mod contour;
 mod corner;
 mod cursor;
 mod cycle;
+mod doubt;
 mod execute;
 mod expression;
 mod fagor;
@@ -70,6 +71,7 @@ use self::block::Block;
 use self::compensation::Compensator;
 use self::corner::Corner;
 use self::cursor::Cursor;
+use self::doubt::Doubts;
 pub use self::expression::DEEPEST;
 use self::fault::Outcome;
 use self::fault::Remarks;
@@ -136,8 +138,11 @@ pub struct Interpreter<'a> {
     remarks: Remarks,
     flow: Flow,
     rounds: Rounds,
+    doubts: Doubts,
     stage: Stage,
     percent: bool,
+    /// A comment has ended the program.
+    aborted: bool,
     unit_said: bool,
     repeated: u64,
     lines: usize,
@@ -207,8 +212,10 @@ impl<'a> Interpreter<'a> {
             remarks,
             flow: Flow::default(),
             rounds: Rounds::default(),
+            doubts: Doubts::default(),
             stage: Stage::Opening,
             percent: false,
+            aborted: false,
             unit_said: false,
             repeated: 0,
             lines: 0,
@@ -220,7 +227,7 @@ impl<'a> Interpreter<'a> {
     /// What is worth saying about the program as far as it has been read.
     #[must_use]
     pub fn remarks(&self) -> Vec<Finding> {
-        self.remarks.findings()
+        self.left_out().into_iter().chain(self.remarks.findings()).collect()
     }
 
     /// What was in force when the motion last handed out was made.
@@ -295,6 +302,9 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
+        if self.reading.system_a && self.line == 0 {
+            self.pass_leader()?;
+        }
         if !self.source().next_line(line)? {
             return self.end_of_file();
         }
@@ -344,14 +354,11 @@ impl<'a> Interpreter<'a> {
         if self.setting.part {
             return Ok(());
         }
-        Err(Fault::block(
-            Text::fixed("el programa termina sin M2 ni M30", "the program ends without M2 or M30"),
-            if percent {
-                Text::fixed("añada M30 o «%» al final", "add M30 or '%' at the end")
-            } else {
-                Text::fixed("añada M30 al final", "add M30 at the end")
-            },
-        ))
+        if self.reading.system_a {
+            self.remark_no_end();
+            return self.end();
+        }
+        Err(without_end(percent))
     }
 
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
@@ -381,6 +388,18 @@ impl<'a> Interpreter<'a> {
         let on = self.parameters.get(G92_SWITCH as usize) != 0.0;
         (on, self.pose_of(G92_FIRST))
     }
+}
+
+/// The refusal of a program without the code that ends it; `percent` where a `%` opens it.
+fn without_end(percent: bool) -> Box<Fault> {
+    Fault::block(
+        Text::fixed("el programa termina sin M2 ni M30", "the program ends without M2 or M30"),
+        if percent {
+            Text::fixed("añada M30 o «%» al final", "add M30 or '%' at the end")
+        } else {
+            Text::fixed("añada M30 al final", "add M30 at the end")
+        },
+    )
 }
 
 /// A block number behind its N.

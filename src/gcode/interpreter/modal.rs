@@ -33,6 +33,8 @@ pub(super) struct Modal {
     pub(super) feed_mode: FeedMode,
     /// F in mm or degrees, 0 where none is in force.
     pub(super) feed: f64,
+    /// F as it was given.
+    pub(super) feed_word: f64,
     /// Whether canned cycles return to the height they started from, else to R; `None` before the program has said so.
     pub(super) return_initial: Option<bool>,
     pub(super) speed: f64,
@@ -80,6 +82,7 @@ impl Modal {
             centre_absolute: false,
             feed_mode: reading.start.1,
             feed: 0.0,
+            feed_word: 0.0,
             return_initial: None,
             speed: 0.0,
             constant_surface_speed: false,

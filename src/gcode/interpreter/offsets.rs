@@ -137,6 +137,24 @@ impl Interpreter<'_> {
                 }
             }
         }
+        let forgets = number == self.modal.system && self.block.has(letter::R) && self.frame.g92 != Pose::default();
+        if forgets && self.reading.expressions {
+            self.remarks.add(
+                Grade::Caution,
+                self.line,
+                Some(self.block.column(letter::R)),
+                Text::fixed(
+                    "G10 L2 R del sistema activo con G92 en vigor: LinuxCNC 2.9 olvida G92 en el movimiento siguiente y llega \
+                     a otro sitio",
+                    "G10 L2 R of the active system while G92 is in force: LinuxCNC 2.9 forgets G92 in the next motion and goes \
+                     elsewhere",
+                ),
+                Text::fixed(
+                    "leído con G92 en vigor; programe G92.1 antes y G92 después",
+                    "read with G92 in force; program G92.1 before it and G92 behind it",
+                ),
+            );
+        }
         let system = System::from_number(number.into()).unwrap_or_default();
         self.keep_pose(system.first_parameter(), &work.origin);
         self.parameters.set(system.rotation_parameter() as usize, work.rotation);
@@ -282,7 +300,7 @@ impl Interpreter<'_> {
         self.modal.plane = self.reading.plane;
         self.modal.incremental = false;
         self.modal.feed_mode = self.reading.start.1;
-        self.modal.feed = 0.0;
+        (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
         self.modal.spindle = Spindle::Stopped;
         self.modal.coolant = false;
     }

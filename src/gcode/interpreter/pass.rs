@@ -14,9 +14,9 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, Pass};
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, Kind, Thread};
 use crate::gcode::turning::pace::revolutions;
 use crate::gcode::turning::{Move, Way};
@@ -136,6 +136,26 @@ impl Interpreter<'_> {
         Ok(())
     }
 
+    /// G90 alone: the turning cycle is in force and makes nothing yet.
+    fn bare_axial_pass(&mut self) {
+        self.modal.motion = G::Pass(Pass::Axial);
+        self.remarks.add(
+            Grade::Caution,
+            self.line,
+            Some(self.block.g_column(Group::Motion)),
+            Text::fixed(
+                "G90 sin X ni Z: en el sistema A es el ciclo de torneado; leído como que no mueve nada y queda en vigor \
+                 hasta G0 o G1",
+                "G90 without X and Z: in system A it is the turning cycle; read as moving nothing and in force until G0 or \
+                 G1",
+            ),
+            Text::fixed(
+                "quítelo: X y Z son siempre absolutas, U y W incrementales",
+                "take it out: X and Z are always absolute, U and W increments",
+            ),
+        );
+    }
+
     /// G90, G92 and G94.
     pub(super) fn pass(&mut self, pass: Pass) -> Outcome<()> {
         let number = pass.number();
@@ -144,6 +164,11 @@ impl Interpreter<'_> {
             self.block.has(letter::X) || self.block.has(letter::U),
             self.block.has(letter::Z) || self.block.has(letter::W),
         ];
+        let bare = self.block.present & !self.reading.free.mask() == 0;
+        if pass == Pass::Axial && before.is_none() && bare {
+            self.bare_axial_pass();
+            return Ok(());
+        }
         let (mut end, taper) = before.unwrap_or_default();
         let missing = match (before, named) {
             (None, [false, false]) => Some("X y Z|X and Z"),
@@ -163,7 +188,8 @@ impl Interpreter<'_> {
                     "dé el final de la pasada; las cotas absolutas son X y Z, las incrementales U y W",
                     "give the end of the pass; X and Z are absolute, U and W are increments",
                 ),
-            ));
+            )
+            .hanging_on(doubt::MOTION));
         }
         let to = self.end_point();
         let at = [to.get(Axis::X), to.get(Axis::Z)];
@@ -187,7 +213,8 @@ impl Interpreter<'_> {
                     format!("R contra la entrada, de {} mm, no puede ser mayor que ella", shown(infeed.abs(), 3)),
                     format!("R against the infeed, of {} mm, may not be greater than it", shown(infeed.abs(), 3)),
                 ),
-            ));
+            )
+            .hanging_on(doubt::LATHE));
         }
         let (cut, out, feed) = if pass == Pass::Thread {
             let thread = Thread { lead: self.lead()?, change: 0.0, angle: self.start_angle()? };

@@ -203,7 +203,7 @@ impl Interpreter<'_> {
     }
 
     #[cold]
-    fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
+    pub(super) fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
         let dialect = self.setting.dialect.name;
         Fault::at(
             &[column],

@@ -27,17 +27,20 @@ pub(super) struct Rounds {
 }
 
 impl Interpreter<'_> {
-    /// A refusal as it is to be told: a block that is refused once more in a loop is not, and one too often ends the program.
+    /// A refusal as it is to be told: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
     pub(super) fn told_once(&mut self, fault: Box<Fault>) -> Option<Box<Fault>> {
         let key = (self.at, fault.line);
-        let known = self.rounds.refusals.len();
-        if fault.fatal || (known >= MOST_LINES && !self.rounds.refusals.contains_key(&key)) {
+        if fault.fatal {
             return Some(fault);
+        }
+        let follows = self.follows(&fault);
+        if self.rounds.refusals.len() >= MOST_LINES && !self.rounds.refusals.contains_key(&key) {
+            return (!follows).then_some(fault);
         }
         let times = self.rounds.refusals.entry(key).or_insert(0);
         *times += 1;
         match *times {
-            1 => Some(fault),
+            1 => (!follows).then_some(fault),
             MOST_REFUSALS => {
                 self.stage = Stage::Ended;
                 let mut limit = Fault::limit(

@@ -301,7 +301,7 @@ impl Structure {
             }
             (Word::Return, _) => {
                 let inside = open.first().and_then(|&outer| self.marks.get(outer));
-                if inside.is_none_or(|outer| outer.word != Word::Sub || outer.label != mark.label) {
+                if inside.is_none_or(|outer| outer.word != Word::Sub) {
                     return Err(stray(&mark, around));
                 }
             }
@@ -325,6 +325,11 @@ impl Structure {
             ),
             Text::fixed("dé a uno de los dos otra etiqueta", "give one of the two another label"),
         ))
+    }
+
+    /// The SUB that an O-word stands in.
+    pub(super) fn around(&self, index: Option<usize>) -> Option<usize> {
+        (0..index?).rev().find(|&at| self.marks.get(at).is_some_and(|mark| mark.word == Word::Sub))
     }
 
     /// The O-word of a line.

@@ -73,7 +73,7 @@ impl Interpreter<'_> {
             Some(Self::in_unit(axis, pose.get(axis), unit))
         };
         if let Some(axis) = name.strip_prefix("_abs_") {
-            return position(axis, &self.frame.to_machine(&self.current), self.setting.unit);
+            return position(axis, &self.frame.to_machine(&self.current), modal.unit);
         }
         if let Some(axis) = name.strip_prefix('_')
             && let Some(found) = position(axis, &self.current, modal.unit)
@@ -116,7 +116,10 @@ impl Interpreter<'_> {
             },
             "_spindle_on" => flag(modal.spindle != Spindle::Stopped),
             "_spindle_cw" => flag(modal.spindle == Spindle::Clockwise),
-            "_feed" => modal.unit.from_mm(modal.feed),
+            // The F word as it was given, whatever unit has come since.
+            "_feed" => modal.feed_word,
+            // The control runs the program; only its preview reads 0.
+            "_task" => 1.0,
             "_rpm" => modal.speed,
             "_current_tool" => f64::from(modal.tool),
             "_selected_tool" => modal.selected.map_or(-1.0, f64::from),

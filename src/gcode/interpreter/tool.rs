@@ -4,11 +4,11 @@ use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Spindle;
 use crate::gcode::dialect::reading::Turret;
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::setting::Tool;
+use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{Frame, G92_FIRST, G92_SWITCH};
 use crate::number::trig::sin_cos;
@@ -70,7 +70,8 @@ impl Interpreter<'_> {
                     &[column],
                     Text::fixed("M6 sin herramienta elegida con T", "M6 without a tool selected by T"),
                     Text::fixed("programe T antes de M6", "program T before M6"),
-                ));
+                )
+                .hanging_on(doubt::TOOL));
             }
             None => {}
         }

@@ -71,27 +71,6 @@ pub struct TooHigh {
     pub D: f64,
 }
 
-/// Places looked at for the height.
-const LOOKS: u32 = 1440;
-
-/// The place where the torch would have to be highest, if that is beyond the greatest height.
-#[must_use]
-pub fn too_high(design: &Design) -> Option<TooHigh> {
-    let groove = design.groove();
-    let mut worst: Option<TooHigh> = None;
-    for at in 0..LOOKS {
-        let alpha = TAU * f64::from(at) / f64::from(LOOKS);
-        let found = match groove.at(alpha) {
-            None => TooHigh { alpha, sigma_o: None, D: f64::INFINITY },
-            Some(station) => TooHigh { alpha, sigma_o: Some(station.sigma_o), D: station.D },
-        };
-        if found.D > design.D_max && worst.is_none_or(|worst| found.D > worst.D) {
-            worst = Some(found);
-        }
-    }
-    worst
-}
-
 /// The tilt, in radians, below which C begins to give way; below half of it C has given way.
 pub const UPRIGHT: f64 = 2.0 * std::f64::consts::PI / 180.0;
 

@@ -4,6 +4,7 @@
 //! Patent of Shandong University, published 2017: height control of a plasma torch cutting a header hole with a welding
 //! groove. Its displayed formulas are lost; the height is derived in [`height`], the curve in [`station`].
 
+pub mod bounds;
 pub mod cases;
 pub mod cut;
 pub mod design;

@@ -53,8 +53,7 @@ impl Design {
                 ),
             );
         } else if self.style == Style::Full
-            && let Some((least, phi)) = self.outline().tightest()
-            && least < self.kerf / 2.0
+            && let Some((least, phi)) = self.outline().tighter_than(self.kerf / 2.0)
         {
             let (degrees, gap) = (shown(phi.to_degrees(), 1), mm(2.0 * least));
             let kerf = mm(self.kerf);

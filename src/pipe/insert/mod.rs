@@ -15,6 +15,7 @@
 //! Guanajuato; equations 1 to 19, tables 1 and 2, figure 15. Slips of the source are named where they matter.
 
 pub mod arcs;
+pub mod bounds;
 pub mod cases;
 pub mod contradictions;
 pub mod cut;

@@ -27,9 +27,6 @@ pub struct Outline {
     pub beside: f64,
 }
 
-/// Samples a turn when the whole curve is looked at.
-const LOOKS: u16 = 7200;
-
 impl Outline {
     /// The length of the development, once round.
     #[must_use]
@@ -67,39 +64,5 @@ impl Outline {
     #[must_use]
     pub fn corners(&self) -> Vec<f64> {
         self.pair.corners()
-    }
-
-    /// The angles of a turn looked at, in order.
-    fn looks() -> impl Iterator<Item = f64> {
-        (0..=LOOKS).map(|at| TAU * f64::from(at) / f64::from(LOOKS))
-    }
-
-    /// The least and greatest y of the curve.
-    #[must_use]
-    pub fn extent(&self) -> [f64; 2] {
-        let ys = Self::looks().chain(self.corners()).map(|phi| self.curve(phi).y);
-        ys.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], y| [least.min(y), most.max(y)])
-    }
-
-    /// The least radius with which the curve bends round the waste, and where: a kerf of twice that cuts into what is
-    /// kept. From the circles through three neighbouring looks.
-    #[must_use]
-    pub fn tightest(&self) -> Option<(f64, f64)> {
-        let corners = self.corners();
-        let step = TAU / f64::from(LOOKS);
-        let mut least: Option<(f64, f64)> = None;
-        for phi in Self::looks() {
-            if corners.iter().any(|corner| (corner - phi).abs() < 2.0 * step) {
-                continue;
-            }
-            let points = [phi - step, phi, phi + step].map(|phi| self.curve(phi));
-            if let Some(circle) = crate::geometry::circle::through(points)
-                && circle.left
-                && least.is_none_or(|(radius, _)| circle.radius < radius)
-            {
-                least = Some((circle.radius, phi));
-            }
-        }
-        least
     }
 }

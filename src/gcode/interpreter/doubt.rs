@@ -1,0 +1,221 @@
+//! What is in doubt behind a refused block: what it would have put into force is not known, and a refusal that hangs on it
+//! follows from the first and is not told again.
+
+use std::collections::BTreeSet;
+
+use crate::finding::{Finding, Grade};
+use crate::gcode::code::{G, Group, M};
+use crate::gcode::dialect::reading::Comments;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::AXES;
+use crate::gcode::interpreter::block::letter::{F, S, T, U, W};
+use crate::gcode::interpreter::cursor::comments;
+use crate::gcode::interpreter::fault::{Fault, place};
+use crate::machine::axis::Axis;
+use crate::text::Text;
+
+/// Parts of what is in force, one bit each: the nine axes first.
+pub(super) type State = u32;
+/// The motion or the cycle, with its words that stay.
+pub(super) const MOTION: State = 1 << 9;
+/// F and what it means.
+pub(super) const FEED: State = 1 << 10;
+/// S.
+pub(super) const SPEED: State = 1 << 11;
+/// The way the spindle turns.
+pub(super) const SPINDLE: State = 1 << 12;
+/// Tool and offset.
+pub(super) const TOOL: State = 1 << 13;
+/// The plane.
+pub(super) const PLANE: State = 1 << 14;
+/// The unit.
+pub(super) const UNIT: State = 1 << 15;
+/// Absolute or incremental.
+pub(super) const DISTANCE: State = 1 << 16;
+/// Parameters; their names are kept beside.
+const PARAMETERS: State = 1 << 17;
+/// What the position hangs on beside its axes.
+pub(super) const MODES: State = PLANE | UNIT | DISTANCE;
+/// The axes X and Z of a lathe.
+pub(super) const LATHE: State = axis(Axis::X) | axis(Axis::Z);
+/// All axes.
+const ALL: State = (1 << 9) - 1;
+
+/// The bit of an axis.
+pub(super) const fn axis(axis: Axis) -> State {
+    1 << axis as u32
+}
+
+/// What is in doubt, and what was left out because of it.
+#[derive(Debug, Default)]
+pub(super) struct Doubts {
+    state: State,
+    parameters: BTreeSet<String>,
+    /// The file and the line of the first refused block.
+    since: Option<(Option<String>, usize)>,
+    /// How many refusals were left out, and what they hung on.
+    left_out: u64,
+    because: State,
+}
+
+impl Fault {
+    /// A refusal that may follow from what is in doubt.
+    pub(super) fn hanging_on(mut self: Box<Self>, state: State) -> Box<Self> {
+        self.hangs |= state;
+        self
+    }
+}
+
+/// The number behind a letter at a place of a line, as far as it is written out.
+fn number(line: &[u8], at: usize) -> Option<f64> {
+    let digits = line.get(at..)?.iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
+    std::str::from_utf8(line.get(at..at + digits)?).ok()?.parse().ok()
+}
+
+/// What a G code may put into force.
+fn of_code(number: f64, system_a: bool) -> State {
+    #[expect(clippy::cast_possible_truncation, reason = "saturates; codes are below 1000")]
+    match number as i64 {
+        90 | 92 | 94 if system_a => MOTION,
+        98 | 99 if system_a => FEED,
+        17..=19 => PLANE,
+        20 | 21 => UNIT,
+        90 | 91 => DISTANCE,
+        93..=95 => FEED,
+        96 | 97 => SPEED,
+        40..=42 => MOTION,
+        0..=3 | 5 | 7..=9 | 32..=39 | 70..=89 => MOTION,
+        10 | 28 | 30 | 43 | 49 | 50 | 52..=59 | 92 => ALL,
+        _ => 0,
+    }
+}
+
+impl Interpreter<'_> {
+    /// What a line that was refused would have put into force, by its letters: more rather than less.
+    fn doubt_line(&mut self) {
+        let mut line = self.buffer.to_ascii_uppercase();
+        if let Ok(comments) = comments(&self.buffer, self.reading.comments) {
+            for (column, text) in comments {
+                line.iter_mut().skip(column).take(text.len() + 2).for_each(|byte| *byte = b' ');
+            }
+        } else if self.reading.comments != Comments::Semicolon {
+            line.truncate(line.iter().position(|byte| *byte == b'(').unwrap_or(line.len()));
+        }
+        line.retain(|byte| !byte.is_ascii_whitespace());
+        let mut state = 0;
+        for (at, &byte) in line.iter().enumerate() {
+            let index = usize::from(byte.wrapping_sub(b'A'));
+            state |= match byte {
+                b'U' if self.reading.system_a => axis(Axis::X),
+                b'W' if self.reading.system_a => axis(Axis::Z),
+                b'F' => FEED,
+                b'S' => SPEED,
+                b'T' | b'D' | b'H' => TOOL,
+                b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.reading.system_a)),
+                b'M' => match number(&line, at + 1) {
+                    Some(code) if code == 6.0 || code == 61.0 => TOOL,
+                    _ => SPINDLE,
+                },
+                b'@' | b'^' => ALL,
+                b'#' => {
+                    let name = line.get(at + 1..).unwrap_or_default().split(|byte| *byte == b'=').next();
+                    let name = String::from_utf8_lossy(name.unwrap_or_default()).to_ascii_lowercase();
+                    self.doubts.parameters.insert(name);
+                    PARAMETERS
+                }
+                _ => AXES.iter().position(|&one| one == index).map_or(0, |axis| 1 << axis),
+            };
+        }
+        self.doubts.state |= state;
+        let file = self.source().file.clone();
+        self.doubts.since.get_or_insert((file, self.line));
+    }
+
+    /// True where a refusal follows from what is in doubt: it is counted and not told. What its block would have put into
+    /// force is in doubt in any case.
+    pub(super) fn follows(&mut self, fault: &Fault) -> bool {
+        // What a control does not make of a cycle changes the part: that is told.
+        let follows = self.doubts.state & fault.hangs != 0 && !fault.fatal && !fault.uncut;
+        if follows {
+            self.doubts.left_out += 1;
+            self.doubts.because |= self.doubts.state & fault.hangs;
+        }
+        self.doubt_line();
+        follows
+    }
+
+    /// A block was executed: what it put into force is certain again.
+    pub(super) fn certain(&mut self) {
+        if self.doubts.state == 0 {
+            return;
+        }
+        let block = &self.block;
+        let mut known = 0;
+        for (letter, state) in [(F, FEED), (S, SPEED), (T, TOOL)] {
+            known |= if block.has(letter) { state } else { 0 };
+        }
+        let groups =
+            [(Group::Motion, MOTION), (Group::Plane, PLANE), (Group::Units, UNIT), (Group::Distance, DISTANCE)];
+        for (group, state) in groups {
+            known |= if block.g(group).is_some() { state } else { 0 };
+        }
+        if matches!(block.m(7), Some((M::Spindle(_) | M::SpindleOff, _))) {
+            known |= SPINDLE;
+        }
+        let state = self.doubts.state & !known;
+        let moved = matches!(block.g(Group::NonModal), None | Some(G::MachineCoordinates));
+        if moved && !self.modal.incremental && state & (UNIT | DISTANCE) == 0 {
+            for (index, &letter) in AXES.iter().enumerate() {
+                let increment = self.reading.system_a && (letter == U || letter == W);
+                known |= if block.has(letter) && !increment { 1 << index } else { 0 };
+            }
+        }
+        self.doubts.state &= !known;
+    }
+
+    /// What a parameter that is not defined hangs on.
+    pub(super) fn doubt_of(&self, name: &str) -> State {
+        if self.doubts.parameters.contains(name) { PARAMETERS } else { 0 }
+    }
+
+    /// The sentence about the refusals that were left out.
+    pub(super) fn left_out(&self) -> Option<Finding> {
+        let Doubts { left_out, because, since, .. } = &self.doubts;
+        let (file, line) = since.as_ref().filter(|_| *left_out > 0)?;
+        let mut names: Vec<(String, String)> = Axis::ALL
+            .into_iter()
+            .filter(|one| because & axis(*one) != 0)
+            .map(|one| (one.letter().to_string(), one.letter().to_string()))
+            .collect();
+        for (state, es, en) in [
+            (MOTION, "el movimiento en vigor", "the motion in force"),
+            (FEED, "el avance", "the feed"),
+            (SPEED, "la velocidad del husillo", "the spindle's speed"),
+            (SPINDLE, "el giro del husillo", "the spindle's way"),
+            (TOOL, "la herramienta", "the tool"),
+            (PLANE, "el plano", "the plane"),
+            (UNIT, "la unidad", "the unit"),
+            (DISTANCE, "cotas absolutas o incrementales", "absolute or incremental"),
+            (PARAMETERS, "un parámetro", "a parameter"),
+        ] {
+            if because & state != 0 {
+                names.push((es.to_owned(), en.to_owned()));
+            }
+        }
+        let (es, en): (Vec<_>, Vec<_>) = names.into_iter().unzip();
+        let (es, en) = (es.join(", "), en.join(", "));
+        let (errors_es, errors_en) = match left_out {
+            1 => ("1 error que sigue".to_owned(), "1 error that follows".to_owned()),
+            many => (format!("{many} errores que siguen"), format!("{many} errors that follow")),
+        };
+        Some(Finding::new(
+            Grade::Caution,
+            place(file.as_deref(), *line, Vec::new()),
+            Text::new(
+                format!("{errors_es} de bloques rehusados, sin decir: desde aquí no se conoce {es}"),
+                format!("{errors_en} from refused blocks, left out: from here on not known: {en}"),
+            ),
+            Text::fixed("corrija primero los bloques rehusados", "correct the refused blocks first"),
+        ))
+    }
+}

@@ -1,0 +1,146 @@
+//! What is told and not refused, because the control runs it; and refusals that follow from a refused block; and where a
+//! control does what its reference does not say.
+
+use rodete::finding::Grade;
+use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FANUC_LATHE_A, LINUXCNC};
+use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::machine::axis::Axis;
+
+/// Refusals by line, cautions, and where X and Z go.
+#[derive(Debug, Default)]
+struct Read {
+    refused: Vec<(usize, String)>,
+    cautions: Vec<String>,
+    ends: Vec<[f64; 2]>,
+}
+
+fn read(dialect: &'static Dialect, program: &str) -> Read {
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
+    let mut read = Read::default();
+    for item in &mut interpreter {
+        match item {
+            Ok(motion) => read.ends.push([motion.to.get(Axis::X), motion.to.get(Axis::Z)]),
+            Err(fault) => read.refused.push((fault.line, fault.what.en.to_string())),
+        }
+    }
+    let cautions = interpreter.remarks().into_iter().filter(|remark| remark.grade == Grade::Caution);
+    read.cautions = cautions.map(|remark| remark.what.en.to_string()).collect();
+    read
+}
+
+fn told(program: &str, part: &str) -> Read {
+    let read = read(&FANUC_LATHE_A, program);
+    assert!(read.refused.is_empty(), "{program}\n{read:?}");
+    assert!(read.cautions.iter().any(|caution| caution.contains(part)), "{program}\n{read:?}");
+    read
+}
+
+#[test]
+fn g90_and_g91_alone_are_told_on_a_lathe_of_system_a() {
+    let bare = told("G90\nG0 X20. Z5.\nM30\n", "in system A it is the turning cycle");
+    assert_eq!(bare.ends, [[10.0, 5.0]]);
+    // Without G0 or G1 the cycle is what the next block makes.
+    let pass = told("G0 X20. Z5.\nG90\nX10. Z0. F0.1\nM30\n", "in force until G0 or G1");
+    assert_eq!(pass.ends[1..], [[5.0, 5.0], [5.0, 0.0], [10.0, 0.0], [10.0, 5.0]]);
+    let increments = told("G91\nG0 X20. Z5.\nX10.\nM30\n", "X and Z stay absolute");
+    assert_eq!(increments.ends, [[10.0, 5.0], [5.0, 5.0]]);
+    assert_eq!(
+        read(&FANUC_LATHE_A, "G91 G0 X20.\nM30\n").refused[0].1,
+        "G91 does not exist in the dialect fanuc-lathe-a"
+    );
+    assert_eq!(read(&FANUC_LATHE_A, "G90 X20.\nM30\n").refused.len(), 1);
+}
+
+#[test]
+fn text_before_the_first_percent_is_not_read_on_a_lathe_of_system_a() {
+    let program = "shaft, second side\n\n%\nO0001\nG0 X20. Z5.\nM30\n%\n";
+    assert_eq!(told(program, "what stands before the first '%' is not read").ends, [[10.0, 5.0]]);
+    assert!(told("G0 X20. Z5.\n%\n", "without M2 or M30").ends.len() == 1, "the program itself is no such text");
+    assert!(
+        !read(&FANUC_LATHE_A, "O0001\nG0 X1. Z1.\n%\nO0002\nG0 X2.\nM30\n%\n")
+            .cautions
+            .iter()
+            .any(|caution| { caution.contains("before the first") })
+    );
+    assert!(!read(&LINUXCNC, "text\n%\nG21 G0 X1\n%\n").refused.is_empty(), "LinuxCNC refuses it");
+}
+
+#[test]
+fn a_missing_end_is_told_on_a_lathe_of_system_a_and_refused_elsewhere() {
+    for program in ["O0001\nG0 X20. Z5.\n", "%\nO0001\nG0 X20. Z5.\n%\n"] {
+        assert_eq!(told(program, "the program ends without M2 or M30").ends, [[10.0, 5.0]]);
+    }
+    for dialect in [&LINUXCNC, &FAGOR_8055, &FAGOR_8055_T] {
+        assert_eq!(read(dialect, "G0 X20 Z5\n").refused[0].1, "the program ends without M2 or M30", "{}", dialect.name);
+    }
+}
+
+#[test]
+fn arcs_behind_a_refused_block_are_not_refused_again_until_the_position_is_known() {
+    let mut program = "G21 G90 G17 F100\nG0 X0 Y0\nG77 X10 Y0\n".to_owned();
+    for _ in 0..340 {
+        program.push_str("G2 X20 Y0 I5 J0\nG2 X10 Y0 I-5 J0\n");
+    }
+    program.push_str("G0 X0 Y0\nG2 X9 Y0 I5 J0\nM2\n");
+    let found = read(&LINUXCNC, &program);
+    let lines: Vec<usize> = found.refused.iter().map(|refused| refused.0).collect();
+    assert_eq!(lines, [3, 685], "the cause, and what does not follow from it: {:?}", found.refused);
+    assert_eq!(found.cautions, ["680 errors that follow from refused blocks, left out: from here on not known: X, Y"]);
+}
+
+#[test]
+fn a_motion_a_feed_a_tool_or_a_parameter_that_a_refused_block_named_is_in_doubt() {
+    for (program, left_out) in [
+        (
+            "G38.2 Z-1\nX5\nX6\nM2\n",
+            "2 errors that follow from refused blocks, left out: from here on not known: the motion in force",
+        ),
+        (
+            "G1 F1,5 X1\nG1 X2\nM2\n",
+            "1 error that follows from refused blocks, left out: from here on not known: the feed",
+        ),
+        ("T1,0\nM6\nM2\n", "1 error that follows from refused blocks, left out: from here on not known: the tool"),
+        (
+            "#<a>=[1/0]\nG0 X#<a>\nM2\n",
+            "1 error that follows from refused blocks, left out: from here on not known: a parameter",
+        ),
+        (
+            "M3,1\nG84 X0 Y0 Z-1 R1 F1\nM2\n",
+            "1 error that follows from refused blocks, left out: from here on not known: the spindle's way",
+        ),
+    ] {
+        let found = read(&LINUXCNC, &format!("G21 G90\n{program}"));
+        assert_eq!(found.refused.len(), 1, "{program}\n{found:?}");
+        assert!(found.cautions.iter().any(|caution| caution == left_out), "{program}\n{found:?}");
+    }
+    // What the refused block did not name is not in doubt, nor what was given again.
+    for program in ["G77 X1\nG1 X2\nM2\n", "G1 F1,5 X1\nF0\nG0 X1\nG1 X2\nM2\n", "#<b>=[1/0]\nG0 X#<a>\nM2\n"] {
+        assert_eq!(read(&LINUXCNC, &format!("G21 G90\n{program}")).refused.len(), 2, "{program}");
+    }
+}
+
+#[test]
+fn a_dwell_behind_an_arc_of_a_fagor_is_no_arc() {
+    let found = read(&FAGOR_8055, "G71 G17 G90 F100\nG2 X10 Y0 I5 J0\nG4 K100\nG1 X20\nM30\n");
+    assert!(found.refused.is_empty(), "{found:?}");
+    assert_eq!(found.ends, [[10.0, 0.0], [10.0, 0.0], [20.0, 0.0]]);
+}
+
+#[test]
+fn abort_ends_the_program() {
+    let found = read(&LINUXCNC, "G21 G0 X1\n(abort, no stock)\nG0 X2\nG77\n");
+    assert_eq!((found.ends.len(), found.refused.len()), (1, 0), "{found:?}");
+    assert_eq!(found.cautions, ["the program ends here: abort, no stock"]);
+}
+
+#[test]
+fn where_linuxcnc_goes_elsewhere_is_a_caution() {
+    let cautions = |program: &str| read(&LINUXCNC, &format!("G21 G90 F100 G98\n{program}M2\n")).cautions;
+    let tap = |plane: &str| cautions(&format!("{plane} M3 S100\nG84 X1 Y1 Z1 R2\n"));
+    assert!(tap("G17").is_empty());
+    assert!(tap("G18").iter().any(|one| one.contains("G84 outside G17: LinuxCNC 2.9 takes the axes for one another")));
+    let turn = "G10 L2 P1 R30\nG92.1\n";
+    assert!(cautions(&format!("G0 X1\n{turn}")).is_empty());
+    assert!(cautions(&format!("G92 X5\n{turn}")).iter().any(|one| one.contains("LinuxCNC 2.9 forgets G92")));
+    assert!(cautions("G92 X5\nG10 L2 P2 R30\nG92.1\n").is_empty(), "of a system that is not active");
+}

@@ -1,0 +1,259 @@
+//! Branches and holes drawn at random: none ends as a fault of rodete's own, and what a check says is nowhere exceeded is not, by
+//! points taken here without it. `RODETE_DESIGNS` says how many of each are drawn.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Vector2, Vector3};
+use proptest::prelude::*;
+use rodete::finding::{Exit, Grade, Refusal};
+use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::program::Program;
+use rodete::geometry::pipe_pair::Side;
+use rodete::job::{self, Outcome, Source};
+use rodete::machine::axis::Axis;
+use rodete::number::trig::{hypot, sin_cos};
+use rodete::parameter::{Form, Value, Values};
+use rodete::pipe::hole;
+use rodete::pipe::insert;
+use rodete::table::Entry;
+use rodete::text::Language;
+
+fn designs(usual: u32) -> ProptestConfig {
+    let wanted = std::env::var("RODETE_DESIGNS").ok().and_then(|count| count.parse().ok());
+    ProptestConfig { max_global_rejects: 1_000_000, ..ProptestConfig::with_cases(wanted.unwrap_or(usual)) }
+}
+
+fn run(form: &'static Form, values: Values) -> Result<Outcome, Refusal> {
+    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    job::run(form, values, source)
+}
+
+/// The values of a case with changes, pipes given by diameter and wall.
+fn filled(case: Vec<(&'static str, Value)>, changes: impl IntoIterator<Item = (&'static str, Value)>) -> Values {
+    let mut values = Values { language: Language::En, ..Values::default() };
+    values.values.extend(case);
+    values.values.extend(changes);
+    for key in ["branch_size", "branch_schedule", "header_size", "header_schedule"] {
+        values.values.remove(key);
+    }
+    values
+}
+
+/// The number in the row of a check.
+fn row(outcome: &Outcome, name: &str) -> f64 {
+    let table = outcome.table("verification").expect("the table");
+    let text = |column: &str, row: usize| match table.column(column).expect(column).values.get(row) {
+        Entry::Text(text) => text.en.to_string(),
+        Entry::Number(number) => number.to_string(),
+    };
+    let at = (0..table.rows()).find(|&at| text("Check", at).starts_with(name)).expect(name);
+    let value = text("Value", at);
+    let digits = |letter: char| !letter.is_ascii_digit() && letter != '-';
+    let number = value.trim_start_matches(digits);
+    number.split([' ', '°']).next().expect("a value").parse().unwrap_or_else(|_| panic!("{name}: {value}"))
+}
+
+/// The motions of the cut, lead-in first.
+fn cuts(program: &Program) -> Vec<Motion> {
+    let motions = program.read_back().map(|motion| motion.expect("taken"));
+    motions.filter(|motion| matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..))).collect()
+}
+
+/// An axis a part of the way along a motion.
+fn axis(motion: &Motion, axis: Axis, part: f64) -> f64 {
+    let (from, to) = (motion.from.get(axis), motion.to.get(axis));
+    from + (to - from) * part
+}
+
+/// Tip and direction of the torch, from the axes: about the pipe by A, tilted by B in the direction C.
+fn torch(motion: &Motion, part: f64) -> [Vector3<f64>; 2] {
+    let of = |letter: Axis| axis(motion, letter, part);
+    let [(sa, ca), (sb, cb), (sc, cc)] = [Axis::A, Axis::B, Axis::C].map(|letter| sin_cos(of(letter).to_radians()));
+    let about = |x: f64, y: f64, z: f64| Vector3::new(x, y * ca - z * sa, y * sa + z * ca);
+    [about(of(Axis::X), 0.0, of(Axis::Z)), about(sb * cc, sb * sc, cb)]
+}
+
+/// How near points of the torch's surface come to the pipe.
+fn nearest_point(design: &hole::design::Design, [tip, up]: [Vector3<f64>; 2]) -> f64 {
+    let aside = if up.x.abs() < 0.8 { Vector3::x() } else { Vector3::y() };
+    let first = up.cross(&aside).try_normalize(1e-9).expect("not along the torch");
+    let second = up.cross(&first);
+    let shoulder = (design.R_g - design.r_g) / rodete::number::trig::tan(design.Psi.to_radians());
+    let mut least = f64::INFINITY;
+    for level in 0..=24_u8 {
+        let part = f64::from(level) / 16.0;
+        let (behind, radius) = if part <= 1.0 {
+            (shoulder * part, design.r_g + (design.R_g - design.r_g) * part)
+        } else {
+            (shoulder + 4.0 * design.R_g * (part - 1.0), design.R_g)
+        };
+        for round in 0..48_u8 {
+            let (sin, cos) = sin_cos(TAU * f64::from(round) / 48.0);
+            let point = tip + up * behind + (first * cos + second * sin) * radius;
+            least = least.min(hypot(point.y, point.z) - design.R_o());
+        }
+    }
+    least
+}
+
+/// Parts of a motion that no halving looks at.
+const PARTS: [f64; 3] = [0.191, 0.456, 0.813];
+
+proptest! {
+    #![proptest_config(designs(24))]
+
+    #[test]
+    fn random_holes_keep_what_their_checks_say(
+        D in 80.0..600.0_f64, wall in 0.02..0.1_f64, part in 0.15..0.85_f64, theta in 55.0..125.0_f64, off in -0.6..0.6_f64,
+        gamma in 0.0..45.0_f64, b in 0.0..3.0_f64, h in 0.0..0.9_f64, tolerance in 0.02..0.2_f64, F in 500.0..6000.0_f64,
+        dialect in prop::sample::select(vec!["linuxcnc", "fagor-8055", "fagor-8070"]),
+    ) {
+        let t = D * wall;
+        let d = (D - 2.0 * t) * part;
+        let real = |key: &'static str, value: f64| (key, Value::Real(value));
+        let changes = [
+            real("D_header", D), real("t_header", t), real("D_branch", d), real("t_branch", d * 0.05),
+            real("theta", theta), real("e", (D / 2.0 - t - d / 2.0) * off), real("gamma", gamma), real("b", b),
+            real("h", h * t), real("D_max", 40.0), real("lead_in", 0.2 * d), real("arc_tolerance", tolerance), real("F", F),
+            ("dialect", Value::Choice(dialect)),
+        ];
+        let values = filled(hole::cases::CASES[0].values(Language::En), changes);
+        let design = hole::design::Design::new(&values);
+        prop_assume!(design.is_ok());
+        let design = design.expect("a design");
+        let groove = design.groove();
+        let highest = (0..1000_u16)
+            .map(|at| groove.at(TAU * f64::from(at) / 1000.0).map_or(f64::INFINITY, |one| one.D))
+            .fold(0.0, f64::max);
+        let outcome = match run(&hole::parameters::FORM, values) {
+            Ok(outcome) => outcome,
+            Err(refusal) => {
+                prop_assert_eq!(refusal.exit, Exit::Refused);
+                prop_assert!(highest > 39.9, "{:?}", refusal.findings);
+                return Ok(());
+            }
+        };
+        prop_assert!(highest <= 40.0, "{highest}");
+        prop_assert_eq!(outcome.exit(), Exit::Done, "{:?}", outcome.findings);
+        let (beam, bevel, clear) = (row(&outcome, "Beam"), row(&outcome, "Bevel"), row(&outcome, "Distance of the torch"));
+        let motions = cuts(&outcome.programs[0]);
+        let mut found = [0.0_f64, f64::INFINITY];
+        let mut alpha = 0.0;
+        for motion in motions.iter().skip(1) {
+            for part in PARTS {
+                let [tip, up] = torch(motion, part);
+                // The nearest place of the cut, from the one before on.
+                let off = |alpha: f64| groove.at(alpha).map_or(f64::INFINITY, |one| {
+                    (one.root + one.waste * groove.beside - tip).cross(&up).norm()
+                });
+                let mut step = 0.05;
+                while step > 1e-7 {
+                    while off(alpha + step) < off(alpha) {
+                        alpha += step;
+                    }
+                    while off(alpha - step) < off(alpha) {
+                        alpha -= step;
+                    }
+                    step /= 4.0;
+                }
+                let least = off(alpha);
+                let exact = groove.at(alpha).expect("a place").pose.axis;
+                let angle = (2.0 * rodete::number::trig::asin((up - exact).norm() / 2.0)).to_degrees();
+                prop_assert!(least <= beam + 1e-4, "{least} {beam}");
+                prop_assert!(angle <= bevel + 0.05, "{angle} {bevel}");
+                found = [found[0].max(least), found[1].min(nearest_point(&design, [tip, up]))];
+            }
+        }
+        prop_assert!(found[1] >= clear - 1e-4, "{} {clear}", found[1]);
+        // The bounds say no more than the truth, or hardly.
+        prop_assert!(beam <= found[0] * 1.15 + 0.004 && clear >= found[1] - 0.35, "{found:?} {beam} {clear}");
+        prop_assert!(clear >= design.g0 - tolerance - 0.05);
+    }
+
+    #[test]
+    fn random_branches_keep_what_their_checks_say(
+        D in 20.0..600.0_f64, part in 0.1..1.0_f64, wall in 0.02..0.2_f64, theta in 25.0..155.0_f64, off in -1.0..1.0_f64,
+        kerf in 0.0..3.0_f64, tolerance in 0.01..0.3_f64, N in 3_u32..400, equal in 0..8_u8, F in 100.0..6000.0_f64,
+        mode in prop::sample::select(vec!["flat", "rotary"]), style in prop::sample::select(vec!["full", "annex"]),
+        dialect in prop::sample::select(vec!["linuxcnc", "fagor-8055", "fagor-8070"]),
+        edges in prop::sample::select(vec![["inside", "outside"], ["outside", "inside"], ["outside", "outside"]]),
+    ) {
+        let d = if equal == 0 { D } else { D * part };
+        let t = d * wall;
+        let real = |key: &'static str, value: f64| (key, Value::Real(value));
+        let choice = |key: &'static str, value: &'static str| (key, Value::Choice(value));
+        let annex = style == "annex";
+        let changes = [
+            real("D_branch", d), real("t_branch", t), real("D_header", D), real("t_header", D * 0.05), real("theta", theta),
+            real("e", (D - d) / 2.0 * off), real("kerf", kerf), real("arc_tolerance", tolerance), real("F", F),
+            ("N", Value::Whole(N)), choice("mode", if annex { "flat" } else { mode }), choice("style", style),
+            choice("dialect", if annex && dialect == "linuxcnc" { "fagor-8055" } else { dialect }),
+            choice("contact", edges[0]), choice("sheet", edges[1]),
+        ];
+        let values = filled(insert::cases::CASES[0].values(Language::En), changes);
+        let design = insert::design::Design::new(&values);
+        let outcome = match run(&insert::parameters::FORM, values) {
+            Ok(outcome) => outcome,
+            Err(refusal) => {
+                prop_assert_eq!(refusal.exit, Exit::Refused);
+                prop_assert!(refusal.findings.iter().all(|one| one.what.en.contains("kerf")), "{:?}", refusal.findings);
+                return Ok(());
+            }
+        };
+        prop_assert_eq!(outcome.exit(), Exit::Done, "{:?}", outcome.findings);
+        let design = design.expect("a design");
+        let outline = design.outline();
+        let told = row(&outcome, "Path");
+        let program = &outcome.programs[0];
+        let setting = rodete::gcode::interpreter::Setting {
+            part: annex,
+            ..program.setting()
+        };
+        let mut most = 0.0_f64;
+        let flat = design.mode == insert::design::Mode::Flat;
+        let spans: Vec<Option<[f64; 2]>> = match insert::cut::cut(&design) {
+            Ok(cut) if !annex => cut.legs.iter().map(|leg| match leg.follows {
+                insert::cut::Follows::Curve(span) => Some(span),
+                _ => None,
+            }).collect(),
+            _ => insert::arcs::triples(&insert::program::template_points(&design), tolerance)
+                .windows(2)
+                .map(|pair| Some([pair[0].to.x / outline.radius, pair[1].to.x / outline.radius]))
+                .collect(),
+        };
+        let feeds = program.read_back_with(setting).map(|motion| motion.expect("taken"));
+        let feeds = feeds.filter(|motion| matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..)));
+        for (motion, span) in feeds.skip(usize::from(annex)).zip(spans) {
+            let Some([from, to]) = span else { continue };
+            let [x, y] = if flat { [Axis::X, Axis::Y] } else { [Axis::A, Axis::X] };
+            for part in PARTS {
+                let point = match motion.kind {
+                    Kind::Arc(arc, _) => {
+                        let centre = Vector2::from(arc.centre);
+                        let start = Vector2::new(motion.from.get(x), motion.from.get(y)) - centre;
+                        let (sin, cos) = sin_cos(arc.sweep * part);
+                        centre + Vector2::new(start.x * cos - start.y * sin, start.x * sin + start.y * cos)
+                    }
+                    _ => {
+                        let round = axis(&motion, x, part);
+                        let round = if flat { round } else { round.to_radians() * outline.radius };
+                        Vector2::new(round, axis(&motion, y, part))
+                    }
+                };
+                let near = |step: u16| {
+                    outline.torch(from + (to - from) * f64::from(step) / 800.0, if step < 400 { Side::After } else { Side::Before })
+                };
+                let least = (0..=800).map(|step| (near(step) - point).norm()).fold(f64::INFINITY, f64::min);
+                // The nearest may lie between two.
+                let slack = (0..800).map(|step| (near(step + 1) - near(step)).norm()).fold(0.0, f64::max);
+                most = most.max(least - 0.5 * slack);
+                prop_assert!(least <= told + 0.5 * slack + 1e-4, "{least} {told} {motion:?}");
+            }
+        }
+        if !annex {
+            prop_assert!(most <= tolerance + 0.005 || flat, "{most}");
+        }
+        let grades = outcome.findings.iter().filter(|one| one.grade == Grade::Stop).count();
+        prop_assert_eq!(grades, 0);
+    }
+}
