@@ -340,18 +340,16 @@ impl Simulation {
         };
         let seconds = seconds.or_else(|| turning.seconds(motion, &pieces, lathe));
         travel(&mut tally, &pieces, [reference[0] - to[0], reference[1] - to[1]], lathe);
+        let start = pieces.first().map_or(to, |piece| piece[0]);
         if let Some(old) = self.place.replace(control.tool).filter(|old| *old != control.tool) {
             let zero = self.setup.stock.zero(lathe) + self.middle;
-            let way = [Axis::Z, Axis::X].map(|axis| motion.to.get(axis) - motion.from.get(axis));
-            let stands = [reference[0] - way[0] - zero, reference[1] - way[1]];
+            let stands = [reference[0] - zero - to[0] + start[0], reference[1] - to[1] + start[1]];
             let tools = self.tools.iter().map(|(place, ready)| (*place, &ready.tool, &ready.outline));
             change::judge((&mut self.part, &self.fixtures), tools, [old, control.tool], stands, &mut tally);
         }
 
         let mut contact = Contact::default();
-        let begins = !self
-            .led
-            .is_some_and(|led| led.tool == control.tool && pieces.first().is_some_and(|&[from, _]| near(led.at, from)));
+        let begins = !self.led.is_some_and(|led| led.tool == control.tool && near(led.at, start));
         let removed =
             if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
         self.judge(control, &pieces, &contact, &mut tally);
@@ -365,7 +363,6 @@ impl Simulation {
             self.fallen.clear();
         }
 
-        let start = pieces.first().map_or(to, |piece| piece[0]);
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
         let cuts = contact.real && motion.kind != Kind::Rapid;
