@@ -193,7 +193,7 @@ fn thrown(dice: &mut Dice) -> Vec<String> {
         vec![format!("T0{0}0{0}", 1 + dice.below(6)), "G97 S500 M3 F.2".to_owned(), "G0 X54. Z2.".to_owned()];
     for _ in 0..2 + dice.below(7) {
         let (X, Z) = (dice.of(-4.0, 62.0), dice.of(-80.0, 6.0));
-        let feed = [0.001, 0.05, 0.3, 2.0, 7.0][dice.below(5) as usize];
+        let feed = [0.001, 0.05, 0.3, 2.0, 7.0][usize::try_from(dice.below(5)).unwrap()];
         lines.push(match dice.below(12) {
             0 => format!("T0{0}0{0}", 1 + dice.below(6)),
             1 | 2 => format!("G0 X{X:.3} Z{Z:.3}"),
@@ -241,7 +241,7 @@ fn no_program_thrown_together_brings_it_down_or_keeps_it_going() {
         // No motion takes more than once again what all may take, twelve times of it where its last turn is a rib.
         assert!(simulation.work() < 13 * most_work, "{}\n{text}", simulation.work());
         assert!(simulation.volume().is_finite() && simulation.volume() >= -1e-6, "{text}");
-        simulation.lasting();
+        assert!(simulation.lasting().iter().all(|one| one.place.iter().all(|at| at.is_finite())), "{text}");
     }
     assert!(ended > 3 && motions > 1_000, "{ended} {motions}");
 }
