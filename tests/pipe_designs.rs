@@ -65,12 +65,11 @@ fn axis(motion: &Motion, axis: Axis, part: f64) -> f64 {
     from + (to - from) * part
 }
 
-/// Tip and direction of the torch, from the axes: about the pipe by A, tilted by B in the direction C.
-fn torch(motion: &Motion, part: f64) -> [Vector3<f64>; 2] {
-    let of = |letter: Axis| axis(motion, letter, part);
-    let [(sa, ca), (sb, cb), (sc, cc)] = [Axis::A, Axis::B, Axis::C].map(|letter| sin_cos(of(letter).to_radians()));
+/// Tip and direction of the torch, from A, X, Z, B and C: about the pipe by A, tilted by B in the direction C.
+fn torch([A, X, Z, B, C]: [f64; 5]) -> [Vector3<f64>; 2] {
+    let [(sa, ca), (sb, cb), (sc, cc)] = [A, B, C].map(|angle| sin_cos(angle.to_radians()));
     let about = |x: f64, y: f64, z: f64| Vector3::new(x, y * ca - z * sa, y * sa + z * ca);
-    [about(of(Axis::X), 0.0, of(Axis::Z)), about(sb * cc, sb * sc, cb)]
+    [about(X, 0.0, Z), about(sb * cc, sb * sc, cb)]
 }
 
 /// How near points of the torch's surface come to the pipe.
@@ -94,6 +93,51 @@ fn nearest_point(design: &hole::design::Design, [tip, up]: [Vector3<f64>; 2]) ->
         }
     }
     least
+}
+
+/// How near points of the torch come on the whole way of a cut.
+fn nearest_on_the_way(design: &hole::design::Design) -> f64 {
+    let cut = hole::cut::cut(design).expect("within the format").expect("a way");
+    let places: Vec<[f64; 5]> = std::iter::once(cut.pierce)
+        .chain(cut.legs.iter().map(|leg| leg.to))
+        .map(|place| place.map(|size| size.value()))
+        .collect();
+    let between = |pair: &[[f64; 5]], part: f64| {
+        nearest_point(design, torch(std::array::from_fn(|k| pair[0][k] + (pair[1][k] - pair[0][k]) * part)))
+    };
+    places
+        .windows(2)
+        .flat_map(|pair| [0.0, 0.25, 0.5, 0.75, 1.0].map(|part| between(pair, part)))
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Near the vertical C gives way and with it the tilt: here the torch comes nearer than g0, and the design is refused for that.
+#[test]
+fn a_torch_that_gives_its_tilt_way_too_near_the_pipe_is_stopped() {
+    let real = |key: &'static str, value: f64| (key, Value::Real(value));
+    let D = 493.258_407_860_852_7;
+    let t = D * 0.096_223_011_759_783_46;
+    let d = (D - 2.0 * t) * 0.15;
+    let changes = [
+        real("D_header", D),
+        real("t_header", t),
+        real("D_branch", d),
+        real("t_branch", d * 0.05),
+        real("theta", 55.0),
+        real("e", (D / 2.0 - t - d / 2.0) * 0.524_109_373_895_515_3),
+        real("gamma", 30.976_590_306_840_82),
+        real("b", 0.0),
+        real("h", 0.0),
+        real("D_max", 40.0),
+        real("lead_in", 0.2 * d),
+        real("arc_tolerance", 0.02),
+    ];
+    let values = filled(hole::cases::CASES[0].values(Language::En), changes);
+    let design = hole::design::Design::new(&values).expect("a design");
+    let outcome = run(&hole::parameters::FORM, values).expect("a hole");
+    assert_eq!(outcome.exit(), Exit::Refused);
+    let (told, found) = (row(&outcome, "Distance of the torch"), nearest_on_the_way(&design));
+    assert!(told < 1.9 && told <= found + 1e-4 && found <= told + 0.05, "{told} {found}");
 }
 
 /// Parts of a motion that no halving looks at.
@@ -134,6 +178,17 @@ proptest! {
             }
         };
         prop_assert!(highest <= 40.0, "{highest}");
+        let stops: Vec<_> = outcome.findings.iter().filter(|one| one.grade == Grade::Stop).collect();
+        if let [stop] = stops[..] {
+            // Upright the torch gives its tilt way, and may come too near: so it must, then.
+            prop_assert_eq!(outcome.exit(), Exit::Refused, "{:?}", outcome.findings);
+            prop_assert!(stop.what.en.starts_with("the torch comes to"), "{:?}", outcome.findings);
+            let told = row(&outcome, "Distance of the torch");
+            let found = nearest_on_the_way(&design);
+            prop_assert!(told - 1e-4 <= found && found <= told + 0.1, "{found} {told}");
+            prop_assert!(told < design.g0 - tolerance);
+            return Ok(());
+        }
         prop_assert_eq!(outcome.exit(), Exit::Done, "{:?}", outcome.findings);
         let (beam, bevel, clear) = (row(&outcome, "Beam"), row(&outcome, "Bevel"), row(&outcome, "Distance of the torch"));
         let motions = cuts(&outcome.programs[0]);
@@ -141,7 +196,8 @@ proptest! {
         let mut alpha = 0.0;
         for motion in motions.iter().skip(1) {
             for part in PARTS {
-                let [tip, up] = torch(motion, part);
+                let axes = [Axis::A, Axis::X, Axis::Z, Axis::B, Axis::C].map(|letter| axis(motion, letter, part));
+                let [tip, up] = torch(axes);
                 // The nearest place of the cut, from the one before on.
                 let off = |alpha: f64| groove.at(alpha).map_or(f64::INFINITY, |one| {
                     (one.root + one.waste * groove.beside - tip).cross(&up).norm()

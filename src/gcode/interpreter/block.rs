@@ -1,6 +1,7 @@
 //! What stands in one block.
 
 use crate::gcode::code::{G, GROUPS, Group, M};
+use crate::gcode::interpreter::polar::Polar;
 use crate::gcode::turning::edge::Square;
 
 /// A letter, counted from A = 0.
@@ -77,6 +78,8 @@ pub(super) struct Block {
     pub(super) pointless: u32,
     /// How the corner behind the block is broken.
     pub(super) edge: Option<EdgeWord>,
+    /// `@` and `^`.
+    pub(super) polar: Polar,
     values: [f64; 26],
     columns: [u16; 26],
     /// One bit for each group of which a G code stands in the block.
@@ -104,6 +107,7 @@ impl Block {
             present: 0,
             pointless: 0,
             edge: None,
+            polar: [None; 2],
             values: [0.0; 26],
             columns: [0; 26],
             groups: 0,
@@ -123,6 +127,7 @@ impl Block {
         self.present = 0;
         self.pointless = 0;
         self.edge = None;
+        self.polar = [None; 2];
         self.groups = 0;
         self.machine_groups = 0;
         self.machine_codes = 0;

@@ -49,6 +49,7 @@ mod offsets;
 mod parameters;
 mod pass;
 mod point;
+mod polar;
 mod read;
 mod rollover;
 mod round;

@@ -63,8 +63,12 @@ impl Interpreter<'_> {
                     let setting = self.setting(cursor)?;
                     self.block.settings.push(setting);
                 }
+                b'@' | b'^' if self.reading.expressions => self.read_polar(cursor)?,
                 _ => return Err(cursor.refuse_character()),
             }
+        }
+        if self.block.polar != [None; 2] {
+            self.settle_polar()?;
         }
         if let Some(column) = cursor.parted {
             let line = self.line;
