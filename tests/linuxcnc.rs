@@ -45,6 +45,8 @@ fn plan_interpreter_and_linuxcnc_agree_on_our_programs() {
             &[
                 ("dialect", Value::Choice("linuxcnc")),
                 ("distance", Value::Choice(distance)),
+                ("rotary", Value::Choice("linear")),
+                ("start_codes", Value::Line("M3".to_owned())),
                 ("n", Value::Whole(n)),
                 ("N", Value::Whole(N)),
                 ("splitters", Value::Choice(splitters)),
@@ -125,8 +127,14 @@ fn a_hostile_part_name_makes_no_move() {
         return;
     }
     let program = |part: &str| {
-        let outcome =
-            common::outcome("full", &[("dialect", Value::Choice("linuxcnc")), ("part", Value::Line(part.to_owned()))]);
+        let outcome = common::outcome(
+            "full",
+            &[
+                ("dialect", Value::Choice("linuxcnc")),
+                ("start_codes", Value::Line("M3".to_owned())),
+                ("part", Value::Line(part.to_owned())),
+            ],
+        );
         moves(&judge(&common::program(&outcome, "blade")).unwrap())
     };
     assert_eq!(program("A)G0 Z-500 (x"), program("Impeller"));

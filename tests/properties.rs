@@ -64,6 +64,8 @@ fn design() -> impl Strategy<Value = Vec<(&'static str, Value)>> {
                 ("distance", Value::Choice(if absolute { "G90" } else { "G91" })),
                 ("dialect", Value::Choice(["fagor-8055", "fagor-8070", "linuxcnc"][dialect])),
                 ("start_codes", Value::Line("M3".to_owned())),
+                ("rotary", Value::Choice(if absolute { "linear" } else { "rollover" })),
+                ("retract", Value::Line(if dialect == 1 { "" } else { "G0 G53 Z0" }.to_owned())),
             ]
         })
 }

@@ -204,10 +204,10 @@ fn an_axis_beyond_its_travel_stops_the_programs() {
     assert_eq!(stops.len(), 6);
     let first =
         stops.iter().find(|stop| stop.what.en.starts_with("axis B") && stop.what.en.contains("One blade")).unwrap();
-    assert_eq!(first.what.en, "axis B goes to 90° in \"One blade\", from line 31 on; its limit is 80°");
+    assert_eq!(first.what.en, "axis B goes to 90° in \"One blade\", from line 34 on; its limit is 80°");
     assert_eq!(first.place, Place::Cells(vec![cell]));
     let text = common::program(&common::outcome("full", &[]), "blade");
-    assert_eq!(text.lines().nth(30), Some("N70 G0 B90.000 C-270.000"));
+    assert_eq!(text.lines().nth(33), Some("N80 G0 B90.000 C90.000"));
 }
 
 fn calibration(x0: f64, z0: f64) -> Vec<(&'static str, Value)> {

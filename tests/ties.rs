@@ -17,11 +17,11 @@ fn away_from_zero(n: i64, i: i64) -> i64 {
 
 /// The blocks of a program in G93 with inverse times: positions and F words.
 fn blocks(n: i64) -> (Vec<Position>, Vec<Option<f64>>) {
-    let changes = [
+    let changes = common::absolute(&[
         ("n", Value::Whole(u32::try_from(n).expect("a count"))),
         ("dialect", Value::Choice("linuxcnc")),
         ("splitters", Value::Choice("no")),
-    ];
+    ]);
     let text = program(&outcome("full", &changes), "blade");
     let moving =
         |line: &&str| !line.starts_with('(') && line.contains([' ']) && line.contains(['X', 'Y', 'Z', 'B', 'C']);

@@ -114,7 +114,7 @@ impl<'a> Lines<'a> {
                     }
                     return Some((None, &self.line));
                 }
-                Part::Block(words) => {
+                Part::Block(words) | Part::Away(words) => {
                     self.part += 1;
                     for word in words {
                         word.write(program.format, &mut self.line);
@@ -164,6 +164,9 @@ impl<'a> Lines<'a> {
         let format = self.program.format;
         Word::whole('G', u32::from(!path.rapid)).write(format, &mut self.line);
         for &axis in path.axes {
+            if path.moving_only && to.get(axis) == self.at.get(axis) {
+                continue;
+            }
             let size = match path.distance {
                 Distance::Absolute => to.get(axis),
                 Distance::Incremental => to.get(axis) - self.at.get(axis),

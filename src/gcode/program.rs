@@ -60,6 +60,8 @@ pub struct Path {
     pub rapid: bool,
     /// Absolute or incremental words.
     pub distance: Distance,
+    /// Words of axes that stand still are left out.
+    pub moving_only: bool,
     /// The F words.
     pub feed: Feed,
 }
@@ -91,6 +93,9 @@ pub enum Part {
     Comment(String),
     /// A block of words without moves, or of a turning program.
     Block(Vec<Word>),
+    /// The block that takes the tool away first of all. Where it leads in program coordinates is not known: it may be in
+    /// those of the machine.
+    Away(Vec<Word>),
     /// Moves.
     Path(Path),
 }
@@ -184,10 +189,17 @@ impl Program {
         before.into_iter().any(|part| matches!(part, Part::Block(words) if words.iter().any(size)))
     }
 
+    /// The line, counted from 1, of the block that takes the tool away, which stands before every move; `None` where there
+    /// is none.
+    #[must_use]
+    pub fn away(&self) -> Option<usize> {
+        self.parts.iter().position(|part| matches!(part, Part::Away(_))).map(|before| before + 1)
+    }
+
     /// How many blocks there are: lines that may carry a number.
     #[must_use]
     pub fn blocks(&self) -> u64 {
-        let mut blocks = self.parts.iter().filter(|part| matches!(part, Part::Block(_))).count() as u64;
+        let mut blocks = self.parts.iter().filter(|part| matches!(part, Part::Block(_) | Part::Away(_))).count() as u64;
         self.for_each_move(&mut |_| blocks += 1);
         blocks
     }

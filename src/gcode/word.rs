@@ -94,6 +94,45 @@ pub fn codes(text: &str) -> Option<Vec<Word>> {
         .collect()
 }
 
+/// Reads a block that moves linear axes, as `G0 G53 Z0`: codes as [`codes`] reads them, and X, Y and Z with numbers of the
+/// output grid. In the order that controls ask for: G codes, axes, M codes; each axis once.
+///
+/// `None` where anything else stands there.
+#[must_use]
+pub fn block(text: &str) -> Option<Vec<Word>> {
+    let words: Vec<Word> = text.split_whitespace().map(word).collect::<Option<_>>()?;
+    let place = |word: &Word| match word.letter {
+        'G' => 0,
+        'X' => 1,
+        'Y' => 2,
+        'Z' => 3,
+        _ => 4,
+    };
+    let ordered = words.windows(2).all(|pair| {
+        let places = [place(&pair[0]), place(&pair[1])];
+        places[0] < places[1] || places[0] == places[1] && matches!(places[0], 0 | 4)
+    });
+    ordered.then_some(words)
+}
+
+/// A word of a [`block`].
+#[must_use]
+pub fn word(text: &str) -> Option<Word> {
+    let letter = text.chars().next()?;
+    if !matches!(letter, 'X' | 'Y' | 'Z') {
+        return codes(text)?.first().copied();
+    }
+    let signed = text.get(1..)?;
+    let number = signed.strip_prefix('-').unwrap_or(signed);
+    let (whole, decimals) = number.split_once('.').unwrap_or((number, "0"));
+    let digits =
+        |text: &str, most| (1..=most).contains(&text.len()) && text.bytes().all(|digit| digit.is_ascii_digit());
+    if !digits(whole, 5) || !digits(decimals, 3) {
+        return None;
+    }
+    Some(Word::size(letter, Milli::round(signed.parse().ok()?).ok()?))
+}
+
 /// Appends a whole number. Programs have millions of numbers: this costs a third of the standard formatting.
 pub fn push_whole(text: &mut String, number: u32) {
     let mut digits = [b'0'; 10];
@@ -180,6 +219,17 @@ mod tests {
         assert_eq!(codes("M3 M11  M13"), Some(vec![Word::whole('M', 3), Word::whole('M', 11), Word::whole('M', 13)]));
         for bad in ["X5", "M", "M3.5", "M-3", "M3;", "M99999", "m3", "M+3"] {
             assert_eq!(codes(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_block_that_takes_the_tool_away_turns_nothing() {
+        let Z = |thousandths| Word::size('Z', Milli::new(thousandths));
+        assert_eq!(block("G0 G53 Z0"), Some(vec![Word::whole('G', 0), Word::whole('G', 53), Z(0)]));
+        assert_eq!(block("G0 Z-12.5 M9"), Some(vec![Word::whole('G', 0), Z(-12_500), Word::whole('M', 9)]));
+        assert_eq!(block(""), Some(Vec::new()));
+        for bad in ["G0 B0", "G0 C90", "Z0 G0", "G0 Z0 Z1", "G0 Y0 X0", "Z1.2345", "Z1e3", "Z+1", "Z.5", "Z", "T1"] {
+            assert_eq!(block(bad), None, "{bad}");
         }
     }
 }

@@ -108,21 +108,33 @@ pub struct Assembly<'a> {
     /// Where the passes begin: the published programs start here.
     first: Position,
     at: Position,
+    /// Whole turns that C stands beyond the positions of the tracks.
+    turns: Milli,
 }
 
 impl<'a> Assembly<'a> {
     /// A program whose passes begin at a safe point.
     ///
-    /// The published layout starts right there. The full one starts over the work zero at the retract height, wherever
-    /// the machine stood before, turns B and C there, and goes down to the safe point outside the part.
+    /// The published layout starts right there. The full one is taken away, if the workbook says how, goes over the work
+    /// zero at the retract height, wherever the machine stood before, turns B and C there, and goes down to the safe point
+    /// outside the part.
+    ///
+    /// Where the rotary axes may be rollover they are taken to stand at 0. One absolute block with targets inside a turn, in
+    /// plus, brings them to where the passes begin: an axis that is rollover and one that is not make the same motion, and
+    /// so they do of every increment after it. An angle that is reached already is not written.
     ///
     /// # Errors
     /// For a position that no program may carry.
     pub fn new(design: &'a Design, first: Position) -> Result<Self, OutOfFormat> {
-        let mut assembly = Self { design, parts: Vec::new(), start: first, first, at: first };
+        let turned = first.get(Axis::C).thousandths();
+        let whole = if design.turns_by_increments() { turned.rem_euclid(360_000) - turned } else { 0 };
+        let turns = Milli::new(whole);
+        let first = first.moved(Axis::C, turns);
+        let mut assembly = Self { design, parts: Vec::new(), start: first, first, at: first, turns };
         match design.style {
             Style::Annex => {
-                let codes = std::iter::once(Word::whole('G', 91)).chain(design.start_codes.iter().copied());
+                let codes = design.start_codes.iter().chain(&design.coolant).copied();
+                let codes = std::iter::once(Word::whole('G', 91)).chain(codes);
                 assembly.parts.push(block(codes.collect::<Vec<_>>()));
             }
             Style::Full => assembly.approach()?,
@@ -142,20 +154,43 @@ impl<'a> Assembly<'a> {
         self.start = Position::default().with(Axis::Z, height);
         self.at = self.start;
         self.parts.push(block(design.dialect.safety_block()));
+        if !design.retract.is_empty() {
+            self.parts.push(Part::Away(design.retract.clone()));
+        }
         for words in design.dialect.tool_blocks(design.T, design.D) {
             self.parts.push(block(words));
         }
         let speed = design.S.map(|S| Word::whole('S', S));
         self.parts.push(block(speed.into_iter().chain(design.start_codes.iter().copied()).collect::<Vec<_>>()));
-        let zero = |axis: Axis| Word::size(axis.letter(), Milli::ZERO);
-        self.parts.push(block([Word::whole('G', 0), Word::size('Z', height)]));
-        self.parts.push(block([Word::whole('G', 0), zero(Axis::X), zero(Axis::Y), zero(Axis::B), zero(Axis::C)]));
+        if !design.coolant.is_empty() {
+            self.parts.push(block(design.coolant.clone()));
+        }
+        let rapid = |axes: &[Axis]| {
+            let zeros = axes.iter().map(|axis| Word::size(axis.letter(), Milli::ZERO));
+            block(std::iter::once(Word::whole('G', 0)).chain(zeros).collect::<Vec<_>>())
+        };
+        let down = block([Word::whole('G', 0), Word::size('Z', height)]);
+        let by_increments = design.turns_by_increments();
+        let over_zero = rapid(if by_increments { &[Axis::X, Axis::Y] } else { &[Axis::X, Axis::Y, Axis::B, Axis::C] });
+        // Taken away, the tool is above everything, and comes down over the work zero; otherwise it goes up first.
+        let blocks = if design.retract.is_empty() { [down, over_zero] } else { [over_zero, down] };
+        self.parts.extend(blocks);
+        let first = self.first;
+        let over = |from: Position, axes: &[Axis]| axes.iter().fold(from, |at, &axis| at.with(axis, first.get(axis)));
+        let turned = over(self.at, &[Axis::B, Axis::C]);
+        if by_increments {
+            let path = Path {
+                distance: Distance::Absolute,
+                moving_only: true,
+                ..self.path(Arc::new([turned]), &[Axis::B, Axis::C], true)
+            };
+            self.parts.push(Part::Path(path));
+            self.at = turned;
+        }
         if self.distance() == Distance::Incremental {
             self.parts.push(block([Word::whole('G', 91)]));
         }
-        let first = self.first;
-        let over = |from: Position, axes: &[Axis]| axes.iter().fold(from, |at, &axis| at.with(axis, first.get(axis)));
-        self.go(over(self.at, &[Axis::B, Axis::C]), &[Axis::B, Axis::C]);
+        self.go(turned, &[Axis::B, Axis::C]);
         self.go(over(self.at, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);
         self.go(over(self.at, &[Axis::Z]), &[Axis::Z]);
         if design.dialect.feed.code() != 94 {
@@ -180,13 +215,18 @@ impl<'a> Assembly<'a> {
             axes,
             rapid,
             distance: self.distance(),
+            moving_only: self.design.turns_by_increments(),
             feed: Feed::None,
         }
     }
 
-    /// A move outside the part, of the axes named: the published layout writes it like any other block, the full one as
-    /// a rapid move.
-    pub fn go(&mut self, to: Position, axes: &'static [Axis]) {
+    /// A move outside the part to a position of the tracks, of the axes named: the published layout writes it like any
+    /// other block, the full one as a rapid move.
+    pub fn cross(&mut self, to: Position, axes: &'static [Axis]) {
+        self.go(to.moved(Axis::C, self.turns), axes);
+    }
+
+    fn go(&mut self, to: Position, axes: &'static [Axis]) {
         let full = self.design.style == Style::Full;
         let path = self.path(Arc::new([to]), if full { axes } else { ALL }, full);
         self.parts.push(Part::Path(path));
@@ -195,6 +235,7 @@ impl<'a> Assembly<'a> {
 
     /// A pass, with C turned on.
     pub fn cut(&mut self, pass: &Pass, turn: Milli) {
+        let turn = turn + self.turns;
         let through = Path {
             role: Role::Cut(pass.track.key()),
             backwards: pass.backwards,
@@ -216,7 +257,7 @@ impl<'a> Assembly<'a> {
 
     /// Turns C alone, at a safe point.
     pub fn turn_to(&mut self, safe: Position, turn: Milli) {
-        let to = safe.moved(Axis::C, turn);
+        let to = safe.moved(Axis::C, turn + self.turns);
         let path = self.path(Arc::new([to]), &[Axis::C], self.design.style == Style::Full);
         self.parts.push(Part::Path(path));
         self.at = to;
@@ -230,7 +271,8 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Closes the program: the full layout goes back to its start, C to a whole turn.
+    /// Closes the program: the full layout goes back to its start, C to a whole turn or, where the rotary axes may be
+    /// rollover, back to 0.
     #[must_use]
     pub fn finish(mut self, key: &'static str, title: Text) -> Program {
         let design = self.design;
@@ -243,6 +285,8 @@ impl<'a> Assembly<'a> {
             };
             let turned = self.at.get(Axis::C) - self.first.get(Axis::C);
             let turns = turned.thousandths().div_euclid(360_000);
+            // Turned back all the way where the next run takes the axes to stand at 0, on whole turns elsewhere.
+            let turns = if design.turns_by_increments() { 0 } else { turns };
             let home = self.start.with(Axis::C, Milli::new(turns * 360_000));
             self.go(over(self.at, home, &[Axis::Z]), &[Axis::Z]);
             self.go(over(self.at, home, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);

@@ -78,13 +78,9 @@ fn published(language: Language) -> Vec<(&'static str, Value)> {
 
 fn full(language: Language) -> Vec<(&'static str, Value)> {
     let mut values = published(language);
-    for (key, value) in [
-        ("eps_v", Value::Real(0.0)),
-        ("splitter_fade", Value::Choice("each-side")),
-        ("style", Value::Choice("full")),
-        ("distance", Value::Choice("G90")),
-        ("start_codes", Value::Line("M3".to_owned())),
-    ] {
+    for (key, value) in
+        [("eps_v", Value::Real(0.0)), ("splitter_fade", Value::Choice("each-side")), ("style", Value::Choice("full"))]
+    {
         if let Some(entry) = values.iter_mut().find(|entry| entry.0 == key) {
             entry.1 = value;
         }
@@ -93,6 +89,8 @@ fn full(language: Language) -> Vec<(&'static str, Value)> {
         ("F", Value::Real(300.0)),
         ("S", Value::Whole(6000)),
         ("F_max", Value::Real(6000.0)),
+        ("rotary", Value::Choice("rollover")),
+        ("retract", Value::Line("G0 G53 Z0".to_owned())),
         ("S_m", Value::Whole(3000)),
     ]);
     values

@@ -1,7 +1,9 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::machine_codes::refused_codes;
+use crate::gcode::dialect::Rotary as Counting;
+use crate::gcode::machine_codes::{refused_codes, refused_retract};
+use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
 use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::impeller::design::{Design, Style};
@@ -292,6 +294,19 @@ impl Design {
                 Text::fixed("style = full", "style = full"),
             );
         }
+        if self.style == Style::Full && self.distance == Distance::Absolute && self.counting == Counting::Rollover {
+            stop(
+                &["distance", "rotary", "dialect"],
+                "distance = G90 con ejes rollover: en G90 el signo sería el sentido y el número el ángulo, y B y C darían casi una vuelta al revés en cada bloque".to_owned(),
+                "distance = G90 with rollover axes: in G90 the sign would be the direction and the number the angle, and B and C would make nearly a whole turn the wrong way in each block".to_owned(),
+                Text::fixed(
+                    "distance = G91, que vale para unos ejes y otros; o, si B y C de la máquina cuentan como ejes lineales, rotary = linear (fila rotary, valor en la columna C)",
+                    "distance = G91, which is true for either; or, if B and C of the machine count as linear axes, rotary = linear (row rotary, value in column C)",
+                ),
+            );
+        }
+        findings.extend(refused_retract(self.dialect, &self.retract));
+        findings.extend(refused_codes(self.dialect, "coolant", &self.coolant, false));
         findings.extend(refused_codes(self.dialect, "start_codes", &self.start_codes, false));
         findings.extend(refused_codes(self.dialect, "end_codes", &self.end_codes, true));
         let passes = 2 * u64::from(self.N) * if self.splitters { 2 } else { 1 };

@@ -2,9 +2,9 @@
 
 use crate::blank::turning::Turning;
 use crate::finding::{Finding, Place};
-use crate::gcode::dialect::Dialect;
+use crate::gcode::dialect::{Dialect, Rotary as Counting};
 pub use crate::gcode::program::Style;
-use crate::gcode::word::{Distance, Word, codes};
+use crate::gcode::word::{Distance, Word, block, codes};
 use crate::geometry::torus::Torus;
 use crate::impeller::fade::Fade;
 use crate::impeller::tool_path::half_width;
@@ -69,8 +69,14 @@ pub struct Design {
     pub style: Style,
     /// Absolute or incremental, in full style.
     pub distance: Distance,
+    /// How the machine's rotary axes count in G90, as the workbook says or, where it does not, as the control is delivered.
+    pub counting: Counting,
     /// M codes at the start.
     pub start_codes: Vec<Word>,
+    /// M codes for coolant.
+    pub coolant: Vec<Word>,
+    /// The block that takes the tool away before anything turns; empty where there is none.
+    pub retract: Vec<Word>,
     /// M codes at the end.
     pub end_codes: Vec<Word>,
     /// Step of the block numbers.
@@ -95,6 +101,14 @@ impl Design {
         2.0 * (self.torus.R + self.d_s) + self.blank.L_b
     }
 
+    /// True where a complete program says every turn as an increment and where to begin by angles inside a turn, which holds
+    /// whether the rotary axes are rollover or not.
+    #[must_use]
+    pub fn turns_by_increments(&self) -> bool {
+        let may_roll = self.dialect.rotary == Counting::Rollover;
+        self.style == Style::Full && self.distance == Distance::Incremental && may_roll
+    }
+
     /// The design of checked values.
     ///
     /// # Errors
@@ -116,6 +130,7 @@ impl Design {
     fn from_values(values: &Values) -> Option<Self> {
         let real = |key| values.real(key);
         let (R_B, H) = (real("R_B")?, real("H")?);
+        let dialect = Dialect::milling(values.choice("dialect")?)?;
         Some(Self {
             torus: Torus { R: real("R")?, r: real("r")? },
             n: usize::try_from(values.whole("n")?).ok()?,
@@ -149,10 +164,17 @@ impl Design {
             part: values.line("part").to_owned(),
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
-            dialect: Dialect::milling(values.choice("dialect")?)?,
+            dialect,
+            counting: match values.choice("rotary") {
+                Some("linear") => Counting::Linear,
+                Some(_) => Counting::Rollover,
+                None => dialect.rotary,
+            },
             style: if values.choice("style")? == "full" { Style::Full } else { Style::Annex },
             distance: if values.choice("distance")? == "G91" { Distance::Incremental } else { Distance::Absolute },
             start_codes: codes(values.line("start_codes"))?,
+            coolant: codes(values.line("coolant"))?,
+            retract: block(values.line("retract"))?,
             end_codes: codes(values.line("end_codes"))?,
             block_step: values.whole("block_step")?,
             blank: Turning::from_values(values)?,

@@ -286,7 +286,8 @@ impl<'a> Channel<'a> {
         Axis {
             foot: Vector3::new(rho * cos, rho * sin, torus.r * sin_v + out),
             along: -Vector3::new(cos_v * cos, cos_v * sin, sin_v),
-            range: [-depth, ABOVE],
+            // The end of a tool too wide for the tube stands above the blank altogether.
+            range: [(-depth).min(ABOVE), ABOVE],
         }
     }
 

@@ -7,7 +7,7 @@ use crate::gcode::dialect::FeedLaw;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::Distance;
-use crate::impeller::design::Design;
+use crate::impeller::design::{Design, Style};
 use crate::number::grid::Milli;
 use crate::number::shown;
 
@@ -59,12 +59,31 @@ pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>,
         "SIN CONTROL DE PUNTA RTCP - SOLO VALE CON ESTA L",
         "NO TOOL CENTRE POINT CONTROL - TRUE FOR THIS L ONLY",
     );
+    let by_increments = design.turns_by_increments();
     let height = fixed(program.start.get(crate::machine::axis::Axis::Z).value());
     comments.line(
-        &format!("EMPIEZA Y ACABA EN X0 Y0 Z{height} B0 Y C EN VUELTAS"),
-        &format!("STARTS AND ENDS AT X0 Y0 Z{height} B0 AND C IN TURNS"),
+        &format!("EMPIEZA Y ACABA EN X0 Y0 Z{height} B0 Y C {}", if by_increments { "0" } else { "EN VUELTAS" }),
+        &format!("STARTS AND ENDS AT X0 Y0 Z{height} B0 AND C {}", if by_increments { "0" } else { "IN TURNS" }),
     );
-    comments.line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
+    if by_increments {
+        comments.line("ANTES DE EMPEZAR - B Y C A 0 EN PANTALLA", "BEFORE THE START - B AND C SHOW 0");
+        comments.line(
+            "VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES",
+            "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES",
+        );
+    } else {
+        comments
+            .line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
+    }
+    if design.style == Style::Full && design.distance == Distance::Absolute {
+        comments.line("SOLO VALE SI B Y C NO SON EJES ROLLOVER", "TRUE ONLY WHERE B AND C ARE NOT ROLLOVER AXES");
+    }
+    if design.retract.is_empty() {
+        comments.line(
+            "SIN BLOQUE DE RETIRADA - RETIRE LA HERRAMIENTA A MANO",
+            "NO BLOCK TAKES THE TOOL AWAY - DO SO BY HAND",
+        );
+    }
     if design.distance == Distance::Incremental {
         comments.line("COORDENADAS INCREMENTALES G91 TRAS EL INICIO", "INCREMENTAL G91 AFTER THE START");
     }

@@ -7,6 +7,7 @@ pub mod assembly;
 pub mod blade;
 pub mod blade_count;
 pub mod cases;
+pub mod clearance;
 pub mod contradictions;
 pub mod design;
 pub mod discretisation;

@@ -25,6 +25,11 @@ const FADES: &[Choice] = &[
 const DISTANCES: &[Choice] =
     &[Choice { key: "G90", label: t("G90", "G90") }, Choice { key: "G91", label: t("G91", "G91") }];
 
+const ROTARIES: &[Choice] = &[
+    Choice { key: "rollover", label: t("rollover", "rollover") },
+    Choice { key: "linear", label: t("linear", "linear") },
+];
+
 const MM: Unit = Unit::Millimetre;
 const TRAVEL: [f64; 2] = [-10_000.0, 10_000.0];
 const TRAVEL_NOTE: Text =
@@ -160,6 +165,17 @@ const MACHINE: &[Parameter] = &[
             "L = R_B + H; no tool length, which enters the zero or the length offset of Z alone",
         ),
     ),
+    other(
+        "rotary",
+        "rotary_axes",
+        Kind::Choice(ROTARIES),
+        false,
+        t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),
+        t(
+            "rollover: de 0 a 360, el signo es el sentido (un Fagor 8055 de fábrica; así si queda vacía); linear: como un eje lineal",
+            "rollover: from 0 to 360, the sign is the direction (a Fagor 8055 as delivered; so if empty); linear: as a linear axis",
+        ),
+    ),
     real(
         "B_min",
         "B_min",
@@ -268,7 +284,10 @@ const PROGRAM: &[Parameter] = &[
         Kind::Choice(DISTANCES),
         true,
         t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
-        t("Sólo con style = full; annex es siempre G91", "With style = full only; annex is always G91"),
+        t(
+            "Sólo con style = full; annex es siempre G91. En un Fagor 8055, G90 sólo con rotary = linear",
+            "With style = full only; annex is always G91. On a Fagor 8055, G90 only with rotary = linear",
+        ),
     ),
     other(
         "start_codes",
@@ -276,7 +295,32 @@ const PROGRAM: &[Parameter] = &[
         Kind::Codes,
         true,
         t("Códigos de máquina al empezar", "Machine codes at the start"),
-        t("Publicado: M3 M11 M13", "Published: M3 M11 M13"),
+        t(
+            "Publicado: M3 M11 M13. M11 y M13: códigos del fabricante de la máquina publicada para los frenos de sus ejes giratorios; véalos en el manual de la suya",
+            "Published: M3 M11 M13. M11 and M13: codes of the published machine's builder for the clamps of its rotary axes; look up those of yours",
+        ),
+    ),
+    other(
+        "coolant",
+        "coolant",
+        Kind::Codes,
+        false,
+        t("Códigos de refrigerante, antes de cortar", "Codes for coolant, before the cut"),
+        t("Como M8; vacía: sin refrigerante", "Such as M8; empty: no coolant"),
+    ),
+    other(
+        "retract",
+        "retract",
+        Kind::Block,
+        false,
+        t(
+            "Bloque que retira la herramienta antes de que gire nada",
+            "Block that takes the tool away before anything turns",
+        ),
+        t(
+            "Sólo con style = full. G0 G53 Z0 si el cero de máquina está en lo alto de Z: compruébelo. Vacía: se avisa",
+            "With style = full only. G0 G53 Z0 if machine zero is at the top of Z: check that. Empty: a caution",
+        ),
     ),
     other(
         "end_codes",

@@ -118,16 +118,16 @@ impl Cuts {
     /// Obverse, cross, reverse backwards, cross back: starts and ends at the obverse's safe entry.
     fn blade(&self, tracks: &Tracks, assembly: &mut Assembly<'_>, turn: Milli) {
         assembly.cut(&self.obverse, turn);
-        assembly.go(tracks.exit_reverse.moved(Axis::C, turn), &[Axis::Y]);
+        assembly.cross(tracks.exit_reverse.moved(Axis::C, turn), &[Axis::Y]);
         assembly.cut(&self.reverse, turn);
-        assembly.go(tracks.entry_obverse.moved(Axis::C, turn), &[Axis::Y]);
+        assembly.cross(tracks.entry_obverse.moved(Axis::C, turn), &[Axis::Y]);
     }
 
     /// Path 1, cross, path 2 backwards: starts and ends at the reverse's safe entry.
     fn splitter(&self, tracks: &Tracks, assembly: &mut Assembly<'_>, turn: Milli) {
         if let Some([out, back]) = &self.splitter {
             assembly.cut(out, turn);
-            assembly.go(tracks.exit_obverse.moved(Axis::C, turn), &[Axis::Y]);
+            assembly.cross(tracks.exit_obverse.moved(Axis::C, turn), &[Axis::Y]);
             assembly.cut(back, turn);
         }
     }
@@ -205,14 +205,14 @@ fn impeller(design: &Design, tracks: &Tracks, cuts: &Cuts) -> Result<Program, Ou
         assembly.turn_to(tracks.entry_obverse, part_of_turn(k + 1, N)?);
     }
     if cuts.splitter.is_some() {
-        assembly.go(tracks.entry_reverse.moved(Axis::C, turn), &[Axis::Y]);
+        assembly.cross(tracks.entry_reverse.moved(Axis::C, turn), &[Axis::Y]);
         for k in 0..N {
             let at = turn + part_of_turn(2 * k + 1, 2 * N)?;
             assembly.turn_to(tracks.entry_reverse, at);
             cuts.splitter(tracks, &mut assembly, at);
         }
         assembly.turn_to(tracks.entry_reverse, turn + turn);
-        assembly.go(tracks.entry_obverse.moved(Axis::C, turn + turn), &[Axis::Y]);
+        assembly.cross(tracks.entry_obverse.moved(Axis::C, turn + turn), &[Axis::Y]);
     }
     Ok(assembly.finish("impeller", Text::fixed("El rodete completo", "The whole impeller")))
 }

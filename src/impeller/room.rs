@@ -8,9 +8,9 @@
 //! at −w it reaches 0.53 mm into it at 28.6 and is clear from 31.5 on.
 //!
 //! So each side asks the solids themselves. Let c(x, m) be the least distance of the tool, a cylinder of diameter d_t
-//! with a flat end, from the flanks of the blades on both sides, in the pose that the control gives it at the index x,
-//! between the points of the path with the offset w·f_j(m): X, Y, Z, B and C linear between them. Then m is the least
-//! index, not before the crossing in plan, with
+//! with a flat end, from the faces of the blades, in the pose that the control gives it at the index x, between the points
+//! of the path with the offset w·f_j(m): X, Y, Z, B and C linear between them; it is bounded, not sampled
+//! ([`clearance`](super::clearance)). Then m is the least index, not before the crossing in plan, with
 //!
 //! > c(x, m) ≥ ε for all 0 ≤ x ≤ n.
 //!
@@ -31,26 +31,23 @@
 //! # Units
 //! Millimetres and radians; x in steps.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
 
 use crate::impeller::blade::Blade;
+use crate::impeller::clearance::{Stand, Until, WORK, Walls};
 use crate::impeller::design::Design;
 use crate::impeller::fade::fraction;
-use crate::impeller::solids::{Flanks, Tool};
+use crate::impeller::part::Part;
 use crate::impeller::track::Track;
-use crate::machine::rotary::Rotary;
-
-/// Least number of poses along a path that are looked at; with fewer blocks, several within each.
-const POSES: usize = 96;
 
 /// The channel that a splitter stands in, with its walls.
 #[derive(Debug)]
 pub struct Room<'a> {
     design: &'a Design,
     blade: &'a Blade,
-    flanks: Flanks,
+    walls: Walls,
     /// ε.
     least: f64,
 }
@@ -60,51 +57,33 @@ impl<'a> Room<'a> {
     #[must_use]
     pub fn new(design: &'a Design, blade: &'a Blade) -> Self {
         let turned = 0.0005_f64.to_radians() * (design.machine.L + 2.0 * design.torus.R);
-        Self {
-            design,
-            blade,
-            flanks: Flanks::new(blade, design.n, design.e, design.a_p),
-            least: 0.0005 * 3.0_f64.sqrt() + turned,
-        }
+        let pitch = TAU / f64::from(design.N);
+        let turns = (0..design.N).map(|k| pitch * f64::from(k) + PI / f64::from(design.N)).collect();
+        let walls = Walls::new(Part::new(design), design.machine, design.d_t / 2.0, turns, f64::MIN);
+        Self { design, blade, walls, least: 0.0005 * 3.0_f64.sqrt() + turned }
     }
 
     /// The least m from `from` on with which the tool of a splitter's track has room; `None` where there is none.
     #[must_use]
     pub fn least(&self, track: Track, from: usize) -> Option<usize> {
+        let n = self.design.n;
         // Nearly always it is the first full offset that has no room, which one block tells.
-        let beginning = least(from, self.design.n, |m| self.clear(track, m, [m.saturating_sub(1)]))?;
-        least(beginning, self.design.n, |m| {
-            let stride = self.design.n.div_ceil(POSES).max(1);
-            self.clear(track, m, [m.saturating_sub(1), m].into_iter().chain((0..self.design.n).step_by(stride)))
-        })
+        let beginning = least(from, n, |m| self.clear(track, m, [m.saturating_sub(1), m.max(1)]))?;
+        least(beginning, n, |m| self.clear(track, m, [0, n]))
     }
 
-    /// True where the tool keeps clear of both blades in the blocks that begin at some points of a path.
-    fn clear(&self, track: Track, m: usize, blocks: impl IntoIterator<Item = usize>) -> bool {
-        let half = PI / f64::from(self.design.N);
-        let parts = u16::try_from(POSES.div_ceil(self.design.n.max(1))).unwrap_or(1);
-        blocks.into_iter().filter(|&j| j < self.design.n).all(|j| {
-            (0..=parts).all(|part| {
-                let tool = self.tool(track, m, j, f64::from(part) / f64::from(parts));
-                [half, -half].iter().all(|&angle| self.flanks.nearest(&tool.turned(angle), 0.0, self.least).is_none())
-            })
-        })
+    /// True where the tool is proved to keep clear of the blades from one point of a path to another.
+    fn clear(&self, track: Track, m: usize, [first, last]: [usize; 2]) -> bool {
+        let way: Vec<Stand> = (first..=last.min(self.design.n)).map(|j| self.stand(track, m, j)).collect();
+        self.walls.clearance(&way, Until::Decided(self.least), WORK).lower >= self.least
     }
 
-    /// The tool at a part of the way from the point j to the next.
-    fn tool(&self, track: Track, m: usize, j: usize, part: f64) -> Tool {
+    /// Where the axes stand at the point j.
+    fn stand(&self, track: Track, m: usize, j: usize) -> Stand {
         let (design, blade) = (self.design, self.blade);
-        let next = j + 1;
-        let linear = |from: f64, to: f64| from + (to - from) * part;
-        let offset = track.side() * design.w() * linear(fraction(j, m), fraction(next, m));
-        let machine = blade.machine[j] + (blade.machine[next] - blade.machine[j]) * part + blade.b_machine * offset
-            - Vector3::new(0.0, 0.0, design.a_p);
-        let (B, C) = (linear(blade.B[j], blade.B[next]), linear(blade.C[j], blade.C[next]));
-        Tool {
-            tip: design.machine.to_part(&machine, B, C),
-            axis: Rotary::direction_to_part(&Vector3::z(), B, C),
-            radius: design.d_t / 2.0,
-        }
+        let offset = track.side() * design.w() * fraction(j, m);
+        let at = blade.machine[j] + blade.b_machine * offset - Vector3::new(0.0, 0.0, design.a_p);
+        Stand { at, B: blade.B[j], C: blade.C[j] }
     }
 }
 

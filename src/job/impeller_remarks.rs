@@ -4,6 +4,7 @@ use crate::finding::{Finding, Place};
 use crate::impeller::design::{Design, Style};
 use crate::impeller::programs::Programs;
 use crate::impeller::splitter::NoSplitter;
+use crate::job::impeller_start::start;
 use crate::machine::calibration::Axis as Calibrated;
 use crate::number::shown;
 use crate::text::Text;
@@ -83,6 +84,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
             ));
         }
     }
+    findings.extend(start(design));
     let unchecked: Vec<&'static str> =
         [("X_min", 0, 0), ("X_max", 0, 1), ("Y_min", 1, 0), ("Y_max", 1, 1), ("Z_min", 2, 0), ("Z_max", 2, 1)]
             .into_iter()

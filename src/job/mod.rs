@@ -5,6 +5,7 @@ pub mod checks;
 pub mod impeller;
 mod impeller_remarks;
 mod impeller_shortfalls;
+mod impeller_start;
 pub mod lathe;
 mod lathe_findings;
 mod lathe_profile;

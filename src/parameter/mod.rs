@@ -47,6 +47,8 @@ pub enum Kind {
     },
     /// Machine codes as `M3 M11 M13`: letters G or M with whole numbers, separated by blanks.
     Codes,
+    /// One block that takes the tool away as `G0 G53 Z0`: codes, then X, Y and Z, then M codes.
+    Block,
     /// The name and version of the schema: text that must equal [`Form::schema`].
     Schema,
 }

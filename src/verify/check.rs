@@ -162,3 +162,12 @@ impl Check {
 pub fn mm(value: f64) -> String {
     format!("{} mm", shown(value, 4))
 }
+
+/// A length that lies between two bounds, the lower one rounded down and the upper one up to a tenth of a micrometre.
+#[must_use]
+pub fn bounded(lower: f64, upper: f64) -> Text {
+    // What is on the grid but for the arithmetic stays there.
+    let (low, high) = ((lower * 1e4 + 1e-6).floor() / 1e4, (upper * 1e4 - 1e-6).ceil() / 1e4);
+    let (low, high) = (shown(low, 4), mm(high));
+    Text::new(format!("acotada entre {low} y {high}"), format!("bounded between {low} and {high}"))
+}

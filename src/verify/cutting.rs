@@ -4,16 +4,14 @@
 //! positions, which the agreement with the plan shows, and C turns tool and part as one.
 
 use crate::gcode::program::Program;
-use crate::impeller::fade::Fade;
 use crate::impeller::figures::Curve;
 use crate::impeller::ideal::Ideal;
 use crate::impeller::track::Track;
 use crate::number::grid::Milli;
-use crate::number::shown;
 use crate::text::Text;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
-use crate::verify::flanks::{Clearance, Clearances, Neighbours, POSES};
-use crate::verify::floor::{below_floor, rim};
+use crate::verify::flanks::{self, Clearances, Neighbours, Way};
+use crate::verify::floor::{POSES, below_floor, rim};
 use crate::verify::impeller::Geometry;
 use crate::verify::refinement::needed;
 use crate::verify::step::{Cut, Judge, Step};
@@ -32,10 +30,23 @@ struct Measured {
     /// The bound of what the grid may move the tip.
     grid: f64,
     floor: Option<(f64, At)>,
+    /// The first pass so far, and then its clearances.
+    way: Way,
     clearances: Clearances,
     /// The first pass has ended.
     done: bool,
     turn: Option<Milli>,
+}
+
+impl Measured {
+    /// The first pass has ended.
+    fn finish(&mut self, neighbours: &Neighbours) {
+        if !self.done {
+            let way = std::mem::take(&mut self.way);
+            self.clearances = neighbours.along(&way, self.along.track());
+            self.done = true;
+        }
+    }
 }
 
 /// What is known from the programs that were judged before.
@@ -50,12 +61,13 @@ impl Known {
     /// Nothing yet.
     #[must_use]
     pub fn new(geometry: Geometry<'_>) -> Self {
-        let Geometry { design, blade, splitter } = geometry;
+        let Geometry { design, splitter, .. } = geometry;
         let tracks = Track::ALL.into_iter().filter_map(|track| {
             let along = Along::new(Ideal::new(design, splitter, track)?, design.n);
-            Some(Measured { along, grid: 0.0, floor: None, clearances: Clearances::default(), done: false, turn: None })
+            let (way, clearances) = (Way::default(), Clearances::default());
+            Some(Measured { along, grid: 0.0, floor: None, way, clearances, done: false, turn: None })
         });
-        Self { neighbours: Neighbours::new(design, blade, splitter), tracks: tracks.collect(), clear_moves: Vec::new() }
+        Self { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect(), clear_moves: Vec::new() }
     }
 
     /// How far the tip goes into the metal along each track.
@@ -101,6 +113,8 @@ impl Judge for Cutting<'_, '_> {
         let motion = &step.motion;
         let (at, block) = (At::motion(motion), (motion.line, motion.n));
         let place = |x: f64| At { point: Some((track, x)), ..at };
+        let passed = if let [Some(from), Some(to)] = points { Some([from, to]) } else { None };
+        measured.way.go([&motion.from, &motion.to], turn, at, passed);
         match points {
             [Some(from), Some(to)] => {
                 measured.along.block(design.machine, [&motion.from, &motion.to], [from, to], turn, block);
@@ -115,31 +129,22 @@ impl Judge for Cutting<'_, '_> {
                     let pose = between(&motion.from, &motion.to, fraction);
                     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
                     let x = from as f64 + (to as f64 - from as f64) * fraction;
-                    self.known.neighbours.look(&pose, turn, track, place(x), &mut measured.clearances);
                     let depth = below_floor(design, &pose);
                     if measured.floor.is_none_or(|(most, _)| depth > most) {
                         measured.floor = Some((depth, place(x)));
                     }
                 }
             }
-            [None, Some(to)] => {
-                measured.along.end(design.machine, &motion.to, to, turn, block);
-                for fraction in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                    let pose = between(&motion.from, &motion.to, fraction);
-                    self.known.neighbours.look(&pose, turn, track, at, &mut measured.clearances);
-                }
-            }
-            _ => {
-                for fraction in [0.25, 0.5, 0.75, 1.0] {
-                    let pose = between(&motion.from, &motion.to, fraction);
-                    self.known.neighbours.look(&pose, turn, track, at, &mut measured.clearances);
-                }
-                measured.done = true;
-            }
+            [None, Some(to)] => measured.along.end(design.machine, &motion.to, to, turn, block),
+            _ => measured.finish(&self.known.neighbours),
         }
     }
 
     fn checks(&mut self, program: &Program) -> Vec<Check> {
+        // Of a text that ends on the way, what there is of the pass.
+        for one in self.known.tracks.iter_mut().filter(|one| self.here.contains(&one.along.track())) {
+            one.finish(&self.known.neighbours);
+        }
         let measured: Vec<&Measured> =
             self.known.tracks.iter().filter(|one| self.here.contains(&one.along.track())).collect();
         if measured.is_empty() {
@@ -148,7 +153,8 @@ impl Judge for Cutting<'_, '_> {
         let mut checks = self.tip_path(program, &measured);
         checks.push(self.grid(program, &measured));
         checks.extend(self.floor(program, &measured));
-        checks.extend(self.clearances(program, &measured));
+        let clearances: Vec<_> = measured.iter().map(|one| (one.along.track(), one.clearances)).collect();
+        checks.extend(flanks::checks(self.geometry.design, program, &clearances));
         checks
     }
 }
@@ -299,88 +305,5 @@ impl Cutting<'_, '_> {
             ));
         }
         checks
-    }
-
-    fn clearances(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
-        let least = |pick: fn(&Clearances) -> Option<Clearance>| {
-            measured
-                .iter()
-                .filter_map(|one| pick(&one.clearances).map(|found| (one.along.track(), found)))
-                .min_by(|one, other| one.1.distance.total_cmp(&other.1.distance))
-        };
-        let blades = least(|clearances| clearances.blades).map(|(track, found)| {
-            let name = Text::fixed("Holgura a los álabes vecinos", "Clearance to the neighbouring blades");
-            let check = Check::passed("blades", name, program, Text::same(mm(found.distance)), Text::same(mm(0.0)));
-            let check = check.at(Some(found.at));
-            let (depth, line, other) = (mm(-found.distance), found.at.line, shown(found.other, 1));
-            if found.distance >= 0.0 {
-                check
-            } else if track.of_splitter() {
-                let (verdict, remedy) = match self.geometry.design.splitter_fade {
-                    Fade::Published => (
-                        Verdict::Caution,
-                        Text::fixed(
-                            "splitter_fade = each-side; o splitters = no, menos álabes, álabes más delgados o una herramienta menor",
-                            "splitter_fade = each-side; or splitters = no, fewer blades, thinner blades, or a smaller tool",
-                        ),
-                    ),
-                    Fade::EachSide => (
-                        Verdict::Stop,
-                        Text::fixed(
-                            "splitters = no; o menos álabes, álabes más delgados o una herramienta menor",
-                            "splitters = no; or fewer blades, thinner blades, or a smaller tool",
-                        ),
-                    ),
-                };
-                check.found(
-                    verdict,
-                    Text::new(
-                        format!("el álabe intermedio corta {depth} dentro del álabe vecino (punto {other} de éste) en la línea {line} de «{}»", program.title.es),
-                        format!("the splitter's pass cuts {depth} into the neighbouring blade (its point {other}) at line {line} of \"{}\"", program.title.en),
-                    ),
-                    remedy,
-                )
-            } else {
-                check.found(
-                    Verdict::Stop,
-                    Text::new(
-                        format!("la herramienta corta {depth} dentro del álabe vecino (punto {other} de éste) en la línea {line} de «{}»", program.title.es),
-                        format!("the tool cuts {depth} into the neighbouring blade (its point {other}) at line {line} of \"{}\"", program.title.en),
-                    ),
-                    Text::fixed("menos álabes, álabes más delgados o una herramienta menor", "fewer blades, thinner blades, or a smaller tool"),
-                )
-            }
-        });
-        let splitters = least(|clearances| clearances.splitters).map(|(track, found)| {
-            let name = Text::fixed(
-                "Holgura a los intermedios, pasado el cruce",
-                "Clearance to the splitters, past the crossing",
-            );
-            let check = Check::passed("splitters", name, program, Text::same(mm(found.distance)), Text::same(""));
-            let check = check.at(Some(found.at));
-            if found.distance >= 0.0 || !track.of_splitter() {
-                check.informing()
-            } else {
-                check.found(
-                    Verdict::Stop,
-                    Text::new(
-                        format!(
-                            "un álabe intermedio corta {} dentro de otro en la línea {} de «{}»",
-                            mm(-found.distance),
-                            found.at.line,
-                            program.title.es
-                        ),
-                        format!(
-                            "a splitter's pass cuts {} into another splitter at line {} of \"{}\"",
-                            mm(-found.distance),
-                            found.at.line,
-                            program.title.en
-                        ),
-                    ),
-                    Text::fixed("splitters = no, o menos álabes", "splitters = no, or fewer blades"),
-                )
-            }
-        });
-        blades.into_iter().chain(splitters).collect()
     }
 }

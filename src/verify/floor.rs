@@ -17,6 +17,8 @@ use crate::machine::rotary::Rotary;
 use crate::number::trig::{hypot, sin_cos};
 use crate::verify::agreement::tip;
 
+/// Poses of a pass that are looked at.
+pub const POSES: usize = 96;
 /// Directions in which the rim is looked at.
 const DIRECTIONS: u16 = 48;
 

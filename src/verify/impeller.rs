@@ -15,6 +15,7 @@ use crate::verify::check::Check;
 use crate::verify::closure::{Closure, Turn};
 use crate::verify::cutting::{Cutting, Known};
 use crate::verify::feed::Feeds;
+use crate::verify::rollover;
 use crate::verify::step::watch;
 use crate::verify::stock::Clear;
 use crate::verify::travel::Axes;
@@ -42,7 +43,9 @@ pub fn verify(geometry: Geometry<'_>, programs: &[Program]) -> (Verification, Ve
         let checks = if program.key == "blank" {
             blank::judge(geometry.design, program, &mut program.read_back_with(blank::setting(geometry.design)))
         } else {
-            judge(geometry, program, &mut program.read_back(), &mut known)
+            let mut checks = judge(geometry, program, &mut program.read_back(), &mut known);
+            checks.push(rollover::check(program, geometry.design.counting));
+            checks
         };
         verification.add(program, checks);
     }

@@ -10,6 +10,7 @@
 //! | [`closure`] | does the program end where it began |
 //! | [`travel`] | do the axes stay within their travel |
 //! | [`turning`] | does C run on without a jump |
+//! | [`rollover`] | does it make the same motions whatever the rotary axes of the machine are |
 //! | [`feed`] | is no axis, and the tip, faster than it may be |
 //! | [`tip_path`] | how far does the tip leave its path between the blocks, and how fine must the steps be |
 //! | [`floor`] | how much deeper than the floor does the tool's rim cut |
@@ -34,6 +35,7 @@ pub mod impeller;
 pub mod pipe_hole;
 pub mod pipe_insert;
 pub mod refinement;
+pub mod rollover;
 pub mod step;
 pub mod stock;
 pub mod text;

@@ -95,6 +95,7 @@ pub struct Steps<'a, I> {
     next: Option<Move<'a>>,
     start: Pose,
     shift: Option<[f64; 9]>,
+    away: Option<usize>,
     started: bool,
 }
 
@@ -105,7 +106,7 @@ impl<'a, I: Iterator<Item = Result<Motion, Box<Fault>>>> Steps<'a, I> {
         let mut plan = program.moves();
         let next = plan.next();
         let shift = program.finds_its_start().then_some([0.0; 9]);
-        Self { motions, plan, next, start: Pose::from(program.start), shift, started: false }
+        Self { motions, plan, next, start: Pose::from(program.start), shift, away: program.away(), started: false }
     }
 }
 
@@ -124,7 +125,9 @@ impl<'a, I: Iterator<Item = Result<Motion, Box<Fault>>>> Iterator for Steps<'a, 
                     pose.set(axis, pose.get(axis) + shift[axis as usize]);
                 }
             }
-            if matches!(motion.kind, Kind::Dwell(_)) || same(&motion.from, &motion.to) {
+            // Where the tool is taken away to may be a place of the machine: it is none of the program's positions.
+            let away = self.away == Some(motion.line);
+            if away || matches!(motion.kind, Kind::Dwell(_)) || same(&motion.from, &motion.to) {
                 continue;
             }
             let before = self.next.is_some_and(|planned| motion.line < planned.line);

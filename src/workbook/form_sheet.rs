@@ -173,7 +173,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         write_text(sheet, row, RANGE, &range, &styles.faint)?;
         let format = match parameter.kind {
             Kind::Real { .. } | Kind::Whole { .. } => &styles.input_number,
-            Kind::Choice(_) | Kind::Line { .. } | Kind::Codes => &styles.input_text,
+            Kind::Choice(_) | Kind::Line { .. } | Kind::Codes | Kind::Block => &styles.input_text,
             Kind::Schema => &styles.fixed,
         };
         match value {

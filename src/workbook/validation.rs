@@ -36,6 +36,10 @@ pub fn range(parameter: &Parameter) -> Text {
             "códigos G o M con número entero, separados por espacios",
             "codes G or M with a whole number, separated by blanks",
         ),
+        Kind::Block => Text::fixed(
+            "un bloque: códigos G, luego X, Y, Z con su número, luego códigos M",
+            "one block: G codes, then X, Y, Z with their numbers, then M codes",
+        ),
         Kind::Schema => Text::fixed("", ""),
     }
 }
@@ -77,7 +81,7 @@ pub fn validation(parameter: &Parameter, optional: bool, language: Language) -> 
         Kind::Line { max } => {
             rule.allow_text_length(DataValidationRule::Between(1, u32::try_from(*max).unwrap_or(u32::MAX)))
         }
-        Kind::Codes => rule.allow_text_length(DataValidationRule::Between(1, CODES)),
+        Kind::Codes | Kind::Block => rule.allow_text_length(DataValidationRule::Between(1, CODES)),
         Kind::Schema => rule.allow_any_value(),
     };
     let meaning = parameter.meaning.get(language);

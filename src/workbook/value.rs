@@ -18,6 +18,14 @@ pub const VALUE: u32 = 2;
 const UNIT: u32 = 3;
 /// Most characters of machine codes.
 const CODES: usize = 200;
+/// What codes must be.
+const CODE: [&str; 2] =
+    ["un código de máquina (G o M y un número entero)", "a machine code (G or M and a whole number)"];
+/// What the words of a block that takes the tool away must be.
+const BLOCK: [&str; 2] = [
+    "un código o X, Y, Z con su número, por este orden: G, ejes, M; aquí no gira nada",
+    "a code or X, Y, Z with its number, in this order: G, axes, M; nothing turns here",
+];
 /// Characters of a cell's text shown in a message.
 const SHOWN: usize = 40;
 
@@ -79,6 +87,10 @@ pub fn expected(parameter: &Parameter) -> Text {
         }
         Kind::Line { max } => say!("un texto de hasta {max} caracteres", "a text of up to {max} characters"),
         Kind::Codes => Text::fixed("códigos de máquina, como M3 M11 M13", "machine codes, such as M3 M11 M13"),
+        Kind::Block => Text::fixed(
+            "un bloque que retira la herramienta, como G0 G53 Z0",
+            "a block that takes the tool away, such as G0 G53 Z0",
+        ),
         Kind::Schema => Text::fixed("el esquema del libro", "the schema of the workbook"),
     }
 }
@@ -216,7 +228,7 @@ impl Reading<'_> {
                 whole.map(Value::Whole)
             }
             // A part number, a material number: Excel makes numbers of them.
-            Kind::Line { .. } | Kind::Choice(_) | Kind::Codes => {
+            Kind::Line { .. } | Kind::Choice(_) | Kind::Codes | Kind::Block => {
                 let text = decimal(number);
                 self.text(&text, text.chars().count())
             }
@@ -253,7 +265,8 @@ impl Reading<'_> {
                 }
                 Some(Value::Line(text.to_owned()))
             }
-            Kind::Codes => self.codes(text, characters),
+            Kind::Codes => self.codes(text, characters, words::codes(text), CODE),
+            Kind::Block => self.codes(text, characters, words::block(text), BLOCK),
             Kind::Schema => None,
         }
     }
@@ -279,21 +292,24 @@ impl Reading<'_> {
         None
     }
 
-    fn codes(&mut self, text: &str, characters: usize) -> Option<Value> {
+    fn codes(
+        &mut self,
+        text: &str,
+        characters: usize,
+        read: Result<String, String>,
+        [es, en]: [&str; 2],
+    ) -> Option<Value> {
         if characters > CODES {
             self.long(characters, CODES);
             return None;
         }
-        match words::codes(text) {
+        match read {
             Ok(codes) => Some(Value::Line(codes)),
             Err(wrong) => {
                 let wrong = excerpt(&wrong, SHOWN);
                 let remedy = self.write();
                 self.stop_with(
-                    say!(
-                        " lleva \"{wrong}\", que no es un código de máquina (G o M y un número entero)",
-                        " has \"{wrong}\", which is not a machine code (G or M and a whole number)"
-                    ),
+                    say!(" lleva \"{wrong}\", que no es {es}", " has \"{wrong}\", which is not {en}"),
                     excerpt(text, SHOWN),
                     remedy,
                 );

@@ -1,5 +1,6 @@
 //! Words typed into cells: choices and machine codes.
 
+use crate::gcode::word;
 use crate::parameter::Choice;
 use crate::text::Text;
 
@@ -35,6 +36,20 @@ pub fn choose(choices: &'static [Choice], word: &str) -> Result<&'static str, Op
     let wanted = letters(word);
     let near = choices.iter().find(|choice| spellings(choice).into_iter().any(|one| letters(one) == wanted));
     Err(near.map(|choice| &choice.label))
+}
+
+/// A block that takes the tool away, in capitals with one blank between its words.
+///
+/// # Errors
+/// The first word that is neither a code nor X, Y or Z with a number; where each is one, the whole, for its order is wrong.
+pub fn block(text: &str) -> Result<String, String> {
+    let words: Vec<String> = text.split_whitespace().map(str::to_ascii_uppercase).collect();
+    let joined = words.join(" ");
+    match words.into_iter().find(|one| word::word(one).is_none()) {
+        Some(wrong) => Err(wrong),
+        None if word::block(&joined).is_none() => Err(joined),
+        None => Ok(joined),
+    }
 }
 
 /// Machine codes in capitals with one blank between them.

@@ -22,6 +22,19 @@ pub fn values(case: &str, changes: &[(&'static str, Value)]) -> Values {
     values
 }
 
+/// Changes to the case `full` that write positions instead of increments, for a machine whose rotary axes are linear, and
+/// hold no code of a machine's builder and no place of a machine; then some more.
+pub fn absolute(changes: &[(&'static str, Value)]) -> Vec<(&'static str, Value)> {
+    let mut all = vec![
+        ("distance", Value::Choice("G90")),
+        ("rotary", Value::Choice("linear")),
+        ("retract", Value::Line(String::new())),
+        ("start_codes", Value::Line("M3".to_owned())),
+    ];
+    all.extend_from_slice(changes);
+    all
+}
+
 pub fn source() -> Source {
     Source { workbook: "impeller.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.0.0" }
 }
