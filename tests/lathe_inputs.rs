@@ -11,6 +11,8 @@ mod command;
 mod figures;
 #[path = "lathe_inputs/hostile.rs"]
 mod hostile;
+#[path = "lathe_inputs/judged.rs"]
+mod judged;
 #[path = "lathe_inputs/lost.rs"]
 mod lost;
 #[path = "lathe_inputs/messages.rs"]

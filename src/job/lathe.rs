@@ -10,11 +10,13 @@ use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
 pub use crate::job::lathe_findings::MOST_MOTIONS;
-use crate::job::lathe_findings::{MOST, alarms, at_line, not_repeated, too_many, too_much_work, unjudged_from};
+use crate::job::lathe_findings::{
+    MOST, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from,
+};
 use crate::job::lathe_profile::{compared, wanted};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{Outcome, Run, Source, Template, Turned};
-use crate::lathe::alarm::Alarm;
+use crate::lathe::alarm::{Alarm, Cause};
 use crate::lathe::deviation::Profile;
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::in_force::InForce;
@@ -255,11 +257,16 @@ fn follow<'a>(
     // Where following stopped to be judged, and whether anything was still followed.
     let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
     let mut before = interpreter.position().1;
+    // The turret's place, and the block that has changed it without a motion.
+    let (mut place, mut turned) = (interpreter.control().tool, None);
     interpreter.keep_stood();
     watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
     loop {
         let item = interpreter.next();
         for stood in interpreter.stood().into_iter().filter(|_| !one.uncut) {
+            if stood.control.tool != place {
+                (place, turned) = (stood.control.tool, Some((stood.control.file, stood.line)));
+            }
             watch(Seen::Stood(&stood, &one.simulation, interpreter.file(stood.control.file)));
         }
         let Some(item) = item else { break };
@@ -289,12 +296,18 @@ fn follow<'a>(
                     break;
                 }
                 in_force.judge(&mut step);
+                place = control.tool;
+                // A change of tool is told at its block.
+                if let Some((file, line)) = turned.take() {
+                    let changes = step.alarms.iter_mut().filter(|one| matches!(one.cause, Cause::ToolChange(_)));
+                    changes.for_each(|one| (one.file, one.line, one.n) = (file, line, None));
+                }
                 if last.is_some() {
                     step.alarms.clear();
                     unjudged = true;
                 }
                 for alarm in &step.alarms {
-                    let place = source.place(file, alarm.line, Vec::new());
+                    let place = source.place(interpreter.file(alarm.file), alarm.line, Vec::new());
                     one.alarms.push(Raised { alarm: *alarm, place });
                 }
                 let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
@@ -332,6 +345,7 @@ fn follow<'a>(
     one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
     one.program.parts = source.whole(one.files.iter().map(String::as_str));
     faults.extend(interpreter.remarks());
+    faults.extend(assumed(given, &source.main.text));
     if let Some(place) = last {
         one.lost = true;
         if unjudged {

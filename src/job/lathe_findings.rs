@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::finding::{Finding, Place};
+use crate::finding::{Finding, Grade, Place};
+use crate::gcode::dialect::FANUC_LATHE_A;
 use crate::gcode::motion::{Kind, Motion};
 use crate::job::lathe_tables::Raised;
 use crate::lathe::alarm::Alarm;
 use crate::lathe::repeat::AGREE;
+use crate::lathe::setup::Given;
 use crate::lathe::spindle::revolutions;
 use crate::machine::axis::Axis;
 use crate::parameter::t;
@@ -89,6 +91,54 @@ pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) ->
             "split the program, or choose a greater tolerance eps, or greater passes and leads",
         ),
     )
+}
+
+/// What is assumed of the machine where the form does not say: the reference point of a program that goes there, and R of its
+/// drilling cycles.
+pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
+    let program = program.to_uppercase();
+    let has = |code: &str| {
+        program
+            .match_indices(code)
+            .any(|(at, _)| !program[at + code.len()..].starts_with(|next: char| next.is_ascii_digit()))
+    };
+    let mut found = Vec::new();
+    let remedy = || t("rellene R_X y R_Z en el libro (hoja DATOS)", "fill in R_X and R_Z in the workbook (sheet DATA)");
+    if !given.referred && has("G53") {
+        found.push(Finding::caution(
+            Place::File,
+            t(
+                "G53 sin punto de referencia en el libro: se supone que cuenta desde M, la cara del husillo, y no desde el punto de referencia",
+                "G53 without a reference point in the workbook: it is taken to count from M, the face of the spindle, and not from the reference point",
+            ),
+            remedy(),
+        ));
+    }
+    if !given.referred && (has("G28") || has("G30")) {
+        let [X, Z] = given.reference();
+        let [X, Z] = [2.0 * X, Z].map(|at| crate::number::shown(at, 3));
+        found.push(Finding::new(
+            Grade::Note,
+            Place::File,
+            Text::new(
+                format!("el libro no da el punto de referencia: se supone en X{X} Z{Z} desde M"),
+                format!("the workbook gives no reference point: it is taken at X{X} Z{Z} from M"),
+            ),
+            remedy(),
+        ));
+    }
+    if given.plane.is_none() && *given.dialect == FANUC_LATHE_A && ["G81", "G82", "G83"].into_iter().any(has) {
+        found.push(Finding::new(
+            Grade::Note,
+            Place::File,
+            t(
+                "el libro no dice qué es R en G81 a G83: se lee como la Z absoluta del plano",
+                "the workbook does not say what R is in G81 to G83: it is read as the absolute Z of the plane",
+            ),
+            t("rellene hole_R en el libro (hoja DATOS)", "fill in hole_R in the workbook (sheet DATA)"),
+        ));
+    }
+    found
 }
 
 /// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many.

@@ -2,6 +2,7 @@
 
 use super::stock::Fixture;
 use crate::finding::{Finding, Grade, Place};
+use crate::gcode::control::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
 use crate::text::Text;
@@ -120,6 +121,31 @@ pub enum Cause {
     },
     /// A drill works beside the axis.
     OffAxis,
+    /// The turret turns to this place where one of its tools has no room, or over the stock.
+    ToolChange(u32),
+    /// G41 or G42 keeps the nose on the side to which the tip points: into the work.
+    NoseInTheWork(Compensation),
+    /// The feed leaves ridges: it is too much for the nose.
+    CoarseFeed {
+        /// What the tool is fed with each revolution, mm.
+        feed: f64,
+        /// The most that the nose smooths, mm.
+        most: f64,
+    },
+    /// A thread is deeper than its lead has room for: its crests are gone.
+    ThreadTooDeep {
+        /// How deep.
+        depth: f64,
+        /// The most.
+        most: f64,
+    },
+    /// A thread begins in metal before the slide has come up to its speed.
+    ShortRunIn {
+        /// How far it runs in.
+        length: f64,
+        /// What it needs.
+        least: f64,
+    },
     /// A piece is cut off, mm³.
     PartedOff(f64),
 }
@@ -187,6 +213,8 @@ impl Cause {
             Self::LeadDiffers { .. } => 143,
             Self::NoThreader => 144,
             Self::ThreadSpeed { .. } => 145,
+            Self::ThreadTooDeep { .. } => 146,
+            Self::ShortRunIn { .. } => 147,
             Self::NoGreatestSpeed { .. } => 151,
             Self::TooFast { .. } => 152,
             Self::SpindleStopped => 153,
@@ -195,9 +223,12 @@ impl Cause {
             Self::NoCoolant => 161,
             Self::NoFeed => 171,
             Self::ImplausibleFeed { .. } => 172,
+            Self::CoarseFeed { .. } => 173,
             Self::UnknownTool(_) => 181,
             Self::OffAxis => 182,
             Self::OtherOffset { .. } => 183,
+            Self::ToolChange(_) => 184,
+            Self::NoseInTheWork(_) => 185,
             Self::PartedOff(_) => 191,
         }
     }
@@ -213,6 +244,10 @@ impl Cause {
             | Self::LeadDiffers { .. }
             | Self::NoThreader
             | Self::ThreadSpeed { .. }
+            | Self::ThreadTooDeep { .. }
+            | Self::ShortRunIn { .. }
+            | Self::CoarseFeed { .. }
+            | Self::NoseInTheWork(_)
             | Self::ImplausibleFeed { .. }
             | Self::NoGreatestSpeed { .. }
             | Self::OtherOffset { .. }
@@ -301,6 +336,29 @@ impl Cause {
                 format!("There is no tool in place {place} of the turret"),
             ),
             Self::OffAxis => t("La broca trabaja fuera del eje", "The drill works beside the axis"),
+            Self::ToolChange(place) => Text::new(
+                format!("La torreta gira al puesto {place} dentro de la pieza, en lo que la sujeta o sobre el bruto"),
+                format!("The turret turns to place {place} inside the work, in what holds it or over the stock"),
+            ),
+            Self::NoseInTheWork(side) => {
+                let code = if side == Compensation::Left { "G41" } else { "G42" };
+                Text::new(
+                    format!("{code} deja la punta del lado de la pieza"),
+                    format!("{code} keeps the nose on the side of the work"),
+                )
+            }
+            Self::CoarseFeed { .. } => t(
+                "El avance por vuelta es demasiado para el radio de punta: deja surcos",
+                "The feed per revolution is too much for the nose radius: it leaves ridges",
+            ),
+            Self::ThreadTooDeep { .. } => t(
+                "La rosca es más honda de lo que admite su paso: se lleva las crestas",
+                "The thread is deeper than its lead allows: its crests are cut away",
+            ),
+            Self::ShortRunIn { .. } => t(
+                "La entrada de la rosca es más corta de lo que necesita el control: el paso sale corto",
+                "The run-in of the thread is shorter than the control needs: its lead comes out short",
+            ),
             Self::PartedOff(_) => t("Se desprende una pieza", "A piece is cut off"),
         }
     }
@@ -366,6 +424,27 @@ impl Cause {
             ),
             Self::UnknownTool(_) => t("Monte la herramienta o corrija T", "Mount the tool or correct T"),
             Self::OffAxis => t("Lleve la broca a X0", "Bring the drill to X0"),
+            Self::ToolChange(_) => t(
+                "Retire antes la torreta, a la derecha de la cara y libre con todas sus herramientas, o con G28",
+                "Take the turret away first, to the right of the face and clear with all its tools, or with G28",
+            ),
+            Self::NoseInTheWork(Compensation::Left) => t(
+                "Programe G42: por fuera hacia el plato, y por dentro al revés",
+                "Program G42: outside towards the chuck, and inside the other way about",
+            ),
+            Self::NoseInTheWork(_) => t(
+                "Programe G41: por dentro hacia el plato, y por fuera al revés",
+                "Program G41: inside towards the chuck, and outside the other way about",
+            ),
+            Self::CoarseFeed { .. } => {
+                t("Reduzca F o use más radio de punta", "Reduce F, or use a greater nose radius")
+            }
+            Self::ThreadTooDeep { .. } => {
+                t("Compruebe el diámetro del fondo y el paso F", "Check the diameter of the root and the lead F")
+            }
+            Self::ShortRunIn { .. } => {
+                t("Comience la pasada más lejos o reduzca S", "Begin the pass farther away, or reduce S")
+            }
             Self::PartedOff(_) => t("", ""),
         }
     }
@@ -393,6 +472,9 @@ impl Alarm {
         let (value, limit) = match self.cause {
             Cause::DepthOfCut { depth, edge } => (mm(depth), mm(edge)),
             Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
+            Cause::ThreadTooDeep { depth, most } => (mm(depth), format!("≤ {}", mm(most))),
+            Cause::ShortRunIn { length, least } => (mm(length), format!("≥ {}", mm(least))),
+            Cause::CoarseFeed { feed, most } => (mm(feed), format!("≤ {}", mm(most))),
             Cause::Lead { lead, leads: [low, high] } => (mm(lead), format!("{} – {}", shown(low, 3), mm(high))),
             Cause::LeadDiffers { lead, before } => (mm(lead), mm(before)),
             Cause::ThreadSpeed { speed, before } => (rpm(speed), rpm(before)),

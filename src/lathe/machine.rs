@@ -7,6 +7,8 @@
 /// A lathe with a turret on two axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lathe {
+    /// Where the zero of the control's machine coordinates lies, X as a radius, and Z; from M, mm.
+    pub origin: [f64; 2],
     /// Where the turret's reference point may be along X, as a radius; mm.
     pub travel_x: [f64; 2],
     /// Along Z, mm.
@@ -55,6 +57,7 @@ impl Default for Lathe {
     /// A middling lathe with a turret in front of the axis.
     fn default() -> Self {
         Self {
+            origin: [0.0, 0.0],
             travel_x: [-40.0, 400.0],
             travel_z: [0.0, 1000.0],
             rapid: [5000.0, 10_000.0],

@@ -12,6 +12,7 @@ pub mod alarm;
 pub mod cases;
 pub mod catalogue;
 mod chain;
+mod change;
 pub mod contact;
 mod cover;
 pub mod deviation;

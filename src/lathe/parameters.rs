@@ -308,6 +308,46 @@ const SECOND: &[Parameter] = &[real(
     ),
 )];
 
+const PLANES: &[Choice] = &[
+    Choice { key: "absolute", label: t("absoluta", "absolute") },
+    Choice { key: "incremental", label: t("incremental", "incremental") },
+];
+
+const CONTROL: &[Parameter] = &[
+    real(
+        "R_X",
+        "reference_R_X",
+        MM,
+        [-5000.0, 5000.0],
+        false,
+        t("Punto de referencia, X en diámetro, desde M", "Reference point, X as a diameter, from M"),
+        t(
+            "Donde G28 y G53 X0 Z0 llevan la torreta. Vacío: G28 la lleva 30 mm más allá del bruto, y G53 cuenta desde M",
+            "Where G28 and G53 X0 Z0 take the turret. Empty: G28 takes it 30 mm beyond the stock, and G53 counts from M",
+        ),
+    ),
+    real(
+        "R_Z",
+        "reference_R_Z",
+        MM,
+        [-5000.0, 5000.0],
+        false,
+        t("Punto de referencia, Z desde M", "Reference point, Z from M"),
+        NONE,
+    ),
+    other(
+        "hole_R",
+        "hole_R",
+        Kind::Choice(PLANES),
+        false,
+        t("R de G81 a G83", "R of G81 to G83"),
+        t(
+            "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde donde está la herramienta. Vacío: absoluta",
+            "fanuc-lathe-a. Absolute: the Z of the plane. Incremental: from where the tool stands. Empty: absolute",
+        ),
+    ),
+];
+
 const BLOCKS: &[Parameter] = &[
     other("program/BLOCK", "", Kind::Line { max: 200 }, true, t("un bloque por fila", "one block a row"), NONE),
     other("program/NOTE", "", Kind::Line { max: 200 }, false, t("no se lee", "not read"), NONE),
@@ -390,6 +430,7 @@ pub static FORM: Form = Form {
             },
             Section { title: t("Otros orígenes, desde M", "Further zeros, from M"), parameters: ZEROS },
             Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND },
+            Section { title: t("Ajustes del control", "Settings of the control"), parameters: CONTROL },
         ],
     }],
     lists: &[

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::finding::{CellPlace, Finding, Place};
 use crate::gcode::control::{Control, Spindle};
 use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
-use crate::gcode::interpreter::{DecimalPoint, Setting, Tool as Offset, Tools};
+use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, Tool as Offset, Tools};
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::lathe::machine::{Chuck, Lathe};
@@ -47,6 +47,10 @@ pub struct Given {
     offsets: Tools,
     /// The offset of the tool in the first place.
     first_offset: u32,
+    /// What R of the drilling cycles is; `None` where the form does not say.
+    pub plane: Option<HolePlane>,
+    /// The reference point is given, and the control's machine coordinates count from it.
+    pub referred: bool,
     /// The zeros W2 to W6, `[X as a radius, Z]` from M, where they are given.
     zeros: [[f64; 2]; 5],
     /// Of each of them that has no Z its empty cells; no cell where there is no workbook.
@@ -155,6 +159,17 @@ impl Given {
                 ),
             );
         }
+        let given_reference = ["R_X", "R_Z"].map(|key| values.real(key));
+        if given_reference.iter().flatten().count() == 1 {
+            stop(
+                &["R_X", "R_Z"],
+                Text::fixed(
+                    "el punto de referencia se da con X y Z, y solo hay una",
+                    "the reference point is given by X and Z, and only one of them is",
+                ),
+                Text::fixed("rellene R_X y R_Z, o vacíe las dos", "fill in R_X and R_Z, or empty both"),
+            );
+        }
         let (dialect, point) = control(values);
         let tolerance = values.real("eps").unwrap_or(EPS);
         let behind = values.choice("turret") == Some("rear");
@@ -175,7 +190,12 @@ impl Given {
             Some("no") => Support::Never,
             _ => Support::ByOverhang,
         };
+        let origin = match given_reference {
+            [Some(X), Some(Z)] => [X / 2.0, Z],
+            _ => [0.0, 0.0],
+        };
         let lathe = Lathe {
+            origin,
             travel_x: between("X_min", "X_max", 0.5),
             travel_z: between("Z_min", "Z_max", 1.0),
             rapid: [real("G_X"), real("G_Z")],
@@ -218,6 +238,12 @@ impl Given {
             block_delete: values.choice("block_delete") == Some("yes"),
             second: real("Z_s"),
             own,
+            plane: match values.choice("hole_R") {
+                Some("incremental") => Some(HolePlane::Incremental),
+                Some("absolute") => Some(HolePlane::Absolute),
+                _ => None,
+            },
+            referred: given_reference.iter().all(Option::is_some),
             offsets,
             first_offset,
             zeros,
@@ -233,7 +259,8 @@ impl Given {
     pub fn without_zero(&self, motion: &Motion, control: &Control) -> Option<Finding> {
         let cells = self.empty.get(&control.system)?;
         let offset = self.offsets.get(&control.offset).map_or(0.0, |tool| tool.offset.get(Axis::Z));
-        let origin = motion.machine.get(Axis::Z) - motion.to.get(Axis::Z) - offset;
+        let from = self.setup.lathe.origin[1];
+        let origin = motion.machine.get(Axis::Z) + from - motion.to.get(Axis::Z) - offset;
         if origin.abs() > 1e-6 {
             return None;
         }
@@ -265,11 +292,14 @@ impl Given {
         ))
     }
 
-    /// The reference point, where the turret stands at the start and to which G28 goes, `[X as a radius, Z]` from M: 30 mm
-    /// beyond the stock's right end and surface with the longest tools, as the source has it.
+    /// The reference point, where the turret stands at the start and to which G28 goes, `[X as a radius, Z]` from M: as the
+    /// form gives it, else 30 mm beyond the stock's right end and surface with the longest tools, as the source has it.
     #[must_use]
     pub fn reference(&self) -> [f64; 2] {
         let Setup { lathe, stock, turret, .. } = &self.setup;
+        if self.referred {
+            return lathe.origin;
+        }
         let longest = |axis: usize| turret.tools.values().map(|tool| tool.overhang[axis]).fold(0.0, f64::max);
         let [_, right] = stock.ends();
         let X = stock.diameter / 2.0 + MARGIN + longest(0);
@@ -283,6 +313,7 @@ impl Given {
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
         setting.point = setting.point.or(self.point);
+        setting.plane = self.plane.unwrap_or_default();
         setting.block_delete |= self.block_delete;
     }
 
@@ -293,12 +324,15 @@ impl Given {
         let mut file = VarFile::default();
         file.complete();
         let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
+        // A control counts its machine coordinates from the reference point, where that is given.
+        let [from_x, from_z] = self.setup.lathe.origin;
         for (system, [X, Z]) in System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros)) {
             // The form's limits are far within what the file holds.
-            let _ = file.set(system.first_parameter() + Axis::X as u32, X);
-            let _ = file.set(system.first_parameter() + Axis::Z as u32, Z);
+            let _ = file.set(system.first_parameter() + Axis::X as u32, X - from_x);
+            let _ = file.set(system.first_parameter() + Axis::Z as u32, Z - from_z);
         }
         let reference = self.reference();
+        let reference = [reference[0] - from_x, reference[1] - from_z];
         for (axis, at) in [(Axis::X, reference[0]), (Axis::Z, reference[1])] {
             let _ = file.set(G28_FIRST + axis as u32, at);
         }

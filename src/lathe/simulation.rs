@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
 use super::chain::{self, Chain, Pass};
+use super::change;
 use super::contact::{Contact, Ride, depth, far_end};
 use super::loose::judged;
 use super::machine::Lathe;
@@ -73,7 +74,6 @@ struct Ready {
     outline: Outline,
     bodies: Vec<Convex>,
 }
-
 /// A simulation under way.
 #[derive(Debug)]
 pub struct Simulation {
@@ -95,6 +95,8 @@ pub struct Simulation {
     stands: Option<(u32, [f64; 2])>,
     /// What made the part's surfaces.
     chain: Chain,
+    /// The place of the turret at the last motion.
+    place: Option<u32>,
     // Kept so as not to allocate for each motion.
     pieces: Vec<Piece>,
     swept: Convex,
@@ -198,6 +200,7 @@ impl Simulation {
             led: None,
             stands: None,
             chain,
+            place: None,
             pieces: Vec::new(),
             swept: Convex::default(),
         };
@@ -310,12 +313,14 @@ impl Simulation {
     pub fn point(&self, tool: u32, machine: &Pose) -> [f64; 2] {
         let [over_x, over_z] = self.tools.get(&tool).map_or([0.0, 0.0], |ready| ready.tool.overhang);
         let zero = self.setup.stock.zero(&self.setup.lathe);
-        [machine.get(Axis::Z) - over_z - zero, machine.get(Axis::X) - over_x]
+        let [origin_x, origin_z] = self.setup.lathe.origin;
+        [machine.get(Axis::Z) + origin_z - over_z - zero, machine.get(Axis::X) + origin_x - over_x]
     }
 
     /// Makes one motion.
     pub fn take(&mut self, motion: &Motion, control: &Control) -> Step {
-        let reference = [motion.machine.get(Axis::Z), motion.machine.get(Axis::X)];
+        let origin = self.setup.lathe.origin;
+        let reference = [motion.machine.get(Axis::Z) + origin[1], motion.machine.get(Axis::X) + origin[0]];
         // Where the programmed point ends on the grid.
         let [z, r] = self.point(control.tool, &motion.machine);
         let to = [z - self.middle, r];
@@ -335,11 +340,22 @@ impl Simulation {
         };
         let seconds = seconds.or_else(|| turning.seconds(motion, &pieces, lathe));
         travel(&mut tally, &pieces, [reference[0] - to[0], reference[1] - to[1]], lathe);
+        let start = pieces.first().map_or(to, |piece| piece[0]);
+        if let Some(old) = self.place.replace(control.tool).filter(|old| *old != control.tool) {
+            let zero = self.setup.stock.zero(lathe) + self.middle;
+            let stands = [reference[0] - zero - to[0] + start[0], reference[1] - to[1] + start[1]];
+            let tools = self.tools.iter().map(|(place, ready)| (*place, &ready.tool, &ready.outline));
+            change::judge((&mut self.part, &self.fixtures), tools, [old, control.tool], stands, &mut tally);
+        }
 
         let mut contact = Contact::default();
+        let begins = !self.led.is_some_and(|led| led.tool == control.tool && near(led.at, start));
         let removed =
             if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
         self.judge(control, &pieces, &contact, &mut tally);
+        if begins && contact.real && motion.kind != Kind::Rapid {
+            self.watch.run_in(control.tool, &pieces, &mut tally);
+        }
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
             self.fallen = self.part.fallen().to_vec();
@@ -347,7 +363,6 @@ impl Simulation {
             self.fallen.clear();
         }
 
-        let start = pieces.first().map_or(to, |piece| piece[0]);
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
         let cuts = contact.real && motion.kind != Kind::Rapid;
@@ -554,6 +569,9 @@ impl Simulation {
                 tally.raise(cause, tally.begins.unwrap_or(start), None);
             }
         }
+        // What is deeper than its edge is told for that.
+        let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
+        watch.edge(&ready.tool, control, pieces, deep, tally);
         if let Some(edge) = contact.edge {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }

@@ -104,6 +104,12 @@ impl Workpiece {
         self.region.rings()
     }
 
+    /// Its least and greatest `[z, r]`, mm; `None` where nothing is left.
+    pub fn extent(&mut self) -> Option<([f64; 2], [f64; 2])> {
+        self.spend(self.region.len());
+        self.region.extent()
+    }
+
     /// Its volume, mm³.
     #[must_use]
     pub fn volume(&self) -> f64 {

@@ -62,13 +62,18 @@ fn of_a_part_that_is_all_gone_no_deviation_of_0_is_told() {
     assert_eq!(exit, 3);
 }
 
-/// A program in the words of the interpreter over a bar of 50 mm, with so many steps of work allowed: the motions made, and the
-/// work that they took.
-fn steps(lines: &[&str], most_work: u64) -> (usize, u64, bool) {
+/// The machine of the shipped case.
+fn shaft() -> Given {
     let mut values = Values::default();
     values.values.extend(FORM.cases[0].values(Language::En));
     values.lists.extend((FORM.cases[0].listed)(Language::En));
-    let given = Given::of(&values).unwrap();
+    Given::of(&values).unwrap()
+}
+
+/// A program in the words of the interpreter over a bar of 50 mm, with so many steps of work allowed: the motions made, and the
+/// work that they took.
+fn steps(lines: &[&str], most_work: u64) -> (usize, u64, bool) {
+    let given = shaft();
     let mut simulation = Simulation::new(Setup { most_work, ..given.setup.clone() }).unwrap();
     let text = lines.join("\n");
     let mut interpreter = Interpreter::over(text.as_bytes(), given.setting());
@@ -164,4 +169,79 @@ fn verify_reads_the_tool_sheet_of_a_workbook_and_tells_diameters() {
     let said = verify(&["mill.nc", "--dialect", "linuxcnc", "--tools", "lathe.xlsx"]);
     let wanted = "error: --tools is a lathe workbook, and the program is read as linuxcnc";
     assert!(said.exit == 3 && said.err.contains(wanted), "{}", said.err);
+}
+
+/// Numbers that look random, the same ones each time (Marsaglia's xorshift).
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, most: u64) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0 % most
+    }
+
+    fn of(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.below(1_000_001) as f64 / 1e6
+    }
+}
+
+/// A short program over a bar of 50 mm: approaches, cuts, arcs, threads and cycles wherever they may be, in metal and out of it.
+fn thrown(dice: &mut Dice) -> Vec<String> {
+    let mut lines =
+        vec![format!("T0{0}0{0}", 1 + dice.below(6)), "G97 S500 M3 F.2".to_owned(), "G0 X54. Z2.".to_owned()];
+    for _ in 0..2 + dice.below(7) {
+        let (X, Z) = (dice.of(-4.0, 62.0), dice.of(-80.0, 6.0));
+        let feed = [0.001, 0.05, 0.3, 2.0, 7.0][usize::try_from(dice.below(5)).unwrap()];
+        lines.push(match dice.below(12) {
+            0 => format!("T0{0}0{0}", 1 + dice.below(6)),
+            1 | 2 => format!("G0 X{X:.3} Z{Z:.3}"),
+            3 | 4 => format!("G1 X{X:.3} Z{Z:.3} F{feed}"),
+            5 => format!("G{} X{X:.3} Z{Z:.3} R{:.3}", 2 + dice.below(2), dice.of(1.0, 60.0)),
+            6 | 7 => format!("G32 X{X:.3} Z{Z:.3} F{feed}"),
+            8 => format!("G92 X{X:.3} Z{Z:.3} F{feed}"),
+            9 => format!("G90 X{X:.3} Z{Z:.3}"),
+            10 => format!("G83 X0. Z{:.3} R1. Q{}\nG80", dice.of(-60.0, -1.0), 20 + dice.below(9_000)),
+            _ => format!("G71 U{:.3} R.5\nG71 P10 Q20 U.2\nN10 G0 X{X:.3}\nN20 G1 Z{Z:.3}", dice.of(0.02, 4.0)),
+        });
+    }
+    lines.extend(["G0 X100. Z50.".to_owned(), "M30".to_owned()]);
+    lines
+}
+
+#[test]
+fn no_program_thrown_together_brings_it_down_or_keeps_it_going() {
+    let most_work = 300_000;
+    let given = shaft();
+    let (mut dice, mut ended, mut motions) = (Dice(20_26), 0, 0);
+    for number in 0..150 {
+        let text = thrown(&mut dice).join("\n");
+        let mut setup = Setup { most_work, ..given.setup.clone() };
+        setup.record = number % 3 == 0;
+        if number % 4 == 0 {
+            (setup.stock.diameter, setup.stock.length) = (200.0, 300.0);
+        }
+        let mut simulation = Simulation::new(setup).unwrap();
+        let mut setting = given.setting();
+        setting.budget.repeated_blocks = 1_000;
+        let mut interpreter = Interpreter::over(text.as_bytes(), setting);
+        while let Some(item) = interpreter.next() {
+            let Ok(motion) = item else { continue };
+            let step = simulation.take(&motion, &interpreter.control().clone());
+            let finite = step.removed.volume.is_finite() && step.cutting_speed.is_finite() && step.depth.is_finite();
+            assert!(finite, "{text}\n{step:?}");
+            assert!(step.alarms.iter().all(|one| one.place.iter().all(|at| at.is_finite())), "{text}\n{step:?}");
+            motions += 1;
+            if simulation.is_spent() {
+                break;
+            }
+        }
+        ended += usize::from(simulation.is_spent());
+        // No motion takes more than once again what all may take, twelve times of it where its last turn is a rib.
+        assert!(simulation.work() < 13 * most_work, "{}\n{text}", simulation.work());
+        assert!(simulation.volume().is_finite() && simulation.volume() >= -1e-6, "{text}");
+        assert!(simulation.lasting().iter().all(|one| one.place.iter().all(|at| at.is_finite())), "{text}");
+    }
+    assert!(ended > 3 && motions > 1_000, "{ended} {motions}");
 }

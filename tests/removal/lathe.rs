@@ -59,7 +59,11 @@ impl Run {
         Self::on(Setup::new(Lathe::default(), stock, turret()))
     }
 
+    /// Another tool, called where the turret has room.
     pub fn tool(mut self, place: u32) -> Self {
+        if !self.steps.is_empty() && place != self.control.tool {
+            self.at = [100.0, 50.0];
+        }
         self.control.tool = place;
         self
     }

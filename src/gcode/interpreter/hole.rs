@@ -3,17 +3,20 @@
 //! # Path of a hole
 //! At rapid along X over the hole, at rapid along Z to R, at feed to the bottom, the dwell, at rapid back to R, where the tool
 //! stays. G83 pecks by Q: after each peck at rapid back to R and down again to [`PECK_CLEARANCE`] above the depth reached, which
-//! is a parameter of the control. Blocks with X or Z alone make further holes; G80 ends the cycle and leaves the motion code in
+//! is a parameter of the control; without Q it goes to the bottom at one go, and that is told. Blocks with X or Z alone make further holes; G80 ends the cycle and leaves the motion code in
 //! force that was so before it.
 //!
 //! # References
-//! The lathe simulator's figure of G81 to G83: R is the absolute Z of the plane of retraction, P in ms, Q in µm.
+//! The lathe simulator's figure of G81 to G83: R is the absolute Z of the plane of retraction, P in ms, Q in µm. On other controls
+//! R counts from where the tool stands: [`HolePlane`] says which.
 
+use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cycle::{MOST_PECKS, PECK_CLEARANCE, missing};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::setting::HolePlane;
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
@@ -27,7 +30,10 @@ impl Interpreter<'_> {
         let again = matches!(self.modal.motion, G::Cycle(_));
         let (unit, sticky) = (self.modal.unit, self.modal.sticky);
         let r = match self.block.get(letter::R) {
-            Some(R) => unit.to_mm(R),
+            Some(R) => match self.setting.plane {
+                HolePlane::Absolute => unit.to_mm(R),
+                HolePlane::Incremental => self.current.get(Axis::Z) + unit.to_mm(R),
+            },
             None if again => sticky.r,
             None => return Err(missing('R', cycle)),
         };
@@ -66,17 +72,26 @@ impl Interpreter<'_> {
                 Text::fixed("R va por encima del fondo del agujero", "R goes above the bottom of the hole"),
             ));
         }
-        let pecks = cycle == Cycle::Peck;
-        if pecks && q <= 0.0 {
-            return Err(if self.block.has(letter::Q) {
-                Fault::at(
-                    &[self.block.column(letter::Q)],
-                    Text::fixed("Q debe ser mayor que 0", "Q must be greater than 0"),
-                    Text::fixed("dé la profundidad de cada pasada en µm", "give the depth of each peck in µm"),
-                )
-            } else {
-                missing('Q', cycle)
-            });
+        if cycle == Cycle::Peck && q <= 0.0 && self.block.has(letter::Q) {
+            return Err(Fault::at(
+                &[self.block.column(letter::Q)],
+                Text::fixed("Q debe ser mayor que 0", "Q must be greater than 0"),
+                Text::fixed("dé la profundidad de cada pasada en µm", "give the depth of each peck in µm"),
+            ));
+        }
+        // Without Q the control drills to the bottom at one go.
+        let pecks = cycle == Cycle::Peck && q > 0.0;
+        if cycle == Cycle::Peck && !pecks {
+            let deep = shown(r - bottom, 3);
+            let what = Text::new(
+                format!("G83 sin Q: taladra {deep} mm de una vez, sin sacar la viruta"),
+                format!("G83 without Q: drills {deep} mm at one go, without clearing the chips"),
+            );
+            let remedy = Text::fixed(
+                "dé con Q la profundidad de cada pasada, en µm, o use G81",
+                "give the depth of each peck with Q, in µm, or use G81",
+            );
+            self.remarks.add(Grade::Caution, self.line, None, what, remedy);
         }
         if pecks && (r - bottom) / q > MOST_PECKS {
             return Err(Fault::at(

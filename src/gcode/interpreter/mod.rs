@@ -83,7 +83,7 @@ use self::moves::Run;
 use self::numbers::Numbers;
 use self::parameters::Parameters;
 use self::round::Rounds;
-pub use self::setting::{Budget, DecimalPoint, Files, NoFiles, Setting, Start, Tool, Tools};
+pub use self::setting::{Budget, DecimalPoint, Files, HolePlane, NoFiles, Setting, Start, Tool, Tools};
 use self::source::Source;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, WIDE, decoded, line_feeds, wide};
 use self::stood::Standing;

@@ -50,6 +50,16 @@ pub enum DecimalPoint {
     Micrometre,
 }
 
+/// What R of the drilling cycles of Fanuc's system A is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum HolePlane {
+    /// The Z of the plane, as the lathe simulator's figure has it.
+    #[default]
+    Absolute,
+    /// How far the plane is from where the tool stands at the cycle, with its sign.
+    Incremental,
+}
+
 /// How much a program may ask of the interpreter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
@@ -92,6 +102,8 @@ pub struct Setting {
     pub places: Option<BTreeSet<u32>>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
     pub point: Option<DecimalPoint>,
+    /// What R of a lathe's drilling cycles is.
+    pub plane: HolePlane,
     /// What an absolute word of a rotary axis means.
     pub rotary: Rotary,
     /// Blocks that begin with `/` are skipped.
@@ -118,6 +130,7 @@ impl Setting {
             tools: None,
             places: None,
             point: None,
+            plane: HolePlane::default(),
             rotary: dialect.rotary,
             block_delete: false,
             keep_g92: true,

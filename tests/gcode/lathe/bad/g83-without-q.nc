@@ -1,5 +1,0 @@
-(expected: 4 Q is missing in G83)
-T0101 S500 M3 F.2
-G0 X50. Z5.
-G83 X0 Z-10. R2.
-M30
