@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::header::Origin;
+use crate::gcode::word::Distance;
 use crate::job::{Chart, Outcome, Series, Source, Template, not_finite, out_of_format};
 use crate::number::shown;
 use crate::parameter::{Form, Values};
@@ -11,7 +12,7 @@ use crate::pipe::hole::bounds::too_high;
 use crate::pipe::hole::cut::{TooHigh, cut};
 use crate::pipe::hole::design::Design;
 use crate::pipe::hole::figures::{figures, template};
-use crate::pipe::hole::program::{full, hold};
+use crate::pipe::hole::program::{distance, full, hold};
 use crate::pipe::hole::tables;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::Text;
@@ -220,6 +221,19 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
             ),
         ));
     }
+    findings.push(Finding::note(
+        at(&["dialect"]),
+        match distance(design) {
+            Distance::Incremental => t(
+                "el programa vale con ejes rollover y con lineales: gira A, B y C sólo en G91; antes de empezar deben marcar 0, y ahí vuelven al acabar",
+                "the program is true for rollover axes and for linear ones: it turns A, B and C in G91 only; before the start they must show 0, and there they end",
+            ),
+            Distance::Absolute => t(
+                "el programa sólo vale donde A, B y C cuentan como ejes lineales: en un eje rollover el signo sería el sentido y el número el ángulo",
+                "the program is true only where A, B and C count as linear axes: on a rollover axis the sign would be the direction and the number the angle",
+            ),
+        },
+    ));
     findings.push(Finding::note(
         at(&["dialect"]),
         t(

@@ -5,13 +5,14 @@ use std::sync::LazyLock;
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Style;
+use crate::gcode::word::Distance;
 use crate::job::{Chart, Outcome, Series, Source, Template, not_finite, out_of_format};
 use crate::number::shown;
 use crate::parameter::{Form, Values};
 use crate::pipe::insert::cut::cut;
 use crate::pipe::insert::design::{Contact, Design, Mode};
 use crate::pipe::insert::figures::{figures, template};
-use crate::pipe::insert::program::{full, published};
+use crate::pipe::insert::program::{distance, full, published};
 use crate::pipe::insert::tables;
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
@@ -196,6 +197,19 @@ fn remarks(design: &Design) -> Vec<Finding> {
                 format!("en el tubo el corte se compensa en su superficie exterior, de radio {outside} mm"),
                 format!("on the pipe the kerf is compensated on its outside, of radius {outside} mm"),
             ),
+        ));
+        findings.push(Finding::note(
+            at(&["dialect"]),
+            match distance(design) {
+                Distance::Incremental => t(
+                    "el programa vale con ejes rollover y con lineales: gira A sólo en G91; antes de cada arranque A debe marcar 0, y acaba más allá de una vuelta",
+                    "the program is true for rollover axes and for linear ones: it turns A in G91 only; before each start A must show 0, and it ends beyond a turn",
+                ),
+                Distance::Absolute => t(
+                    "el programa sólo vale donde A cuenta como eje lineal: en un eje rollover el signo sería el sentido y el número el ángulo",
+                    "the program is true only where A counts as a linear axis: on a rollover axis the sign would be the direction and the number the angle",
+                ),
+            },
         ));
     }
     findings

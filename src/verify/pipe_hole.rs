@@ -36,6 +36,7 @@ use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
 use crate::verify::enclosed::{Enclosed, row, within};
 use crate::verify::feed::{feed_word, timely};
+use crate::verify::rollover;
 use crate::verify::verification::{Verification, as_planned, reading, torch};
 
 /// How far a position may be from the plan.
@@ -308,7 +309,8 @@ fn clear_limit(design: &Design) -> f64 {
 /// program comes to.
 #[must_use]
 pub fn verify(design: &Design, cut: &Cut, program: &Program) -> (Verification, Curve, Account) {
-    let (checks, curve, account) = judge(design, cut, program, &mut program.read_back());
+    let (mut checks, curve, account) = judge(design, cut, program, &mut program.read_back());
+    checks.push(rollover::check(program, design.dialect.rotary));
     let mut verification = Verification::default();
     verification.add(program, checks);
     (verification, curve, account)

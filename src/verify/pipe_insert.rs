@@ -26,12 +26,13 @@ use crate::pipe::insert::arcs::triples;
 use crate::pipe::insert::cut::{Cut, Follows};
 use crate::pipe::insert::design::{Design, Mode};
 use crate::pipe::insert::outline::Outline;
-use crate::pipe::insert::program::template_points;
+use crate::pipe::insert::program::{approach, template_points};
 use crate::text::Text;
 use crate::verify::account::Account;
 use crate::verify::check::{At, Check, FAULT, Verdict, mm};
 use crate::verify::enclosed::{Enclosed, row, within};
 use crate::verify::feed::{feed_word, timely};
+use crate::verify::rollover;
 use crate::verify::verification::{Verification, as_planned, reading, torch};
 
 /// How far a position may be from the plan: what the decimals of the published program leave.
@@ -361,7 +362,10 @@ fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> 
 pub fn verify(design: &Design, cut: Option<&Cut>, program: &Program) -> (Verification, Curve, Account) {
     let setting = Setting { part: design.style == Style::Annex, ..program.setting() };
     let mut text = program.read_back_with(setting);
-    let (checks, curve, account) = judge(design, cut, program, &mut text);
+    let (mut checks, curve, account) = judge(design, cut, program, &mut text);
+    if design.mode == Mode::Rotary {
+        checks.push(rollover::check(program, design.dialect.rotary));
+    }
     let mut verification = Verification::default();
     verification.add(program, checks);
     (verification, curve, account)
@@ -390,7 +394,8 @@ pub fn judge(
         length: 0.0,
     };
     let (mut account, mut before) = (Account::default(), Pose::default());
-    let (mut pierced, mut done, mut fault) = (false, 0, None);
+    let rapids = cut.map_or(1, |cut| approach(design, cut.pierce));
+    let (mut rapid, mut done, mut fault) = (0, 0, None);
     for motion in &mut *text {
         let motion = match motion {
             Ok(motion) => motion,
@@ -399,20 +404,20 @@ pub fn judge(
                 break;
             }
         };
-        if pierced || matches!(motion.kind, Kind::Rapid) {
+        if rapid > 0 || matches!(motion.kind, Kind::Rapid) {
             account.take(&motion, &before);
         }
         before = motion.machine;
         if matches!(motion.kind, Kind::Dwell(_)) {
             continue;
         }
-        if !pierced {
-            pierced = true;
+        if rapid < rapids {
+            rapid += 1;
             let to = axes(design.mode, &motion.to);
-            let same = (0..2).all(|axis| (to[axis] - pierce[axis]).abs() <= SAME);
+            let same = rapid < rapids || (0..2).all(|axis| (to[axis] - pierce[axis]).abs() <= SAME);
             if !same || !matches!(motion.kind, Kind::Rapid) {
                 let what = Text::fixed("no va en rápido a la perforación", "it is no rapid move to the pierce");
-                watch.different = Some((At::motion(&motion), what));
+                watch.different.get_or_insert((At::motion(&motion), what));
             }
             continue;
         }

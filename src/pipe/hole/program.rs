@@ -1,16 +1,16 @@
 //! The program of the hole.
 
-use crate::gcode::dialect::FeedLaw;
+use crate::gcode::dialect::{FeedLaw, Rotary};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
-use crate::gcode::word::{NumberFormat, Word};
+use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
 use crate::pipe::hole::cut::{Cut, Follows, Leg, Place};
 use crate::pipe::hole::design::Design;
-use crate::pipe::insert::program::dwell;
+use crate::pipe::insert::program::{TRUE_FOR_BOTH, dwell};
 use crate::text::Text;
 
 /// What the program is called.
@@ -33,8 +33,26 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     (design.dialect.name == "linuxcnc").then(|| vec![Word::whole('M', code), Word::whole('P', HOLD_OUTPUT)])
 }
 
-fn words(place: Place) -> impl Iterator<Item = Word> {
-    AXES.into_iter().zip(place).map(|(axis, size)| Word::size(axis.letter(), size))
+/// How the program turns A, B and C: where the dialect's rotary axes are rollover as delivered, the number of an absolute
+/// word would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
+#[must_use]
+pub fn distance(design: &Design) -> Distance {
+    match design.dialect.rotary {
+        Rotary::Rollover => Distance::Incremental,
+        Rotary::Linear => Distance::Absolute,
+    }
+}
+
+/// The words of a move between two places: all axes where it goes to, or those that move, and by how much.
+fn words(distance: Distance, from: Place, to: Place) -> Vec<Word> {
+    let axes = AXES.into_iter().zip(from.into_iter().zip(to));
+    match distance {
+        Distance::Absolute => axes.map(|(axis, (_, to))| Word::size(axis.letter(), to)).collect(),
+        Distance::Incremental => axes
+            .filter(|(_, (from, to))| from != to)
+            .map(|(axis, (from, to))| Word::size(axis.letter(), to - from))
+            .collect(),
+    }
 }
 
 /// The F word of a leg, so that it takes its time.
@@ -45,6 +63,9 @@ fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<FeedWord, OutOfFormat> {
 }
 
 /// The complete program.
+///
+/// By increments, A, B and C are taken to stand at 0, and are turned back there over the safe height: nothing else says on
+/// which turn they stand.
 ///
 /// # Errors
 /// For a number that no program may carry.
@@ -58,10 +79,24 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     let law = dialect.feed;
     let safe = Milli::round(design.R_o() + design.Z_s)?;
     let rapid = |words: Vec<Word>| std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>();
+    let distance = distance(design);
+    let over = |[A, X, _, B, C]: Place| [A, X, safe, B, C];
+    let home = |[_, X, ..]: Place| [Milli::ZERO, X, safe, Milli::ZERO, Milli::ZERO];
     block(dialect.safety_block());
     block(rapid(vec![Word::size('Z', safe)]));
-    block(rapid(words(cut.pierce).filter(|word| word.letter != 'Z').collect()));
-    block(rapid(words(cut.pierce).filter(|word| word.letter == 'Z').collect()));
+    if distance == Distance::Incremental {
+        block(rapid(vec![Word::size('X', cut.pierce[1])]));
+        block(vec![Word::whole('G', 91)]);
+    }
+    let mut turns = words(distance, home(cut.pierce), over(cut.pierce));
+    turns.retain(|word| word.letter != 'Z');
+    let mut down = words(distance, over(cut.pierce), cut.pierce);
+    down.retain(|word| word.letter == 'Z');
+    for words in [turns, down] {
+        if !words.is_empty() {
+            block(rapid(words));
+        }
+    }
     let mut held = false;
     if cut.pierce_held
         && let Some(words) = hold(design, true)
@@ -85,7 +120,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
             held = leg.held;
         }
         let F = feed(law, at, leg)?;
-        let mut line: Vec<Word> = std::iter::once(Word::whole('G', 1)).chain(words(leg.to)).collect();
+        let mut line: Vec<Word> = std::iter::once(Word::whole('G', 1)).chain(words(distance, at, leg.to)).collect();
         if law.in_every_block() || last != Some(F) {
             line.push(Word::feed(F));
             last = Some(F);
@@ -100,7 +135,16 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     if law.code() != 94 {
         block(vec![Word::whole('G', 94)]);
     }
+    if distance == Distance::Incremental {
+        block(vec![Word::whole('G', 90)]);
+    }
     block(rapid(vec![Word::size('Z', safe)]));
+    let back = words(Distance::Incremental, over(at), home(at));
+    if distance == Distance::Incremental && !back.is_empty() {
+        block(vec![Word::whole('G', 91)]);
+        block(rapid(back));
+        block(vec![Word::whole('G', 90)]);
+    }
     block(design.end_codes.clone());
     Ok(Program {
         key: "hole",
@@ -139,6 +183,18 @@ fn comments(design: &Design, header: &mut Header) {
     );
     header.line("X Y Z DE LA PUNTA DE LA ANTORCHA - Y SIEMPRE 0", "X Y Z OF THE TORCH TIP - Y ALWAYS 0");
     header.line("B INCLINA Y C GIRA LA ANTORCHA SOBRE SU PUNTA", "B TILTS AND C SWINGS THE TORCH ABOUT ITS TIP");
+    match distance(design) {
+        Distance::Incremental => {
+            header.line(TRUE_FOR_BOTH[0], TRUE_FOR_BOTH[1]);
+            header.line(
+                "A B C DEBEN MARCAR 0 ANTES - AHI VUELVEN AL ACABAR",
+                "A B C MUST SHOW 0 BEFORE - THERE THEY END",
+            );
+        }
+        Distance::Absolute => {
+            header.line("SOLO VALE SI A B C NO SON EJES ROLLOVER", "TRUE ONLY WHERE A B C ARE NOT ROLLOVER AXES");
+        }
+    }
     let last = design.torch();
     let shoulder = mm(last.shoulder());
     let (r_g, R_g) = (mm(design.r_g), mm(design.R_g));

@@ -1,10 +1,10 @@
 //! The program of the torch, as published or complete.
 
-use crate::gcode::dialect::{Dialect, FeedLaw};
+use crate::gcode::dialect::{Dialect, FeedLaw, Rotary};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
-use crate::gcode::word::{NumberFormat, Word};
+use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
@@ -70,6 +70,27 @@ pub const fn letters(mode: Mode) -> [char; 2] {
     }
 }
 
+/// The header's line of a program that turns by increments, in Spanish and English.
+pub const TRUE_FOR_BOTH: [&str; 2] =
+    ["VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES"];
+
+/// How the complete program counts: on the turning pipe by increments where the dialect's rotary axes are rollover as
+/// delivered. There the number of an absolute word would be an angle from 0 to 360 and its sign the direction; increments
+/// are the same motions on either axis.
+#[must_use]
+pub fn distance(design: &Design) -> Distance {
+    match (design.mode, design.dialect.rotary) {
+        (Mode::Rotary, Rotary::Rollover) => Distance::Incremental,
+        _ => Distance::Absolute,
+    }
+}
+
+/// The rapid moves to the pierce: by increments of A, which is taken to stand at 0, one of X and, where A turns, one of A.
+#[must_use]
+pub fn approach(design: &Design, pierce: [Milli; 2]) -> usize {
+    if distance(design) == Distance::Incremental && pierce[0] != Milli::ZERO { 2 } else { 1 }
+}
+
 /// The word of a dwell in seconds; `None` where the dialect has none.
 ///
 /// # Errors
@@ -100,6 +121,8 @@ fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
 ///
 /// On a flat sheet F is in mm a minute (G94). On the turning pipe it is made block by block, so that the torch runs over
 /// the pipe's outside at F: as the dialect wants it, the time of the move, its inverse, or the resultant of mm and degrees.
+/// By increments (see [`distance`]) A is taken to stand at 0; it is left where the cut ends, as nothing says that the torch
+/// is clear of the pipe there.
 ///
 /// # Errors
 /// For a number that no program may carry.
@@ -113,8 +136,19 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     let letters = letters(design.mode);
     let place = |to: [Milli; 2]| letters.into_iter().zip(to).map(|(letter, size)| Word::size(letter, size));
     let law = if design.mode == Mode::Rotary { dialect.feed } else { FeedLaw::Resultant };
+    let distance = distance(design);
     block(dialect.safety_block());
-    block(std::iter::once(Word::whole('G', 0)).chain(place(cut.pierce)).collect());
+    match distance {
+        Distance::Absolute => block(std::iter::once(Word::whole('G', 0)).chain(place(cut.pierce)).collect()),
+        Distance::Incremental => {
+            let [turn, along] = letters.map(|letter| move |size| vec![Word::whole('G', 0), Word::size(letter, size)]);
+            block(along(cut.pierce[1]));
+            block(vec![Word::whole('G', 91)]);
+            if approach(design, cut.pierce) > 1 {
+                block(turn(cut.pierce[0]));
+            }
+        }
+    }
     block(design.torch_on.clone());
     if design.pierce_delay > 0.0 {
         block(std::iter::once(Word::whole('G', 4)).chain(dwell(dialect, design.pierce_delay)?).collect());
@@ -130,7 +164,14 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
             Some(bend) if bend.clockwise => 2,
             Some(_) => 3,
         };
-        let mut words: Vec<Word> = std::iter::once(Word::whole('G', code)).chain(place(leg.to)).collect();
+        let mut words = vec![Word::whole('G', code)];
+        match distance {
+            Distance::Absolute => words.extend(place(leg.to)),
+            Distance::Incremental => {
+                let by = [0, 1].map(|axis| leg.to[axis] - at[axis]);
+                words.extend(place(by).filter(|word| word.number != Number::Size(Milli::ZERO)));
+            }
+        }
         words.extend(leg.bend.map(|bend| Word::size('R', bend.radius)));
         let feed = if design.mode == Mode::Flat {
             FeedWord::lasting(law, 60.0 / F, 1.0)?
@@ -149,6 +190,9 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     block(design.torch_off.clone());
     if law.code() != 94 {
         block(vec![Word::whole('G', 94)]);
+    }
+    if distance == Distance::Incremental {
+        block(vec![Word::whole('G', 90)]);
     }
     block(design.end_codes.clone());
     let start = Position::default();
@@ -193,6 +237,18 @@ fn comments(design: &Design, header: &mut Header) {
                 "X A LO LARGO DEL TUBO - X0 BORDE - CRECE HACIA EL CORTE",
                 "X ALONG THE PIPE - X0 EDGE - GROWS TOWARDS THE CUT",
             );
+            match distance(design) {
+                Distance::Incremental => {
+                    header.line(TRUE_FOR_BOTH[0], TRUE_FOR_BOTH[1]);
+                    header.line(
+                        "A DEBE MARCAR 0 ANTES - ACABA MAS ALLA DE UNA VUELTA",
+                        "A MUST SHOW 0 BEFORE - IT ENDS BEYOND A TURN",
+                    );
+                }
+                Distance::Absolute => {
+                    header.line("SOLO VALE SI A NO ES EJE ROLLOVER", "TRUE ONLY WHERE A IS NO ROLLOVER AXIS");
+                }
+            }
         }
     }
     header.line("ALTURA DE LA ANTORCHA - LA LLEVA SU CONTROL", "TORCH HEIGHT - BY ITS OWN CONTROL");

@@ -1,0 +1,200 @@
+//! Programs of branches and holes for a control whose rotary axes may be rollover.
+
+use rodete::finding::Grade;
+use rodete::gcode::dialect::Rotary;
+use rodete::gcode::interpreter::{Interpreter, Setting};
+use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::program::{Part, Program};
+use rodete::gcode::word::Word;
+use rodete::job::{self, Outcome, Source};
+use rodete::machine::axis::Axis;
+use rodete::parameter::{Value, Values};
+use rodete::pipe::{hole, insert};
+use rodete::text::Language;
+use rodete::verify::check::Verdict;
+use rodete::verify::rollover;
+use rodete::verify::{pipe_hole, pipe_insert};
+
+const KINDS: [&str; 2] = ["hole", "insert"];
+
+type Change = (&'static str, Value);
+
+const fn real(key: &'static str, value: f64) -> Change {
+    (key, Value::Real(value))
+}
+
+/// Joints square, leaning and off the middle: the last begin at an angle of A that is not 0.
+fn joints() -> [Vec<Change>; 3] {
+    [
+        vec![],
+        vec![real("theta", 75.0), real("e", 9.0), real("D_max", 40.0)],
+        vec![real("theta", 100.0), real("e", -9.0), real("D_max", 40.0)],
+    ]
+}
+
+fn values(kind: &str, dialect: &'static str, changes: &[Change]) -> Values {
+    let mut values = Values { language: Language::En, ..Values::default() };
+    if kind == "hole" {
+        values.values.extend(hole::cases::CASES[0].values(Language::En));
+    } else {
+        values.values.extend(insert::cases::CASES[0].values(Language::En));
+        values.values.insert("mode", Value::Choice("rotary"));
+    }
+    values.values.extend(changes.iter().filter(|(key, _)| kind == "hole" || *key != "D_max").cloned());
+    values.values.insert("dialect", Value::Choice(dialect));
+    values
+}
+
+fn outcome(kind: &str, dialect: &'static str, changes: &[Change]) -> Outcome {
+    let form = if kind == "hole" { &hole::parameters::FORM } else { &insert::parameters::FORM };
+    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let outcome = job::run(form, values(kind, dialect, changes), source)
+        .unwrap_or_else(|refusal| panic!("{kind} {dialect} {changes:?}: {:?}", refusal.findings));
+    assert!(!outcome.stopped(), "{kind} {dialect} {changes:?}: {:?}", outcome.findings);
+    outcome
+}
+
+fn motions(program: &Program, rotary: Rotary) -> Vec<Motion> {
+    let setting = Setting { rotary, ..program.setting() };
+    program.read_back_with(setting).collect::<Result<_, _>>().expect("it is read")
+}
+
+/// The motions at feed: where each ends.
+fn cuts(motions: &[Motion]) -> Vec<[f64; 6]> {
+    let feeds = motions.iter().filter(|motion| matches!(motion.kind, Kind::Feed(_)));
+    feeds.map(|motion| [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C].map(|axis| motion.to.get(axis))).collect()
+}
+
+fn notes(outcome: &Outcome) -> String {
+    outcome.findings.iter().filter(|one| one.grade == Grade::Note).map(|one| format!("{}\n", one.what.en)).collect()
+}
+
+#[test]
+fn on_a_fagor_8055_both_kinds_of_rotary_axes_make_the_motions_of_the_plan() {
+    for kind in KINDS {
+        for joint in joints() {
+            let made = outcome(kind, "fagor-8055", &joint);
+            let program = &made.programs[0];
+            let [rollover, linear] = [Rotary::Rollover, Rotary::Linear].map(|rotary| motions(program, rotary));
+            assert_eq!(rollover.len(), linear.len(), "{kind} {joint:?}");
+            for (one, other) in rollover.iter().zip(&linear) {
+                assert_eq!((one.line, one.from, one.to), (other.line, other.from, other.to), "{kind} {joint:?}");
+                for by in &one.to.differences(&one.from)[3..6] {
+                    assert!(matches!(one.kind, Kind::Rapid) || by.abs() <= 180.0, "{kind} line {}", one.line);
+                }
+            }
+            // The plan of the dialect whose axes are linear: the feeds do not bear on it here.
+            let theirs = outcome(kind, "fagor-8070", &joint);
+            let [ours, theirs] = [cuts(&rollover), cuts(&motions(&theirs.programs[0], Rotary::Linear))];
+            assert!(ours.len() > 20 && ours.len() == theirs.len(), "{kind} {joint:?}");
+            for (ours, theirs) in ours.iter().zip(&theirs) {
+                assert!(ours.iter().zip(theirs).all(|(one, other)| (one - other).abs() < 1e-6), "{ours:?} {theirs:?}");
+            }
+        }
+    }
+}
+
+/// Word by word, without the interpreter: under G90 no rotary axis has a word, and a hole leaves them at 0 for the next run.
+#[test]
+fn rotary_words_stand_in_blocks_of_g91_only() {
+    for kind in KINDS {
+        for joint in joints() {
+            let text = outcome(kind, "fagor-8055", &joint).programs[0].text();
+            let (mut incremental, mut sums, mut most) = (false, [0.0_f64; 3], 0.0_f64);
+            for line in text.lines().filter(|line| line.starts_with('N')) {
+                for word in line.split(' ').skip(1) {
+                    match word {
+                        "G90" => incremental = false,
+                        "G91" => incremental = true,
+                        _ => {
+                            let Some(axis) = word.chars().next().and_then(|letter| "ABC".find(letter)) else {
+                                continue;
+                            };
+                            assert!(incremental, "{kind} {joint:?}: {line}");
+                            let by: f64 = word[1..].parse().expect("a number");
+                            assert!(by != 0.0, "{kind} {joint:?}: {line}");
+                            sums[axis] += by;
+                            most = most.max(sums[axis].abs());
+                        }
+                    }
+                }
+            }
+            assert!(!incremental && most > 300.0, "{kind} {joint:?}: {most}");
+            let rest = sums.map(f64::abs).into_iter().fold(0.0, f64::max);
+            assert!(if kind == "hole" { rest < 1e-6 } else { rest > 360.0 }, "{kind} {joint:?}: {sums:?}");
+        }
+    }
+}
+
+#[test]
+fn header_notes_and_checks_say_which_rotary_axes_a_program_is_true_for() {
+    for (kind, before) in [("hole", "A B C MUST SHOW 0 BEFORE"), ("insert", "A MUST SHOW 0 BEFORE")] {
+        for (dialect, header, note, row) in [
+            (
+                "fagor-8055",
+                "TRUE FOR ROLLOVER ROTARY AXES",
+                "true for rollover axes and for linear ones",
+                "rollover and linear: ",
+            ),
+            ("fagor-8070", "ROLLOVER AX", "true only where A", "linear only"),
+            ("linuxcnc", "ROLLOVER AX", "true only where A", "linear only"),
+        ] {
+            let outcome = outcome(kind, dialect, &[]);
+            let text = outcome.programs[0].text();
+            assert!(text.contains(header), "{kind} {dialect}");
+            assert_eq!(text.contains(before), dialect == "fagor-8055", "{kind} {dialect}");
+            assert_eq!(text.contains("TRUE ONLY WHERE A"), dialect != "fagor-8055", "{kind} {dialect}");
+            assert!(notes(&outcome).contains(note), "{kind} {dialect}: {}", notes(&outcome));
+            let table = outcome.table("verification").expect("the table");
+            assert!(format!("{:?}", table.columns).contains(row), "{kind} {dialect}");
+        }
+    }
+    let flat = outcome("insert", "fagor-8055", &[("mode", Value::Choice("flat"))]);
+    assert!(!flat.programs[0].text().contains("G91") && !notes(&flat).contains("rollover"));
+}
+
+/// What these programs were before: the absolute words of the other dialect turn a rollover axis the wrong way.
+#[test]
+fn an_absolute_program_is_stopped_where_the_axes_may_be_rollover() {
+    for kind in KINDS {
+        let absolute = outcome(kind, "fagor-8070", &[]).programs.remove(0);
+        let check = rollover::check(&absolute, Rotary::Rollover);
+        assert_eq!(check.verdict, Verdict::Stop, "{kind}");
+        let mut words = outcome(kind, "fagor-8055", &[]).programs.remove(0);
+        assert_eq!(rollover::check(&words, Rotary::Rollover).verdict, Verdict::Passed, "{kind}");
+        let incremental = [Word::whole('G', 91)];
+        words.parts.retain(|part| !matches!(part, Part::Block(words) if *words == incremental));
+        assert_eq!(rollover::check(&words, Rotary::Rollover).verdict, Verdict::Stop, "{kind}");
+    }
+}
+
+/// One increment half a degree wrong, or one that is missing, in a sound text.
+#[test]
+fn a_wrong_increment_is_caught() {
+    for kind in KINDS {
+        let values = values(kind, "fagor-8055", &[]);
+        let program = outcome(kind, "fagor-8055", &[]).programs.remove(0);
+        let text = program.text();
+        let agreement = |text: &str| {
+            let mut read = Interpreter::over(text.as_bytes(), program.setting());
+            let checks = if kind == "hole" {
+                let design = hole::design::Design::new(&values).expect("a design");
+                let way = hole::cut::cut(&design).expect("within the format").expect("a way");
+                pipe_hole::judge(&design, &way, &program, &mut read).0
+            } else {
+                let design = insert::design::Design::new(&values).expect("a design");
+                let way = insert::cut::cut(&design).expect("a way");
+                pipe_insert::judge(&design, Some(&way), &program, &mut read).0
+            };
+            checks.iter().find(|check| check.key == "agreement").expect("the row").verdict
+        };
+        assert_eq!(agreement(&text), Verdict::Passed, "{kind}");
+        let turning = |line: &&str| line.contains(" G1 ") && line.contains(" A");
+        let line = text.lines().filter(turning).nth(7).expect("a turn");
+        let word = line.split(' ').find(|word| word.starts_with('A')).expect("a word");
+        let by: f64 = word[1..].parse().expect("a number");
+        for wrong in [line.replace(word, &format!("A{:.3}", by + 0.5)), line.replace(&format!(" {word}"), "")] {
+            assert_eq!(agreement(&text.replace(line, &wrong)), Verdict::Stop, "{kind}: {wrong}");
+        }
+    }
+}
