@@ -350,6 +350,16 @@ pub enum M {
     Override,
     /// A digital output P, with the motion or at once (M62 to M65).
     Output,
+    /// An input is read or waited for (M66).
+    Input,
+    /// An analog output E gets the value Q (M67, M68).
+    AnalogOutput,
+    /// The modal state is kept; true where the end of the call gives it back (M70, M73).
+    SaveState(bool),
+    /// What was kept is taken back (M71).
+    ForgetState,
+    /// What was kept is in force again (M72).
+    RestoreState,
     /// Call of a subprogram (M98).
     Call,
     /// Call of a subprogram of the same program by the number of its first block (M97).
@@ -371,11 +381,16 @@ impl M {
         match self {
             Self::Pause | Self::End | Self::Call | Self::CallBlock | Self::Return => 4,
             Self::ToolChange | Self::SetTool => 6,
-            Self::Spindle(_) | Self::SpindleOff | Self::SpindleOrient => 7,
+            Self::Spindle(_)
+            | Self::SpindleOff
+            | Self::SpindleOrient
+            | Self::SaveState(_)
+            | Self::ForgetState
+            | Self::RestoreState => 7,
             Self::Coolant(_) => 8,
             Self::Override => 9,
             Self::User | Self::Door => 10,
-            Self::Output | Self::Refused(_) => 5,
+            Self::Output | Self::Input | Self::AnalogOutput | Self::Refused(_) => 5,
         }
     }
 }

@@ -7,8 +7,8 @@ use crate::gcode::motion::{FeedMode, Plane};
 
 /// How LinuxCNC's programs are read.
 pub static READING: Reading = Reading {
-    letters: Letters::of("ABCDFHIJKLPQRSTUVWXYZ"),
-    refused_letters: Letters::of("E"),
+    letters: Letters::of("ABCDEFHIJKLPQRSTUVWXYZ"),
+    refused_letters: Letters::of(""),
     free: Letters::of("FST"),
     codes: &CODES,
     machine_code,
@@ -126,9 +126,6 @@ static CODES: Codes = Codes::new(&[
     (990, G::ReturnR),
 ]);
 
-const OUTPUTS: Name = ("entradas y salidas digitales y analógicas", "digital and analog inputs and outputs");
-const SAVE: Name = ("guardar y recuperar el estado modal", "saving and restoring the modal state");
-
 fn machine_code(number: u32) -> Option<M> {
     Some(match number {
         0 | 1 | 60 => M::Pause,
@@ -143,8 +140,12 @@ fn machine_code(number: u32) -> Option<M> {
         48..=53 => M::Override,
         61 => M::SetTool,
         62..=65 => M::Output,
-        66..=68 => M::Refused(&OUTPUTS),
-        70..=73 => M::Refused(&SAVE),
+        66 => M::Input,
+        67 | 68 => M::AnalogOutput,
+        70 => M::SaveState(false),
+        71 => M::ForgetState,
+        72 => M::RestoreState,
+        73 => M::SaveState(true),
         98 => M::Call,
         99 => M::Return,
         100..=199 => M::User,

@@ -5,7 +5,6 @@ use crate::gcode::code::{G, Group, M, Turning};
 use crate::gcode::control::{Control, Spindle};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, NO_SPEED_LIMIT, Outcome};
 use crate::gcode::motion::{FeedMode, Kind};
 use crate::gcode::turning::pace::Pace;
@@ -102,19 +101,7 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn machine_codes(&mut self) -> Outcome<()> {
-        if let Some((M::Output, _)) = self.block.m(5) {
-            let P = self.block.get(letter::P);
-            if P.and_then(whole).is_none_or(|output| output < 0) {
-                return Err(Fault::at(
-                    &[self.block.m_column(5)],
-                    Text::fixed("salida digital sin su número P", "digital output without its number P"),
-                    Text::fixed(
-                        "P es el número de la salida, entero de 0 en adelante",
-                        "P is the output's number, whole, from 0 on",
-                    ),
-                ));
-            }
-        }
+        self.inputs_and_outputs()?;
         if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
             self.change_tool(code)?;
         }
@@ -122,6 +109,7 @@ impl Interpreter<'_> {
             Some((M::Spindle(true), _)) => self.modal.spindle = Spindle::Clockwise,
             Some((M::Spindle(false), _)) => self.modal.spindle = Spindle::CounterClockwise,
             Some((M::SpindleOff, _)) if !self.reading.diameter => self.modal.spindle = Spindle::Stopped,
+            Some((code @ (M::SaveState(_) | M::ForgetState | M::RestoreState), _)) => self.context_code(code)?,
             _ => {}
         }
         if let Some((M::Coolant(on), _)) = self.block.m(8)

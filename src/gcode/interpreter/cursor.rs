@@ -13,6 +13,8 @@ pub(super) struct Cursor<'l> {
     semicolon: bool,
     /// The column of a number with blanks inside, if there is one.
     pub(super) parted: Option<usize>,
+    /// An E behind a number begins a word, and is no exponent.
+    pub(super) e_words: bool,
     /// How deep the expression in hand is nested.
     pub(super) depth: usize,
 }
@@ -26,6 +28,7 @@ impl<'l> Cursor<'l> {
             parentheses: !matches!(comments, Comments::Semicolon),
             semicolon: true,
             parted: None,
+            e_words: false,
             depth: 0,
         }
     }
@@ -191,7 +194,7 @@ impl<'l> Cursor<'l> {
                     self.parted = Some(start);
                     continue;
                 }
-                Some(b'e' | b'E') if self.is_exponent() => return Err(exponent(self.at)),
+                Some(b'e' | b'E') if !self.e_words && self.is_exponent() => return Err(exponent(self.at)),
                 _ => break,
             }
             self.at += 1;

@@ -285,9 +285,12 @@ impl Interpreter<'_> {
         if let Some((M::User, _)) = self.block.m(10) {
             used |= Letters::of("PQ").mask();
         }
-        if let Some((M::Output, _)) = self.block.m(5) {
-            used |= Letters::of("P").mask();
-        }
+        used |= match self.block.m(5) {
+            Some((M::Output, _)) => Letters::of("P").mask(),
+            Some((M::Input, _)) => Letters::of("PELQ").mask(),
+            Some((M::AnalogOutput, _)) => Letters::of("EQ").mask(),
+            _ => 0,
+        };
         if let Some((M::Override, _)) = self.block.m(9) {
             used |= Letters::of("P").mask();
         }

@@ -326,6 +326,19 @@ impl Interpreter<'_> {
         if let Some(value) = self.system_number(number) {
             return Ok(value);
         }
+        if self.is_input(number) {
+            return Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("#{number} es lo que M66 ha leído de una entrada: no está en el programa"),
+                    format!("#{number} is what M66 has read of an input: it is not in the program"),
+                ),
+                Text::fixed(
+                    "para comprobar el programa, ponga en su lugar el valor que se espera",
+                    "to verify the program, put the value that is expected in its place",
+                ),
+            ));
+        }
         if !self.parameters.known(number) {
             let line = self.line;
             self.remarks.add(

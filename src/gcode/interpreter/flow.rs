@@ -3,6 +3,7 @@
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::context::Context;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -29,12 +30,23 @@ pub(super) struct Call {
     start: Position,
     /// The loops that were open in the caller.
     loops: Vec<(usize, i64)>,
+    /// What M70 or M73 has kept in it.
+    context: Context,
 }
 
 impl Call {
     /// A call that shares its parameters with the caller and runs some times.
-    pub(super) const fn of(label: String, source: usize, back: Position, times: i64, start: Position) -> Self {
-        Self { label, source, back, saved: None, again: times - 1, start, loops: Vec::new() }
+    pub(super) fn of(label: String, source: usize, back: Position, times: i64, start: Position) -> Self {
+        Self {
+            label,
+            source,
+            back,
+            saved: None,
+            again: times - 1,
+            start,
+            loops: Vec::new(),
+            context: Context::default(),
+        }
     }
 
     /// Where it begins once more, if it does; that is counted.
@@ -52,6 +64,15 @@ pub(super) struct Flow {
     loops: Vec<(usize, i64)>,
     /// The line in hand was reached as the next clause of an IF.
     clause: bool,
+    /// What M70 or M73 has kept outside of all calls.
+    main: Context,
+}
+
+impl Flow {
+    /// What the call in hand has kept, or the program where there is none.
+    pub(super) fn context(&mut self) -> &mut Context {
+        self.frames.last_mut().map_or(&mut self.main, |call| &mut call.context)
+    }
 }
 
 fn fatal(what: Text, remedy: Text) -> Box<Fault> {
@@ -300,6 +321,7 @@ impl Interpreter<'_> {
             again: 0,
             start,
             loops: Vec::new(),
+            context: Context::default(),
         })?;
         if let Some(call) = self.flow.frames.last_mut() {
             call.saved = Some(self.parameters.enter(&arguments));
@@ -422,6 +444,7 @@ impl Interpreter<'_> {
         }
         self.flow.loops = call.loops;
         self.at = call.source;
+        self.leave_context(&call.context);
         self.go_to(call.back)
     }
 
@@ -492,7 +515,12 @@ impl Interpreter<'_> {
                 Text::fixed("un SUB termina con ENDSUB o RETURN", "a SUB ends with ENDSUB or RETURN"),
             )),
             Some(call) => match call.repeat() {
-                Some(start) => self.go_to(start),
+                Some(start) => {
+                    // Each round keeps its own state.
+                    let context = std::mem::take(&mut call.context);
+                    self.leave_context(&context);
+                    self.go_to(start)
+                }
                 None => self.leave(),
             },
         }

@@ -29,6 +29,7 @@ mod arc;
 mod block;
 mod codes;
 mod compensation;
+mod context;
 mod contour;
 mod corner;
 mod cursor;
@@ -40,6 +41,7 @@ mod fagor;
 mod fault;
 mod flow;
 mod hole;
+mod inputs;
 mod lathe;
 mod line;
 mod modal;
@@ -142,6 +144,8 @@ pub struct Interpreter<'a> {
     doubts: Doubts,
     stage: Stage,
     percent: bool,
+    /// M66 has read an input.
+    input_read: bool,
     /// A comment has ended the program.
     aborted: bool,
     unit_said: bool,
@@ -216,6 +220,7 @@ impl<'a> Interpreter<'a> {
             doubts: Doubts::default(),
             stage: Stage::Opening,
             percent: false,
+            input_read: false,
             aborted: false,
             unit_said: false,
             repeated: 0,

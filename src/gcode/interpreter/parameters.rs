@@ -50,6 +50,13 @@ impl Parameters {
         self.put(number, value);
     }
 
+    /// What a numbered parameter holds is not known any more.
+    pub(super) fn forget(&mut self, number: usize) {
+        if let Some(known) = self.known.get_mut(number) {
+            *known = false;
+        }
+    }
+
     fn put(&mut self, number: usize, value: f64) {
         if let (Some(slot), Some(known)) = (self.values.get_mut(number), self.known.get_mut(number)) {
             *slot = value;

@@ -147,9 +147,11 @@ impl Interpreter<'_> {
     fn read_m(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let column = cursor.column();
         cursor.pass();
+        let behind_code = std::mem::replace(&mut cursor.e_words, self.reading.letters.has(b'e' - b'a'));
         let value = self.value(cursor)?.value;
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
         let found = number.and_then(|number| Some((number, (self.reading.machine_code)(number)?)));
+        cursor.e_words = behind_code || matches!(found, Some((_, M::Input | M::AnalogOutput)));
         match found {
             Some((number, M::Refused(name))) => Err(Fault::at(
                 &[column],
@@ -303,7 +305,7 @@ impl Interpreter<'_> {
             ));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
-            && !(letter == b'q' && self.reading.system_a)
+            && !(letter == b'q' && (self.reading.system_a || matches!(self.block.m(5), Some((M::AnalogOutput, _)))))
             && !self.fagor_cycle()
         {
             return Err(Fault::at(

@@ -1,0 +1,208 @@
+//! M70 to M73: the modal state kept in the program or subprogram in hand, and given back.
+//!
+//! # References
+//! LinuxCNC, M-code reference, M70 to M73. What is given back is what its interpreter (2.9) gives back: F with one decimal and S
+//! with none, whether a tool's length is taken up but not which, and no motion code.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, M};
+use crate::gcode::control::Spindle;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::motion::{FeedMode, Plane};
+use crate::machine::axis::Pose;
+use crate::machine::length_unit::LengthUnit;
+use crate::machine::work_offset::Frame;
+use crate::text::Text;
+
+/// The modal state as it was kept.
+#[derive(Clone, Debug)]
+struct State {
+    plane: Plane,
+    unit: LengthUnit,
+    incremental: bool,
+    centre_absolute: bool,
+    feed_mode: FeedMode,
+    feed_word: f64,
+    speed: f64,
+    constant_surface_speed: bool,
+    return_initial: bool,
+    system: u8,
+    tool: Pose,
+    g92_on: bool,
+    spindle: Spindle,
+    coolant: bool,
+}
+
+/// What a program or a call of a subprogram has kept.
+#[derive(Debug, Default)]
+pub(super) struct Context {
+    /// The state, until M71 takes it back.
+    state: Option<State>,
+    /// The end of the call gives it back.
+    at_return: bool,
+}
+
+/// A number as it comes back when it is written with some decimals.
+fn written(number: f64, decimals: usize) -> f64 {
+    format!("{number:.decimals$}").parse().unwrap_or(number)
+}
+
+impl Interpreter<'_> {
+    /// M70 to M73.
+    pub(super) fn context_code(&mut self, code: M) -> Outcome<()> {
+        match code {
+            M::SaveState(at_return) => {
+                let state = self.state();
+                let inside = !self.flow.frames.is_empty();
+                let context = self.flow.context();
+                context.state = Some(state);
+                context.at_return |= at_return && inside;
+                Ok(())
+            }
+            M::ForgetState => {
+                self.flow.context().state = None;
+                Ok(())
+            }
+            _ if self.block.present != 0 || self.block.groups != 0 || self.block.machine_codes > 1 => Err(Fault::at(
+                &[self.block.m_column(7)],
+                Text::fixed("M72 con otras palabras en el bloque", "M72 with other words in the block"),
+                Text::fixed(
+                    "escríbalas en otra línea: LinuxCNC las pierde al recuperar el estado",
+                    "write them on another line: LinuxCNC loses them when it restores the state",
+                ),
+            )),
+            _ => match self.flow.context().state.clone() {
+                Some(state) => {
+                    self.give_state_back(&state);
+                    Ok(())
+                }
+                None => Err(Fault::at(
+                    &[self.block.m_column(7)],
+                    Text::fixed("M72 sin un estado guardado", "M72 without a state that was saved"),
+                    Text::fixed(
+                        "guárdelo antes con M70 o M73 en el mismo programa o subprograma",
+                        "save it before with M70 or M73 in the same program or subprogram",
+                    ),
+                )),
+            },
+        }
+    }
+
+    /// A call has returned: what M73 kept in it is in force again.
+    pub(super) fn leave_context(&mut self, context: &Context) {
+        if let Some(state) = context.state.as_ref().filter(|_| context.at_return) {
+            self.give_state_back(state);
+        }
+    }
+
+    fn state(&self) -> State {
+        let modal = &self.modal;
+        State {
+            plane: modal.plane,
+            unit: modal.unit,
+            incremental: modal.incremental,
+            centre_absolute: modal.centre_absolute,
+            feed_mode: modal.feed_mode,
+            feed_word: modal.feed_word,
+            speed: modal.speed,
+            constant_surface_speed: modal.constant_surface_speed,
+            return_initial: self.returns_initial(),
+            system: modal.system,
+            tool: self.frame.tool,
+            g92_on: self.g92_registers().0,
+            spindle: modal.spindle,
+            coolant: modal.coolant,
+        }
+    }
+
+    fn give_state_back(&mut self, state: &State) {
+        self.modal.unit = state.unit;
+        if state.feed_mode != self.modal.feed_mode {
+            self.set_feed_mode(state.feed_mode);
+        }
+        let (F, S) = (written(state.feed_word, 1), written(state.speed, 0));
+        self.modal.feed_word = F;
+        self.modal.feed = match state.feed_mode {
+            FeedMode::PerMinute | FeedMode::PerRevolution => state.unit.to_mm(F),
+            FeedMode::InverseTime | FeedMode::Seconds => F,
+        };
+        self.modal.speed = S;
+        for (letter, was, is) in [('F', state.feed_word, F), ('S', state.speed, S)] {
+            if was != is {
+                self.remark_context(Text::new(
+                    format!("{letter}{was} vuelve como {letter}{is}: LinuxCNC lo redondea al recuperar el estado"),
+                    format!("{letter}{was} comes back as {letter}{is}: LinuxCNC rounds it when it restores the state"),
+                ));
+            }
+        }
+        if state.constant_surface_speed && !self.modal.constant_surface_speed {
+            // G96 comes back without its D.
+            self.modal.greatest_speed = None;
+        }
+        self.modal.constant_surface_speed = state.constant_surface_speed;
+        self.modal.plane = state.plane;
+        let (none, now) = (Pose::default(), self.frame.tool);
+        if (state.tool == none) != (now == none) {
+            let tool = if state.tool == none { none } else { self.offset_of(self.modal.tool) };
+            self.reframe(Frame { tool, ..self.frame });
+        }
+        if self.frame.tool != state.tool {
+            self.remark_context(Text::fixed(
+                "la compensación de longitud no vuelve a ser la guardada: LinuxCNC recupera G43, no de qué herramienta",
+                "the tool length offset is not again the one that was saved: LinuxCNC restores G43, not of which tool",
+            ));
+        }
+        self.select_system(state.system);
+        self.modal.incremental = state.incremental;
+        self.modal.centre_absolute = state.centre_absolute;
+        if state.return_initial != self.returns_initial() {
+            self.modal.return_initial = Some(state.return_initial);
+        }
+        if state.g92_on != self.g92_registers().0 {
+            self.change_position(if state.g92_on { G::RestorePosition } else { G::SuspendPosition });
+        }
+        self.modal.spindle = state.spindle;
+        self.modal.coolant = state.coolant;
+    }
+
+    fn remark_context(&mut self, what: Text) {
+        let remedy = Text::fixed("prográmelo de nuevo detrás", "program it again behind it");
+        self.remarks.add(Grade::Caution, self.line, None, what, remedy);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::interpreter::{Setting, Tool, Tools};
+    use crate::machine::axis::Axis;
+
+    fn cautions(program: &str) -> Vec<String> {
+        let tool = |length: f64| {
+            let mut tool = Tool::default();
+            tool.offset.set(Axis::Z, length);
+            tool
+        };
+        let mut setting = Setting::new(&LINUXCNC);
+        setting.tools = Some(Tools::from([(1, tool(50.0)), (2, tool(80.0))]));
+        let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+        assert!(interpreter.by_ref().all(|motion| motion.is_ok()), "{program}");
+        let remarks = interpreter.remarks().into_iter().filter(|finding| finding.grade == Grade::Caution);
+        remarks.map(|finding| finding.what.en.into_owned()).collect()
+    }
+
+    #[test]
+    fn what_comes_back_otherwise_than_it_was_kept_is_told() {
+        assert_eq!(cautions("G21 G90\nF100.5 S500\nM70\nG91\nF3\nM72\nG1 X1\nM2\n"), Vec::<String>::new());
+        let rounded = cautions("G20 G90\nF1.23 S99.6\nM70\nM72\nG1 X1\nM2\n");
+        assert_eq!(rounded.len(), 2, "{rounded:?}");
+        assert!(rounded[0].starts_with("F1.23 comes back as F1.2:"), "{rounded:?}");
+        assert!(rounded[1].starts_with("S99.6 comes back as S100:"), "{rounded:?}");
+        let other = cautions("G21 G90\nT1 M6\nG43\nM70\nG43 H2\nM72\nG0 Z5\nM2\n");
+        assert_eq!(other.len(), 1, "{other:?}");
+        assert!(other[0].starts_with("the tool length offset is not again the one"), "{other:?}");
+        assert_eq!(cautions("G21 G90\nT1 M6\nG43\nM70\nG49\nM72\nG0 Z5\nM2\n"), Vec::<String>::new());
+    }
+}
