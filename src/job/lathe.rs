@@ -306,9 +306,10 @@ fn follow<'a>(
                     step.alarms.clear();
                     unjudged = true;
                 }
+                let other_offset = in_force.other_offset(&control);
                 for alarm in &step.alarms {
                     let place = source.place(interpreter.file(alarm.file), alarm.line, Vec::new());
-                    one.alarms.push(Raised { alarm: *alarm, place });
+                    one.alarms.push(Raised { alarm: *alarm, place, other_offset });
                 }
                 let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
                 if step.way.len() > 1 {
@@ -384,7 +385,8 @@ fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
             let file = alarm.file.checked_sub(1).and_then(|at| one.files.get(at)).map(String::as_str);
             one.rows.late(&alarm);
             watch(Seen::Late(number, &alarm, file));
-            one.alarms.push(Raised { place: one.source.place(file, alarm.line, Vec::new()), alarm });
+            let place = one.source.place(file, alarm.line, Vec::new());
+            one.alarms.push(Raised { alarm, place, other_offset: None });
         }
         one.alarms.sort_by_key(|raised| raised.alarm.motion);
         one.findings.extend(alarms(&one.alarms));

@@ -6,7 +6,7 @@ use crate::finding::{Finding, Grade, Place};
 use crate::gcode::dialect::FANUC_LATHE_A;
 use crate::gcode::motion::{Kind, Motion};
 use crate::job::lathe_tables::Raised;
-use crate::lathe::alarm::Alarm;
+use crate::lathe::alarm::{Alarm, Cause};
 use crate::lathe::repeat::AGREE;
 use crate::lathe::setup::Given;
 use crate::lathe::spindle::revolutions;
@@ -141,22 +141,49 @@ pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
     found
 }
 
-/// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many.
+/// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many. Where a tool
+/// works with another offset than its own, what hangs on where it is may follow from that: it is counted with that cause, which
+/// is then as grave as the gravest of them.
 pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
     // A number may be a stop or a caution: a shallow stop is not hidden by a deeper caution.
     let mut worst = BTreeMap::new();
-    for Raised { alarm, place } in alarms {
-        let key = (alarm.file, alarm.line, alarm.cause.key(), alarm.cause.grade());
+    let cause = |one: &Raised| one.other_offset.filter(|_| matches!(one.alarm.cause, Cause::OtherOffset { .. }));
+    let mut following: BTreeMap<(u32, u32), Vec<Grade>> =
+        alarms.iter().filter_map(cause).map(|pair| (pair, Vec::new())).collect();
+    for raised in alarms {
+        let Raised { alarm, place, other_offset } = raised;
+        if alarm.cause.hangs_on_offset()
+            && let Some(grades) = other_offset.as_ref().and_then(|pair| following.get_mut(pair))
+        {
+            grades.push(alarm.cause.grade());
+            continue;
+        }
+        let key = (alarm.file, alarm.line, alarm.cause.key(), alarm.cause.grade(), cause(raised));
         let known: &mut (usize, &Alarm, &Place) = worst.entry(key).or_insert((0, alarm, place));
         known.0 += 1;
         if alarm.depth > known.1.depth {
             (known.1, known.2) = (alarm, place);
         }
     }
-    let mut found: Vec<Finding> = worst
-        .into_values()
-        .map(|(count, alarm, place)| {
+    let mut found: Vec<(bool, Finding)> = worst
+        .into_iter()
+        .map(|((.., pair), (count, alarm, place))| {
             let mut finding = Finding { place: place.clone(), ..alarm.finding() };
+            let left_out = pair.and_then(|pair| following.get(&pair)).map_or(&[][..], Vec::as_slice);
+            if let Some(gravest) = left_out.iter().max() {
+                finding.grade = finding.grade.max(*gravest);
+                let Text { es, en } = &finding.what;
+                finding.what = match left_out.len() {
+                    1 => Text::new(
+                        format!("{es}; de ahí puede venir 1 alarma con este corrector, sin decir aquí"),
+                        format!("{en}; 1 alarm under this offset may follow from it and is not told here"),
+                    ),
+                    many => Text::new(
+                        format!("{es}; de ahí pueden venir {many} alarmas con este corrector, sin decir aquí"),
+                        format!("{en}; {many} alarms under this offset may follow from it and are not told here"),
+                    ),
+                };
+            }
             if count > 1 {
                 let Text { es, en } = &finding.what;
                 finding.what = match count - 1 {
@@ -167,10 +194,11 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
                     ),
                 };
             }
-            finding
+            (!left_out.is_empty(), finding)
         })
         .collect();
-    found.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    found.sort_by_key(|(cause, finding)| std::cmp::Reverse((finding.grade, *cause)));
+    let mut found: Vec<Finding> = found.into_iter().map(|(_, finding)| finding).collect();
     let more = found.len().saturating_sub(MOST);
     found.truncate(MOST);
     if more > 0 {

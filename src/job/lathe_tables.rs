@@ -255,6 +255,8 @@ pub struct Raised {
     pub alarm: Alarm,
     /// Its block: a cell, or a line of a file.
     pub place: Place,
+    /// The tool's place and the offset in force, where it is not the tool's own.
+    pub other_offset: Option<(u32, u32)>,
 }
 
 /// Every alarm: number, grade, text, remedy, place, depth.

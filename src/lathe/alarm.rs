@@ -233,6 +233,25 @@ impl Cause {
         }
     }
 
+    /// True where it hangs on where the tool is: with another tool's offset it may follow from that.
+    #[must_use]
+    pub const fn hangs_on_offset(self) -> bool {
+        matches!(
+            self,
+            Self::RapidInMetal
+                | Self::RetractionInMetal
+                | Self::BackInMetal
+                | Self::BodyInMetal(_)
+                | Self::Collision(..)
+                | Self::Travel(_)
+                | Self::DepthOfCut { .. }
+                | Self::BackCutting
+                | Self::ThreadTooDeep { .. }
+                | Self::ShortRunIn { .. }
+                | Self::OffAxis
+        )
+    }
+
     /// How grave it is.
     #[must_use]
     pub const fn grade(self) -> Grade {

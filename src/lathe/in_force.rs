@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::alarm::{Alarm, Cause};
 use super::step::Step;
-use crate::gcode::control::Speed;
+use crate::gcode::control::{Control, Speed};
 use crate::gcode::motion::{Feed, FeedMode, Kind};
 use crate::machine::axis::Axis;
 
@@ -42,6 +42,13 @@ impl InForce {
         Self { own, ..Self::default() }
     }
 
+    /// The tool's place and the offset in force, where it is not the tool's own.
+    #[must_use]
+    pub fn other_offset(&self, control: &Control) -> Option<(u32, u32)> {
+        let own = self.own.get(&control.tool)?;
+        (*own != control.offset).then_some((control.tool, control.offset))
+    }
+
     /// Adds to a step what it gives rise to: each state once, when it begins.
     pub fn judge(&mut self, step: &mut Step) {
         let (motion, control) = (&step.motion, &step.control);
@@ -58,9 +65,8 @@ impl InForce {
             }
             None => causes.extend(self.threaded(step)),
         }
-        let pair = (control.tool, control.offset);
-        if let Some(&own) = self.own.get(&control.tool)
-            && own != control.offset
+        if let Some(pair) = self.other_offset(control)
+            && let Some(&own) = self.own.get(&control.tool)
             && self.told.insert(pair)
         {
             causes.push(Cause::OtherOffset { offset: control.offset, own });

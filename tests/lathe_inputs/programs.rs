@@ -145,6 +145,26 @@ fn an_offset_is_told_of_once_and_the_tools_own_never() {
 }
 
 #[test]
+fn what_may_follow_from_another_offset_is_counted_with_it_and_not_told_one_by_one() {
+    let followed = |tool: &str| {
+        let cuts: String = (0..60).map(|cut| format!("G0 X48. Z-{cut}.\nG0 X53.\n")).collect();
+        let text = format!("{}\n{tool}\n{cuts}G1 X52. F0.1\n{}", HEAD.join("\n"), TAIL.join("\n"));
+        let (document, exit) = simulate(&text, &[], &["--dialect", "fanuc-lathe-a"]);
+        assert_eq!(exit, 3, "{tool}: what is left out is as grave as before");
+        bilingual(&document);
+        let rapid = document["alarms"].as_array().unwrap().iter().filter(|alarm| alarm["number"] == 101).count();
+        assert_eq!(rapid, 59, "{tool}: the list of alarms has them all");
+        lines(&document)
+    };
+    let own = followed("T0101");
+    assert!(own.iter().any(|line| line.contains(" 101 ")) && !own.iter().any(|line| line.contains(" 183 ")), "{own:?}");
+    let other = followed("T0102");
+    assert!(!other.iter().any(|line| line.contains(" 101 ")), "{other:?}");
+    assert!(other[0].starts_with("stop 127 183 The offset in force is not the tool's own"), "{other:?}");
+    assert!(other[0].ends_with("; 59 alarms under this offset may follow from it and are not told here"), "{other:?}");
+}
+
+#[test]
 fn a_spindle_that_stands_still_or_runs_away_is_told() {
     fanuc(&[
         case("D39 G95 in air", "M5|G1 X51. F0.1", 3, "stop 7 155 Feed per revolution with the spindle stopped"),

@@ -6,6 +6,7 @@ use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::Position;
+use crate::gcode::interpreter::tape::has_code;
 use crate::gcode::interpreter::{Interpreter, Stage, block_number, without_end};
 use crate::text::Text;
 
@@ -167,8 +168,7 @@ impl Interpreter<'_> {
                 }
                 break;
             }
-            let code = |letter: u8| words.windows(2).any(|two| two[0] == letter && two[1].is_ascii_digit());
-            if b"GMOTN".iter().any(|&letter| code(letter)) {
+            if has_code(&words) {
                 break;
             }
             text |= !words.is_empty() && words != b"\xEF\xBB\xBF";

@@ -61,6 +61,7 @@ mod stood;
 mod structure;
 mod subprogram;
 mod system;
+mod tape;
 mod tool;
 pub mod tool_table;
 mod turning;

@@ -6,6 +6,7 @@ use crate::gcode::dialect::reading::Comments;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{Interpreter, block_number};
 use crate::text::Text;
 
@@ -38,15 +39,16 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// Looks through a whole file and goes back to where it was.
+    /// Looks through a file up to the second `%` and goes back to where it was.
     fn of(source: &mut Source<'_>, comments: Comments) -> Outcome<Self> {
         let back = source.position();
         let mut numbers = Self::default();
+        let mut tape = Tape::new(comments);
         let mut line = Vec::new();
         source.go_to(Position::START)?;
         loop {
             let at = source.position();
-            if !source.next_line(&mut line)? {
+            if !source.next_line(&mut line)? || tape.ends(&line) {
                 break;
             }
             let mut cursor = Cursor::new(&line, comments);

@@ -11,6 +11,7 @@ use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::tape::Tape;
 use crate::text::Text;
 
 /// Most O-words of a file.
@@ -199,7 +200,7 @@ fn inside(mark: &Mark, outer: &Mark) -> Box<Fault> {
 }
 
 impl Structure {
-    /// Looks through a whole file and goes back to where it was.
+    /// Looks through a file up to the second `%` and goes back to where it was.
     ///
     /// # Errors
     /// For words that do not belong together, two subprograms of one label, and too many words.
@@ -207,11 +208,12 @@ impl Structure {
         let back = source.position();
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
+        let mut tape = Tape::new(comments);
         let mut line = Vec::new();
         source.go_to(Position::START)?;
         loop {
             let at = source.position();
-            if !source.next_line(&mut line)? {
+            if !source.next_line(&mut line)? || tape.ends(&line) {
                 break;
             }
             let mut cursor = Cursor::new(&line, comments);

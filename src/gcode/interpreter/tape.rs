@@ -1,0 +1,83 @@
+//! Where the text of a file ends for a control: at the second `%`. What stands behind it is neither run nor looked through.
+
+use crate::gcode::dialect::reading::Comments;
+use crate::gcode::interpreter::cursor::Cursor;
+
+/// The lines of a file as they come by.
+#[derive(Debug)]
+pub(super) struct Tape {
+    comments: Comments,
+    /// A line of the program has come by.
+    begun: bool,
+    /// The first `%` has come by.
+    opened: bool,
+}
+
+/// True where a line holds a code, as no text before the first `%` may.
+pub(super) fn has_code(line: &[u8]) -> bool {
+    let code = |two: &[u8]| b"GMOTN".contains(&two[0].to_ascii_uppercase()) && two[1].is_ascii_digit();
+    line.windows(2).any(code)
+}
+
+impl Tape {
+    /// The beginning of a file.
+    pub(super) const fn new(comments: Comments) -> Self {
+        Self { comments, begun: false, opened: false }
+    }
+
+    /// True where the text ends with this line.
+    pub(super) fn ends(&mut self, line: &[u8]) -> bool {
+        let mut cursor = Cursor::new(line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line), self.comments);
+        let first = cursor.peek();
+        let percent = cursor.accept(b'%') && cursor.peek() == 0;
+        match self.comments {
+            // A Fagor knows no second one.
+            Comments::Semicolon => false,
+            // A `%` that none has opened is refused where it is executed.
+            Comments::ParenthesesAndSemicolon if percent && self.begun && !self.opened => false,
+            _ if percent && (self.begun || self.opened) => true,
+            _ if percent => {
+                self.opened = true;
+                false
+            }
+            comments => {
+                // A Fanuc passes over text before the first one.
+                self.begun |= if comments == Comments::Parentheses { has_code(line) } else { first != 0 };
+                false
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::gcode::dialect::{Dialect, FANUC_LATHE_A, LINUXCNC};
+    use crate::gcode::interpreter::{Interpreter, Setting};
+
+    /// How many motions a program makes, or its first error.
+    fn motions(program: &str, dialect: &'static Dialect) -> Result<usize, String> {
+        let found: Result<Vec<_>, _> = Interpreter::over(program.as_bytes(), Setting::new(dialect)).collect();
+        found.map(|motions| motions.len()).map_err(|fault| fault.what.en.into_owned())
+    }
+
+    #[test]
+    fn behind_the_second_percent_nothing_is_looked_for() {
+        let behind = "o100 sub\nG0 X5\no100 endsub\n";
+        assert_eq!(motions(&format!("%\no100 call\nG0 X1\nM2\n{behind}%\n"), &LINUXCNC), Ok(2));
+        let missed = motions(&format!("%\no100 call\nG0 X1\n%\n{behind}"), &LINUXCNC);
+        assert_eq!(missed, Err("there is no subprogram O100".to_owned()));
+        // Nor does what does not belong together there spoil the program.
+        assert_eq!(motions(&format!("\n%\n{behind}o100 call\n%\no100 sub\no200 if [1]\n"), &LINUXCNC), Ok(1));
+        assert_eq!(motions(&format!("\u{feff}%\n{behind}o100 call\n%\no100 endif\n"), &LINUXCNC), Ok(1));
+
+        let behind = "O1000\nG0 X5.\nM99\n";
+        assert_eq!(motions(&format!("%\nO0001\nM98 P1000\nM30\n{behind}%\n"), &FANUC_LATHE_A), Ok(1));
+        assert_eq!(motions(&format!("FROM THE CAM\n%\nO0001\nM98 P1000\nM30\n{behind}%\n"), &FANUC_LATHE_A), Ok(1));
+        for head in ["", "%\n", "FROM THE CAM\n%\n"] {
+            let missed = motions(&format!("{head}O0001\nM98 P1000\nM30\n%\n{behind}"), &FANUC_LATHE_A);
+            assert_eq!(missed, Err("PS0078: there is no subprogram O1000".to_owned()), "{head}");
+        }
+        let once = format!("%\nO0001\nM98 P1000\nM30\n{behind}%\n{behind}");
+        assert_eq!(motions(&once, &FANUC_LATHE_A), Ok(1), "one of the two is not read");
+    }
+}
