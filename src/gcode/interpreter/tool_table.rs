@@ -5,6 +5,7 @@
 //! its angles, Q its orientation, a comment after `;`. Lengths in the machine's unit. Of a tool with an orientation from 1 to
 //! 9 D is twice the nose radius.
 
+use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::interpreter::setting::{Tool, Tools};
 use crate::gcode::turning::nose::{Nose, Tip};
@@ -37,7 +38,11 @@ pub fn parse(bytes: &[u8], unit: LengthUnit) -> Result<Tools, Refusal> {
     if findings.is_empty() { Ok(tools) } else { Err(Refusal { exit: Exit::Refused, findings }) }
 }
 
+/// Most characters of a word that a message repeats.
+const SHOWN: usize = 40;
+
 fn refused(line: usize, column: usize, word: &str, twice: bool) -> Finding {
+    let word = excerpt(word, SHOWN);
     let what = if twice {
         Text::new(format!("{word} está dos veces en la tabla"), format!("{word} stands twice in the tool table"))
     } else {
