@@ -204,3 +204,27 @@ fn splitters_whose_passes_meet_those_of_the_blades_leave_no_ribs() {
     let thin = common::outcome("full", &[("d_t", Value::Real(3.0))]);
     assert!(caution(&thin, "ribs stay uncut").is_some());
 }
+
+#[test]
+fn of_blades_that_meet_at_the_hub_the_rest_is_told() {
+    let (R, r) = (618.622_820_668_522_3, 30.931_141_033_426_115);
+    let changes = [
+        ("R", Value::Real(R)),
+        ("r", Value::Real(r)),
+        ("n", Value::Whole(2)),
+        ("N", Value::Whole(2)),
+        ("a_p", Value::Real(11.75)),
+        ("d_t", Value::Real(2.0 * r)),
+        ("e", Value::Real(100.0)),
+        ("d_s", Value::Real(160.0)),
+        ("H", Value::Real(1.5 * R)),
+        ("R_B", Value::Real(R)),
+        ("L_b", Value::Real(2.0 * r)),
+        ("X_e", Value::Real(3.0 * R)),
+        ("splitters", Value::Choice("no")),
+    ];
+    let told =
+        rodete::job::run(&rodete::impeller::parameters::FORM, common::values("full", &changes), common::source());
+    let findings = told.map_or_else(|refusal| refusal.findings, |outcome| outcome.findings);
+    assert!(findings.iter().any(|finding| finding.grade >= Grade::Caution), "{findings:?}");
+}

@@ -512,7 +512,8 @@ proptest! {
 /// Blocks of a few milliseconds: rounded up to whole ones, they ran far below F.
 #[test]
 fn small_blocks_keep_their_feed_on_a_control_that_takes_seconds() {
-    let changes = [("dialect", Value::Choice("fagor-8070")), real("F", 600.0), ("n", Value::Whole(1500))];
+    let retract = ("retract", Value::Line(String::new()));
+    let changes = [("dialect", Value::Choice("fagor-8070")), retract, real("F", 600.0), ("n", Value::Whole(1500))];
     let outcome = common::outcome("full", &changes);
     assert!(!outcome.stopped(), "{:?}", outcome.findings);
     let table = outcome.table("verification").expect("the table");

@@ -122,6 +122,10 @@ fn standing(
     // The blade's own edge; its half thickness lies across the mean line.
     let edge = |v: f64| part.e / 2.0 / (torus.rho(v) * torus.r / torus.R);
     let (near, far) = (edge(v[0]).min(edge(v[1])), pitch - edge(v[0]).min(edge(v[1])));
+    // Blades so thick that they meet leave no channel here.
+    if near >= far {
+        return (0.0, 0.0);
+    }
     let found: Vec<Option<[f64; 2]>> =
         bands.iter().zip(guesses).map(|(band, guess)| band.cut(&lines, side, guess, fresh)).collect();
     let of = |track: Track| bands.iter().zip(&found).find(|(band, _)| band.track == track).and_then(|(_, cut)| *cut);

@@ -202,8 +202,8 @@ impl Watch<'_> {
         let F = self.design.F.unwrap_or(speed);
         let planned = length * 60.0 / F;
         let good = match self.design.mode {
-            // F is the speed over the sheet itself.
-            Mode::Flat => (F - step(FeedLaw::Resultant, F)..=F).contains(&word),
+            // F is the speed over the sheet itself; a word within a billionth of a whole step is that step.
+            Mode::Flat => (F - step(FeedLaw::Resultant, F)..=F * (1.0 + 1e-9)).contains(&word),
             Mode::Rotary => timely(self.design.dialect.feed, motion, word, planned),
         };
         if !good || seconds < planned * (1.0 - 1e-6) {
