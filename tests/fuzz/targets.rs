@@ -82,7 +82,7 @@ fn read(setting: Setting, bytes: &[u8], work: &mut Work) {
     let start = interpreter.position().1;
     let (mut account, mut before) = (Account::default(), start);
     let (mut faults, mut total) = (Vec::new(), 0);
-    let lines = bytes.split(|byte| *byte == b'\n').count().max(bytes.split(|byte| *byte == b'\r').count());
+    let lines = 1 + bytes.iter().filter(|byte| matches!(byte, b'\n' | b'\r')).count();
     for item in interpreter.by_ref() {
         match item {
             Ok(motion) => {
