@@ -1,5 +1,6 @@
 //! From a line to what is executed of it: comments, `%`, program numbers, block numbers.
 
+use crate::escape::excerpt;
 use crate::finding::Grade;
 use crate::gcode::dialect::reading::Comments;
 use crate::gcode::interpreter::block::Parameter;
@@ -10,6 +11,8 @@ use crate::gcode::interpreter::tape::has_code;
 use crate::gcode::interpreter::{Interpreter, Stage, block_number, without_end};
 use crate::text::Text;
 
+/// Most characters of a comment that a message repeats.
+const SHOWN: usize = 250;
 /// Most lines that are looked through for the first `%`.
 const LONGEST_LEADER: usize = 1_000;
 
@@ -219,7 +222,7 @@ impl Interpreter<'_> {
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
             self.aborted |= self.reading.expressions && word.starts_with("ABORT,");
             if self.aborted {
-                let shown = text.trim();
+                let shown = excerpt(text.trim(), SHOWN);
                 self.remarks.add(
                     Grade::Caution,
                     self.line,
@@ -231,7 +234,7 @@ impl Interpreter<'_> {
             }
             if self.reading.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
                 let at = self.line;
-                let shown = text.trim();
+                let shown = excerpt(text.trim(), SHOWN);
                 self.remarks.add(
                     Grade::Note,
                     at,
