@@ -28,6 +28,7 @@ pub mod repeat;
 pub mod setup;
 pub mod simulation;
 pub mod spindle;
+mod start;
 pub mod step;
 pub mod stock;
 mod tally;

@@ -7,17 +7,16 @@ use super::chain::{self, Chain, Pass};
 use super::change;
 use super::contact::{Contact, Ride, depth, far_end};
 use super::loose::judged;
-use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
 use super::spindle::{Turning, begun, extent, revolutions, ribs};
+pub use super::start::Setup;
 use super::step::{Edit, Step, Totals};
-use super::stock::{Fixture, Stock, turned_about};
+use super::stock::{Fixture, turned_about};
 use super::tally::{Tally, collide, travel};
 use super::tool::{Cutter, Tool};
-use super::turret::Turret;
 use super::watch::Watch;
-use super::workpiece::{CHIP, MOST_WORK, Removed, TURN, Workpiece};
+use super::workpiece::{CHIP, Removed, TURN, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::control::{Control, Speed};
 use crate::gcode::motion::{Feed, Kind, Motion};
@@ -27,41 +26,6 @@ use crate::geometry::exact::region::{Labelled, Ring};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::hypot;
 use crate::text::Text;
-
-/// What a simulation starts from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Setup {
-    /// The machine.
-    pub lathe: Lathe,
-    /// The blank.
-    pub stock: Stock,
-    /// The turret.
-    pub turret: Turret,
-    /// How far chords may be from arcs, mm.
-    pub tolerance: f64,
-    /// The part to begin with instead of the blank, contours from W1 in mm, as for a second set-up; see
-    /// [`super::stock::turned_about`].
-    pub part: Option<Vec<Ring>>,
-    /// Each step tells how the contour changed.
-    pub record: bool,
-    /// How many steps of work the simulation may take; see [`Simulation::is_spent`].
-    pub most_work: u64,
-}
-
-impl Setup {
-    /// A blank in a lathe with a turret, with the usual tolerance of 0.0002 mm.
-    #[must_use]
-    pub const fn new(lathe: Lathe, stock: Stock, turret: Turret) -> Self {
-        Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false, most_work: MOST_WORK }
-    }
-
-    /// What stands still about the work; the jaws are closed on the part where there is one.
-    #[must_use]
-    pub fn fixtures(&self) -> Vec<(Fixture, Ring)> {
-        let grip = self.part.as_deref().and_then(|part| self.stock.grip(&self.lathe, part));
-        self.stock.fixtures(&self.lathe, grip.map_or(self.stock.diameter, |grip| grip.diameter))
-    }
-}
 
 /// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
 /// grid, and past it no tool reaches the blank.
