@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
+use super::boring::Hole;
 use super::chain::{self, Chain, Pass};
 use super::change;
 use super::contact::{Contact, Ride, depth, far_end};
@@ -428,6 +429,11 @@ impl Simulation {
             let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
             let long = hypot(to[0] - from[0], to[1] - from[1]);
             let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
+            let ends = [first.mm(), last.mm()];
+            let hole = if rapid { None } else { Hole::before(part, &ready.tool, &ready.outline, ends) };
+            if let Some(hole) = hole.filter(|hole| hole.diameter < TOUCH) {
+                contact.solid = contact.solid.or(hole.cause());
+            }
             for cutter in &ready.outline.cutter {
                 if !cutter.polygon.sweep(first, last, swept) {
                     continue;
@@ -448,11 +454,11 @@ impl Simulation {
                     } else {
                         let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
                         if let Some(bite) = contact.add(meeting, &ride) {
-                            tally.met(bite, [first.mm(), last.mm()], mirrored);
+                            tally.met(bite, ends, mirrored);
                             tally.weigh(meeting, mirrored);
                         }
                         if insert && !mirrored {
-                            let pass = Pass { part: cutter, meeting, way, ends: [first.mm(), last.mm()] };
+                            let pass = Pass { part: cutter, meeting, way, ends };
                             let alarm = |deep, place| tally.alarm(Cause::BackCutting, place, Some(deep));
                             chain.label(pass, alarm, |at| far_end(meeting, &ride, at), labels);
                         }
@@ -468,12 +474,13 @@ impl Simulation {
                 part.probe(swept, |meeting, _| {
                     let (deep, place) = depth(meeting);
                     if deep > TOUCH {
-                        tally.raise(Cause::BodyInMetal(moving), place, Some(deep));
+                        let ahead = hole.filter(|hole| moving == Moving::Holder && place[0] < hole.end + TOUCH);
+                        let cause = ahead.and_then(|hole| hole.cause()).unwrap_or(Cause::BodyInMetal(moving));
+                        tally.raise(cause, place, Some(deep));
                     }
                 });
             }
-            add(part
-                .drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, [first.mm(), last.mm()], ring)));
+            add(part.drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, ends, ring)));
         }
         removed
     }
@@ -536,11 +543,20 @@ impl Simulation {
         // What is deeper than its edge is told for that.
         let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
         watch.edge(&ready.tool, control, pieces, deep, tally);
+        let back = contact.back.or(contact.beside.filter(|_| !contact.dragged));
+        if let (Some(cause), Some(deep)) = (contact.solid, contact.edge.map(|_| contact.across).or(back)) {
+            tally.raise(cause, contact.place, Some(deep));
+        }
+        // What a boring bar meets and leaves besides where there is no hole for it follows from that.
+        if tally.alarms.iter().any(|alarm| matches!(alarm.cause, Cause::BoreWithoutHole { .. })) {
+            self.chain.forget(tally.index);
+            return;
+        }
         if let Some(edge) = contact.edge {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }
         // Where the auxiliary edge's far end left the surface, the back beside it has been in metal with it.
-        if let Some(deep) = contact.back.or(contact.beside.filter(|_| !contact.dragged)) {
+        if let Some(deep) = back {
             tally.raise(Cause::BackInMetal, contact.place, Some(deep));
         }
     }
