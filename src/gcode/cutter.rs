@@ -31,6 +31,8 @@ use crate::number::trig;
 
 /// A turn by no more than this is no corner; radians.
 pub const NEARLY: f64 = 0.05;
+/// Most pieces without way in the plane between two with way.
+pub const MOST_STILL: usize = 10_000;
 /// By how much an arc may grow at its ends; radians.
 const GROWTH: f64 = 0.0254;
 /// An arc that is left shorter than this is none; mm.
@@ -60,6 +62,8 @@ pub enum Misfit {
         /// The radius of the cutter.
         radius: f64,
     },
+    /// More than [`MOST_STILL`] pieces without way in the plane in a row.
+    Still,
     /// The corners at its ends take more of a piece than there is.
     Short {
         /// The radius of the cutter.
@@ -148,6 +152,9 @@ impl<T: Clone> Stage<T> {
     pub fn push(&mut self, step: Step<T>, out: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
         let Some(mut following) = self.following.take() else { return self.enter(step, out) };
         let (Some(start), Some(end)) = (step.element.start(), step.element.end()) else {
+            if following.held.stills.len() == MOST_STILL {
+                return Err(Misfit::Still);
+            }
             following.held.stills.push(step.tag);
             self.following = Some(following);
             return Ok(());

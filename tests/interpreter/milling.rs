@@ -19,7 +19,7 @@ fn program(body: &str) -> String {
 }
 
 /// Programs that both run. What stands in the way of LinuxCNC's checks lies elsewhere.
-const GOOD: [&str; 34] = [
+const GOOD: [&str; 36] = [
     // Entry and exit, on both sides.
     "G41.1 D6; G1 X10; X20; G40; X30",
     "G42.1 D6; G1 X10; X20; G40; X30",
@@ -39,6 +39,9 @@ const GOOD: [&str; 34] = [
     // Corners that are nearly none.
     "G41.1 D6; G1 X10; X20 Y0.3; X30 Y0.4; X40 Y0.9; G40; X50",
     "G42.1 D6; G1 X10; X20 Y0.3; X30 Y0.4; G2 X40 Y-9.6 J-10; G40; G1 X50",
+    // What stands in the block of G40 comes behind it.
+    "G10 L2 P2 X3 Y4 Z1; G41.1 D6; G1 X10; X20; G40 G55; X30; G28",
+    "G41.1 D6; G1 X10; X20; G40 G81 X30 Y5 Z-1 R1; G18 G80; G17 G41.1 D6 G1 X60; Y20",
     // Arcs: tangential, outside and inside, in outer and inner corners, whole circles.
     "G41.1 D6; G1 X10; X20; G2 X30 Y-10 J-10; G1 Y-20; G40; X0",
     "G41.1 D6; G1 X10; X20; G3 X30 Y10 J10; G1 Y20; G40; X0",
@@ -69,7 +72,7 @@ const GOOD: [&str; 34] = [
 const CONTOURS: u64 = 80;
 
 /// What both refuse, with what is told.
-const BAD: [(&str, &str); 20] = [
+const BAD: [(&str, &str); 23] = [
     (
         "G41.1 D6; G1 X2.9; X20; G40; X30",
         "the entry into compensation is 2.9 long, and must be longer than the radius 3",
@@ -85,6 +88,9 @@ const BAD: [(&str, &str); 20] = [
     ("G41.1 D6 L2 G1 X10", "L with G41.1 or G42.1 in G17"),
     ("G41 D4 G1 X10", "G41 or G42 in G17 with tool 4, which is a lathe's"),
     ("G41 D9 G1 X10", "tool 9 is not in the tool table"),
+    ("G41.1 D6 G43 H1; G1 X10", "this code cannot stand with G41 or G42 in force"),
+    ("G41.1 D6 G55; G1 X10", "this code cannot stand with G41 or G42 in force"),
+    ("G41.1 D6 G81 X10 Z-1 R1", "this code cannot stand with G41 or G42 in force"),
     ("G41.1 D6; G1 X10; G55", "this code cannot stand with G41 or G42 in force"),
     ("G41.1 D6; G1 X10; G28", "this code cannot stand with G41 or G42 in force"),
     ("G41.1 D6; G1 X10; G53 G1 X20", "this code cannot stand with G41 or G42 in force"),
@@ -187,6 +193,7 @@ fn what_is_not_followed_under_cutter_compensation_is_refused() {
     for (body, told) in [
         ("G18 G41.1 D6; G1 X10", "cutter radius compensation in G18 is not supported"),
         ("G41.1 D6; G1 X10; X20 A5; X30", "rotary axes or U, V, W with G41 or G42 in force are not supported"),
+        (&*format!("G41.1 D6; G1 X10; G1{}; X20", "\nZ1\nZ0".repeat(5_001)), "more than 10000 blocks without motion"),
         ("G41; G1 X10", "it is not known which tool is in the spindle"),
         ("G41.1 D6; G1 X10; X20; M0; X30", "this code cannot stand with G41 or G42 in force"),
     ] {

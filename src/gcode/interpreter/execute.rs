@@ -47,7 +47,8 @@ impl Interpreter<'_> {
         if idle != 0 {
             return Err(self.unused(idle));
         }
-        if self.reading.expressions && self.modal.compensation != Compensation::Off {
+        let compensated = self.block.g(Group::CutterCompensation).is_some();
+        if self.reading.expressions && (compensated || self.modal.compensation != Compensation::Off) {
             self.beside_cutter(plan.motion)?;
         }
         if self.block.groups & !(1 << Group::Motion as u16) != 0 || self.block.has_machine_codes() {

@@ -11,7 +11,7 @@
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::{Compensation, Control};
-use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
+use crate::gcode::cutter::{MOST_STILL, Misfit, Placed, Stage, Step};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -164,28 +164,35 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Refuses what LinuxCNC does not do under compensation, beside what rodete does not.
+    /// Refuses what LinuxCNC does not do under compensation, beside what rodete does not. Plane and M codes of a block come
+    /// before its G40 to G42, all else behind.
     pub(super) fn beside_cutter(&self, motion: Option<G>) -> Outcome<()> {
-        const GROUPS: [Group; 5] =
+        const BEHIND: [Group; 5] =
             [Group::WorkOffset, Group::ToolLength, Group::Path, Group::Retract, Group::SetPosition];
         let block = &self.block;
+        let before = self.modal.compensation != Compensation::Off;
+        let behind = match block.g(Group::CutterCompensation) {
+            Some(G::Compensation(side) | G::CompensationGiven(side)) => side != Compensation::Off,
+            _ => before,
+        };
         let plane = matches!(block.g(Group::Plane), Some(G::Plane(plane)) if plane != self.modal.plane);
         let at_once = block.g(Group::NonModal).is_some_and(|code| code != G::Dwell);
-        let codes = [Group::Plane, Group::NonModal].into_iter().zip([plane, at_once]).find(|(_, found)| *found);
-        let group = GROUPS.into_iter().find(|&group| block.g(group).is_some()).or(codes.map(|(group, _)| group));
-        let column = match (group, motion) {
-            (Some(group), _) => block.g_column(group),
-            (None, Some(G::Cycle(_))) => block.g_column(Group::Motion),
-            _ => {
-                let machine = |group: u8| match block.m(group) {
-                    Some((M::End | M::Call | M::Return | M::Spindle(_) | M::SpindleOff | M::SpindleOrient, _))
-                    | Some((M::Coolant(_) | M::User, _))
-                    | None => None,
-                    Some(_) => Some(block.m_column(group)),
-                };
-                let Some(column) = (4..=10).find_map(machine) else { return Ok(()) };
-                column
-            }
+        let cycle = matches!(motion, Some(G::Cycle(_)));
+        let machine = |group: &u8| match block.m(*group) {
+            Some((M::End | M::Call | M::Return | M::Spindle(_) | M::SpindleOff | M::SpindleOrient, _))
+            | Some((M::Coolant(_) | M::User, _))
+            | None => false,
+            Some(_) => before,
+        };
+        let others =
+            [(Group::Plane, before && plane), (Group::NonModal, behind && at_once), (Group::Motion, behind && cycle)];
+        let mut groups = BEHIND.into_iter().map(|group| (group, behind && block.g(group).is_some())).chain(others);
+        let column = match groups.find(|(_, found)| *found) {
+            Some((group, _)) => block.g_column(group),
+            None => match (4..=10).find(machine) {
+                Some(group) => block.m_column(group),
+                None => return Ok(()),
+            },
         };
         Err(Fault::at(
             &[column],
@@ -412,6 +419,13 @@ impl Interpreter<'_> {
                     format!("the cutter's radius {} does not fit into the corner", mm(radius)),
                 ),
                 smaller,
+            ),
+            Misfit::Still => (
+                Text::new(
+                    format!("más de {MOST_STILL} bloques sin movimiento en el plano con G41 o G42 en vigor"),
+                    format!("more than {MOST_STILL} blocks without motion in the plane with G41 or G42 in force"),
+                ),
+                Text::fixed("programe antes G40", "program G40 before them"),
             ),
             Misfit::Short { radius } => (
                 Text::new(
