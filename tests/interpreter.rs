@@ -5,6 +5,8 @@
 mod agreement;
 #[path = "interpreter/blank.rs"]
 mod blank;
+#[path = "interpreter/centre_words.rs"]
+mod centre_words;
 mod common;
 #[path = "interpreter/corpus.rs"]
 mod corpus;
@@ -20,6 +22,8 @@ mod generator;
 mod kept;
 #[path = "interpreter/limits.rs"]
 mod limits;
+#[path = "interpreter/milling.rs"]
+mod milling;
 #[path = "interpreter/ours.rs"]
 mod ours;
 #[path = "interpreter/rotary.rs"]

@@ -40,6 +40,13 @@ pub enum Cause {
     BackInMetal,
     /// The holder or the turret runs into metal.
     BodyInMetal(Moving),
+    /// A boring bar is fed into metal where there is no hole, or none wide enough for it.
+    BoreWithoutHole {
+        /// The diameter of the hole before it; 0 where there is none.
+        hole: f64,
+        /// The least that bar and edge need.
+        least: f64,
+    },
     /// Something that moves runs into something that stands.
     Collision(Moving, Fixture),
     /// The turret's reference point leaves the travel of an axis.
@@ -204,6 +211,7 @@ impl Cause {
             Self::BackInMetal => 102,
             Self::BodyInMetal(Moving::Turret) => 104,
             Self::BodyInMetal(_) => 103,
+            Self::BoreWithoutHole { .. } => 105,
             Self::Collision(moving, fixture) => 111 + 3 * moving as u16 + fixture as u16,
             Self::Travel(_) => 121,
             Self::DepthOfCut { .. } => 131,
@@ -242,6 +250,7 @@ impl Cause {
                 | Self::RetractionInMetal
                 | Self::BackInMetal
                 | Self::BodyInMetal(_)
+                | Self::BoreWithoutHole { .. }
                 | Self::Collision(..)
                 | Self::Travel(_)
                 | Self::DepthOfCut { .. }
@@ -292,6 +301,14 @@ impl Cause {
                 let [es, en] = moving.name();
                 sentence(format!("{es} entra en el material"), format!("{en} runs into metal"))
             }
+            Self::BoreWithoutHole { hole, .. } if hole > TOUCH => t(
+                "La barra de mandrinar entra con avance en un agujero demasiado estrecho para ella",
+                "The boring bar is fed into a hole that is too narrow for it",
+            ),
+            Self::BoreWithoutHole { .. } => t(
+                "La barra de mandrinar entra con avance en macizo, donde no hay agujero",
+                "The boring bar is fed into solid metal, where there is no hole",
+            ),
             Self::Collision(moving, fixture) => {
                 let ([es, en], [es_in, en_in]) = (moving.name(), fixture.name());
                 sentence(format!("{es} choca con {es_in}"), format!("{en} hits {en_in}"))
@@ -406,6 +423,10 @@ impl Cause {
             Self::BodyInMetal(_) => {
                 t("Elija una herramienta más larga o más estrecha", "Choose a longer or a narrower tool")
             }
+            Self::BoreWithoutHole { .. } => t(
+                "Taladre antes hasta el diámetro que aquí se da como mínimo, o abra el agujero en más pasadas o con una barra más delgada",
+                "Drill first, up to the diameter told here as the least, or open the hole in more passes or with a thinner bar",
+            ),
             Self::Collision(_, Fixture::Tailstock) => t(
                 "Retire el contrapunto (en el libro, tailstock: no), o limite el movimiento",
                 "Withdraw the tailstock (in the workbook, tailstock: no), or keep the motion away",
@@ -490,6 +511,7 @@ impl Alarm {
         let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
         let (value, limit) = match self.cause {
             Cause::DepthOfCut { depth, edge } => (mm(depth), mm(edge)),
+            Cause::BoreWithoutHole { hole, least } => (format!("Ø {}", mm(hole)), format!("≥ Ø {}", mm(least))),
             Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
             Cause::ThreadTooDeep { depth, most } => (mm(depth), format!("≤ {}", mm(most))),
             Cause::ShortRunIn { length, least } => (mm(length), format!("≥ {}", mm(least))),
