@@ -110,9 +110,15 @@ fn whole(count: f64) -> u32 {
 }
 
 /// The tool's ways along both sides of a blade of such a design, in 40 blocks.
-fn sweeps([R, r, N, e, a_p, d_t]: [f64; 6]) -> (Design, Vec<Sweep>) {
+fn sweeps(numbers: [f64; 6]) -> (Design, Vec<Sweep>) {
+    sweeps_of(numbers, 40)
+}
+
+/// The same in n blocks.
+fn sweeps_of([R, r, N, e, a_p, d_t]: [f64; 6], n: u32) -> (Design, Vec<Sweep>) {
     let real = |key, value| (key, Value::Real(value));
     let changes = [
+        ("n", Value::Whole(n)),
         ("N", Value::Whole(whole(N))),
         real("R", R),
         real("r", r),
@@ -136,10 +142,8 @@ fn ribs_are_those_of_the_simulation_within_what_its_grid_allows() {
     for (numbers, share, _) in SIMULATED {
         let (design, sweeps) = sweeps(numbers);
         let found = ribs(&Part::new(&design), design.N, design.d_t, &sweeps);
-        let [told, off] = found.told().map(|share| share * 100.0);
         // The simulation counts nodes, the rim's as much as the others, and comes out some tenths high.
-        assert!((told - share).abs() < 0.5, "{numbers:?}: {told} ± {off} against {share}");
-        assert!(off < 0.5 && found.share[0] <= found.share[1], "{numbers:?}: {found:?}");
+        assert!((found.share * 100.0 - share).abs() < 0.5, "{numbers:?}: {found:?} against {share}");
     }
 }
 
@@ -178,12 +182,27 @@ fn the_undercut_of_the_own_faces_is_not_told_less_than_it_is() {
     }
 }
 
+/// The tool along N at the hub and in 15 places of the first half of the blade, face points above its end and the floor
+/// looked at 0.006 mm apart; in 400 blocks it nearly stands so. The published maxima, 0.0504, 0.2859 and 0.0248 on the
+/// reverse, are found the same way where points below the end and below the floor count too.
+#[test]
+fn the_undercut_in_many_blocks_is_that_of_a_dense_search_along_n() {
+    for (design, dense) in [(0, [0.043_4, 0.044_6]), (2, [0.245_6, 0.251_8]), (3, [0.024_0, 0.024_1])] {
+        let (design, sweeps) = sweeps_of(SIMULATED[design].0, 400);
+        let part = Part::new(&design);
+        for (sweep, dense) in sweeps.iter().zip(dense) {
+            let found = undercut::undercut(&part, sweep, design.d_t).unwrap();
+            assert!(found.most >= dense && found.most < 1.06 * dense, "{found:?} {dense}");
+        }
+    }
+}
+
 #[test]
 fn what_the_plan_leaves_and_spoils_is_told_with_figures_and_places() {
     let [shipped, deep, _] = designs();
     let outcome = common::outcome("tfg-2021", &shipped);
     let ribs = caution(&outcome, "ribs stay uncut").unwrap();
-    assert!(ribs.what.en.contains(" % (± ") && ribs.what.en.contains("mm along the edge"), "{}", ribs.what.en);
+    assert!(ribs.what.en.contains("up to 16.1 % of") && ribs.what.en.contains("mm along the edge"), "{}", ribs.what.en);
     assert!(ribs.what.es.contains("quedan nervios sin cortar"), "{}", ribs.what.es);
     let floor = caution(&outcome, "deeper than a_p").unwrap();
     assert_eq!((floor.value.as_str(), floor.limit.as_str()), ("1.141 mm", "0 mm"));
@@ -192,8 +211,7 @@ fn what_the_plan_leaves_and_spoils_is_told_with_figures_and_places() {
     assert_eq!(faces.value, "0.077 mm");
     assert!(faces.what.en.contains("(point 2.5)"), "{}", faces.what.en);
     assert!(!outcome.programs.is_empty(), "told, not refused");
-    // Where the law with its margin is more than what the blocks come to, it is told.
-    assert_eq!(caution(&common::outcome("tfg-2021", &deep), "into the blade's own faces").unwrap().value, "0.289 mm");
+    assert_eq!(caution(&common::outcome("tfg-2021", &deep), "into the blade's own faces").unwrap().value, "0.271 mm");
 }
 
 #[test]

@@ -35,24 +35,22 @@ fn at_most(value: f64) -> String {
 
 fn left_standing(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding> {
     let ribs = ribs(part, design.N, design.d_t, sweeps);
-    let from = shown(ribs.from? * 100.0, 0);
-    let [share, off] = ribs.told().map(|share| share * 100.0);
-    let (share, off) = (shown(share, 1), shown((off * 10.0).ceil() / 10.0, 1));
+    let from = shown((ribs.from? * 100.0).floor(), 0);
+    let most = shown((ribs.share * 1000.0).ceil() / 10.0, 1);
     let across = ribs.width * design.torus.r / design.torus.R;
     let (width, across) = (at_most(ribs.width), at_most(across));
     let what = Text::new(
         format!(
-            "quedan nervios sin cortar en los canales: el {share} % (± {off} %) de la superficie torneada entre dos álabes no lo toca ninguna pasada, desde el {from} % del camino del cubo al borde; en el borde el más ancho mide {width} mm a lo largo del canto ({across} mm de través)"
+            "quedan nervios sin cortar en los canales: hasta un {most} % de la superficie torneada entre dos álabes no lo toca ninguna pasada (cota superior), desde el {from} % del camino del cubo al borde; en el borde el más ancho mide hasta {width} mm a lo largo del canto ({across} mm de través)"
         ),
         format!(
-            "ribs stay uncut in the channels: {share} % (± {off} %) of the turned surface between two blades is touched by no pass, from {from} % of the way from the hub to the rim on; at the rim the widest measures {width} mm along the edge ({across} mm across)"
+            "ribs stay uncut in the channels: up to {most} % of the turned surface between two blades is touched by no pass (upper bound), from {from} % of the way from the hub to the rim on; at the rim the widest measures up to {width} mm along the edge ({across} mm across)"
         ),
     );
     let remedy = Text::fixed(
         "vacíe los canales con un programa propio, o más álabes o una herramienta mayor si la separación real lo permite: el plan solo corta a los lados de cada álabe",
         "clear the channels with a program of your own; or more blades or a larger tool, if the true gap allows: the plan cuts beside each blade only",
     );
-    let most = shown((ribs.share[1] * 1000.0).ceil() / 10.0, 1);
     Some(
         Finding::caution(Place::Parameters(vec!["d_t", "N", "e", "splitters"]), what, remedy)
             .with(format!("{most} %"), "0 %"),
@@ -87,7 +85,7 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
     let found: Vec<(Track, Undercut)> =
         sweeps.iter().filter_map(|sweep| undercut(part, sweep, design.d_t).map(|found| (sweep.track, found))).collect();
     let law = undercut::law(design.torus, design.a_p, design.d_t);
-    let most = found.iter().map(|(_, found)| found.most).fold(law * undercut::MARGIN, f64::max);
+    let most = found.iter().map(|(_, found)| found.most).fold(0.0, f64::max);
     if most <= UNSAID {
         return None;
     }
@@ -101,10 +99,10 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
     let (most, law) = (at_most(most), at_most(law));
     let what = Text::new(
         format!(
-            "las pasadas entran en las propias caras del álabe hasta {most} mm, y queda más delgado: {es} (cotas superiores, bloque a bloque); la ley a·(1 − cos θ) en el cubo da {law} mm, con su margen del 15 %: se da lo mayor"
+            "las pasadas entran en las propias caras del álabe hasta {most} mm, y queda más delgado: {es} (cotas superiores, bloque a bloque; la ley a·(1 − cos θ) en el cubo, que deja fuera el espesor y los bloques, da {law} mm)"
         ),
         format!(
-            "the passes cut up to {most} mm into the blade's own faces, which leaves it thinner: {en} (upper bounds, block by block); the law a·(1 − cos θ) at the hub gives {law} mm, with a margin of 15 %: the greater of both is told"
+            "the passes cut up to {most} mm into the blade's own faces, which leaves it thinner: {en} (upper bounds, block by block; the law a·(1 − cos θ) at the hub, which leaves out thickness and blocks, gives {law} mm)"
         ),
     );
     let remedy = Text::fixed(
