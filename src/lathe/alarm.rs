@@ -258,6 +258,7 @@ impl Cause {
                 | Self::ThreadTooDeep { .. }
                 | Self::ShortRunIn { .. }
                 | Self::OffAxis
+                | Self::SpindleWrongWay
         )
     }
 
