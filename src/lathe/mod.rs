@@ -25,6 +25,7 @@ pub mod outline;
 pub mod parameters;
 pub mod path;
 pub mod repeat;
+pub mod rules;
 pub mod setup;
 pub mod simulation;
 pub mod spindle;
