@@ -5,6 +5,8 @@
 mod agreement;
 #[path = "interpreter/blank.rs"]
 mod blank;
+#[path = "interpreter/centre_words.rs"]
+mod centre_words;
 mod common;
 #[path = "interpreter/corpus.rs"]
 mod corpus;

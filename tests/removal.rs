@@ -6,6 +6,7 @@ mod removal {
     mod alarms;
     mod blades;
     mod bodies;
+    mod boring;
     mod collisions;
     mod exact;
     mod judged;

@@ -40,6 +40,13 @@ pub enum Cause {
     BackInMetal,
     /// The holder or the turret runs into metal.
     BodyInMetal(Moving),
+    /// A boring bar is fed into metal where there is no hole, or none wide enough for it.
+    BoreWithoutHole {
+        /// The diameter of the hole before it; 0 where there is none.
+        hole: f64,
+        /// The least that bar and edge need.
+        least: f64,
+    },
     /// Something that moves runs into something that stands.
     Collision(Moving, Fixture),
     /// The turret's reference point leaves the travel of an axis.
@@ -191,6 +198,7 @@ impl Cause {
                 | Self::RetractionInMetal
                 | Self::BackInMetal
                 | Self::BodyInMetal(_)
+                | Self::BoreWithoutHole { .. }
                 | Self::Collision(..)
                 | Self::Travel(_)
                 | Self::DepthOfCut { .. }
@@ -217,6 +225,10 @@ impl Cause {
             Self::BackInMetal => Box::new(row::BackInMetal {}),
             Self::BodyInMetal(Moving::Turret) => Box::new(row::TurretInMetal {}),
             Self::BodyInMetal(Moving::Cutter | Moving::Holder) => Box::new(row::HolderInMetal {}),
+            Self::BoreWithoutHole { hole, least } if hole > TOUCH => {
+                Box::new(row::BoreInNarrowHole { hole: Size::mm(hole), least: Size::mm(least) })
+            }
+            Self::BoreWithoutHole { least, .. } => Box::new(row::BoreInSolid { least: Size::mm(least) }),
             Self::Collision(Moving::Cutter, Fixture::Chuck) => Box::new(row::CutterHitsChuck {}),
             Self::Collision(Moving::Cutter, Fixture::Jaws) => Box::new(row::CutterHitsJaws {}),
             Self::Collision(Moving::Cutter, Fixture::Tailstock) => Box::new(row::CutterHitsTailstock {}),
@@ -310,6 +322,7 @@ impl Alarm {
         let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
         let (value, limit) = match self.cause {
             Cause::DepthOfCut { depth, edge } => (mm(depth), mm(edge)),
+            Cause::BoreWithoutHole { hole, least } => (format!("Ø {}", mm(hole)), format!("≥ Ø {}", mm(least))),
             Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
             Cause::ThreadTooDeep { depth, most } => (mm(depth), format!("≤ {}", mm(most))),
             Cause::ShortRunIn { length, least } => (mm(length), format!("≥ {}", mm(least))),

@@ -137,6 +137,12 @@ impl Chain {
         (self.before, self.drew) = (self.marks.len(), false);
     }
 
+    /// The marks of a motion, which was the last, are none: another alarm of it says what they follow from.
+    pub(super) fn forget(&mut self, motion: usize) {
+        let own = self.marks.iter_mut().skip(self.carried).rev().take_while(|mark| mark.alarm.motion == motion);
+        own.for_each(|mark| mark.deep = 0.0);
+    }
+
     /// Labels the stretches that a pass inserted; `alarm` makes the alarm of a depth at a place, and `far` tells how far behind the
     /// nose's the end of an edge has left a stretch.
     pub(super) fn label(

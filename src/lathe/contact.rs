@@ -1,7 +1,7 @@
 //! What a swept part of a cutter had in common with the metal, judged: how deep, over which edges, and what made the
 //! surface that is left.
 
-use super::alarm::TOUCH;
+use super::alarm::{Cause, TOUCH};
 use super::outline::{Part, Role, beside};
 use crate::geometry::exact::convex::Origin;
 use crate::geometry::exact::meeting::{Meeting, Stretch};
@@ -32,6 +32,8 @@ pub struct Contact {
     pub dragged: bool,
     /// Where, `[z, r]`.
     pub place: [f64; 2],
+    /// What is wrong where a boring bar was fed into metal with no hole in it.
+    pub solid: Option<Cause>,
 }
 
 /// What a part of a cutter met on its way, more than a film; mm.
@@ -224,7 +226,7 @@ fn ordered([one, two]: [f64; 2]) -> [f64; 2] {
 }
 
 /// What bounds the metal that was met: of what lay wholly inside the part the new outline alone.
-fn bounds(meeting: &Meeting) -> impl Iterator<Item = Stretch> {
+pub(super) fn bounds(meeting: &Meeting) -> impl Iterator<Item = Stretch> {
     meeting.removed.iter().copied().chain(meeting.inserted.iter().map(|(stretch, _)| *stretch))
 }
 

@@ -9,6 +9,7 @@
 //! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
 
 pub mod alarm;
+mod boring;
 pub mod cases;
 pub mod catalogue;
 mod chain;
@@ -29,6 +30,7 @@ pub mod rules;
 pub mod setup;
 pub mod simulation;
 pub mod spindle;
+mod start;
 pub mod step;
 pub mod stock;
 mod tally;

@@ -56,7 +56,7 @@ rules! {
             "Choose a tool of the other hand or with more clearance, or turn the pass about";
         why "Donde la placa no tiene filo empuja el metal en vez de cortarlo, y se rompe.",
             "Where the insert has no edge it pushes the metal instead of cutting it, and breaks.";
-        example program!("G50 S2500|T0303|G97 S600 M3|M8|G0 X54. Z-20.|G1 X46. F0.06|Z-24. F0.1|G0 X54.|X100. Z50.|M30");
+        example blocks!("X18.|G1 Z-20. F0.25|X52.");
     "L0103" HolderInMetal Stop alarm 103 {}
         es "El portaherramientas entra en el material"
         en "The holder runs into metal"
@@ -72,6 +72,14 @@ rules! {
         why "El disco y las herramientas vecinas llegan más lejos que la que trabaja.",
             "The disc and the neighbouring tools reach farther than the tool at work.";
         example blocks!("G0 Z-0.5|G1 X0. F0.1|G0 Z2.|X54.", [("BX_min", "-40"), ("BX_max", "100"), ("BZ_min", "-60"), ("BZ_max", "50")]);
+    "L0105" BoreInSolid Stop alarm 105 { least: Size }
+        es "La barra de mandrinar entra con avance en macizo, donde no hay agujero"
+        en "The boring bar is fed into solid metal, where there is no hole"
+        remedy "Taladre antes hasta el diámetro que aquí se da como mínimo, o abra el agujero en más pasadas o con una barra más delgada",
+            "Drill first, up to the diameter told here as the least, or open the hole in more passes or with a thinner bar";
+        why "La barra no corta de frente: su filo abre un agujero que ya está.",
+            "The bar does not cut with its end: its edge opens a hole that is there already.";
+        example program!("G50 S2500|T0707|G97 S800 M3|M8|G0 X20. Z2.|G1 Z-20. F0.1|G0 Z2.|X100. Z50.|M30");
     "L0111" CutterHitsChuck Stop alarm 111 {}
         es "La placa o broca choca con el plato"
         en "The insert or drill hits the chuck"
@@ -99,7 +107,7 @@ rules! {
         remedy "Sujete la pieza más afuera o limite el movimiento", "Clamp the work farther out, or keep the motion away";
         why "El mango es más ancho que la placa: puede tocar donde ella aún libra.",
             "The shank is wider than the insert: it may touch where the insert is still clear.";
-        example blocks!("G0 X140.|Z-110.|Z2.");
+        example blocks!("G0 X140.|Z-145.|Z2.");
     "L0115" HolderHitsJaws Stop alarm 115 {}
         es "El portaherramientas choca con las garras"
         en "The holder hits the jaws"
@@ -114,7 +122,7 @@ rules! {
             "Withdraw the tailstock (in the workbook, tailstock: no), or keep the motion away";
         why "Al refrentar cerca del eje el mango pasa donde está el contrapunto.",
             "Facing near the axis takes the shank to where the tailstock is.";
-        example program!("T0101|G97 S900 M3|M8|G0 X100. Z4.|X54.|X100. Z50.|M30", [("tailstock", "yes")]);
+        example program!("T0101|G97 S900 M3|M8|G0 X200. Z2.|X10.|X100. Z50.|M30", [("tailstock", "yes")]);
     "L0117" TurretHitsChuck Stop alarm 117 {}
         es "La torreta choca con el plato"
         en "The turret hits the chuck"
@@ -145,7 +153,7 @@ rules! {
         remedy "Revise ceros y correctores, o acerque la pieza", "Check zeros and offsets, or bring the work nearer";
         why "El control se para ahí, con la herramienta quizá en la pieza.",
             "The control stops there, perhaps with the tool in the work.";
-        example blocks!("G0 X700.");
+        example blocks!("G0 X700.", [("X_max", "300")]);
     "L0131" DepthOfCut Stop alarm 131 { depth: Size, edge: Size }
         es "La profundidad de corte es mayor que el filo"
         en "The depth of cut is greater than the cutting edge"
@@ -195,7 +203,7 @@ rules! {
         remedy "Rosque con G97 y S en rpm", "Cut threads with G97 and S in rpm";
         why "El carro tarda en tomar su velocidad: con otro giro la pasada entra en otro sitio de la vuelta.",
             "The slide takes time to come up to its speed: at another speed the pass enters at another place of the turn.";
-        example program!("T0404|G97 S500 M3|M8|G0 X54. Z6.|X49.5|G32 Z-15. F1.5|G0 X54.|Z6.|S600|X49.|G32 Z-15. F1.5|G0 X54.|X100. Z50.|M30");
+        example program!("T0404|G50 S2500|G96 S100 M3|M8|G0 X54. Z6.|G92 X49.5 Z-20. F2.|X49.|X48.6|G0 X60.|X100. Z50.|M30");
     "L0146" ThreadTooDeep Caution alarm 146 { depth: Size, most: Size }
         es "La rosca es más honda de lo que admite su paso: se lleva las crestas"
         en "The thread is deeper than its lead allows: its crests are cut away"
@@ -284,7 +292,7 @@ rules! {
         remedy "Lleve la broca a X0", "Bring the drill to X0";
         why "La pieza gira y la broca no: fuera del eje se dobla y se rompe.",
             "The work turns and the drill does not: beside the axis it bends and breaks.";
-        example program!("T0606|G97 S500 M3|M8|G0 X0.4 Z3.|G1 Z-10. F0.1|G0 Z3.|X100. Z50.|M30");
+        example program!("T0505|G97 S1200 M3|M8|G0 X4. Z5.|G1 Z-20. F0.1|G0 Z5.|X100. Z50.|M30");
     "L0183" OtherOffset Stop alarm 183 { offset: u32, own: u32 }
         es "El corrector en vigor no es el de la herramienta"
         en "The offset in force is not the tool's own"
@@ -313,7 +321,7 @@ rules! {
         en "A piece is cut off"
         remedy "", "";
         why "Es lo que se quiere al tronzar; en otro corte, no.", "That is what parting off is for; in another cut it is not.";
-        example program!("G50 S2500|T0303|G97 S600 M3|M8|G0 X54. Z-10.|G1 X-0.5 F0.06|G0 X54.|X100. Z50. M9|M30");
+        example program!("G50 S2500|T0303|G97 S600 M3|M8|G0 X30. Z-10.|G1 X-0.5 F0.06|G0 X30.|X100. Z50.|M30", [("D", "26")]);
 
     "L0201" RetractionInMetal Caution alarm 101 {}
         es "La retirada raspa el material en avance rápido"
@@ -330,6 +338,14 @@ rules! {
         why "Sin corrector el control mueve el punto de referencia de la torreta, no la punta.",
             "Without an offset the control moves the turret's reference point, not the tip.";
         example blocks!("T0100|G1 X48. F0.1");
+    "L0204" BoreInNarrowHole Stop alarm 105 { hole: Size, least: Size }
+        es "La barra de mandrinar entra con avance en un agujero demasiado estrecho para ella"
+        en "The boring bar is fed into a hole that is too narrow for it"
+        remedy "Taladre antes hasta el diámetro que aquí se da como mínimo, o abra el agujero en más pasadas o con una barra más delgada",
+            "Drill first, up to the diameter told here as the least, or open the hole in more passes or with a thinner bar";
+        why "Entre la barra y la pared no queda sitio: la barra se aplasta contra el metal.",
+            "There is no room between the bar and the wall: the bar is pressed into the metal.";
+        example program!("G50 S2500|T0505|G97 S800 M3|M8|G0 X0. Z3.|G1 Z-40. F0.1|G0 Z3.|X100. Z50.|T0707|G97 S800 M3|G0 X16. Z2.|G1 Z-20. F0.1|G0 Z2.|X100. Z50.|M30");
     "L0203" NoseInTheWorkRight Caution alarm 185 {}
         es "G42 deja la punta del lado de la pieza"
         en "G42 keeps the nose on the side of the work"
@@ -337,5 +353,5 @@ rules! {
             "Program G41: inside towards the chuck, and outside the other way about";
         why "La compensación lleva el centro de la punta al otro lado del perfil, y la pieza sale menor en dos radios.",
             "The compensation takes the centre of the nose to the other side of the profile: the part becomes two radii too small.";
-        example blocks!("Z-20.|X44.|G42 G1 X42. F.2|Z2.|G40 X54.|G0 Z2.");
+        example program!("G50 S2500|T0505|G97 S800 M3|M8|G0 X0. Z3.|G1 Z-40. F0.1|G0 Z3.|X100. Z50.|T0707|G97 S800 M3|G0 X14. Z2.|G42 X19.|G1 Z-20. F0.1|G40 X16.|G0 Z2.|X100. Z50.|M30");
 }

@@ -3,21 +3,21 @@
 use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
+use super::boring::Hole;
 use super::chain::{self, Chain, Pass};
 use super::change;
 use super::contact::{Contact, Ride, depth, far_end};
 use super::loose::judged;
-use super::machine::Lathe;
 use super::outline::Outline;
 use super::path::{self, Piece};
 use super::spindle::{Turning, begun, extent, revolutions, ribs};
+pub use super::start::Setup;
 use super::step::{Edit, Step, Totals};
-use super::stock::{Fixture, Stock, turned_about};
+use super::stock::{Fixture, turned_about};
 use super::tally::{Tally, collide, travel};
 use super::tool::{Cutter, Tool};
-use super::turret::Turret;
 use super::watch::Watch;
-use super::workpiece::{CHIP, MOST_WORK, Removed, TURN, Workpiece};
+use super::workpiece::{CHIP, Removed, TURN, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::control::{Control, Speed};
 use crate::gcode::motion::{Feed, Kind, Motion};
@@ -27,41 +27,6 @@ use crate::geometry::exact::region::{Labelled, Ring};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::hypot;
 use crate::text::Text;
-
-/// What a simulation starts from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Setup {
-    /// The machine.
-    pub lathe: Lathe,
-    /// The blank.
-    pub stock: Stock,
-    /// The turret.
-    pub turret: Turret,
-    /// How far chords may be from arcs, mm.
-    pub tolerance: f64,
-    /// The part to begin with instead of the blank, contours from W1 in mm, as for a second set-up; see
-    /// [`super::stock::turned_about`].
-    pub part: Option<Vec<Ring>>,
-    /// Each step tells how the contour changed.
-    pub record: bool,
-    /// How many steps of work the simulation may take; see [`Simulation::is_spent`].
-    pub most_work: u64,
-}
-
-impl Setup {
-    /// A blank in a lathe with a turret, with the usual tolerance of 0.0002 mm.
-    #[must_use]
-    pub const fn new(lathe: Lathe, stock: Stock, turret: Turret) -> Self {
-        Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false, most_work: MOST_WORK }
-    }
-
-    /// What stands still about the work; the jaws are closed on the part where there is one.
-    #[must_use]
-    pub fn fixtures(&self) -> Vec<(Fixture, Ring)> {
-        let grip = self.part.as_deref().and_then(|part| self.stock.grip(&self.lathe, part));
-        self.stock.fixtures(&self.lathe, grip.map_or(self.stock.diameter, |grip| grip.diameter))
-    }
-}
 
 /// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
 /// grid, and past it no tool reaches the blank.
@@ -464,6 +429,11 @@ impl Simulation {
             let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
             let long = hypot(to[0] - from[0], to[1] - from[1]);
             let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
+            let ends = [first.mm(), last.mm()];
+            let hole = if rapid { None } else { Hole::before(part, &ready.tool, &ready.outline, ends) };
+            if let Some(hole) = hole.filter(|hole| hole.diameter < TOUCH) {
+                contact.solid = contact.solid.or(hole.cause());
+            }
             for cutter in &ready.outline.cutter {
                 if !cutter.polygon.sweep(first, last, swept) {
                     continue;
@@ -484,11 +454,11 @@ impl Simulation {
                     } else {
                         let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
                         if let Some(bite) = contact.add(meeting, &ride) {
-                            tally.met(bite, [first.mm(), last.mm()], mirrored);
+                            tally.met(bite, ends, mirrored);
                             tally.weigh(meeting, mirrored);
                         }
                         if insert && !mirrored {
-                            let pass = Pass { part: cutter, meeting, way, ends: [first.mm(), last.mm()] };
+                            let pass = Pass { part: cutter, meeting, way, ends };
                             let alarm = |deep, place| tally.alarm(Cause::BackCutting, place, Some(deep));
                             chain.label(pass, alarm, |at| far_end(meeting, &ride, at), labels);
                         }
@@ -504,12 +474,13 @@ impl Simulation {
                 part.probe(swept, |meeting, _| {
                     let (deep, place) = depth(meeting);
                     if deep > TOUCH {
-                        tally.raise(Cause::BodyInMetal(moving), place, Some(deep));
+                        let ahead = hole.filter(|hole| moving == Moving::Holder && place[0] < hole.end + TOUCH);
+                        let cause = ahead.and_then(|hole| hole.cause()).unwrap_or(Cause::BodyInMetal(moving));
+                        tally.raise(cause, place, Some(deep));
                     }
                 });
             }
-            add(part
-                .drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, [first.mm(), last.mm()], ring)));
+            add(part.drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, ends, ring)));
         }
         removed
     }
@@ -572,11 +543,20 @@ impl Simulation {
         // What is deeper than its edge is told for that.
         let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
         watch.edge(&ready.tool, control, pieces, deep, tally);
+        let back = contact.back.or(contact.beside.filter(|_| !contact.dragged));
+        if let (Some(cause), Some(deep)) = (contact.solid, contact.edge.map(|_| contact.across).or(back)) {
+            tally.raise(cause, contact.place, Some(deep));
+        }
+        // What a boring bar meets and leaves besides where there is no hole for it follows from that.
+        if tally.alarms.iter().any(|alarm| matches!(alarm.cause, Cause::BoreWithoutHole { .. })) {
+            self.chain.forget(tally.index);
+            return;
+        }
         if let Some(edge) = contact.edge {
             tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
         }
         // Where the auxiliary edge's far end left the surface, the back beside it has been in metal with it.
-        if let Some(deep) = contact.back.or(contact.beside.filter(|_| !contact.dragged)) {
+        if let Some(deep) = back {
             tally.raise(Cause::BackInMetal, contact.place, Some(deep));
         }
     }

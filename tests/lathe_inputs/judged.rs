@@ -84,6 +84,25 @@ fn a_thread_has_its_run_in_and_no_more_depth_than_its_lead() {
 }
 
 #[test]
+fn a_boring_bar_needs_a_hole() {
+    let bore = |x: &str, drilled: &str| {
+        let lines = format!(
+            "G50 S2500|T0505|G97 S900 M3|M8|G0 X0. Z3.|{drilled}G0 Z50.|X100.|T0606|G0 X{x} Z2.|G1 Z-12. F.1|G0 Z2.|X100. Z50.|M30"
+        );
+        let lines: Vec<String> = lines.split('|').map(str::to_owned).collect();
+        told(&Book::of(Language::En).put("L5", Value::Real(0.0)).program(&lines))
+    };
+    let drilled = "G1 Z-25. F.1|";
+    assert_eq!(bore("20.", drilled), none());
+    let (found, exit) = bore("20.", "");
+    let wanted = "stop PROGRAM!A15 105 The boring bar is fed into solid metal, where there is no hole, X";
+    assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 0 mm] [≥ Ø "), "{found:?}");
+    let (found, exit) = bore("26.", drilled);
+    let wanted = "stop PROGRAM!A16 105 The boring bar is fed into a hole that is too narrow for it, X";
+    assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 10 mm] [≥ Ø "), "{found:?}");
+}
+
+#[test]
 fn the_reference_point_is_where_the_workbook_says() {
     let home = program("G53 G0 X0. Z0.|G28 U0. W0.");
     let given = |X: f64, Z: f64| {

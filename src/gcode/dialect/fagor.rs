@@ -2,10 +2,12 @@
 //!
 //! # References
 //! Fagor Automation, CNC 8055 M and CNC 8055 T programming manuals, CNC 8070 programming manual: lists of G functions.
+//! CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive.
+//! For the 8055 T and the 8070 no such page was at hand.
 
 use crate::gcode::code::{G, Group, M, Name, Turning};
 use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading, Turret};
+use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
 
 /// How programs of the 8055 M are read.
@@ -27,6 +29,7 @@ pub static MILLING_8055: Reading = Reading {
     start: (G::Cancel, FeedMode::PerMinute),
     call_depth: 10,
     dwell: &[(b'K' - b'A', 0.01)],
+    across: Across::Pitch,
     most_machine_codes: 7,
 };
 
@@ -37,11 +40,13 @@ pub static TURNING_8055: Reading = Reading {
     plane: Plane::ZX,
     diameter: true,
     turret: Turret::Words,
+    across: Across::Unknown,
     ..MILLING_8055
 };
 
 /// How programs of the 8070 are read.
-pub static MILLING_8070: Reading = Reading { codes: &CODES_8070, dwell: &[(b'K' - b'A', 1.0)], ..MILLING_8055 };
+pub static MILLING_8070: Reading =
+    Reading { codes: &CODES_8070, dwell: &[(b'K' - b'A', 1.0)], across: Across::Unknown, ..MILLING_8055 };
 
 const GEOMETRY: Name = (
     "ayudas geométricas (redondeos, chaflanes, arcos tangentes)",

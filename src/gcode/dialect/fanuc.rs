@@ -12,7 +12,7 @@
 
 use crate::gcode::code::{Cycle, G, Group, M, Name, Pass, Turning};
 use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading, Turret};
+use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
 
 /// How programs of Fanuc's system A are read.
@@ -34,6 +34,7 @@ pub static LATHE_A: Reading = Reading {
     start: (G::Rapid, FeedMode::PerRevolution),
     call_depth: 4,
     dwell: &[(b'X' - b'A', 1.0), (b'U' - b'A', 1.0), (b'P' - b'A', 0.001)],
+    across: Across::Foreign,
     most_machine_codes: 3,
 };
 

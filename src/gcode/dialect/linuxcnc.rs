@@ -2,7 +2,7 @@
 
 use crate::gcode::code::{Cycle, G, Group, M, Name};
 use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::{Codes, Comments, Letters, Reading, Turret};
+use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
 
 /// How LinuxCNC's programs are read.
@@ -24,6 +24,7 @@ pub static READING: Reading = Reading {
     start: (G::Cancel, FeedMode::PerMinute),
     call_depth: 10,
     dwell: &[(b'P' - b'A', 1.0)],
+    across: Across::Foreign,
     most_machine_codes: 4,
 };
 

@@ -81,6 +81,17 @@ pub enum Turret {
     Words,
 }
 
+/// What the centre word of the axis across the plane says in an arc, as K in G17.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Across {
+    /// It belongs to no arc of the plane.
+    Foreign,
+    /// The pitch of a helix, above 0.
+    Pitch,
+    /// Not known. 0 in an arc that does not leave its plane comes to nothing, whether it is a centre or a pitch.
+    Unknown,
+}
+
 /// How a dialect's programs are read.
 #[derive(Debug)]
 pub struct Reading {
@@ -119,6 +130,8 @@ pub struct Reading {
     pub call_depth: usize,
     /// The addresses of a dwell, counted from A = 0, each with what its number is multiplied with to give seconds.
     pub dwell: &'static [(u8, f64)],
+    /// What the centre word of the axis across the plane says.
+    pub across: Across,
     /// Most M codes in one block.
     pub most_machine_codes: usize,
 }

@@ -7,7 +7,9 @@
 
 use std::f64::consts::{SQRT_2, TAU};
 
+use crate::finding::Grade;
 use crate::gcode::code::G;
+use crate::gcode::dialect::reading::Across;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -90,24 +92,65 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Refuses a centre word of another plane.
-    fn arc_letters(&self) -> Outcome<()> {
+    /// Refuses a centre word of another plane, but for a 0 that comes to nothing whatever it means.
+    fn arc_letters(&mut self) -> Outcome<()> {
         let plane = self.modal.plane;
         let [first, second, across] = plane.centre_letters();
-        if !self.block.has(across) {
-            return Ok(());
+        let Some(value) = self.block.get(across) else { return Ok(()) };
+        let column = self.block.column(across);
+        let (word, name) = (name(across), plane.name());
+        let [_, _, axis] = plane.axes();
+        let planar = self.end_point().get(axis) == self.current.get(axis);
+        let refused = |what, remedy| Err(Fault::at(&[column], what, remedy));
+        match self.reading.across {
+            Across::Pitch if value > 0.0 => refused(
+                Text::new(
+                    format!("{word} es en {name} el paso de una hélice, que no está implementado"),
+                    format!("{word} is the pitch of a helix in {name}, which is not supported"),
+                ),
+                Text::new(
+                    format!("escriba la hélice vuelta a vuelta, con su {} y sin {word}", axis.letter()),
+                    format!("write the helix turn by turn, with its {} and without {word}", axis.letter()),
+                ),
+            ),
+            Across::Pitch => refused(
+                Text::new(
+                    format!("{word}{value}: en {name} {word} es el paso de una hélice, mayor que 0 (error 0054)"),
+                    format!("{word}{value}: {word} is the pitch of a helix in {name}, above 0 (error 0054)"),
+                ),
+                Text::new(format!("quite {word}"), format!("take {word} out")),
+            ),
+            Across::Unknown if value == 0.0 && planar => {
+                let line = self.line;
+                self.remarks.add(
+                    Grade::Caution,
+                    line,
+                    Some(column),
+                    Text::new(
+                        format!(
+                            "{word}0 en un arco de {name}: leído como si no estuviera; lo que hace el control no se ha \
+                             podido consultar"
+                        ),
+                        format!(
+                            "{word}0 in an arc of {name}: read as if it were not there; what the control does could not \
+                             be looked up"
+                        ),
+                    ),
+                    Text::new(format!("quite {word}"), format!("take {word} out")),
+                );
+                Ok(())
+            }
+            Across::Foreign | Across::Unknown => refused(
+                Text::new(
+                    format!("{word} no pertenece al plano {name}"),
+                    format!("{word} does not belong to the plane {name}"),
+                ),
+                Text::new(
+                    format!("use {} y {}, o cambie de plano", self::name(first), self::name(second)),
+                    format!("use {} and {}, or change the plane", self::name(first), self::name(second)),
+                ),
+            ),
         }
-        Err(Fault::at(
-            &[self.block.column(across)],
-            Text::new(
-                format!("{} no pertenece al plano {}", name(across), plane.name()),
-                format!("{} does not belong to the plane {}", name(across), plane.name()),
-            ),
-            Text::new(
-                format!("use {} y {}, o cambie de plano", name(first), name(second)),
-                format!("use {} and {}, or change the plane", name(first), name(second)),
-            ),
-        ))
     }
 
     fn arc_centre(&mut self, clockwise: bool) -> Outcome<([f64; 2], Pose)> {

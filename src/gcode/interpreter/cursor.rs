@@ -13,8 +13,10 @@ pub(super) struct Cursor<'l> {
     semicolon: bool,
     /// The column of a number with blanks inside, if there is one.
     pub(super) parted: Option<usize>,
-    /// An E behind a number begins a word, and is no exponent.
+    /// An E behind a number begins a word, as on a control whose numbers have no exponents.
     pub(super) e_words: bool,
+    /// The column of the first E that stands behind a number without a blank, as an exponent would.
+    pub(super) glued: Option<usize>,
     /// How deep the expression in hand is nested.
     pub(super) depth: usize,
 }
@@ -29,6 +31,7 @@ impl<'l> Cursor<'l> {
             semicolon: true,
             parted: None,
             e_words: false,
+            glued: None,
             depth: 0,
         }
     }
@@ -194,7 +197,13 @@ impl<'l> Cursor<'l> {
                     self.parted = Some(start);
                     continue;
                 }
-                Some(b'e' | b'E') if !self.e_words && self.is_exponent() => return Err(exponent(self.at)),
+                Some(b'e' | b'E') if self.is_exponent() => {
+                    if !self.e_words || self.depth > 0 {
+                        return Err(exponent(self.at));
+                    }
+                    self.glued.get_or_insert(self.at);
+                    break;
+                }
                 _ => break,
             }
             self.at += 1;
@@ -451,7 +460,8 @@ fn two_points(column: usize) -> Box<Fault> {
     )
 }
 
-fn exponent(column: usize) -> Box<Fault> {
+/// An exponent, which no control's numbers have.
+pub(super) fn exponent(column: usize) -> Box<Fault> {
     Fault::at(
         &[column],
         Text::fixed("exponente no admitido", "exponent not allowed"),

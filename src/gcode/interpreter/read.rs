@@ -5,7 +5,7 @@ use crate::gcode::code::{G, Group, M, Turning};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
-use crate::gcode::interpreter::cursor::{Cursor, Decimal};
+use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::FeedMode;
@@ -14,6 +14,8 @@ use crate::text::Text;
 
 /// Addresses whose numbers are lengths or angles on the part.
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
+/// The letter E, counted from A = 0.
+const E: u8 = b'E' - b'A';
 /// What no count, tool, time or inverse time may exceed, whatever the code that it belongs to allows.
 const MOST: f64 = 9_999_999_999.0;
 
@@ -51,6 +53,7 @@ fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
 impl Interpreter<'_> {
     /// Reads the words of a line behind its block number into the block in hand.
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+        cursor.e_words = self.reading.letters.has(E);
         loop {
             match cursor.peek() {
                 0 => break,
@@ -66,6 +69,11 @@ impl Interpreter<'_> {
                 b'@' | b'^' if self.reading.expressions => self.read_polar(cursor)?,
                 _ => return Err(cursor.refuse_character()),
             }
+        }
+        if let Some(column) = cursor.glued
+            && !matches!(self.block.m(5), Some((M::Input | M::AnalogOutput, _)))
+        {
+            return Err(exponent(column));
         }
         if self.block.polar != [None; 2] {
             self.settle_polar()?;
@@ -147,11 +155,9 @@ impl Interpreter<'_> {
     fn read_m(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let column = cursor.column();
         cursor.pass();
-        let behind_code = std::mem::replace(&mut cursor.e_words, self.reading.letters.has(b'e' - b'a'));
         let value = self.value(cursor)?.value;
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
         let found = number.and_then(|number| Some((number, (self.reading.machine_code)(number)?)));
-        cursor.e_words = behind_code || matches!(found, Some((_, M::Input | M::AnalogOutput)));
         match found {
             Some((number, M::Refused(name))) => Err(Fault::at(
                 &[column],
@@ -317,7 +323,10 @@ impl Interpreter<'_> {
         if self.reading.system_a {
             self.see_point(index, &number, column)?;
         }
-        self.block.put(index.into(), value, column).map_err(|first| twice(name(letter), first, column))
+        self.block.put(index.into(), value, column).map_err(|first| match cursor.glued {
+            Some(column) if index == E => exponent(column),
+            _ => twice(name(letter), first, column),
+        })
     }
 
     #[cold]
