@@ -38,8 +38,8 @@ use std::process::ExitCode;
 use clap::Parser;
 use clap::error::{Error, ErrorKind};
 
-pub use self::explain::RULES;
 use self::args::{Arguments, Check, Command};
+pub use self::explain::RULES;
 use self::locale::spoken;
 use self::terminal::Terminal;
 use self::verdict::{Verdict, code, gravest};

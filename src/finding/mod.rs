@@ -161,16 +161,20 @@ impl Finding {
 
 impl Serialize for Finding {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut finding = serializer.serialize_struct("Finding", 9)?;
-        finding.serialize_field("code", &self.rule.map(|rule| rule.code))?;
-        finding.serialize_field("name", &self.rule.map(Rule::name))?;
+        let mut finding = serializer.serialize_struct("Finding", if self.rule.is_some() { 9 } else { 6 })?;
+        if let Some(rule) = self.rule {
+            finding.serialize_field("code", rule.code)?;
+            finding.serialize_field("name", &rule.name())?;
+        }
         finding.serialize_field("grade", &self.grade)?;
         finding.serialize_field("what", &self.what)?;
         finding.serialize_field("place", &self.place)?;
         finding.serialize_field("value", &self.value)?;
         finding.serialize_field("limit", &self.limit)?;
         finding.serialize_field("remedy", &self.remedy)?;
-        finding.serialize_field("data", &Named(&self.data))?;
+        if self.rule.is_some() {
+            finding.serialize_field("data", &Named(&self.data))?;
+        }
         finding.end()
     }
 }

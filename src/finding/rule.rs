@@ -213,14 +213,23 @@ mod tests {
             body: Text::fixed("la placa", "the insert"),
         };
         let Finding { rule, data, grade, what, remedy, .. } = row.at(Place::File);
-        assert_eq!(what, Text::fixed("la placa de T3 corta 1.235 mm, y el filo tiene ∞", "the insert of T3 cuts 1.235 mm, and the edge has ∞"));
+        assert_eq!(
+            what,
+            Text::fixed(
+                "la placa de T3 corta 1.235 mm, y el filo tiene ∞",
+                "the insert of T3 cuts 1.235 mm, and the edge has ∞"
+            )
+        );
         assert_eq!(remedy, Text::fixed("quite 1.235 mm", "take 1.235 mm off"));
         assert_eq!((grade, rule.map(|rule| rule.code)), (Grade::Stop, Some("T0001")));
         assert_eq!(rule.map(super::Rule::name).as_deref(), Some("too-deep"));
         assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm" }));
         assert_eq!(data[1], ("edge", Datum::Number { value: None, unit: "mm" }));
         assert_eq!(data[2], ("tool", Datum::Whole(3)));
-        assert_eq!(LIST.iter().map(|rule| rule.fields).collect::<Vec<_>>(), [&["depth", "edge", "tool", "body"][..], &[]]);
+        assert_eq!(
+            LIST.iter().map(|rule| rule.fields).collect::<Vec<_>>(),
+            [&["depth", "edge", "tool", "body"][..], &[]]
+        );
         assert_eq!(Bare {}.what(), Text::fixed("nada", "nothing"));
     }
 }

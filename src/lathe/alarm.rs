@@ -244,11 +244,9 @@ impl Cause {
             }
             Self::BackCutting => Box::new(row::BackCutting {}),
             Self::NoLead => Box::new(row::NoLead {}),
-            Self::Lead { lead, leads: [least, most] } => Box::new(row::LeadNotOfInsert {
-                lead: Size::mm(lead),
-                least: Size::mm(least),
-                most: Size::mm(most),
-            }),
+            Self::Lead { lead, leads: [least, most] } => {
+                Box::new(row::LeadNotOfInsert { lead: Size::mm(lead), least: Size::mm(least), most: Size::mm(most) })
+            }
             Self::LeadDiffers { lead, before } => {
                 Box::new(row::LeadDiffers { lead: Size::mm(lead), before: Size::mm(before) })
             }
@@ -265,22 +263,16 @@ impl Cause {
             Self::NoGreatestSpeed { asked, most } => {
                 Box::new(row::NoGreatestSpeed { asked: Size::rpm(asked), most: Size::rpm(most) })
             }
-            Self::TooFast { asked, most } => {
-                Box::new(row::TooFast { asked: Size::rpm(asked), most: Size::rpm(most) })
-            }
+            Self::TooFast { asked, most } => Box::new(row::TooFast { asked: Size::rpm(asked), most: Size::rpm(most) }),
             Self::SpindleStopped => Box::new(row::SpindleStopped {}),
             Self::SpindleWrongWay => Box::new(row::SpindleWrongWay {}),
             Self::FeedStands => Box::new(row::FeedStands {}),
             Self::NoCoolant => Box::new(row::NoCoolant {}),
             Self::NoFeed => Box::new(row::NoFeed {}),
-            Self::ImplausibleFeed { feed, limits: [least, most] } => Box::new(row::ImplausibleFeed {
-                feed: Size::mm(feed),
-                least: Size::mm(least),
-                most: Size::mm(most),
-            }),
-            Self::CoarseFeed { feed, most } => {
-                Box::new(row::CoarseFeed { feed: Size::mm(feed), most: Size::mm(most) })
+            Self::ImplausibleFeed { feed, limits: [least, most] } => {
+                Box::new(row::ImplausibleFeed { feed: Size::mm(feed), least: Size::mm(least), most: Size::mm(most) })
             }
+            Self::CoarseFeed { feed, most } => Box::new(row::CoarseFeed { feed: Size::mm(feed), most: Size::mm(most) }),
             Self::UnknownTool(place) => Box::new(row::UnknownTool { place }),
             Self::OffAxis => Box::new(row::OffAxis {}),
             Self::OtherOffset { offset: 0, own } => Box::new(row::NoOffset { offset: 0, own }),

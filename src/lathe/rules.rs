@@ -79,7 +79,7 @@ rules! {
             "Drill first, up to the diameter told here as the least, or open the hole in more passes or with a thinner bar";
         why "La barra no corta de frente: su filo abre un agujero que ya está.",
             "The bar does not cut with its end: its edge opens a hole that is there already.";
-        example program!("G50 S2500|T0707|G97 S800 M3|M8|G0 X20. Z2.|G1 Z-20. F0.1|G0 Z2.|X100. Z50.|M30");
+        example program!("G50 S2500|T0606|G97 S800 M3|M8|G0 X20. Z2.|G1 Z-20. F0.1|G0 Z2.|X100. Z50.|M30");
     "L0111" CutterHitsChuck Stop alarm 111 {}
         es "La placa o broca choca con el plato"
         en "The insert or drill hits the chuck"
@@ -321,7 +321,7 @@ rules! {
         en "A piece is cut off"
         remedy "", "";
         why "Es lo que se quiere al tronzar; en otro corte, no.", "That is what parting off is for; in another cut it is not.";
-        example program!("G50 S2500|T0303|G97 S600 M3|M8|G0 X30. Z-10.|G1 X-0.5 F0.06|G0 X30.|X100. Z50.|M30", [("D", "26")]);
+        example program!("G50 S2500|T0303|G97 S600 M3|M8|G0 X30. Z-10.|G1 X-0.5 F0.06|G0 X30.|X100. Z50.|M30", [("D", "26"), ("tailstock", "no")]);
 
     "L0201" RetractionInMetal Caution alarm 101 {}
         es "La retirada raspa el material en avance rápido"
@@ -338,14 +338,6 @@ rules! {
         why "Sin corrector el control mueve el punto de referencia de la torreta, no la punta.",
             "Without an offset the control moves the turret's reference point, not the tip.";
         example blocks!("T0100|G1 X48. F0.1");
-    "L0204" BoreInNarrowHole Stop alarm 105 { hole: Size, least: Size }
-        es "La barra de mandrinar entra con avance en un agujero demasiado estrecho para ella"
-        en "The boring bar is fed into a hole that is too narrow for it"
-        remedy "Taladre antes hasta el diámetro que aquí se da como mínimo, o abra el agujero en más pasadas o con una barra más delgada",
-            "Drill first, up to the diameter told here as the least, or open the hole in more passes or with a thinner bar";
-        why "Entre la barra y la pared no queda sitio: la barra se aplasta contra el metal.",
-            "There is no room between the bar and the wall: the bar is pressed into the metal.";
-        example program!("G50 S2500|T0505|G97 S800 M3|M8|G0 X0. Z3.|G1 Z-40. F0.1|G0 Z3.|X100. Z50.|T0707|G97 S800 M3|G0 X16. Z2.|G1 Z-20. F0.1|G0 Z2.|X100. Z50.|M30");
     "L0203" NoseInTheWorkRight Caution alarm 185 {}
         es "G42 deja la punta del lado de la pieza"
         en "G42 keeps the nose on the side of the work"
@@ -353,5 +345,13 @@ rules! {
             "Program G41: inside towards the chuck, and outside the other way about";
         why "La compensación lleva el centro de la punta al otro lado del perfil, y la pieza sale menor en dos radios.",
             "The compensation takes the centre of the nose to the other side of the profile: the part becomes two radii too small.";
-        example program!("G50 S2500|T0505|G97 S800 M3|M8|G0 X0. Z3.|G1 Z-40. F0.1|G0 Z3.|X100. Z50.|T0707|G97 S800 M3|G0 X14. Z2.|G42 X19.|G1 Z-20. F0.1|G40 X16.|G0 Z2.|X100. Z50.|M30");
+        example program!("G50 S2500|T0505|G97 S800 M3|M8|G0 X0. Z3.|G1 Z-40. F0.1|G0 Z3.|X100. Z50.|T0606|G97 S800 M3|G0 X14. Z2.|G42 X19.|G1 Z-20. F0.1|G40 X16.|G0 Z2.|X100. Z50.|M30");
+    "L0204" BoreInNarrowHole Stop alarm 105 { hole: Size, least: Size }
+        es "La barra de mandrinar entra con avance en un agujero demasiado estrecho para ella"
+        en "The boring bar is fed into a hole that is too narrow for it"
+        remedy "Taladre antes hasta el diámetro que aquí se da como mínimo, o abra el agujero en más pasadas o con una barra más delgada",
+            "Drill first, up to the diameter told here as the least, or open the hole in more passes or with a thinner bar";
+        why "Entre la barra y la pared no queda sitio: la barra se aplasta contra el metal.",
+            "There is no room between the bar and the wall: the bar is pressed into the metal.";
+        example program!("G50 S2500|T0505|G97 S800 M3|M8|G0 X0. Z3.|G1 Z-40. F0.1|G0 Z3.|X100. Z50.|T0606|G97 S800 M3|G0 X26. Z2.|G1 Z-12. F0.1|G0 Z2.|X100. Z50.|M30");
 }

@@ -65,6 +65,7 @@ fn codes_are_one_rows_alone_and_their_texts_whole() {
             assert!(!text.es.is_empty() && !text.en.is_empty() && text.es != text.en, "{}", rule.code);
         }
     }
-    let never: Vec<_> = rules().filter(|rule| matches!(rule.example, Example::Never(_))).map(|rule| rule.code).collect();
+    let never: Vec<_> =
+        rules().filter(|rule| matches!(rule.example, Example::Never(_))).map(|rule| rule.code).collect();
     assert_eq!(never, ["L0141"], "what no input raises is counted");
 }
