@@ -22,6 +22,8 @@ mod generator;
 mod kept;
 #[path = "interpreter/limits.rs"]
 mod limits;
+#[path = "interpreter/milling.rs"]
+mod milling;
 #[path = "interpreter/ours.rs"]
 mod ours;
 #[path = "interpreter/rotary.rs"]

@@ -212,6 +212,8 @@ pub enum G {
     SetReference(bool),
     /// On which side of the path the tool's radius is kept (G40, G41, G42).
     Compensation(Compensation),
+    /// G41.1 and G42.1: the same with the diameter of the cutter in D.
+    CompensationGiven(Compensation),
     /// Tool length offset from the tool table.
     ToolLength,
     /// Tool length offset given in the block.
@@ -298,7 +300,7 @@ impl G {
             | Self::Turning(_) => Group::NonModal,
             Self::Plane(_) => Group::Plane,
             Self::Inch | Self::Millimetre => Group::Units,
-            Self::Compensation(_) => Group::CutterCompensation,
+            Self::Compensation(_) | Self::CompensationGiven(_) => Group::CutterCompensation,
             Self::ToolLength | Self::ToolLengthGiven | Self::ToolLengthAdded | Self::ToolLengthOff => Group::ToolLength,
             Self::WorkOffset(_) => Group::WorkOffset,
             Self::PathControl | Self::PathTolerance => Group::Path,

@@ -63,7 +63,7 @@ pub struct Control {
     pub feed_mode: FeedMode,
     /// The program's unit of length.
     pub unit: LengthUnit,
-    /// Nose radius compensation.
+    /// Nose or cutter radius compensation.
     pub compensation: Compensation,
     /// Where the block stands: 0 in the program itself, else in a subprogram's own file; see
     /// [`Interpreter::file`](crate::gcode::interpreter::Interpreter::file).

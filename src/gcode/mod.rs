@@ -6,6 +6,7 @@
 pub mod code;
 pub mod comment;
 pub mod control;
+pub mod cutter;
 pub mod dialect;
 pub mod feed_word;
 pub mod header;

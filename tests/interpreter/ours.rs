@@ -5,6 +5,7 @@ use std::fmt;
 use rodete::gcode::dialect::LINUXCNC;
 use rodete::gcode::interpreter::{Interpreter, Setting, Tool, Tools};
 use rodete::gcode::motion::Motion;
+use rodete::gcode::turning::nose::{Nose, Tip};
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
@@ -50,6 +51,7 @@ fn tools(table: &str) -> Tools {
             match letter {
                 "T" => number = value.parse().unwrap(),
                 "P" => {}
+                "Q" => tool.nose = Tip::of_linuxcnc(value.parse().unwrap()).map(|tip| Nose { radius: 0.0, tip }),
                 "D" => tool.diameter = LengthUnit::Inch.to_mm(value.parse().unwrap()),
                 letter => {
                     let axis = Axis::ALL.into_iter().find(|axis| letter.starts_with(axis.letter())).unwrap();

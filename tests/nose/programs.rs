@@ -2,7 +2,7 @@
 
 use rodete::finding::Grade;
 use rodete::gcode::control::{Compensation, Control};
-use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FANUC_LATHE_A, LINUXCNC};
+use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A};
 use rodete::gcode::interpreter::{Fault, Interpreter, Setting, Tool, Tools};
 use rodete::gcode::motion::{Kind, Motion};
 use rodete::machine::axis::{Axis, Pose};
@@ -235,15 +235,10 @@ fn threads_and_tool_changes_under_compensation_are_refused_by_name() {
 }
 
 #[test]
-fn the_milling_dialects_refuse_compensation_as_before() {
-    for dialect in [&FAGOR_8055, &LINUXCNC] {
-        let run = run(
-            dialect,
-            "G21 G41 G1 X10 F100\nM30\n"
-                .replace("G21 ", if dialect.name == "linuxcnc" { "G21 " } else { "G71 " })
-                .as_str(),
-        );
-        assert!(run.faults.iter().any(|fault| fault.what.en.contains("compensation")), "{:?}", run.faults);
+fn a_fagor_mill_refuses_compensation_by_its_name() {
+    for dialect in [&FAGOR_8055, &FAGOR_8070] {
+        let run = run(dialect, "G71 G41 G1 X10 F100\nM30\n");
+        assert!(run.faults.iter().any(|fault| fault.what.en.contains("tool radius compensation")), "{:?}", run.faults);
     }
 }
 

@@ -33,7 +33,6 @@ const LATHE_MODE: Name = ("modo diámetro o radio del torno", "lathe diameter an
 const UVW_PLANE: Name = ("planos de los ejes U, V y W", "planes of the axes U, V and W");
 const SYNCHRONISED: Name = ("movimiento sincronizado con el husillo", "spindle-synchronised motion");
 const PROBE: Name = ("palpado", "probing");
-const COMPENSATION: Name = ("compensación de radio de herramienta", "cutter radius compensation");
 const TURNING: Name = ("ciclos de torneado y roscado", "turning and threading cycles");
 
 static CODES: Codes = Codes::new(&[
@@ -68,10 +67,10 @@ static CODES: Codes = Codes::new(&[
     (384, G::Refused(Group::Motion, &PROBE)),
     (385, G::Refused(Group::Motion, &PROBE)),
     (400, G::Compensation(Compensation::Off)),
-    (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
-    (411, G::Refused(Group::CutterCompensation, &COMPENSATION)),
-    (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
-    (421, G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (410, G::Compensation(Compensation::Left)),
+    (411, G::CompensationGiven(Compensation::Left)),
+    (420, G::Compensation(Compensation::Right)),
+    (421, G::CompensationGiven(Compensation::Right)),
     (430, G::ToolLength),
     (431, G::ToolLengthGiven),
     (432, G::ToolLengthAdded),

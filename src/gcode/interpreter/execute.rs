@@ -5,6 +5,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G, Group, M, Pass};
+use crate::gcode::control::Compensation;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::dialect::{FeedLaw, Rotary};
 use crate::gcode::interpreter::block::{AXES, letter};
@@ -46,6 +47,10 @@ impl Interpreter<'_> {
         if idle != 0 {
             return Err(self.unused(idle));
         }
+        let compensated = self.block.g(Group::CutterCompensation).is_some();
+        if self.reading.expressions && (compensated || self.modal.compensation != Compensation::Off) {
+            self.beside_cutter(plan.motion)?;
+        }
         if self.block.groups & !(1 << Group::Motion as u16) != 0 || self.block.has_machine_codes() {
             self.execute_codes(plan.motion)
         } else {
@@ -67,8 +72,10 @@ impl Interpreter<'_> {
         if !self.reading.system_a {
             self.take_unit();
         }
-        if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
-            self.set_compensation(side)?;
+        match self.block.g(Group::CutterCompensation) {
+            Some(code) if self.reading.expressions => self.cutter_compensation(code)?,
+            Some(G::Compensation(side)) => self.set_compensation(side)?,
+            _ => {}
         }
         if let Some(code) = self.block.g(Group::ToolLength) {
             self.tool_length(code)?;
@@ -276,6 +283,13 @@ impl Interpreter<'_> {
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
             used |= Letters::of("H").mask();
         }
+        used |= match self.block.g(Group::CutterCompensation) {
+            Some(G::Compensation(side)) if self.reading.expressions && side != Compensation::Off => {
+                Letters::of("D").mask()
+            }
+            Some(G::CompensationGiven(_)) => Letters::of("DL").mask(),
+            _ => 0,
+        };
         if self.block.g(Group::Path) == Some(G::PathTolerance) {
             used |= Letters::of("PQ").mask();
         }
@@ -533,6 +547,8 @@ impl Interpreter<'_> {
         self.moved();
         if self.reading.diameter {
             self.hand_out(motion);
+        } else if !self.milling.idle() {
+            self.mill(motion);
         } else {
             self.queue.push_back(Ok((motion, self.modal.control(), self.made())));
         }

@@ -306,6 +306,10 @@ impl Interpreter<'_> {
         cursor.pass();
         if cursor.peek() == b'<' {
             let name = cursor.name()?;
+            let axis = name.strip_prefix("_abs_").or_else(|| name.strip_prefix('_'));
+            if axis.is_some_and(|axis| matches!(axis.as_bytes(), [b'a'..=b'c' | b'u'..=b'z'])) {
+                self.position_is_known(column)?;
+            }
             return self.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
                 Fault::at(
                     &[column],
@@ -322,6 +326,9 @@ impl Interpreter<'_> {
         if !(1..COUNT).contains(&number) {
             #[expect(clippy::cast_precision_loss, reason = "for the message")]
             return Err(out_of_range(column, number as f64));
+        }
+        if matches!(number, 5420..=5428) {
+            self.position_is_known(column)?;
         }
         if let Some(value) = self.system_number(number) {
             return Ok(value);

@@ -44,6 +44,7 @@ mod hole;
 mod inputs;
 mod lathe;
 mod line;
+mod milling;
 mod modal;
 mod moves;
 mod numbers;
@@ -81,6 +82,7 @@ use self::fault::Outcome;
 use self::fault::Remarks;
 pub use self::fault::{Fault, NO_FEED, NO_SPEED_LIMIT};
 use self::flow::Flow;
+use self::milling::Milling;
 use self::modal::Modal;
 use self::moves::Run;
 use self::numbers::Numbers;
@@ -135,6 +137,7 @@ pub struct Interpreter<'a> {
     /// Motions with what was in force, and their numbers among those that the program has made.
     queue: VecDeque<Result<(Motion, Control, u64), Box<Fault>>>,
     compensator: Compensator,
+    milling: Milling,
     run: Option<Run>,
     /// The line whose end is to be broken once the next block says how the path goes on.
     corner: Option<Corner>,
@@ -212,6 +215,7 @@ impl<'a> Interpreter<'a> {
             tools,
             queue: VecDeque::new(),
             compensator: Compensator::new(!reading.system_a),
+            milling: Milling::default(),
             run: None,
             corner: None,
             standing: Standing::default(),
@@ -252,7 +256,7 @@ impl<'a> Interpreter<'a> {
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        let tip = self.compensator.tip(&self.current);
+        let tip = if self.reading.expressions { self.cutter() } else { self.compensator.tip(&self.current) };
         (tip, self.frame.to_machine(&tip))
     }
 
@@ -372,6 +376,9 @@ impl<'a> Interpreter<'a> {
     fn end(&mut self) -> Outcome<()> {
         self.stage = Stage::Ended;
         self.lose_corner(false);
+        if self.reading.expressions {
+            self.end_cutter();
+        }
         self.end_of_program();
         Ok(())
     }

@@ -105,7 +105,7 @@ impl Interpreter<'_> {
         let now = (self.modal.control(), self.current);
         if self.standing.last.replace(now) != Some(now) {
             let stood = self.stands();
-            let (made, aside) = (self.standing.made, !self.compensator.idle());
+            let (made, aside) = (self.standing.made, !(self.compensator.idle() && self.milling.idle()));
             self.standing.blocks.push_back(Block { stood, made, aside });
         }
     }

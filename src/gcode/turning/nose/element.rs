@@ -39,7 +39,7 @@ const NOTHING: f64 = 1e-9;
 
 /// How an element leaves its start or arrives at its end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct End {
+pub(in crate::gcode) struct End {
     /// The point.
     pub at: Point,
     /// The direction of travel, of length 1.
@@ -77,12 +77,12 @@ impl Element {
     }
 
     /// How it leaves its start; `None` where it has no length.
-    pub(super) fn start(&self) -> Option<End> {
+    pub(in crate::gcode) fn start(&self) -> Option<End> {
         self.direction(self.from)
     }
 
     /// How it arrives at its end; `None` where it has no length.
-    pub(super) fn end(&self) -> Option<End> {
+    pub(in crate::gcode) fn end(&self) -> Option<End> {
         self.direction(self.to)
     }
 
@@ -108,11 +108,11 @@ impl Element {
 }
 
 /// `a + b·factor`.
-pub(super) fn plus(a: Point, b: Point, factor: f64) -> Point {
+pub(in crate::gcode) fn plus(a: Point, b: Point, factor: f64) -> Point {
     [a[0] + b[0] * factor, a[1] + b[1] * factor]
 }
 
-pub(super) fn dot(a: Point, b: Point) -> f64 {
+pub(in crate::gcode) fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
@@ -121,6 +121,6 @@ pub(super) fn cross(a: Point, b: Point) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-pub(super) fn distance(a: Point, b: Point) -> f64 {
+pub(in crate::gcode) fn distance(a: Point, b: Point) -> f64 {
     trig::hypot(a[0] - b[0], a[1] - b[1])
 }

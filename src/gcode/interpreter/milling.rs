@@ -1,0 +1,461 @@
+//! Cutter radius compensation between the plan of a block and the motions that are handed out: LinuxCNC's, in G17.
+//!
+//! # What is compensated
+//! G0 to G3 under G41, G42, G41.1 and G42.1, by the [stage](crate::gcode::cutter) in program coordinates: what could change them is
+//! refused under compensation, as LinuxCNC refuses it.
+//!
+//! # Refusals
+//! Beside what LinuxCNC refuses: G18, rotary axes and stops of the program (M0, M1) under compensation. After a
+//! [`Misfit`](crate::gcode::cutter::Misfit) motions are those of the program until G40.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, Group, M};
+use crate::gcode::control::{Compensation, Control};
+use crate::gcode::cutter::{MOST_STILL, Misfit, Placed, Stage, Step};
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::motion::{Arc, Feed, FeedMode, Kind, Motion, Plane};
+use crate::gcode::turning::nose::{Element, Path, Point};
+use crate::machine::axis::{Axis, Pose};
+use crate::number::{shown, trig};
+use crate::text::Text;
+
+/// A motion on its way through the stage.
+#[derive(Clone)]
+struct Carried {
+    motion: Motion,
+    control: Control,
+    /// Its number among the motions that the program has made.
+    number: u64,
+}
+
+/// The compensation of a milling program.
+#[derive(Default)]
+pub(super) struct Milling {
+    stage: Option<Stage<Carried>>,
+    /// Where G40 has left the centre of the cutter, aside of where the program stands; machine coordinates.
+    left: Option<Pose>,
+}
+
+impl Milling {
+    /// Motions pass as they are programmed.
+    pub(super) const fn idle(&self) -> bool {
+        self.stage.is_none() && self.left.is_none()
+    }
+}
+
+fn point(pose: &Pose) -> Point {
+    [pose.get(Axis::X), pose.get(Axis::Y)]
+}
+
+fn place(pose: &mut Pose, [x, y]: Point) {
+    pose.set(Axis::X, x);
+    pose.set(Axis::Y, y);
+}
+
+impl Interpreter<'_> {
+    /// G40 to G42.1 of a milling program.
+    pub(super) fn cutter_compensation(&mut self, code: G) -> Outcome<()> {
+        let (side, given) = match code {
+            G::CompensationGiven(side) => (side, true),
+            G::Compensation(side) => (side, false),
+            _ => return Ok(()),
+        };
+        if side == Compensation::Off {
+            self.end_cutter();
+            return Ok(());
+        }
+        let column = self.block.g_column(Group::CutterCompensation);
+        let refused = |what, remedy| Err(Fault::at(&[column], what, remedy));
+        if self.modal.compensation != Compensation::Off {
+            return refused(
+                Text::fixed(
+                    "G41 o G42 con la compensación ya en vigor",
+                    "G41 or G42 with compensation already in force",
+                ),
+                Text::fixed("programe G40 antes", "program G40 before it"),
+            );
+        }
+        if self.modal.plane != Plane::XY {
+            let name = self.modal.plane.name();
+            return refused(
+                Text::new(
+                    format!("la compensación de radio en {name} no está implementada"),
+                    format!("cutter radius compensation in {name} is not supported"),
+                ),
+                Text::fixed("programe G17", "program G17"),
+            );
+        }
+        if self.block.has(letter::L) {
+            return refused(
+                Text::fixed("L con G41.1 o G42.1 en G17", "L with G41.1 or G42.1 in G17"),
+                Text::fixed("L es de los tornos: quítela", "L is for lathes: take it out"),
+            );
+        }
+        let diameter = match (given, self.block.get(letter::D)) {
+            (true, Some(D)) => self.modal.unit.to_mm(D),
+            (true, None) => {
+                return refused(
+                    Text::fixed("G41.1 o G42.1 sin D", "G41.1 or G42.1 without D"),
+                    Text::fixed("D es el diámetro de la fresa", "D is the diameter of the cutter"),
+                );
+            }
+            (false, D) => self.cutter_diameter(D)?,
+        };
+        // A negative diameter is on the other side.
+        let left = (side == Compensation::Left) == (diameter >= 0.0);
+        self.modal.compensation = side;
+        if diameter == 0.0 {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                Some(column),
+                Text::fixed(
+                    "G41 o G42 con diámetro 0: la fresa sigue el programa",
+                    "G41 or G42 with diameter 0: the cutter follows the program",
+                ),
+                Text::fixed(
+                    "compruebe el diámetro en la tabla de herramientas",
+                    "check the diameter in the tool table",
+                ),
+            );
+        } else {
+            self.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0));
+        }
+        Ok(())
+    }
+
+    /// The diameter that the tool table gives for D, or for the tool in the spindle; mm.
+    fn cutter_diameter(&mut self, D: Option<f64>) -> Outcome<f64> {
+        let number = match D {
+            Some(D) => self.tool_number(letter::D, D)?,
+            None => 0,
+        };
+        let number = if number == 0 { self.modal.tool } else { number };
+        let column = self.block.g_column(Group::CutterCompensation);
+        match self.tools.get(&number) {
+            Some(tool) if tool.nose.is_some_and(|nose| nose.tip.number() != 9) => Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("G41 o G42 en G17 con la herramienta {number}, que es de torno (orientación Q)"),
+                    format!("G41 or G42 in G17 with tool {number}, which is a lathe's (orientation Q)"),
+                ),
+                Text::fixed("quite Q de la tabla de herramientas", "take Q out of the tool table"),
+            )),
+            Some(tool) => Ok(tool.diameter),
+            None if number == 0 => Err(Fault::at(
+                &[column],
+                Text::fixed(
+                    "G41 o G42, y no se sabe qué herramienta está en el husillo",
+                    "G41 or G42, and it is not known which tool is in the spindle",
+                ),
+                Text::fixed("llámela con T y M6, o dé D", "call it with T and M6, or give D"),
+            )),
+            None => Err(Fault::at(
+                &[column],
+                Text::new(
+                    format!("G41 o G42, y el diámetro de la herramienta {number} no se conoce"),
+                    format!("G41 or G42, and the diameter of tool {number} is not known"),
+                ),
+                Text::fixed("indique la tabla de herramientas con --tools", "name the tool table with --tools"),
+            )),
+        }
+    }
+
+    /// Refuses what LinuxCNC does not do under compensation, beside what rodete does not. Plane and M codes of a block come
+    /// before its G40 to G42, all else behind.
+    pub(super) fn beside_cutter(&self, motion: Option<G>) -> Outcome<()> {
+        const BEHIND: [Group; 5] =
+            [Group::WorkOffset, Group::ToolLength, Group::Path, Group::Retract, Group::SetPosition];
+        let block = &self.block;
+        let before = self.modal.compensation != Compensation::Off;
+        let behind = match block.g(Group::CutterCompensation) {
+            Some(G::Compensation(side) | G::CompensationGiven(side)) => side != Compensation::Off,
+            _ => before,
+        };
+        let plane = matches!(block.g(Group::Plane), Some(G::Plane(plane)) if plane != self.modal.plane);
+        let at_once = block.g(Group::NonModal).is_some_and(|code| code != G::Dwell);
+        let cycle = matches!(motion, Some(G::Cycle(_)));
+        let machine = |group: &u8| match block.m(*group) {
+            Some((M::End | M::Call | M::Return | M::Spindle(_) | M::SpindleOff | M::SpindleOrient, _))
+            | Some((M::Coolant(_) | M::User, _))
+            | None => false,
+            Some(_) => before,
+        };
+        let others =
+            [(Group::Plane, before && plane), (Group::NonModal, behind && at_once), (Group::Motion, behind && cycle)];
+        let mut groups = BEHIND.into_iter().map(|group| (group, behind && block.g(group).is_some())).chain(others);
+        let column = match groups.find(|(_, found)| *found) {
+            Some((group, _)) => block.g_column(group),
+            None => match (4..=10).find(machine) {
+                Some(group) => block.m_column(group),
+                None => return Ok(()),
+            },
+        };
+        Err(Fault::at(
+            &[column],
+            Text::fixed(
+                "este código no puede estar con G41 o G42 en vigor",
+                "this code cannot stand with G41 or G42 in force",
+            ),
+            Text::fixed("programe antes G40 y un movimiento recto", "program G40 and a straight motion before it"),
+        ))
+    }
+
+    /// Refuses the position where the cutter is aside of it, as LinuxCNC does.
+    pub(super) fn position_is_known(&self, column: usize) -> Outcome<()> {
+        if !self.reading.expressions || self.modal.compensation == Compensation::Off {
+            return Ok(());
+        }
+        Err(Fault::at(
+            &[column],
+            Text::fixed(
+                "la posición no puede leerse con G41 o G42 en vigor",
+                "the position cannot be read with G41 or G42 in force",
+            ),
+            Text::fixed("léala antes de G41 o detrás de G40", "read it before G41 or behind G40"),
+        ))
+    }
+
+    /// The compensation is over: what is held back is made, and the cutter stays aside of the program.
+    pub(super) fn end_cutter(&mut self) {
+        self.modal.compensation = Compensation::Off;
+        let Some(mut stage) = self.milling.stage.take() else { return };
+        let mut out = Vec::new();
+        let result = stage.finish(&mut out);
+        self.hand_placed(out);
+        match result {
+            Ok(Some(end)) => {
+                let mut tip = self.current;
+                place(&mut tip, end);
+                self.milling.left = Some(self.frame.to_machine(&tip));
+            }
+            Ok(None) => {}
+            Err(misfit) => self.refuse_cutter(&misfit, self.line),
+        }
+    }
+
+    /// Where the centre of the cutter is where the program has come to its end.
+    pub(super) fn cutter(&self) -> Pose {
+        match self.milling.left {
+            Some(machine) => {
+                let mut tip = self.current;
+                place(&mut tip, point(&self.frame.to_program(&machine)));
+                tip
+            }
+            None => self.current,
+        }
+    }
+
+    /// Hands a motion out by way of the compensation.
+    pub(super) fn mill(&mut self, motion: Motion) {
+        let (control, number) = (self.modal.control(), self.made());
+        let carried = Carried { motion, control, number };
+        let dwell = matches!(motion.kind, Kind::Dwell(_));
+        let Some(mut stage) = self.milling.stage.take() else { return self.lead_back(carried) };
+        if dwell && stage.aside().is_none() {
+            self.milling.stage = Some(stage);
+            return self.lead_back(carried);
+        }
+        let by = motion.to.differences(&motion.from);
+        let path = match motion.kind {
+            Kind::Dwell(_) => Path::Still,
+            Kind::Arc(Arc { centre, sweep, .. }, _) => Path::Arc { centre, sweep },
+            _ => Path::Line,
+        };
+        let element = Element { from: point(&motion.from), to: point(&motion.to), path };
+        let mut out = Vec::new();
+        let result = if Axis::ALL.into_iter().skip(3).any(|axis| by[axis as usize] != 0.0) {
+            Err(None)
+        } else {
+            stage
+                .push(Step { element, rapid: motion.kind == Kind::Rapid, tag: carried.clone() }, &mut out)
+                .map_err(Some)
+        };
+        self.hand_placed(out);
+        match result {
+            Ok(()) => self.milling.stage = Some(stage),
+            Err(misfit) => {
+                match misfit {
+                    Some(misfit) => self.refuse_cutter(&misfit, motion.line),
+                    None => self.refuse_here(
+                        motion.line,
+                        Text::fixed(
+                            "ejes giratorios o U, V, W con G41 o G42 en vigor no están implementados",
+                            "rotary axes or U, V, W with G41 or G42 in force are not supported",
+                        ),
+                        Text::fixed("muévalos antes de G41 o detrás de G40", "move them before G41 or behind G40"),
+                    ),
+                }
+                self.queue.push_back(Ok((motion, control, number)));
+            }
+        }
+    }
+
+    /// A motion without compensation: the first behind G40 leads from where the cutter is.
+    fn lead_back(&mut self, carried: Carried) {
+        let Carried { mut motion, control, number } = carried;
+        if let Some(machine) = self.milling.left {
+            let tip = point(&self.frame.to_program(&machine));
+            match motion.kind {
+                Kind::Dwell(_) => {
+                    place(&mut motion.from, tip);
+                    place(&mut motion.to, tip);
+                    motion.machine = self.frame.to_machine(&motion.to);
+                }
+                Kind::Arc(..) => {
+                    self.milling.left = None;
+                    self.refuse_here(
+                        motion.line,
+                        Text::fixed(
+                            "el primer movimiento detrás de G40 es un arco",
+                            "the first motion behind G40 is an arc",
+                        ),
+                        Text::fixed("debe ser recto: G0 o G1", "it must be straight: G0 or G1"),
+                    );
+                }
+                _ => {
+                    self.milling.left = None;
+                    let programmed = motion;
+                    place(&mut motion.from, tip);
+                    self.take_time(&mut motion, &programmed);
+                }
+            }
+        }
+        self.queue.push_back(Ok((motion, control, number)));
+    }
+
+    fn hand_placed(&mut self, placed: Vec<Placed<Carried>>) {
+        for Placed { element, corner, tag: Carried { motion: programmed, control, number } } in placed {
+            let mut motion = programmed;
+            if corner {
+                motion.to = motion.from;
+            }
+            place(&mut motion.from, element.from);
+            place(&mut motion.to, element.to);
+            motion.machine = self.frame.to_machine(&motion.to);
+            motion.kind = match (programmed.kind, element.path) {
+                (Kind::Arc(arc, feed), Path::Arc { centre, sweep }) if !corner => {
+                    Kind::Arc(turned(&arc, element, centre, sweep), feed)
+                }
+                (Kind::Arc(_, feed) | Kind::Feed(feed), Path::Arc { centre, sweep }) => {
+                    let turns = if sweep < 0.0 { -1 } else { 1 };
+                    let rotation = self.frame.work.rotation;
+                    let arc = Arc { plane: Plane::XY, centre, turns, radius: 0.0, sweep, rotation };
+                    Kind::Arc(turned(&arc, element, centre, sweep), feed)
+                }
+                (kind, _) => kind,
+            };
+            if element.path != Path::Still {
+                self.take_time(&mut motion, &programmed);
+            }
+            self.queue.push_back(Ok((motion, control, number)));
+        }
+    }
+
+    /// The time of a motion at the rate of the programmed one, whose length is another.
+    fn take_time(&self, motion: &mut Motion, programmed: &Motion) {
+        let (was, made) = (length(programmed), length(motion));
+        motion.seconds = match programmed.kind {
+            _ if was > 0.0 => programmed.seconds.map(|seconds| seconds * made / was),
+            Kind::Feed(feed) => self.seconds(made, feed),
+            _ => programmed.seconds,
+        };
+        if let (Kind::Feed(feed) | Kind::Arc(_, feed), Some(seconds)) = (&mut motion.kind, motion.seconds)
+            && feed.mode == FeedMode::InverseTime
+        {
+            *feed = Feed { value: 60.0 / seconds, ..*feed };
+        }
+    }
+
+    fn refuse_here(&mut self, line: usize, what: Text, remedy: Text) {
+        let mut fault = Fault::block(what, remedy);
+        (fault.line, fault.file) = (line, self.source().file.clone());
+        self.queue.push_back(Err(fault));
+    }
+
+    fn refuse_cutter(&mut self, misfit: &Misfit, line: usize) {
+        let mm = |value: f64| shown(value, 4);
+        let smaller =
+            Text::fixed("use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour");
+        let (what, remedy) = match *misfit {
+            Misfit::Entry { length, radius } => (
+                Text::new(
+                    format!(
+                        "la entrada de la compensación mide {}, y ha de ser mayor que el radio {}",
+                        mm(length),
+                        mm(radius)
+                    ),
+                    format!(
+                        "the entry into compensation is {} long, and must be longer than the radius {}",
+                        mm(length),
+                        mm(radius)
+                    ),
+                ),
+                Text::fixed(
+                    "alargue en el plano el primer movimiento detrás de G41 o G42",
+                    "lengthen the first motion behind G41 or G42 in the plane",
+                ),
+            ),
+            Misfit::EntryArc => (
+                Text::fixed(
+                    "el arco de entrada de la compensación no puede ser tangente en su final",
+                    "the arc of the entry into compensation cannot be made tangential at its end",
+                ),
+                Text::fixed("entre con una recta", "enter along a line"),
+            ),
+            Misfit::Arc { radius, arc } => (
+                Text::new(
+                    format!("el radio {} de la fresa no cabe en el arco de radio {}", mm(radius), mm(arc)),
+                    format!("the cutter's radius {} does not fit into the arc of radius {}", mm(radius), mm(arc)),
+                ),
+                smaller,
+            ),
+            Misfit::Corner { radius } => (
+                Text::new(
+                    format!("el radio {} de la fresa no cabe en el rincón", mm(radius)),
+                    format!("the cutter's radius {} does not fit into the corner", mm(radius)),
+                ),
+                smaller,
+            ),
+            Misfit::Still => (
+                Text::new(
+                    format!("más de {MOST_STILL} bloques sin movimiento en el plano con G41 o G42 en vigor"),
+                    format!("more than {MOST_STILL} blocks without motion in the plane with G41 or G42 in force"),
+                ),
+                Text::fixed("programe antes G40", "program G40 before them"),
+            ),
+            Misfit::Short { radius } => (
+                Text::new(
+                    format!(
+                        "el radio {} de la fresa no cabe: los rincones ocupan más que el tramo anterior",
+                        mm(radius)
+                    ),
+                    format!(
+                        "the cutter's radius {} does not fit: corners take more than the piece before has",
+                        mm(radius)
+                    ),
+                ),
+                smaller,
+            ),
+        };
+        self.refuse_here(line, what, remedy);
+    }
+}
+
+/// An arc with another way.
+fn turned(arc: &Arc, element: Element, centre: Point, sweep: f64) -> Arc {
+    let radius = trig::hypot(element.from[0] - centre[0], element.from[1] - centre[1]);
+    Arc { centre, sweep, radius, ..*arc }
+}
+
+/// The length of a motion in X, Y and Z; mm.
+fn length(motion: &Motion) -> f64 {
+    let by = motion.to.differences(&motion.from);
+    match motion.kind {
+        Kind::Arc(arc, _) => arc.length(by[Axis::Z as usize]),
+        _ => (by[0] * by[0] + by[1] * by[1] + by[2] * by[2]).sqrt(),
+    }
+}
