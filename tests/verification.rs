@@ -6,6 +6,8 @@ mod common;
 mod blank;
 #[path = "verification/clearance.rs"]
 mod clearance;
+#[path = "verification/outside.rs"]
+mod outside;
 #[path = "verification/tool.rs"]
 mod tool;
 

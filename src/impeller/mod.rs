@@ -17,6 +17,7 @@ pub mod floor_depth;
 pub mod gap;
 pub mod header;
 pub mod ideal;
+pub mod outside;
 pub mod parameters;
 pub mod part;
 pub mod programs;

@@ -15,6 +15,7 @@ use crate::verify::floor::{POSES, below_floor, rim};
 use crate::verify::impeller::Geometry;
 use crate::verify::refinement::needed;
 use crate::verify::step::{Cut, Judge, Step};
+use crate::verify::stock;
 use crate::verify::tip_path::{Along, Peak, between, grid_bound};
 
 /// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
@@ -54,7 +55,7 @@ impl Measured {
 pub struct Known {
     neighbours: Neighbours,
     tracks: Vec<Measured>,
-    pub(super) clear_moves: Vec<([f64; 8], f64)>,
+    pub(super) clear_moves: Vec<stock::Known>,
 }
 
 impl Known {

@@ -3,8 +3,9 @@
 //! The tool, a cylinder along its axis, is held against both faces of all other blades and splitters, along the motions
 //! that the text gives, from one safe point to the next: a lower and an upper bound over time and face
 //! ([`clearance`](crate::impeller::clearance)), no samples. A pass is only taken as clear where the lower bound says so;
-//! where the work ends before it is known, it is not. Rapid motions keep clear of the whole stock, in which the blades
-//! are ([`stock`](crate::verify::stock)).
+//! where the work ends before it is known, it is not. Rapid and crossing motions are not held against the faces: all blades
+//! are in the stock, and from that they are judged to keep clear by a lower bound of their own, over the whole of each
+//! ([`stock`](crate::verify::stock)).
 //!
 //! A splitter's faces count from the point at which it stands in full: the paths on both of its sides have crossed its
 //! neighbours' and have their whole offset. Before it the splitter ends in its neighbours' channels, which were cut before
