@@ -171,7 +171,7 @@ impl Pose {
     }
 
     /// Of the point x of a line: the square of its distance from the axis, how that changes with x, and the height above the tip.
-    fn from_axis(&self, line: &Line, x: f64) -> [f64; 3] {
+    fn apart(&self, line: &Line, x: f64) -> [f64; 3] {
         let (sin, cos) = sin_cos(line.u - x);
         let from = Vector3::new(line.rho * cos, line.rho * sin, line.z) - self.tip;
         let up = from.dot(&self.axis);
@@ -288,7 +288,7 @@ impl<'a> Band<'a> {
     /// angle about the axis of the part.
     fn beside(&self, pose: &Pose, line: &Line, off: f64) -> Option<f64> {
         let middle = remainder(line.u - pose.psi);
-        let [square, _, up] = pose.from_axis(line, middle);
+        let [square, _, up] = pose.apart(line, middle);
         let radius = self.a - off;
         (square <= radius * radius && up >= off).then_some(middle)
     }
@@ -299,7 +299,7 @@ impl<'a> Band<'a> {
         let middle = self.beside(pose, line, less)?;
         let radius = self.a - less;
         let off = |x: f64| {
-            let [square, slope, up] = pose.from_axis(line, x);
+            let [square, slope, up] = pose.apart(line, x);
             (square - radius * radius, slope, up - less)
         };
         let mut x = middle + end * (1.5 * radius / line.rho).min(FRAC_PI_2);
