@@ -189,7 +189,7 @@ fn what_the_plan_leaves_and_spoils_is_told_with_figures_and_places() {
     assert_eq!((floor.value.as_str(), floor.limit.as_str()), ("1.141 mm", "0 mm"));
     assert!(floor.what.en.contains("worst on obverse, point 30.5"), "{}", floor.what.en);
     let faces = caution(&outcome, "into the blade's own faces").unwrap();
-    assert_eq!(faces.value, "0.079 mm");
+    assert_eq!(faces.value, "0.077 mm");
     assert!(faces.what.en.contains("(point 2.5)"), "{}", faces.what.en);
     assert!(!outcome.programs.is_empty(), "told, not refused");
     // Where the law with its margin is more than what the blocks come to, it is told.

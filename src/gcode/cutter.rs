@@ -27,14 +27,20 @@ use std::f64::consts::{PI, TAU};
 
 use crate::gcode::turning::nose::element::{End, distance, dot, plus};
 use crate::gcode::turning::nose::{Element, Path, Point};
+use crate::machine::length_unit::LengthUnit;
 use crate::number::trig;
 
 /// A turn by no more than this is no corner; radians.
 pub const NEARLY: f64 = 0.05;
 /// Most pieces without way in the plane between two with way.
 pub const MOST_STILL: usize = 10_000;
-/// By how much an arc may grow at its ends; radians.
-const GROWTH: f64 = 0.0254;
+/// By how much an arc may grow at its ends in a unit; radians.
+const fn growth(unit: LengthUnit) -> f64 {
+    match unit {
+        LengthUnit::Inch => 0.001,
+        LengthUnit::Millimetre => 0.0254,
+    }
+}
 /// An arc that is left shorter than this is none; mm.
 const LEFT: f64 = 0.001;
 
@@ -123,6 +129,8 @@ pub struct Stage<T> {
     /// 1 for left, −1 for right.
     side: f64,
     radius: f64,
+    /// The unit in force, which decides by how much an arc may grow.
+    unit: LengthUnit,
     following: Option<Following<T>>,
 }
 
@@ -130,13 +138,12 @@ impl<T: Clone> Stage<T> {
     /// A stage before its entry, with the cutter's radius, greater than 0.
     #[must_use]
     pub const fn new(left: bool, radius: f64) -> Self {
-        Self { side: if left { 1.0 } else { -1.0 }, radius, following: None }
+        Self { side: if left { 1.0 } else { -1.0 }, radius, unit: LengthUnit::Millimetre, following: None }
     }
 
-    /// The radius of the cutter.
-    #[must_use]
-    pub const fn radius(&self) -> f64 {
-        self.radius
+    /// The unit of length in force from here on.
+    pub const fn take_unit(&mut self, unit: LengthUnit) {
+        self.unit = unit;
     }
 
     /// Where the cutter's centre is R aside of the last piece's end; `None` before the entry.
@@ -255,7 +262,7 @@ impl<T: Clone> Stage<T> {
             Path::Arc { centre, sweep } => {
                 let left = angle(centre, from, to, sweep);
                 // As far round as the programmed arc goes, and no further.
-                let turns = ((sweep.abs() + GROWTH - left) / TAU).floor();
+                let turns = ((sweep.abs() + growth(self.unit) - left) / TAU).floor();
                 let left = left + turns * TAU;
                 if left * distance(from, centre) < LEFT {
                     return Err(short);

@@ -325,8 +325,9 @@ impl Search<'_> {
             return Some((0.0, true));
         }
         let rulings = v.map(|v| walls.part.ruling(walls.pieces[piece].face, v));
-        let depths = v.map(|v| walls.part.depths(v));
-        let [top, bottom] = depths[1];
+        let tops = v.map(|v| walls.part.top(v));
+        // h_0 does not grow with v.
+        let (top, bottom) = (tops[1], walls.pieces[piece].bottom);
         let span = v[1] - v[0];
         // Limits of h may run a little beyond the rulings; what follows holds for that too.
         let beyond = [top - (bottom - top) * BEYOND, bottom + (bottom - top) * BEYOND];
@@ -372,7 +373,8 @@ impl Search<'_> {
             return None;
         }
 
-        let (mut low, mut high) = (Limit::level(top), Limit::level(bottom));
+        let floors = Limit::through([walls.part.floors(&walls.pieces[piece], v, &rulings, &change); 2]);
+        let (mut low, mut high) = (Limit::level(top), floors);
         let slopes = seen.map(|at| at.map(|ruling| ruling.N.z));
         let least =
             slopes.iter().flatten().copied().map(f64::abs).fold(f64::INFINITY, f64::min) - (v_turn + B + C) / 2.0;
@@ -410,7 +412,7 @@ impl Search<'_> {
                         &walls.pieces[piece],
                         &rulings[at],
                         &seen[time][at],
-                        [depths[at][0], bottom],
+                        tops[at],
                         Place { along: along_way(first, last, along), v: v[at] },
                     );
                 }
@@ -437,8 +439,8 @@ impl Search<'_> {
     }
 
     /// Takes a ruling's distance from the axis, of what truly counts of it.
-    fn look(&mut self, piece: &Piece, ruling: &Ruling, seen: &Ruling, depths: [f64; 2], place: Place) {
-        let [mut low, mut high] = depths;
+    fn look(&mut self, piece: &Piece, ruling: &Ruling, seen: &Ruling, top: f64, place: Place) {
+        let (mut low, mut high) = (top, self.walls.part.floor(ruling, top));
         if seen.N.z > 0.0 {
             high = high.min(seen.foot.z / seen.N.z);
         } else if seen.N.z < 0.0 {

@@ -175,6 +175,8 @@ struct Channel<'a> {
     a: f64,
     /// The unit of run-outs.
     run_out: f64,
+    /// h_1.
+    bottom: f64,
 }
 
 /// The least of a function about a place that is near to it, by parabolas through three points each; `None` where it is
@@ -215,7 +217,9 @@ struct Axis {
 impl<'a> Channel<'a> {
     fn new(part: &'a Part, N: u32, d_t: f64) -> Self {
         // One blade alone leaves more than two do, but its face, gone on straight past the hub, comes round to its own back.
-        Self { part, pitch: TAU / f64::from(N.max(2)), a: d_t / 2.0, run_out: d_t / 2.0 }
+        let (torus, a_p) = (part.circle.torus, part.a_p);
+        let bottom = a_p + part.e * part.e / 4.0 / (2.0 * (torus.R - torus.r - a_p));
+        Self { part, pitch: TAU / f64::from(N.max(2)), a: d_t / 2.0, run_out: d_t / 2.0, bottom }
     }
 
     /// The least width over stations. Those that are far above it are left out: what is not the least for one depth of the
@@ -315,9 +319,8 @@ impl<'a> Channel<'a> {
     /// The distance of an axis from the line of a face at v.
     fn apart(&self, face: Face, v: f64, axis: &Axis) -> f64 {
         let ruling = self.part.ruling(face, v);
-        let depths = self.part.depths(v);
         let (from, down) = (ruling.foot - axis.foot, -ruling.N);
-        let ([low, high], [near, far]) = (depths, axis.range);
+        let ([low, high], [near, far]) = ([self.part.top(v), self.bottom], axis.range);
         let (b, down_from, along_from) = (down.dot(&axis.along), down.dot(&from), axis.along.dot(&from));
         let slant = 1.0 - b * b;
         let h = if slant > 1e-14 { ((b * along_from - down_from) / slant).clamp(low, high) } else { low };

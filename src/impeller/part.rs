@@ -7,8 +7,9 @@
 //!   the blank is cut off: z ≤ 0 at the hub, x² + y² ≤ R² at the rim. So the obverse goes on at the hub and the reverse at
 //!   the rim, about (e/2)·cot α each, and the other two begin inside.
 //! - Tops: the turned surface T = r, T being the distance from the circle in the middle of the tube. Floor: T = r + a_p.
-//! - A ruling runs from the depth h_0 = −(e/2)²·κ_b/2, since the torus rises above its tangent plane, to
-//!   h_1 = a_p + (e/2)²/(2(R − r − a_p)).
+//! - A ruling runs from the depth h_0 = −(e/2)²·κ_b/2, since the torus rises above its tangent plane, to h_1, where it first
+//!   comes to the floor. Between the ends of the blade that is near a_p; on the straight ends, where the floor falls away
+//!   from the tangent plane, it is deeper, the thicker the blade the more.
 //!
 //! # Units
 //! Millimetres and radians, in the part frame.
@@ -76,6 +77,8 @@ pub struct Piece {
     pub face: Face,
     /// Where it begins and ends: v, run on beyond the ends of the blade at R a radian.
     pub v: [f64; 2],
+    /// No ruling of it ends deeper than here, mm.
+    pub bottom: f64,
 }
 
 /// How fast the rulings between two v change, for each radian of v.
@@ -98,7 +101,18 @@ pub struct Part {
     pub e: f64,
     /// a_p, how deep the floor lies.
     pub a_p: f64,
+    /// The depth at which all rulings end instead of at the floor.
+    end: Option<f64>,
 }
+
+/// Steps in which the floor is looked for along a ruling.
+const STEPS: u8 = 100;
+/// How near to the floor a ruling has come to it, mm.
+const NEAR: f64 = 1e-11;
+/// What is left to the distance from the axis beside its bound, mm.
+const COARSE: f64 = 1e-6;
+/// How often a piece is halved at most to find how deep its rulings end.
+const HALVINGS: u8 = 8;
 
 impl Part {
     /// The part of a design.
@@ -110,7 +124,14 @@ impl Part {
     /// The part on a torus (0 < r < R) with blades of the thickness e, the floor a_p deep.
     #[must_use]
     pub fn with(torus: Torus, e: f64, a_p: f64) -> Self {
-        Self { circle: Villarceau::new(torus), e, a_p }
+        Self { circle: Villarceau::new(torus), e, a_p, end: None }
+    }
+
+    /// The same part, but its rulings all end at the depth h and not at the floor: what published figures with a limit of
+    /// h alike for all are held against. On the straight ends the floor may lie deeper.
+    #[must_use]
+    pub const fn ending_at(self, h: f64) -> Self {
+        Self { end: Some(h), ..self }
     }
 
     /// The frame at v, and the point of the mean line; straight on beyond the ends.
@@ -145,12 +166,99 @@ impl Part {
         cos2 / r + sin2 * cos_v / (R + r * cos_v)
     }
 
-    /// The depths h_0 and h_1 between which the ruling at v runs. h_0 does not grow with v; h_1 is the same for all.
+    /// h_0, the depth at which the ruling at v begins. It does not grow with v.
     #[must_use]
-    pub fn depths(&self, v: f64) -> [f64; 2] {
-        let Torus { R, r } = self.circle.torus;
-        let square = self.e * self.e / 4.0;
-        [-square * self.across(v) / 2.0, self.a_p + square / (2.0 * (R - r - self.a_p))]
+    pub fn top(&self, v: f64) -> f64 {
+        -self.e * self.e / 8.0 * self.across(v)
+    }
+
+    /// h_1, the depth at which a ruling that begins at the depth `top` first comes to the floor.
+    ///
+    /// T changes no faster than a point moves, so that steps of what T still lacks never go past that depth. A ruling of a
+    /// blade so thick that it passes the axis of the part beside the floor goes on to where it leaves the blank on the
+    /// other side: as far beyond the point nearest to the axis as it begins before it.
+    #[must_use]
+    pub fn floor(&self, ruling: &Ruling, top: f64) -> f64 {
+        if let Some(end) = self.end {
+            return end;
+        }
+        let (foot, N) = (ruling.foot.xy(), ruling.N.xy());
+        let across = 2.0 * foot.dot(&N) / N.norm_squared() - top;
+        let far = if across > top { across.min(self.far()) } else { self.far() };
+        let mut h = top;
+        for _ in 0..STEPS {
+            let lacking = self.a_p - self.depth(&ruling.at(h));
+            if lacking <= NEAR {
+                return h;
+            }
+            h += lacking;
+            if h >= far {
+                break;
+            }
+        }
+        far
+    }
+
+    /// No ruling ends deeper than this: it leaves the blank before.
+    fn far(&self) -> f64 {
+        2.0 * self.circle.torus.R
+    }
+
+    /// Depths at two v of a piece such that on a straight line between them no ruling ends deeper; with the rulings at
+    /// both v, and how they change over the span between, down to the depth [`Piece::bottom`] at least.
+    #[must_use]
+    pub fn floors(&self, piece: &Piece, v: [f64; 2], rulings: &[Ruling; 2], change: &Change) -> [f64; 2] {
+        let found = self.floors_over(v, rulings, change).map(|(ends, out)| ends.map(|end| end + out));
+        found.filter(|ends| ends.iter().all(|&end| end <= piece.bottom)).unwrap_or([piece.bottom; 2])
+    }
+
+    /// Where the rulings at two v end, and by how much a straight line between must be deeper for none to end below it.
+    ///
+    /// T is bent by no less than −1/ρ along any line, ρ being the distance from the axis of the part. On the line it is
+    /// therefore below that of both ends by no more than (V²/ρ + W)/8. Where T exceeds r_f by as much at both ends of a
+    /// line twice that deeper, the line is nowhere above the floor; where it does not, nothing is known.
+    fn floors_over(&self, v: [f64; 2], rulings: &[Ruling; 2], change: &Change) -> Option<([f64; 2], f64)> {
+        let ends = [0, 1].map(|at: usize| self.floor(&rulings[at], self.top(v[at])));
+        if self.end.is_some() {
+            return Some((ends, 0.0));
+        }
+        let (span, slide) = (v[1] - v[0], (ends[1] - ends[0]).abs());
+        let (speed, turn) = (change.speed * span + slide, change.turn * span);
+        let rho = |at: usize, h: f64| {
+            let point = rulings[at].at(h);
+            (point.x * point.x + point.y * point.y).sqrt()
+        };
+        let nearest = rho(0, ends[0]).min(rho(1, ends[1])) - speed - COARSE;
+        if nearest <= 0.0 {
+            return None;
+        }
+        let sag = (speed * speed / nearest + change.acceleration * span * span + 2.0 * turn * slide) / 8.0;
+        let out = 2.0 * (sag + NEAR);
+        let clear = |at: usize| {
+            let h = ends[at] + out;
+            self.depth(&rulings[at].at(h)) - self.a_p >= sag && rho(at, h) - speed / 2.0 >= nearest
+        };
+        (clear(0) && clear(1)).then_some((ends, out))
+    }
+
+    /// A depth below which no ruling of a face between two v goes on, to a quarter of a_p.
+    fn bottom(&self, face: Face, v: [f64; 2], halvings: u8) -> f64 {
+        let rulings = v.map(|v| self.ruling(face, v));
+        let deep =
+            2.0 * rulings.iter().zip(v).map(|(ruling, v)| self.floor(ruling, self.top(v))).fold(self.a_p, f64::max);
+        let found = self
+            .floors_over(v, &rulings, &self.change(v, deep))
+            .filter(|(ends, out)| ends[0].max(ends[1]) + out <= deep);
+        match found {
+            Some(([one, other], out)) if out + (one - other).abs() <= self.a_p / 4.0 || halvings == 0 => {
+                one.max(other) + out
+            }
+            _ if halvings == 0 => self.far(),
+            _ => {
+                let middle = f64::midpoint(v[0], v[1]);
+                self.bottom(face, [v[0], middle], halvings - 1).max(self.bottom(face, [middle, v[1]], halvings - 1))
+            }
+        }
     }
 
     /// True for a point between the hub plane and the rim cylinder.
@@ -174,7 +282,8 @@ impl Part {
     #[must_use]
     pub fn pieces(&self, face: Face) -> Vec<Piece> {
         let R = self.circle.torus.R;
-        let piece = |low: f64, high: f64| Piece { face, v: [low, high] };
+        let piece =
+            |low: f64, high: f64| Piece { face, v: [low, high], bottom: self.bottom(face, [low, high], HALVINGS) };
         let straight = |v: f64| {
             let t = self.frame(v).1.t;
             (self.ruling(face, v).foot, t)
@@ -265,7 +374,7 @@ mod tests {
             // The rim is round: there it is a little shorter.
             let at_rim = (reverse[1].v[1] - RIM) * R;
             assert!(at_rim <= straight && at_rim > 0.85 * straight, "{at_rim} {straight}");
-            let ([_, deep], edge) = (part.depths(HUB), part.ruling(Face::Obverse, obverse[0].v[0]));
+            let (deep, edge) = (obverse[0].bottom, part.ruling(Face::Obverse, obverse[0].v[0]));
             assert!([0.0, deep].iter().all(|&h| edge.at(h).z.abs() < 1e-12));
             let edge = part.ruling(Face::Reverse, reverse[1].v[1]);
             assert!([0.0, deep].iter().all(|&h| (hypot(edge.at(h).x, edge.at(h).y) - R).abs() < 1e-12));
@@ -276,18 +385,81 @@ mod tests {
     }
 
     #[test]
-    fn rulings_run_from_the_tops_to_the_floor() {
+    fn rulings_run_from_the_tops_to_the_floor_that_is_there() {
         for part in parts() {
-            for v in [HUB, 3.6, 4.2, RIM] {
-                let [low, high] = part.depths(v);
-                for face in Face::ALL {
-                    let ruling = part.ruling(face, v);
-                    // Of third order in e over r.
-                    assert!(part.depth(&ruling.at(low)).abs() < 0.01, "{v} {}", part.depth(&ruling.at(low)));
-                    assert!(part.depth(&ruling.at(high)) > part.a_p - 1e-3, "{v} {}", part.depth(&ruling.at(high)));
+            for face in Face::ALL {
+                for piece in part.pieces(face) {
+                    for step in 0..=40 {
+                        let v = piece.v[0] + (piece.v[1] - piece.v[0]) * f64::from(step) / 40.0;
+                        let (ruling, top) = (part.ruling(face, v), part.top(v));
+                        if (HUB..=RIM).contains(&v) {
+                            // Of third order in e over r.
+                            assert!(part.depth(&ruling.at(top)).abs() < 0.01, "{v} {}", part.depth(&ruling.at(top)));
+                        }
+                        let end = part.floor(&ruling, top);
+                        assert!((part.depth(&ruling.at(end)) - part.a_p).abs() < 1e-9, "{v} {end}");
+                        assert!((0..200).all(|k| {
+                            let h = top + (end - top) * f64::from(k) / 200.0;
+                            part.depth(&ruling.at(h)) < part.a_p
+                        }));
+                        assert!(end <= piece.bottom && piece.bottom < end + part.a_p, "{v} {end} {piece:?}");
+                        assert_eq!(part.ending_at(1.5).floor(&ruling, top), 1.5);
+                    }
                 }
             }
         }
+        // The straight ends go on below a limit of h alike for all, a_p + (e/2)²/(2(R − r − a_p)).
+        for (e, deep, limit) in [(2.0, 2.176, 2.0625), (3.7, 2.618, 2.2139)] {
+            let part = Part::with(Torus { R: 25.0, r: 15.0 }, e, 2.0);
+            let edge = part.ruling(Face::Obverse, part.pieces(Face::Obverse)[0].v[0]);
+            let end = part.floor(&edge, part.top(HUB));
+            assert!((end - deep).abs() < 5e-4 && end > limit + 0.1, "{e} {end}");
+        }
+    }
+
+    #[test]
+    fn no_ruling_of_a_span_ends_below_the_line_between_its_floors() {
+        for part in parts() {
+            for face in Face::ALL {
+                for piece in part.pieces(face) {
+                    let span = (piece.v[1] - piece.v[0]) / 32.0;
+                    for step in 0..32_u8 {
+                        let low = piece.v[0] + span * f64::from(step);
+                        let (v, change) = ([low, low + span], part.change([low, low + span], piece.bottom));
+                        let rulings = v.map(|v| part.ruling(face, v));
+                        let line = part.floors(&piece, v, &rulings, &change);
+                        for k in 0..=20 {
+                            let at = f64::from(k) / 20.0;
+                            let v = low + span * at;
+                            let end = part.floor(&part.ruling(face, v), part.top(v));
+                            assert!(end <= line[0] + (line[1] - line[0]) * at, "{v} {end} {line:?}");
+                        }
+                        // With the span it closes up.
+                        let near = [low, low + span / 64.0];
+                        let rulings = near.map(|v| part.ruling(face, v));
+                        let line = part.floors(&piece, near, &rulings, &part.change(near, piece.bottom));
+                        let end = part.floor(&rulings[0], part.top(low));
+                        assert!(line[0] - end < 1e-4 * part.a_p, "{low} {end} {line:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_ruling_that_passes_the_axis_beside_the_floor_ends_on_the_far_side() {
+        // Blades thicker than the hub.
+        let part = Part::with(Torus { R: 25.0, r: 17.0 }, 7.0, 4.0);
+        let piece = part.pieces(Face::Obverse)[0];
+        let edge = part.ruling(Face::Obverse, piece.v[0]);
+        let end = part.floor(&edge, part.top(HUB));
+        let across = edge.at(end);
+        assert!((hypot(across.x, across.y) - hypot(edge.at(part.top(HUB)).x, edge.at(part.top(HUB)).y)).abs() < 1e-9);
+        assert!(across.xy().dot(&edge.foot.xy()) < 0.0 && piece.bottom >= end);
+    }
+
+    #[test]
+    fn the_curvature_across_the_mean_line_is_that_of_the_check_values() {
         // Check values of κ_b for R 25, r 15: at the hub, in the middle, at the rim.
         let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
         let found = [HUB, HUB + FRAC_PI_2 / 2.0, RIM].map(|v| format!("{:.6}", part.across(v)));
@@ -300,7 +472,7 @@ mod tests {
             let step = 1e-4;
             for from in 0..16_u8 {
                 let low = HUB + f64::from(from) * FRAC_PI_2 / 16.0;
-                let deep = part.depths(RIM)[1];
+                let deep = part.pieces(Face::Reverse)[0].bottom;
                 let bound = part.change([low, low + FRAC_PI_2 / 16.0], deep);
                 for (face, h, at) in [
                     (Face::Obverse, 0.0, 0.1),

@@ -102,9 +102,12 @@ impl Beside<'_> {
         let ([s_0, s_1], [v_0, v_1]) = (cell.s, cell.t);
         let (s, v) = ((s_0 + s_1) / 2.0, (v_0 + v_1) / 2.0);
         let (along, over) = (s_1 - s_0, v_1 - v_0);
-        let [[h_0, h_1], [h_2, _]] = [v_0, v_1].map(|v| self.part.depths(v));
-        let top = h_0.min(h_2);
-        let change = self.part.change([v_0, v_1], h_1.max(top.abs()));
+        // h_0 does not grow with v.
+        let top = self.part.top(v_1);
+        let change = self.part.change(cell.t, self.piece.bottom.max(-top));
+        let rulings = cell.t.map(|v| self.part.ruling(self.piece.face, v));
+        let [h_1, h_2] = self.part.floors(self.piece, cell.t, &rulings, &change);
+        let h_1 = h_1.max(h_2);
         // What the tool's end and a point of the face beside it move against each other.
         let ways = [(pace.speed + pace.turn * 2.0 * a) * along / 2.0, change.speed * over / 2.0];
         let way = ways[0] + ways[1];
@@ -146,7 +149,7 @@ impl Beside<'_> {
         } else {
             f64::NEG_INFINITY
         };
-        let exact = deepest(0.0);
+        let exact = deepest(0.0).min(self.part.floor(&ruling, self.part.top(v)));
         let middle = if exact >= top {
             let (distance, point) = distance(s, v, exact);
             if self.part.trimmed(&point) { a - distance } else { f64::NEG_INFINITY }

@@ -19,7 +19,7 @@ fn program(body: &str) -> String {
 }
 
 /// Programs that both run. What stands in the way of LinuxCNC's checks lies elsewhere.
-const GOOD: [&str; 36] = [
+const GOOD: [&str; 40] = [
     // Entry and exit, on both sides.
     "G41.1 D6; G1 X10; X20; G40; X30",
     "G42.1 D6; G1 X10; X20; G40; X30",
@@ -36,6 +36,9 @@ const GOOD: [&str; 36] = [
     "G41.1 D6; G1 X10; X30; Y20; X10; G40; X0",
     "G42.1 D6; G1 X10; X30; X20 Y-30; G40; X0",
     "G41.1 D6; G1 X10; Y20; G40; X0",
+    // In inches an arc may grow by less.
+    "G41.1 D6; G1 X10; X20; G2 X22.54 Y-2.54 I-0.0254 J-2.54; G40; G1 X30",
+    "G20; F20; G1 X0 Y0; G41.1 D0.25; G1 X1; X2; G2 X3 Y-1 J-1; G1 Y-2; G40; X0",
     // Corners that are nearly none.
     "G41.1 D6; G1 X10; X20 Y0.3; X30 Y0.4; X40 Y0.9; G40; X50",
     "G42.1 D6; G1 X10; X20 Y0.3; X30 Y0.4; G2 X40 Y-9.6 J-10; G40; G1 X50",
@@ -59,6 +62,9 @@ const GOOD: [&str; 36] = [
     "G41.1 D6; G3 X20 Y20 J20; G1 Y30; G40; X0",
     "G42.1 D6; G3 X20 Y20 J20; G1 Y30; X0; G40; X-10",
     "G41.1 D6; G2 X20 Y-20 J-20; G1 Y-30; X0; G40; X-10",
+    // A diameter below 0 is on the other side.
+    "G41.1 D-6; G1 X10; X20; Y-10; G40; X0",
+    "G1 G42.1 X10 D-6; X20; Y-10 X19; G40; X0",
     // Ways along Z, dwells and speeds between.
     "G41.1 D6; G1 X10 Z1; X30; Z0; G4 P1; Y20; F200; G0 Z5; X10 Y-5; G1 Z1; X0 Y-6; G40; X-10 Z9",
     "G42.1 D6; G1 X10; X30; G0 Z3; M3 S100; G1 Z0 F300; Y10; G2 X40 Y20 Z-2 I10; G1 X50; G40; G0 Z5; X0",
@@ -72,7 +78,7 @@ const GOOD: [&str; 36] = [
 const CONTOURS: u64 = 80;
 
 /// What both refuse, with what is told.
-const BAD: [(&str, &str); 23] = [
+const BAD: [(&str, &str); 24] = [
     (
         "G41.1 D6; G1 X2.9; X20; G40; X30",
         "the entry into compensation is 2.9 long, and must be longer than the radius 3",
@@ -81,6 +87,10 @@ const BAD: [(&str, &str); 23] = [
     ("G41.1 D6; G1 X10; X30; G3 X34 I2; G1 X50", "the cutter's radius 3 does not fit into the arc of radius 2"),
     ("G41.1 D6; G1 X10; X30; Y2; X10", "corners take more than the piece before has"),
     ("G41.1 D6; G1 X10; G3 X2 I-4", "the cutter's radius 3 does not fit into the corner"),
+    (
+        "G20 F20; G1 X0 Y0; G41.1 D0.25; G1 X1; X2; G2 X2.1 Y-0.1 I-0.001 J-0.1; G40; G1 X5",
+        "corners take more than the piece before has",
+    ),
     ("G41.1 D6; G1 X10; X20; G40; G2 X40 I10", "the first motion behind G40 is an arc"),
     ("G41.1 D6; G1 X10; G42.1 D6; X20", "G41 or G42 with compensation already in force"),
     ("G19 G41.1 D6; G1 X10", "cutter radius compensation in G19 is not supported"),

@@ -224,6 +224,7 @@ impl Interpreter<'_> {
         self.modal.compensation = Compensation::Off;
         let Some(mut stage) = self.milling.stage.take() else { return };
         let mut out = Vec::new();
+        stage.take_unit(self.modal.unit);
         let result = stage.finish(&mut out);
         self.hand_placed(out);
         match result {
@@ -267,6 +268,7 @@ impl Interpreter<'_> {
         };
         let element = Element { from: point(&motion.from), to: point(&motion.to), path };
         let mut out = Vec::new();
+        stage.take_unit(self.modal.unit);
         let result = if Axis::ALL.into_iter().skip(3).any(|axis| by[axis as usize] != 0.0) {
             Err(None)
         } else {

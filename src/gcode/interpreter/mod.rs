@@ -183,6 +183,10 @@ impl<'a> Interpreter<'a> {
         for (number, value) in setting.var_file.iter() {
             parameters.set(number as usize, value);
         }
+        // What the last subprogram returned; 0 before any has.
+        for name in ["_value", "_value_returned"] {
+            parameters.set_named(name.to_owned(), 0.0);
+        }
         parameters.set(ACTIVE as usize, f64::from(offsets.active.number()));
         if !setting.keep_g92 {
             (offsets.g92, offsets.g92_on) = (Pose::default(), false);
@@ -369,7 +373,16 @@ impl<'a> Interpreter<'a> {
             self.remark_no_end();
             return self.end();
         }
-        Err(without_end(percent))
+        self.line = self.source().position().lines;
+        let mut fault = without_end(percent);
+        let subprograms = self.structures.first().and_then(Option::as_ref).is_some_and(Structure::has_subprograms);
+        if subprograms && self.made() == 0 {
+            fault.remedy = Text::fixed(
+                "si el archivo solo tiene subprogramas, compruebe el programa que los llama, con --subs; si no, añada M30",
+                "where the file holds subprograms alone verify the program that calls them, with --subs; else add M30",
+            );
+        }
+        Err(fault)
     }
 
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.

@@ -56,6 +56,20 @@ impl Interpreter<'_> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
         let refuse = |what: Text, remedy: Text| Fault::at(&[column], what, remedy);
         let L = self.block.get(letter::L).and_then(whole);
+        if L == Some(0) && self.reading.expressions {
+            self.remarks.add(
+                Grade::Note,
+                self.line,
+                Some(column),
+                Text::fixed(
+                    "G10 L0 carga de nuevo la tabla de herramientas: aquí sigue la que se ha dado",
+                    "G10 L0 loads the tool table again: here the one that was given stays",
+                ),
+                Text::fixed("", ""),
+            );
+            self.tools = self.setting.tools.clone().unwrap_or_default();
+            return Ok(());
+        }
         if !matches!(L, Some(1 | 2 | 10 | 11 | 20)) {
             return Err(refuse(
                 Text::fixed("G10 sin L1, L2, L10, L11 o L20", "G10 without L1, L2, L10, L11 or L20"),

@@ -42,6 +42,15 @@ fn name(letter: u8) -> char {
 }
 
 #[cold]
+fn negative(name: char, value: f64, column: usize) -> Box<Fault> {
+    Fault::at(
+        &[column],
+        Text::new(format!("{name} negativo: {value}"), format!("negative {name}: {value}")),
+        Text::fixed("escriba un número positivo", "write a positive number"),
+    )
+}
+
+#[cold]
 fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
     Fault::at(
         &[first, second],
@@ -74,6 +83,11 @@ impl Interpreter<'_> {
             && !matches!(self.block.m(5), Some((M::Input | M::AnalogOutput, _)))
         {
             return Err(exponent(column));
+        }
+        if let Some(D) = self.block.get(letter::D).filter(|D| *D < 0.0)
+            && !matches!(self.block.g(Group::CutterCompensation), Some(G::CompensationGiven(_)))
+        {
+            return Err(negative('D', D, self.block.column(letter::D)));
         }
         if self.block.polar != [None; 2] {
             self.settle_polar()?;
@@ -311,14 +325,11 @@ impl Interpreter<'_> {
             ));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
+            && !(letter == b'd' && self.reading.expressions)
             && !(letter == b'q' && (self.reading.system_a || matches!(self.block.m(5), Some((M::AnalogOutput, _)))))
             && !self.fagor_cycle()
         {
-            return Err(Fault::at(
-                &[number_column],
-                Text::new(format!("{} negativo: {value}", name(letter)), format!("negative {}: {value}", name(letter))),
-                Text::fixed("escriba un número positivo", "write a positive number"),
-            ));
+            return Err(negative(name(letter), value, number_column));
         }
         if self.reading.system_a {
             self.see_point(index, &number, column)?;

@@ -334,6 +334,11 @@ impl Structure {
         (0..index?).rev().find(|&at| self.marks.get(at).is_some_and(|mark| mark.word == Word::Sub))
     }
 
+    /// True where the file holds subprograms.
+    pub(super) fn has_subprograms(&self) -> bool {
+        self.marks.iter().any(|mark| mark.word == Word::Sub)
+    }
+
     /// The O-word of a line.
     pub(super) fn on_line(&self, line: usize) -> Option<usize> {
         self.lines.get(&line).copied()
