@@ -21,6 +21,8 @@ mod messages;
 mod parted;
 #[path = "lathe_inputs/programs.rs"]
 mod programs;
+#[path = "lathe_inputs/rules.rs"]
+mod rules;
 #[path = "lathe_inputs/second.rs"]
 mod second;
 #[path = "lathe_inputs/second_marks.rs"]

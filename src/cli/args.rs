@@ -85,6 +85,21 @@ pub(super) enum Command {
     /// that does not exist is made with the parameters that LinuxCNC wants. Close LinuxCNC before: it holds the
     /// parameters in memory and writes them over the file when it ends.
     Offsets(Offsets),
+    /// Explain the code of a finding: what it says, why, the remedy and an example that raises it
+    ///
+    /// A code as L0131, as it stands in JSON, or the number of a turning alarm as 131. Without one all codes are listed.
+    Explain(Explain),
+}
+
+/// Arguments of `explain`.
+#[derive(Debug, Args)]
+pub(super) struct Explain {
+    /// Codes or alarm numbers
+    #[arg(value_name = "CODE")]
+    pub(super) codes: Vec<String>,
+    /// Language of the text [default: the locale's]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language())]
+    pub(super) lang: Option<Language>,
 }
 
 /// Arguments of `new`.

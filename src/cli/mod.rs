@@ -7,6 +7,7 @@ mod args;
 mod build;
 mod delivery;
 mod drawings;
+mod explain;
 mod fault;
 mod finding;
 mod interrupt;
@@ -38,6 +39,7 @@ use clap::Parser;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
+pub use self::explain::RULES;
 use self::locale::spoken;
 use self::terminal::Terminal;
 use self::verdict::{Verdict, code, gravest};
@@ -83,6 +85,7 @@ fn command(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termina
         Command::Verify(arguments) => verify::run(&arguments, terminal),
         Command::View(arguments) => view::run(&arguments, terminal),
         Command::Offsets(arguments) => offsets::run(&arguments, terminal),
+        Command::Explain(arguments) => explain::run(&arguments, terminal),
     }
 }
 

@@ -1,7 +1,7 @@
 //! What goes wrong while a program turns: numbered, with cause, place and depth.
 
 use super::stock::Fixture;
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::{Finding, Grade, Place, Raise, Said, Size};
 use crate::gcode::control::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
@@ -176,69 +176,17 @@ pub struct Alarm {
     pub depth: Option<f64>,
 }
 
-impl Moving {
-    const fn name(self) -> [&'static str; 2] {
-        match self {
-            Self::Cutter => ["la placa o broca", "the insert or drill"],
-            Self::Holder => ["el portaherramientas", "the holder"],
-            Self::Turret => ["la torreta", "the turret"],
-        }
-    }
-}
-
-impl Fixture {
-    const fn name(self) -> [&'static str; 2] {
-        match self {
-            Self::Chuck => ["el plato", "the chuck"],
-            Self::Jaws => ["las garras", "the jaws"],
-            Self::Tailstock => ["el contrapunto", "the tailstock"],
-        }
-    }
-}
-
 impl Cause {
     /// What one alarm is told from another by: its number, and the axis that is at the end of its travel.
     #[must_use]
-    pub const fn key(self) -> (u16, Option<u8>) {
+    pub fn key(self) -> (u16, Option<u8>) {
         (self.number(), if let Self::Travel(axis) = self { Some(axis as u8) } else { None })
     }
 
     /// The alarm's number.
     #[must_use]
-    pub const fn number(self) -> u16 {
-        match self {
-            Self::RapidInMetal | Self::RetractionInMetal => 101,
-            Self::BackInMetal => 102,
-            Self::BodyInMetal(Moving::Turret) => 104,
-            Self::BodyInMetal(_) => 103,
-            Self::BoreWithoutHole { .. } => 105,
-            Self::Collision(moving, fixture) => 111 + 3 * moving as u16 + fixture as u16,
-            Self::Travel(_) => 121,
-            Self::DepthOfCut { .. } => 131,
-            Self::BackCutting => 132,
-            Self::NoLead => 141,
-            Self::Lead { .. } => 142,
-            Self::LeadDiffers { .. } => 143,
-            Self::NoThreader => 144,
-            Self::ThreadSpeed { .. } => 145,
-            Self::ThreadTooDeep { .. } => 146,
-            Self::ShortRunIn { .. } => 147,
-            Self::NoGreatestSpeed { .. } => 151,
-            Self::TooFast { .. } => 152,
-            Self::SpindleStopped => 153,
-            Self::SpindleWrongWay => 154,
-            Self::FeedStands => 155,
-            Self::NoCoolant => 161,
-            Self::NoFeed => 171,
-            Self::ImplausibleFeed { .. } => 172,
-            Self::CoarseFeed { .. } => 173,
-            Self::UnknownTool(_) => 181,
-            Self::OffAxis => 182,
-            Self::OtherOffset { .. } => 183,
-            Self::ToolChange(_) => 184,
-            Self::NoseInTheWork(_) => 185,
-            Self::PartedOff(_) => 191,
-        }
+    pub fn number(self) -> u16 {
+        self.row().rule().alarm.unwrap_or_default()
     }
 
     /// True where it hangs on where the tool is: with another tool's offset it may follow from that.
@@ -261,241 +209,92 @@ impl Cause {
         )
     }
 
-    /// How grave it is.
+    /// How grave it is. Another offset than the tool's own is as grave as what follows from it: of itself a caution.
     #[must_use]
-    pub const fn grade(self) -> Grade {
+    pub fn grade(self) -> Grade {
+        if matches!(self, Self::OtherOffset { .. }) { Grade::Caution } else { self.row().rule().grade }
+    }
+
+    /// Its row, with what it carries.
+    #[must_use]
+    pub fn row(self) -> Box<dyn Raise> {
+        use crate::lathe::rules as row;
         match self {
-            Self::NoCoolant | Self::PartedOff(_) => Grade::Note,
-            Self::RetractionInMetal
-            | Self::BackCutting
-            | Self::Lead { .. }
-            | Self::LeadDiffers { .. }
-            | Self::NoThreader
-            | Self::ThreadSpeed { .. }
-            | Self::ThreadTooDeep { .. }
-            | Self::ShortRunIn { .. }
-            | Self::CoarseFeed { .. }
-            | Self::NoseInTheWork(_)
-            | Self::ImplausibleFeed { .. }
-            | Self::NoGreatestSpeed { .. }
-            | Self::OtherOffset { .. }
-            | Self::TooFast { .. } => Grade::Caution,
-            _ => Grade::Stop,
+            Self::RapidInMetal => Box::new(row::RapidInMetal {}),
+            Self::RetractionInMetal => Box::new(row::RetractionInMetal {}),
+            Self::BackInMetal => Box::new(row::BackInMetal {}),
+            Self::BodyInMetal(Moving::Turret) => Box::new(row::TurretInMetal {}),
+            Self::BodyInMetal(Moving::Cutter | Moving::Holder) => Box::new(row::HolderInMetal {}),
+            Self::BoreWithoutHole { hole, least } if hole > TOUCH => {
+                Box::new(row::BoreInNarrowHole { hole: Size::mm(hole), least: Size::mm(least) })
+            }
+            Self::BoreWithoutHole { least, .. } => Box::new(row::BoreInSolid { least: Size::mm(least) }),
+            Self::Collision(Moving::Cutter, Fixture::Chuck) => Box::new(row::CutterHitsChuck {}),
+            Self::Collision(Moving::Cutter, Fixture::Jaws) => Box::new(row::CutterHitsJaws {}),
+            Self::Collision(Moving::Cutter, Fixture::Tailstock) => Box::new(row::CutterHitsTailstock {}),
+            Self::Collision(Moving::Holder, Fixture::Chuck) => Box::new(row::HolderHitsChuck {}),
+            Self::Collision(Moving::Holder, Fixture::Jaws) => Box::new(row::HolderHitsJaws {}),
+            Self::Collision(Moving::Holder, Fixture::Tailstock) => Box::new(row::HolderHitsTailstock {}),
+            Self::Collision(Moving::Turret, Fixture::Chuck) => Box::new(row::TurretHitsChuck {}),
+            Self::Collision(Moving::Turret, Fixture::Jaws) => Box::new(row::TurretHitsJaws {}),
+            Self::Collision(Moving::Turret, Fixture::Tailstock) => Box::new(row::TurretHitsTailstock {}),
+            Self::Travel(axis) => Box::new(row::AxisLeavesTravel { axis: axis.letter() }),
+            Self::DepthOfCut { depth, edge } => {
+                Box::new(row::DepthOfCut { depth: Size::mm(depth), edge: Size::mm(edge) })
+            }
+            Self::BackCutting => Box::new(row::BackCutting {}),
+            Self::NoLead => Box::new(row::NoLead {}),
+            Self::Lead { lead, leads: [least, most] } => {
+                Box::new(row::LeadNotOfInsert { lead: Size::mm(lead), least: Size::mm(least), most: Size::mm(most) })
+            }
+            Self::LeadDiffers { lead, before } => {
+                Box::new(row::LeadDiffers { lead: Size::mm(lead), before: Size::mm(before) })
+            }
+            Self::NoThreader => Box::new(row::NoThreader {}),
+            Self::ThreadSpeed { speed, before } => {
+                Box::new(row::ThreadSpeed { speed: Size::rpm(speed), before: Size::rpm(before) })
+            }
+            Self::ThreadTooDeep { depth, most } => {
+                Box::new(row::ThreadTooDeep { depth: Size::mm(depth), most: Size::mm(most) })
+            }
+            Self::ShortRunIn { length, least } => {
+                Box::new(row::ShortRunIn { length: Size::mm(length), least: Size::mm(least) })
+            }
+            Self::NoGreatestSpeed { asked, most } => {
+                Box::new(row::NoGreatestSpeed { asked: Size::rpm(asked), most: Size::rpm(most) })
+            }
+            Self::TooFast { asked, most } => Box::new(row::TooFast { asked: Size::rpm(asked), most: Size::rpm(most) }),
+            Self::SpindleStopped => Box::new(row::SpindleStopped {}),
+            Self::SpindleWrongWay => Box::new(row::SpindleWrongWay {}),
+            Self::FeedStands => Box::new(row::FeedStands {}),
+            Self::NoCoolant => Box::new(row::NoCoolant {}),
+            Self::NoFeed => Box::new(row::NoFeed {}),
+            Self::ImplausibleFeed { feed, limits: [least, most] } => {
+                Box::new(row::ImplausibleFeed { feed: Size::mm(feed), least: Size::mm(least), most: Size::mm(most) })
+            }
+            Self::CoarseFeed { feed, most } => Box::new(row::CoarseFeed { feed: Size::mm(feed), most: Size::mm(most) }),
+            Self::UnknownTool(place) => Box::new(row::UnknownTool { place }),
+            Self::OffAxis => Box::new(row::OffAxis {}),
+            Self::OtherOffset { offset: 0, own } => Box::new(row::NoOffset { offset: 0, own }),
+            Self::OtherOffset { offset, own } => Box::new(row::OtherOffset { offset, own }),
+            Self::ToolChange(place) => Box::new(row::ToolChange { place }),
+            Self::NoseInTheWork(Compensation::Left) => Box::new(row::NoseInTheWorkLeft {}),
+            Self::NoseInTheWork(_) => Box::new(row::NoseInTheWorkRight {}),
+            Self::PartedOff(volume) => Box::new(row::PartedOff { volume: Size::mm3(volume) }),
         }
     }
 
     /// What happens, as a sentence without a full stop.
     #[must_use]
     pub fn text(self) -> Text {
-        let t = Text::fixed;
-        match self {
-            Self::RapidInMetal => t("Avance rápido a través del material", "Rapid motion through metal"),
-            Self::RetractionInMetal => {
-                t("La retirada raspa el material en avance rápido", "The retraction scrapes metal at rapid")
-            }
-            Self::BackInMetal => t(
-                "Un lado sin filo de la placa entra en el material",
-                "A side of the insert that does not cut runs into metal",
-            ),
-            Self::BodyInMetal(moving) => {
-                let [es, en] = moving.name();
-                sentence(format!("{es} entra en el material"), format!("{en} runs into metal"))
-            }
-            Self::BoreWithoutHole { hole, .. } if hole > TOUCH => t(
-                "La barra de mandrinar entra con avance en un agujero demasiado estrecho para ella",
-                "The boring bar is fed into a hole that is too narrow for it",
-            ),
-            Self::BoreWithoutHole { .. } => t(
-                "La barra de mandrinar entra con avance en macizo, donde no hay agujero",
-                "The boring bar is fed into solid metal, where there is no hole",
-            ),
-            Self::Collision(moving, fixture) => {
-                let ([es, en], [es_in, en_in]) = (moving.name(), fixture.name());
-                sentence(format!("{es} choca con {es_in}"), format!("{en} hits {en_in}"))
-            }
-            Self::Travel(axis) => Text::new(
-                format!("El eje {} sale de su recorrido", axis.letter()),
-                format!("Axis {} leaves its travel", axis.letter()),
-            ),
-            Self::DepthOfCut { .. } => {
-                t("La profundidad de corte es mayor que el filo", "The depth of cut is greater than the cutting edge")
-            }
-            Self::BackCutting => t(
-                "El perfil queda fuera del alcance: corta otro filo, no la punta",
-                "The profile is out of reach: another edge cuts, not the nose",
-            ),
-            Self::NoLead => t("Rosca sin paso", "Thread without a lead"),
-            Self::Lead { .. } => {
-                t("El paso no es de los de la placa de roscar", "The lead is none of the threading insert's")
-            }
-            Self::LeadDiffers { .. } => t(
-                "El avance de la rosca no es el paso de las pasadas anteriores",
-                "The feed in the thread is not the lead of the earlier passes",
-            ),
-            Self::NoThreader => t(
-                "Se rosca con una herramienta que no es de roscar",
-                "A thread is cut with a tool that is not for threads",
-            ),
-            Self::ThreadSpeed { .. } => t(
-                "El giro del husillo cambia entre las pasadas de la rosca: no entran en el mismo filete",
-                "The spindle's speed changes between the passes of the thread: they do not enter the same groove",
-            ),
-            Self::NoGreatestSpeed { .. } => t(
-                "Velocidad de corte constante sin giro máximo: cerca del eje el husillo llega a su límite",
-                "Constant surface speed without a greatest speed: near the axis the spindle runs up to its limit",
-            ),
-            Self::TooFast { .. } => {
-                t("S es mayor que el giro máximo del husillo", "S is more than the spindle's greatest speed")
-            }
-            Self::SpindleStopped => t("Corte con el husillo parado", "Cutting with the spindle stopped"),
-            Self::SpindleWrongWay => {
-                t("El husillo gira al revés para esta herramienta", "The spindle turns the wrong way for this tool")
-            }
-            Self::FeedStands => t(
-                "Avance por vuelta con el husillo parado: el carro no se mueve",
-                "Feed per revolution with the spindle stopped: the slide does not move",
-            ),
-            Self::OtherOffset { offset: 0, .. } => {
-                t("Movimiento de trabajo sin corrector de herramienta", "Motion at feed without a tool offset")
-            }
-            Self::OtherOffset { .. } => {
-                t("El corrector en vigor no es el de la herramienta", "The offset in force is not the tool's own")
-            }
-            Self::NoCoolant => t("Corte sin refrigerante", "Cutting without coolant"),
-            Self::NoFeed => t("Movimiento de trabajo con avance 0", "Motion at feed with a feed of 0"),
-            Self::ImplausibleFeed { .. } => t(
-                "El avance por vuelta en el corte no es propio del torneado",
-                "The feed per revolution in the cut is none of turning",
-            ),
-            Self::UnknownTool(place) => Text::new(
-                format!("No hay herramienta en el puesto {place} de la torreta"),
-                format!("There is no tool in place {place} of the turret"),
-            ),
-            Self::OffAxis => t("La broca trabaja fuera del eje", "The drill works beside the axis"),
-            Self::ToolChange(place) => Text::new(
-                format!("La torreta gira al puesto {place} dentro de la pieza, en lo que la sujeta o sobre el bruto"),
-                format!("The turret turns to place {place} inside the work, in what holds it or over the stock"),
-            ),
-            Self::NoseInTheWork(side) => {
-                let code = if side == Compensation::Left { "G41" } else { "G42" };
-                Text::new(
-                    format!("{code} deja la punta del lado de la pieza"),
-                    format!("{code} keeps the nose on the side of the work"),
-                )
-            }
-            Self::CoarseFeed { .. } => t(
-                "El avance por vuelta es demasiado para el radio de punta: deja surcos",
-                "The feed per revolution is too much for the nose radius: it leaves ridges",
-            ),
-            Self::ThreadTooDeep { .. } => t(
-                "La rosca es más honda de lo que admite su paso: se lleva las crestas",
-                "The thread is deeper than its lead allows: its crests are cut away",
-            ),
-            Self::ShortRunIn { .. } => t(
-                "La entrada de la rosca es más corta de lo que necesita el control: el paso sale corto",
-                "The run-in of the thread is shorter than the control needs: its lead comes out short",
-            ),
-            Self::PartedOff(_) => t("Se desprende una pieza", "A piece is cut off"),
-        }
+        self.row().what()
     }
 
     /// What to do about it.
     #[must_use]
-    pub const fn remedy(self) -> Text {
-        let t = Text::fixed;
-        match self {
-            Self::RapidInMetal => t(
-                "Aleje el punto de partida o haga este movimiento con avance de trabajo",
-                "Start farther away, or make this motion at feed",
-            ),
-            Self::RetractionInMetal => t(
-                "Retire con avance o a 45°, termine el contorno del ciclo fuera del bruto, o use una herramienta con φ1 de 90° o menos",
-                "Retract at feed or at 45°, end the cycle's contour outside the stock, or use a tool with φ1 of 90° or less",
-            ),
-            Self::BackInMetal | Self::BackCutting => t(
-                "Elija una herramienta de otra mano o con más ángulo libre, o cambie el sentido de la pasada",
-                "Choose a tool of the other hand or with more clearance, or turn the pass about",
-            ),
-            Self::BodyInMetal(Moving::Turret) | Self::Collision(Moving::Turret, Fixture::Chuck | Fixture::Jaws) => t(
-                "Use una herramienta que sobresalga más, o compruebe su l y el cuerpo de la torreta (BX_min a BZ_max en el libro)",
-                "Use a tool that stands out more, or check its l and the turret's body (BX_min to BZ_max in the workbook)",
-            ),
-            Self::BodyInMetal(_) => {
-                t("Elija una herramienta más larga o más estrecha", "Choose a longer or a narrower tool")
-            }
-            Self::BoreWithoutHole { .. } => t(
-                "Taladre antes hasta el diámetro que aquí se da como mínimo, o abra el agujero en más pasadas o con una barra más delgada",
-                "Drill first, up to the diameter told here as the least, or open the hole in more passes or with a thinner bar",
-            ),
-            Self::Collision(_, Fixture::Tailstock) => t(
-                "Retire el contrapunto (en el libro, tailstock: no), o limite el movimiento",
-                "Withdraw the tailstock (in the workbook, tailstock: no), or keep the motion away",
-            ),
-            Self::Collision(..) => t(
-                "Sujete la pieza más afuera o limite el movimiento",
-                "Clamp the work farther out, or keep the motion away",
-            ),
-            Self::Travel(_) => {
-                t("Revise ceros y correctores, o acerque la pieza", "Check zeros and offsets, or bring the work nearer")
-            }
-            Self::DepthOfCut { .. } => t("Reparta el corte en más pasadas", "Divide the cut into more passes"),
-            Self::NoLead => t("Escriba el paso con F", "Write the lead with F"),
-            Self::Lead { .. } => t("Cambie de placa o corrija F", "Change the insert or correct F"),
-            Self::LeadDiffers { .. } => t("Use el mismo paso en todas las pasadas", "Use the same lead in all passes"),
-            Self::NoThreader => t("Llame a la herramienta de roscar", "Call the threading tool"),
-            Self::ThreadSpeed { .. } => t("Rosque con G97 y S en rpm", "Cut threads with G97 and S in rpm"),
-            Self::NoGreatestSpeed { .. } => t("Limite el giro con G50 S (G92 S)", "Limit the speed with G50 S (G92 S)"),
-            Self::TooFast { .. } => t("Reduzca S", "Reduce S"),
-            Self::OtherOffset { .. } => {
-                t("Llame a la herramienta con su corrector", "Call the tool with its own offset")
-            }
-            Self::SpindleStopped | Self::FeedStands => {
-                t("Programe M3 o M4 con S antes del corte", "Program M3 or M4 with S before the cut")
-            }
-            Self::SpindleWrongWay => t(
-                "Cambie M3 por M4 o al revés; si la herramienta está montada con la otra cara arriba, escriba en su celda M de la hoja HERRAMIENTAS el giro con el que corta",
-                "Change M3 to M4 or the other way; where the tool lies the other face up, write the way it cuts in its cell M on the sheet TOOLS",
-            ),
-            Self::NoCoolant => t("Programe M8 si el material lo pide", "Program M8 if the material asks for it"),
-            Self::NoFeed => t("Programe F", "Program F"),
-            Self::ImplausibleFeed { .. } => t(
-                "Compruebe F y si es por vuelta (G99; G95 en Fagor) o por minuto (G98; G94)",
-                "Check F, and whether it is per revolution (G99; on a Fagor G95) or per minute (G98; G94)",
-            ),
-            Self::UnknownTool(_) => t("Monte la herramienta o corrija T", "Mount the tool or correct T"),
-            Self::OffAxis => t("Lleve la broca a X0", "Bring the drill to X0"),
-            Self::ToolChange(_) => t(
-                "Retire antes la torreta, a la derecha de la cara y libre con todas sus herramientas, o con G28",
-                "Take the turret away first, to the right of the face and clear with all its tools, or with G28",
-            ),
-            Self::NoseInTheWork(Compensation::Left) => t(
-                "Programe G42: por fuera hacia el plato, y por dentro al revés",
-                "Program G42: outside towards the chuck, and inside the other way about",
-            ),
-            Self::NoseInTheWork(_) => t(
-                "Programe G41: por dentro hacia el plato, y por fuera al revés",
-                "Program G41: inside towards the chuck, and outside the other way about",
-            ),
-            Self::CoarseFeed { .. } => {
-                t("Reduzca F o use más radio de punta", "Reduce F, or use a greater nose radius")
-            }
-            Self::ThreadTooDeep { .. } => {
-                t("Compruebe el diámetro del fondo y el paso F", "Check the diameter of the root and the lead F")
-            }
-            Self::ShortRunIn { .. } => {
-                t("Comience la pasada más lejos o reduzca S", "Begin the pass farther away, or reduce S")
-            }
-            Self::PartedOff(_) => t("", ""),
-        }
+    pub fn remedy(self) -> Text {
+        self.row().remedy()
     }
-}
-
-fn sentence(es: String, en: String) -> Text {
-    let capital = |text: String| {
-        let mut letters = text.chars();
-        letters.next().map(|first| first.to_uppercase().collect::<String>() + letters.as_str()).unwrap_or_default()
-    };
-    Text::new(capital(es), capital(en))
 }
 
 impl Alarm {
@@ -503,10 +302,14 @@ impl Alarm {
     #[must_use]
     pub fn finding(&self) -> Finding {
         let [x, z] = self.place.map(|at| shown(at, 3));
-        let what = self.cause.text();
+        let mut finding = self.cause.row().at(Place::Line { line: self.line, columns: Vec::new() });
         let number = self.cause.number();
         let at = |text: &str| format!("{number} {text}, X{x} Z{z}");
-        let what = Text::new(at(&what.es), at(&what.en));
+        finding.grade = self.cause.grade();
+        finding.what = Text::new(at(&finding.what.es), at(&finding.what.en));
+        let [X, Z] = self.place.map(|at| Size::mm(at).datum());
+        finding.data.extend([("X", X), ("Z", Z)]);
+        finding.data.extend(self.depth.map(|deep| ("deep", Size::mm(deep).datum())));
         let mm = |value: f64| format!("{} mm", shown(value, 3));
         let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
         let (value, limit) = match self.cause {
@@ -526,7 +329,6 @@ impl Alarm {
             Cause::PartedOff(volume) => (format!("{} mm³", shown(volume, 1)), String::new()),
             _ => (self.depth.map(mm).unwrap_or_default(), String::new()),
         };
-        let place = Place::Line { line: self.line, columns: Vec::new() };
-        Finding::new(self.cause.grade(), place, what, self.cause.remedy()).with(value, limit)
+        finding.with(value, limit)
     }
 }

@@ -26,6 +26,7 @@ pub mod outline;
 pub mod parameters;
 pub mod path;
 pub mod repeat;
+pub mod rules;
 pub mod setup;
 pub mod simulation;
 pub mod spindle;

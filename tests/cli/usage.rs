@@ -54,6 +54,30 @@ fn arguments_that_are_no_utf8_are_refused_where_words_are_wanted() {
 }
 
 #[test]
+fn a_code_or_the_number_of_an_alarm_is_explained() {
+    let folder = folder();
+    let text = |arguments: &[&str]| {
+        let assert = rodete(&folder).arg("explain").args(arguments).assert().code(0).stderr("");
+        String::from_utf8(assert.get_output().stdout.clone()).expect("text")
+    };
+    let depth = text(&["L0131"]);
+    assert!(depth.starts_with("L0131 depth-of-cut (stop, alarm 131)\n  The depth of cut is greater"), "{depth}");
+    assert!(depth.contains("\n  remedy: Divide the cut into more passes\n"), "{depth}");
+    assert!(depth.contains("\n  example (fanuc-lathe-a, D50xL120):\n    G50 S2500\n"), "{depth}");
+    assert_eq!(text(&["l0131"]), depth);
+    // Two rows are told under 101.
+    let rapid = text(&["101", "--lang", "es"]);
+    assert!(rapid.contains("L0101 ") && rapid.contains("L0201 ") && rapid.contains("remedio: "), "{rapid}");
+    assert!(text(&[]).lines().any(|line| line.starts_with("L0119  ")));
+    rodete(&folder)
+        .args(["explain", "Q9999"])
+        .assert()
+        .code(2)
+        .stdout("")
+        .stderr("error: Q9999 is no code of rodete\n");
+}
+
+#[test]
 fn help_and_version_end_with_0() {
     let folder = folder();
     for flag in ["--version", "-V"] {

@@ -1,7 +1,13 @@
 //! What rodete has to say about an input or a result: graded, placed, with the value, the limit and the remedy.
 
-use serde::Serialize;
+pub mod datum;
+pub mod rule;
 
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
+pub use self::datum::{Datum, Said, Size};
+pub use self::rule::{Example, Raise, Rule};
 use crate::text::Text;
 
 /// How grave a finding is.
@@ -87,8 +93,12 @@ pub enum Place {
 pub const FAULT: Text = Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
 
 /// One thing found.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
+    /// The row that it is of; none where it has no code yet.
+    pub rule: Option<&'static Rule>,
+    /// What it carries, by name, unrounded.
+    pub data: Vec<(&'static str, Datum)>,
     /// How grave it is.
     pub grade: Grade,
     /// What was found, as a sentence without a full stop.
@@ -107,7 +117,7 @@ impl Finding {
     /// A finding without value and limit.
     #[must_use]
     pub const fn new(grade: Grade, place: Place, what: Text, remedy: Text) -> Self {
-        Self { grade, what, place, value: String::new(), limit: String::new(), remedy }
+        Self { rule: None, data: Vec::new(), grade, what, place, value: String::new(), limit: String::new(), remedy }
     }
 
     /// A finding that stops the work.
@@ -146,6 +156,35 @@ impl Finding {
         self.value = value.into();
         self.limit = limit.into();
         self
+    }
+}
+
+impl Serialize for Finding {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut finding = serializer.serialize_struct("Finding", if self.rule.is_some() { 9 } else { 6 })?;
+        if let Some(rule) = self.rule {
+            finding.serialize_field("code", rule.code)?;
+            finding.serialize_field("name", &rule.name())?;
+        }
+        finding.serialize_field("grade", &self.grade)?;
+        finding.serialize_field("what", &self.what)?;
+        finding.serialize_field("place", &self.place)?;
+        finding.serialize_field("value", &self.value)?;
+        finding.serialize_field("limit", &self.limit)?;
+        finding.serialize_field("remedy", &self.remedy)?;
+        if self.rule.is_some() {
+            finding.serialize_field("data", &Named(&self.data))?;
+        }
+        finding.end()
+    }
+}
+
+/// Values by name, as one object.
+struct Named<'a>(&'a [(&'static str, Datum)]);
+
+impl Serialize for Named<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, datum)| (name, datum)))
     }
 }
 

@@ -1,0 +1,78 @@
+//! `explain`: what a code means, why it is told, what to do, and an example that raises it.
+
+use std::fmt::Write;
+
+use super::args::Explain;
+use super::locale::spoken;
+use super::terminal::Terminal;
+use crate::escape::printable;
+use crate::finding::{Example, Exit, Grade, Rule};
+use crate::lathe;
+use crate::parameter::t;
+use crate::text::{Language, Text};
+
+/// The rows of every room.
+pub const RULES: [&[&Rule]; 1] = [lathe::rules::RULES];
+
+fn all() -> impl Iterator<Item = &'static Rule> {
+    RULES.into_iter().flatten().copied()
+}
+
+pub(super) fn run(arguments: &Explain, terminal: &mut Terminal) -> Exit {
+    let language = spoken(arguments.lang, None);
+    if arguments.codes.is_empty() {
+        let lines: String = all().map(|rule| format!("{}  {}\n", rule.code, rule.what.get(language))).collect();
+        terminal.out(&lines);
+        return Exit::Done;
+    }
+    let mut exit = Exit::Done;
+    for code in &arguments.codes {
+        let found: Vec<_> = all().filter(|rule| named(rule, code)).collect();
+        if found.is_empty() {
+            exit = Exit::CommandLine;
+            let code = printable(code);
+            let what = Text::new(format!("{code} no es un código de rodete"), format!("{code} is no code of rodete"));
+            terminal.err(&format!("error: {}\n", what.get(language)));
+        }
+        for rule in found {
+            terminal.out(&told(rule, language));
+        }
+    }
+    exit
+}
+
+/// True where a row is meant: by its code, whatever the case of its letter, or by the number of its alarm.
+fn named(rule: &Rule, code: &str) -> bool {
+    rule.code.eq_ignore_ascii_case(code) || rule.alarm.is_some_and(|alarm| alarm.to_string() == code)
+}
+
+/// A row, explained.
+fn told(rule: &Rule, language: Language) -> String {
+    let mut text = String::new();
+    let alarm = rule.alarm.map(|alarm| format!(", {} {alarm}", t("alarma", "alarm").get(language))).unwrap_or_default();
+    let grade = match rule.grade {
+        Grade::Stop => t("parada", "stop"),
+        Grade::Caution => t("precaución", "caution"),
+        Grade::Note => t("nota", "note"),
+    };
+    let _ = writeln!(text, "{} {} ({}{alarm})", rule.code, rule.name(), grade.get(language));
+    let _ = writeln!(text, "  {}", rule.what.get(language));
+    let _ = writeln!(text, "  {}: {}", t("por qué", "why").get(language), rule.why.get(language));
+    if !rule.remedy.is_empty() {
+        let _ = writeln!(text, "  {}: {}", t("remedio", "remedy").get(language), rule.remedy.get(language));
+    }
+    match &rule.example {
+        Example::Turning { control, stock, program, machine } => {
+            let given: String = machine.iter().map(|(symbol, value)| format!(", {symbol} = {value}")).collect();
+            let head = t("ejemplo", "example");
+            let _ = writeln!(text, "  {} ({control}, {stock}{given}):", head.get(language));
+            for block in program.split('|') {
+                let _ = writeln!(text, "    {block}");
+            }
+        }
+        Example::Never(why) => {
+            let _ = writeln!(text, "  {}: {}", t("sin ejemplo", "no example").get(language), why.get(language));
+        }
+    }
+    text
+}

@@ -1,0 +1,140 @@
+//! What a finding carries beside its sentence: numbers with their unit, whole numbers and words.
+
+use std::borrow::Cow;
+
+use serde::Serialize;
+
+use crate::number::shown;
+use crate::text::{Language, Text};
+
+/// A value of a finding for a program that reads the JSON: the number itself, not its rounded text.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Datum {
+    /// A number with its unit; `null` where it has no bound.
+    Number {
+        /// The number.
+        value: Option<f64>,
+        /// Its unit as it is printed, empty for none.
+        unit: &'static str,
+    },
+    /// A whole number.
+    Whole(i64),
+    /// A word that is the same in both languages: a code, a symbol, a name that the user typed.
+    Word(String),
+    /// A word that has a Spanish and an English form.
+    Words(Text),
+}
+
+/// A type whose values stand in the sentences of a rule.
+pub trait Said {
+    /// How the value is said in a language.
+    fn said(&self, language: Language) -> Cow<'_, str>;
+    /// The value itself.
+    fn datum(&self) -> Datum;
+}
+
+/// A number with its unit, said with at most so many decimals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// The number; infinite where there is no bound.
+    pub value: f64,
+    /// The unit as it is printed, empty for none.
+    pub unit: &'static str,
+    /// The most decimals.
+    pub decimals: usize,
+}
+
+impl Size {
+    /// A length in mm, said to the thousandth.
+    #[must_use]
+    pub const fn mm(value: f64) -> Self {
+        Self { value, unit: "mm", decimals: 3 }
+    }
+
+    /// A speed of a spindle in revolutions a minute, said to the whole one.
+    #[must_use]
+    pub const fn rpm(value: f64) -> Self {
+        Self { value, unit: "rpm", decimals: 0 }
+    }
+
+    /// A volume in mm³, said to the tenth.
+    #[must_use]
+    pub const fn mm3(value: f64) -> Self {
+        Self { value, unit: "mm³", decimals: 1 }
+    }
+}
+
+impl Said for Size {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        if self.value.is_infinite() {
+            return if self.value > 0.0 { "∞".into() } else { "−∞".into() };
+        }
+        let number = shown(self.value, self.decimals);
+        if self.unit.is_empty() { number.into() } else { format!("{number} {}", self.unit).into() }
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Number { value: self.value.is_finite().then_some(self.value), unit: self.unit }
+    }
+}
+
+impl Said for u32 {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        self.to_string().into()
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Whole(i64::from(*self))
+    }
+}
+
+impl Said for usize {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        self.to_string().into()
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Whole(i64::try_from(*self).unwrap_or(i64::MAX))
+    }
+}
+
+impl Said for char {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        self.to_string().into()
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Word(self.to_string())
+    }
+}
+
+impl Said for &'static str {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        Cow::Borrowed(self)
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Word((*self).to_owned())
+    }
+}
+
+impl Said for String {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        Cow::Borrowed(self)
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Word(self.clone())
+    }
+}
+
+impl Said for Text {
+    fn said(&self, language: Language) -> Cow<'_, str> {
+        Cow::Borrowed(self.get(language))
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Words(self.clone())
+    }
+}

@@ -1,0 +1,235 @@
+//! What rodete can find, one row each: a code, how grave it is, its sentence, the reason, the remedy and an example that
+//! raises it.
+//!
+//! A code is one letter for the room and four digits, and is never given again. What makes two findings the same is their
+//! rule, what they carry and their place; the sentence follows from these.
+
+use crate::finding::{Datum, Finding, Grade, Place};
+use crate::text::Text;
+
+/// A row.
+#[derive(Debug)]
+pub struct Rule {
+    /// The code, as `L0131`.
+    pub code: &'static str,
+    /// The row's name in the code, as `DepthOfCut`.
+    pub ident: &'static str,
+    /// The gravest that it is told as.
+    pub grade: Grade,
+    /// The number of a machine's alarm under which it is told.
+    pub alarm: Option<u16>,
+    /// The sentence, with what it carries in braces.
+    pub what: Text,
+    /// What to do about it, with what it carries in braces; empty where there is nothing to do.
+    pub remedy: Text,
+    /// Why it matters.
+    pub why: Text,
+    /// What raises it.
+    pub example: Example,
+    /// The names of what it carries.
+    pub fields: &'static [&'static str],
+}
+
+/// An input that raises a rule.
+#[derive(Clone, Debug)]
+pub enum Example {
+    /// A turning program, followed over its stock.
+    Turning {
+        /// The control that it is written for.
+        control: &'static str,
+        /// The stock, as `simulate --stock` takes it.
+        stock: &'static str,
+        /// The program.
+        program: &'static str,
+        /// Parameters of the lathe workbook that differ from the example's, by symbol.
+        machine: &'static [(&'static str, &'static str)],
+    },
+    /// No input raises it; why.
+    Never(Text),
+}
+
+impl PartialEq for Rule {
+    /// A code is one row's alone.
+    fn eq(&self, other: &Self) -> bool {
+        self.code == other.code
+    }
+}
+
+impl Rule {
+    /// The name in JSON, as `depth-of-cut`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let mut name = String::new();
+        for letter in self.ident.chars() {
+            if letter.is_ascii_uppercase() && !name.is_empty() {
+                name.push('-');
+            }
+            name.push(letter.to_ascii_lowercase());
+        }
+        name
+    }
+}
+
+/// A row with its values.
+pub trait Raise {
+    /// The row.
+    fn rule(&self) -> &'static Rule;
+    /// The sentence, without a full stop.
+    fn what(&self) -> Text;
+    /// What to do about it.
+    fn remedy(&self) -> Text;
+    /// What it carries, by name.
+    fn carries(&self) -> Vec<(&'static str, Datum)>;
+
+    /// The finding at a place.
+    fn at(&self, place: Place) -> Finding {
+        let rule = self.rule();
+        let (rule, data) = (Some(rule), self.carries());
+        Finding { rule, data, ..Finding::new(self.rule().grade, place, self.what(), self.remedy()) }
+    }
+}
+
+/// The rows of a room: a type for each, and a list of them all.
+///
+/// `{name}` in a sentence or a remedy is a field of the row; a name that is none does not compile. Every field's type is
+/// [`Said`](crate::finding::Said).
+macro_rules! rules {
+    (
+        $(#[$about:meta])*
+        $list:ident;
+        $(
+            $code:literal $name:ident $grade:ident $(alarm $alarm:literal)? { $($field:ident: $type:ty),* $(,)? }
+            es $es:literal
+            en $en:literal
+            remedy $remedy_es:literal, $remedy_en:literal;
+            why $why_es:literal, $why_en:literal;
+            example $example:expr;
+        )*
+    ) => {
+        $(
+            #[doc = $en]
+            #[derive(Clone, Debug, PartialEq)]
+            #[allow(missing_docs, reason = "the sentence says what the fields are")]
+            pub struct $name {
+                $(pub $field: $type),*
+            }
+
+            impl $name {
+                /// The row.
+                pub const RULE: &'static $crate::finding::Rule = &$crate::finding::Rule {
+                    code: $code,
+                    ident: stringify!($name),
+                    grade: $crate::finding::Grade::$grade,
+                    alarm: $crate::finding::rule::number!($($alarm)?),
+                    what: $crate::text::Text::fixed($es, $en),
+                    remedy: $crate::text::Text::fixed($remedy_es, $remedy_en),
+                    why: $crate::text::Text::fixed($why_es, $why_en),
+                    example: $example,
+                    fields: &[$(stringify!($field)),*],
+                };
+            }
+
+            impl $crate::finding::Raise for $name {
+                fn rule(&self) -> &'static $crate::finding::Rule {
+                    Self::RULE
+                }
+
+                fn what(&self) -> $crate::text::Text {
+                    $crate::finding::rule::both!(self, [$($field)*], $es, $en)
+                }
+
+                fn remedy(&self) -> $crate::text::Text {
+                    $crate::finding::rule::both!(self, [$($field)*], $remedy_es, $remedy_en)
+                }
+
+                fn carries(&self) -> Vec<(&'static str, $crate::finding::Datum)> {
+                    vec![$((stringify!($field), $crate::finding::Said::datum(&self.$field))),*]
+                }
+            }
+        )*
+
+        $(#[$about])*
+        pub const $list: &[&$crate::finding::Rule] = &[$($name::RULE),*];
+    };
+}
+
+/// A text whose fields in braces are said in each language.
+macro_rules! both {
+    ($self:ident, [$($field:ident)*], $es:literal, $en:literal) => {{
+        let es = {
+            $(let $field = $crate::finding::Said::said(&$self.$field, $crate::text::Language::Es); let _ = &$field;)*
+            format!($es)
+        };
+        let en = {
+            $(let $field = $crate::finding::Said::said(&$self.$field, $crate::text::Language::En); let _ = &$field;)*
+            format!($en)
+        };
+        $crate::text::Text::new(es, en)
+    }};
+}
+
+/// An alarm's number, or none.
+macro_rules! number {
+    () => {
+        None
+    };
+    ($alarm:literal) => {
+        Some($alarm)
+    };
+}
+
+pub(crate) use {both, number, rules};
+
+#[cfg(test)]
+mod tests {
+    use super::{Example, Raise};
+    use crate::finding::{Datum, Finding, Grade, Place, Size};
+    use crate::text::Text;
+
+    const NONE: Example = Example::Turning { control: "", stock: "", program: "", machine: &[] };
+
+    super::rules! {
+        LIST;
+        "T0001" TooDeep Stop { depth: Size, edge: Size, tool: u32, body: Text }
+            es "{body} de T{tool} corta {depth}, y el filo tiene {edge}"
+            en "{body} of T{tool} cuts {depth}, and the edge has {edge}"
+            remedy "quite {depth}", "take {depth} off";
+            why "", "";
+            example NONE;
+        "T0002" Bare Note {}
+            es "nada"
+            en "nothing"
+            remedy "", "";
+            why "", "";
+            example NONE;
+    }
+
+    #[test]
+    fn a_row_says_its_values_in_both_languages_and_carries_them_unrounded() {
+        let row = TooDeep {
+            depth: Size::mm(1.234_56),
+            edge: Size::mm(f64::INFINITY),
+            tool: 3,
+            body: Text::fixed("la placa", "the insert"),
+        };
+        let Finding { rule, data, grade, what, remedy, .. } = row.at(Place::File);
+        assert_eq!(
+            what,
+            Text::fixed(
+                "la placa de T3 corta 1.235 mm, y el filo tiene ∞",
+                "the insert of T3 cuts 1.235 mm, and the edge has ∞"
+            )
+        );
+        assert_eq!(remedy, Text::fixed("quite 1.235 mm", "take 1.235 mm off"));
+        assert_eq!((grade, rule.map(|rule| rule.code)), (Grade::Stop, Some("T0001")));
+        assert_eq!(rule.map(super::Rule::name).as_deref(), Some("too-deep"));
+        assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm" }));
+        assert_eq!(data[1], ("edge", Datum::Number { value: None, unit: "mm" }));
+        assert_eq!(data[2], ("tool", Datum::Whole(3)));
+        assert_eq!(
+            LIST.iter().map(|rule| rule.fields).collect::<Vec<_>>(),
+            [&["depth", "edge", "tool", "body"][..], &[]]
+        );
+        assert_eq!(Bare {}.what(), Text::fixed("nada", "nothing"));
+    }
+}
