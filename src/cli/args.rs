@@ -8,7 +8,7 @@ use clap::{Args, Parser, Subcommand};
 use super::kinds;
 use super::stock::Stock;
 use crate::gcode::dialect::ALL;
-use crate::gcode::interpreter::{DecimalPoint, Rotary};
+use crate::gcode::interpreter::{DecimalPoint, HolePlane, Rotary};
 use crate::machine::work_offset::System;
 use crate::text::Language;
 
@@ -176,6 +176,10 @@ pub(super) struct Control {
     /// What a Fanuc lathe makes of a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
     #[arg(long, value_name = "RULE", value_parser = decimal_point())]
     pub(super) decimal_point: Option<DecimalPoint>,
+    /// What R of G81 to G83 is on a Fanuc lathe: absolute, the Z of the plane; incremental, from where the tool stands
+    /// [default: the lathe workbook's, else absolute]
+    #[arg(long, value_name = "RULE", value_parser = hole_plane())]
+    pub(super) hole_r: Option<HolePlane>,
     /// What a rotary axis's word means in G90: linear, the position, counted on beyond a turn; rollover, the angle to go to
     /// (0 to 359.9999) and by its sign the direction [default: rollover for fagor-8055 and fagor-8055-t, else linear]
     #[arg(long, value_name = "RULE", value_parser = rotary())]
@@ -249,6 +253,10 @@ pub(super) struct Simulate {
     /// What a Fanuc lathe makes of a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
     #[arg(long, value_name = "RULE", value_parser = decimal_point())]
     pub(super) decimal_point: Option<DecimalPoint>,
+    /// What R of G81 to G83 is on a Fanuc lathe: absolute, the Z of the plane; incremental, from where the tool stands
+    /// [default: the lathe workbook's, else absolute]
+    #[arg(long, value_name = "RULE", value_parser = hole_plane())]
+    pub(super) hole_r: Option<HolePlane>,
     /// Skip blocks that begin with /
     #[arg(long)]
     pub(super) block_delete: bool,
@@ -299,6 +307,11 @@ fn system() -> impl TypedValueParser<Value = System> {
 fn decimal_point() -> impl TypedValueParser<Value = DecimalPoint> {
     PossibleValuesParser::new(["calculator", "micrometre"])
         .map(|rule| if rule == "calculator" { DecimalPoint::Calculator } else { DecimalPoint::Micrometre })
+}
+
+fn hole_plane() -> impl TypedValueParser<Value = HolePlane> {
+    PossibleValuesParser::new(["absolute", "incremental"])
+        .map(|rule| if rule == "absolute" { HolePlane::Absolute } else { HolePlane::Incremental })
 }
 
 fn rotary() -> impl TypedValueParser<Value = Rotary> {

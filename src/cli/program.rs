@@ -192,6 +192,7 @@ impl<'a> Shared<'a> {
         setting.var_file = self.var_file.clone();
         setting.tools = self.tools.clone();
         setting.point = self.control.decimal_point;
+        setting.plane = self.control.hole_r;
         setting.rotary = self.control.rotary.unwrap_or(dialect.rotary);
         setting.block_delete = self.control.block_delete;
         if let Some(given) = &self.workbook {

@@ -61,6 +61,7 @@ fn simulate(arguments: &Simulate, verdict: &mut Verdict) -> Result<Followed, Ref
         bytes: &bytes,
         dialect: arguments.dialect.as_deref().and_then(Dialect::named),
         point: arguments.decimal_point,
+        plane: arguments.hole_r,
         block_delete: arguments.block_delete,
         stock: arguments.stock,
         tools: arguments.tools.as_deref(),

@@ -11,7 +11,7 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::told::told_turning;
-use crate::gcode::interpreter::{DecimalPoint, Files, Interpreter, WIDE, decoded, wide};
+use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::Kind;
 use crate::job::lathe::MOST_MOTIONS;
 use crate::job::{Outcome, Source, lathe};
@@ -41,6 +41,8 @@ pub(super) struct Wanted<'a> {
     pub(super) dialect: Option<&'static Dialect>,
     /// What a dimension without a decimal point is.
     pub(super) point: Option<DecimalPoint>,
+    /// What R of G81 to G83 is; `None`: what the workbook says.
+    pub(super) plane: Option<HolePlane>,
     /// Blocks with `/` are skipped.
     pub(super) block_delete: bool,
     /// The stock; `None`: that of the workbook, or one that encloses the path.
@@ -193,6 +195,10 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
         None if wanted.tools.is_none() => values.values.remove("point"),
         None => None,
     };
+    if let Some(plane) = wanted.plane {
+        let plane = if plane == HolePlane::Absolute { "absolute" } else { "incremental" };
+        values.values.insert("hole_R", Value::Choice(plane));
+    }
     if wanted.block_delete {
         values.values.insert("block_delete", Value::Choice("yes"));
     }
@@ -203,9 +209,10 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
     }
     values.lists.retain(|rows| matches!(rows.list, TOOLS_KEY | PROFILE_KEY));
     if wanted.tools.is_none() && only_left(&program.main.text) {
-        // Nobody said which face of the example's tools looks up: it is the one that cuts as the program turns.
+        // Nobody said which face of the example's tools looks up: it is the one that cuts as the program turns. A drill has none.
         let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
-        rows.for_each(|row| drop(row.values.insert("tools/M", Value::Choice("M4"))));
+        let faced = rows.filter(|row| !matches!(row.choice("tools/type"), Some("drill" | "centre-drill")));
+        faced.for_each(|row| drop(row.values.insert("tools/M", Value::Choice("M4"))));
     }
     let mut put = |list: &'static str, sheet: &str, text: &text::Text| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();

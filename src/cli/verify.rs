@@ -1,5 +1,6 @@
 //! The command `verify`: reads programs as the control would and says what they come to.
 
+use std::io::BufRead;
 use std::path::Path;
 
 use serde_json::{Map, Value, json};
@@ -12,6 +13,7 @@ use super::verdict::{Verdict, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
+use crate::gcode::dialect::told::tools_headed;
 use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Kind, Motion};
 use crate::machine::axis::{Axis, Pose};
@@ -107,7 +109,8 @@ fn follow(
     let (named, dialect) = shared.dialect(path, &mut file);
     read.dialect = Some(dialect);
     shared.fits(dialect)?;
-    let setting = shared.setting(path, dialect);
+    let mut setting = shared.setting(path, dialect);
+    setting.headed = tools_headed(file.fill_buf().unwrap_or_default());
     read.rotary = Some(setting.rotary);
     let sum = Sum::default();
     // A program may be far larger than memory, and only the document tells its sum.

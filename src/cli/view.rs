@@ -150,6 +150,7 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<
         bytes: &bytes,
         dialect: control.dialect.as_deref().and_then(Dialect::named),
         point: control.decimal_point,
+        plane: control.hole_r,
         block_delete: control.block_delete,
         stock: arguments.stock,
         tools: control.tools.as_deref(),

@@ -122,9 +122,10 @@ pub fn watched(
         let simulation = one.simulation.turned_about(given.second)?;
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
         // How a part is held that is not the one meant says nothing.
-        let held = (!one.lost).then(|| values.locate(held(simulation.setup())));
-        let lost = one.lost || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
-        let begins = Begins { simulation, lost, uncut: one.uncut, held };
+        let held = (!one.lost && !one.endless).then(|| values.locate(held(simulation.setup())));
+        let lost = one.lost || one.endless || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
+        // Of a program that was not followed to its end the part was not made.
+        let begins = Begins { simulation, lost, uncut: one.uncut || one.endless, held };
         Some(follow("program-2", title, second, &given, begins, watch))
     } else {
         None
@@ -403,7 +404,6 @@ fn outcome(
 ) -> Outcome {
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
     let mut quantities = quantities(given, &followed);
     let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
     tables.push(lines_table(&tables));
@@ -416,8 +416,13 @@ fn outcome(
     let standing = followed.last().map(|one| one.simulation.setup().fixtures()).unwrap_or_default();
     drawn.chuck = standing.into_iter().map(|(_, ring)| ring).collect();
     let (mut lines, mut arcs) = (Vec::new(), Vec::new());
-    if let Some(profile) = profile {
-        findings.extend(compared(&drawn.part, &profile, &mut quantities));
+    let mut endless = followed.iter().any(|one| one.endless);
+    // Where a program was not followed to its end there is no part yet to be compared.
+    if let Some(profile) = profile.filter(|_| !endless) {
+        let left = followed.last().map_or(0, |one| one.simulation.work_left());
+        let (finding, undone) = compared(&drawn.part, &profile, left, &mut quantities);
+        findings.push(finding);
+        endless = undone;
         drawn.wanted = profile.points().unwrap_or_default();
         (lines, arcs) = profile.drawn();
     }
@@ -431,7 +436,7 @@ fn outcome(
         tolerance: TOLERANCE,
         alarms,
     });
-    let endless = followed.iter().any(|one| one.endless);
+    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
     let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
     Outcome {
         form,

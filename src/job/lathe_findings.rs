@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::dialect::FANUC_LATHE_A;
 use crate::gcode::motion::{Kind, Motion};
 use crate::job::lathe_tables::Raised;
 use crate::lathe::alarm::{Alarm, Cause};
@@ -93,8 +92,7 @@ pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) ->
     )
 }
 
-/// What is assumed of the machine where the form does not say: the reference point of a program that goes there, and R of its
-/// drilling cycles.
+/// What is assumed of the machine where the form does not say: the reference point of a program that goes there.
 pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
     let program = program.to_uppercase();
     let has = |code: &str| {
@@ -125,17 +123,6 @@ pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
                 format!("the workbook gives no reference point: it is taken at X{X} Z{Z} from M"),
             ),
             remedy(),
-        ));
-    }
-    if given.plane.is_none() && *given.dialect == FANUC_LATHE_A && ["G81", "G82", "G83"].into_iter().any(has) {
-        found.push(Finding::new(
-            Grade::Note,
-            Place::File,
-            t(
-                "el libro no dice qué es R en G81 a G83: se lee como la Z absoluta del plano",
-                "the workbook does not say what R is in G81 to G83: it is read as the absolute Z of the plane",
-            ),
-            t("rellene hole_R en el libro (hoja DATOS)", "fill in hole_R in the workbook (sheet DATA)"),
         ));
     }
     found

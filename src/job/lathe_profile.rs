@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Place};
 use crate::geometry::exact::region::Ring;
-use crate::lathe::deviation::{Profile, Span, deviation};
+use crate::lathe::deviation::{Profile, Span, Unmeasured, deviation};
 use crate::lathe::parameters::PROFILE_KEY;
 use crate::number::shown;
 use crate::number::trig::hypot;
@@ -80,17 +80,47 @@ pub(super) fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
     Ok(Some(profile))
 }
 
-/// How the part compares with the wanted profile, as quantities and a finding.
-pub(super) fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Vec<Quantity>) -> Option<Finding> {
-    let Some(found) = deviation(contours, profile) else {
-        return Some(Finding::caution(
-            Place::File,
-            t(
-                "de la pieza no queda nada que comparar con el perfil de la hoja PERFIL del libro",
-                "nothing is left of the part to hold against the profile on the workbook's sheet PROFILE",
-            ),
-            t("corrija el programa, o borre el perfil", "correct the program, or delete the profile"),
-        ));
+/// How the part compares with the wanted profile, as quantities and a finding, and whether that was left undone for want of
+/// work; `most_work` is how many steps of it are left.
+pub(super) fn compared(
+    contours: &[Ring],
+    profile: &Profile,
+    most_work: u64,
+    quantities: &mut Vec<Quantity>,
+) -> (Finding, bool) {
+    let found = match deviation(contours, profile, most_work) {
+        Ok(found) => found,
+        Err(Unmeasured::Gone) => {
+            let finding = Finding::caution(
+                Place::File,
+                t(
+                    "de la pieza no queda nada que comparar con el perfil de la hoja PERFIL del libro",
+                    "nothing is left of the part to hold against the profile on the workbook's sheet PROFILE",
+                ),
+                t("corrija el programa, o borre el perfil", "correct the program, or delete the profile"),
+            );
+            return (finding, false);
+        }
+        Err(Unmeasured::Work) => {
+            let corners: usize = contours.iter().map(Vec::len).sum();
+            let lines = profile.spans.len();
+            let finding = Finding::stop(
+                Place::File,
+                Text::new(
+                    format!(
+                        "comparar la pieza ({corners} esquinas) con el perfil de la hoja PERFIL del libro ({lines} tramos) pide más trabajo del que se hace"
+                    ),
+                    format!(
+                        "to hold the part ({corners} corners) against the profile on the workbook's sheet PROFILE ({lines} spans) takes more work than is done"
+                    ),
+                ),
+                t(
+                    "elija una tolerancia eps mayor, o un perfil de menos tramos",
+                    "choose a greater tolerance eps, or a profile of fewer spans",
+                ),
+            );
+            return (finding, true);
+        }
     };
     let [over, under] = [found.over, found.under].map(|one| one.map_or(0.0, |(by, _)| by));
     for (symbol, meaning, value) in [
@@ -105,7 +135,7 @@ pub(super) fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Ve
     };
     let (plus, minus) = (place(found.over), place(found.under));
     let (over, under) = (shown(over, 4), shown(under, 4));
-    Some(Finding::note(
+    let finding = Finding::note(
         Place::File,
         Text::new(
             format!(
@@ -115,5 +145,6 @@ pub(super) fn compared(contours: &[Ring], profile: &Profile, quantities: &mut Ve
                 "against the profile on the workbook's sheet PROFILE up to {over} mm are left{plus} and up to {under} mm are missing{minus}"
             ),
         ),
-    ))
+    );
+    (finding, false)
 }

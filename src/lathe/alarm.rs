@@ -206,6 +206,7 @@ impl Cause {
                 | Self::ThreadTooDeep { .. }
                 | Self::ShortRunIn { .. }
                 | Self::OffAxis
+                | Self::SpindleWrongWay
         )
     }
 

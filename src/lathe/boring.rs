@@ -26,7 +26,7 @@ impl Hole {
     ///
     /// With its tip at the radius r the edge takes what lies out from r − e, where e is how far its cutting edges reach towards
     /// the axis before the bar's end comes; what is nearer to it has to be gone before. The bar of diameter d with its centre c from the tip reaches over
-    /// the axis to c + d/2 − r on the other side. Derived here.
+    /// the axis to c + d/2 − r on the other side, and goes into no hole of less than c + d/2. Derived here.
     pub fn before(part: &mut Workpiece, tool: &Tool, outline: &Outline, [from, to]: Piece) -> Option<Self> {
         let (Cutter::Insert { .. }, Holder::Bar { diameter, reach, .. }) = (tool.cutter, tool.holder) else {
             return None;
@@ -35,18 +35,26 @@ impl Hole {
         if tool.tip.mirror()[1] > 0.0 || to[0] >= from[0] || small <= 0.0 {
             return None;
         }
-        let corners = [[to[0], -great], [from[0], -great], [from[0], great], [to[0], great]];
+        let end = outline.holder.iter().map(|body| body.extent().0.mm()[0]).fold(f64::INFINITY, f64::min);
+        // What the bar's own end passes: the edge before it may go on into the bottom.
+        let [deep, high] = [to[0] + end, from[0] + end];
+        let corners = [[deep, -great], [high, -great], [high, great], [deep, great]];
         let mut narrowest = f64::INFINITY;
         part.probe(&Convex::hull_mm(&corners)?, |meeting, _| {
             let radii = bounds(meeting).flat_map(|one| [one.from[1].abs(), one.to[1].abs()]);
             narrowest = radii.fold(narrowest, f64::min);
         });
-        let end = outline.holder.iter().map(|body| body.extent().0.mm()[0]).fold(f64::INFINITY, f64::min);
-        let least = 2.0 * (great - depth(outline, end)).max(reach + diameter / 2.0 - small);
+        let bar = reach + diameter / 2.0;
+        let least = (2.0 * (great - depth(outline, end)).max(bar - small)).max(bar);
         narrowest.is_finite().then(|| Self { diameter: 2.0 * narrowest, least, end: from[0] + end })
     }
 
-    /// What is wrong where the bar itself has met metal at a place past its end.
+    /// True where there is none.
+    pub fn is_solid(&self) -> bool {
+        self.diameter < TOUCH
+    }
+
+    /// What is wrong where the bar itself has met metal at a place past its end, or there is no hole.
     pub fn cause(&self) -> Option<Cause> {
         (self.diameter < self.least - TOUCH)
             .then_some(Cause::BoreWithoutHole { hole: self.diameter, least: self.least })

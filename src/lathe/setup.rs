@@ -313,7 +313,7 @@ impl Given {
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
         setting.point = setting.point.or(self.point);
-        setting.plane = self.plane.unwrap_or_default();
+        setting.plane = setting.plane.or(self.plane);
         setting.block_delete |= self.block_delete;
     }
 

@@ -85,7 +85,7 @@ impl Simulation {
     }
 
     /// The second set-up of what this program makes: turned about and shifted, see [`turned_about`]. What made its surfaces is
-    /// known there.
+    /// known there, and the work that was done counts.
     pub fn turned_about(&self, shift: f64) -> Result<Self, Refusal> {
         let (rings, labels): (Vec<Ring>, Vec<Vec<u32>>) = self.made().into_iter().unzip();
         let stock = &self.setup.stock;
@@ -96,7 +96,8 @@ impl Simulation {
         let labels: Vec<Vec<u32>> = labels.into_iter().map(about).collect();
         let [left, right] = stock.ends();
         let chain = self.chain.turned_about(left + right + shift - 2.0 * self.middle);
-        Self::begun(Setup { part, ..self.setup.clone() }, &labels, chain)
+        let most_work = self.work_left();
+        Self::begun(Setup { part, most_work, ..self.setup.clone() }, &labels, chain)
     }
 
     fn begun(setup: Setup, labels: &[Vec<u32>], chain: Chain) -> Result<Self, Refusal> {
@@ -266,6 +267,12 @@ impl Simulation {
         self.part.work()
     }
 
+    /// The steps that are left of those that the set-up allows.
+    #[must_use]
+    pub const fn work_left(&self) -> u64 {
+        self.setup.most_work.saturating_sub(self.part.work())
+    }
+
     /// The sums so far.
     #[must_use]
     pub const fn totals(&self) -> &Totals {
@@ -431,7 +438,7 @@ impl Simulation {
             let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
             let ends = [first.mm(), last.mm()];
             let hole = if rapid { None } else { Hole::before(part, &ready.tool, &ready.outline, ends) };
-            if let Some(hole) = hole.filter(|hole| hole.diameter < TOUCH) {
+            if let Some(hole) = hole.filter(Hole::is_solid) {
                 contact.solid = contact.solid.or(hole.cause());
             }
             for cutter in &ready.outline.cutter {
@@ -544,8 +551,8 @@ impl Simulation {
         let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
         watch.edge(&ready.tool, control, pieces, deep, tally);
         let back = contact.back.or(contact.beside.filter(|_| !contact.dragged));
-        if let (Some(cause), Some(deep)) = (contact.solid, contact.edge.map(|_| contact.across).or(back)) {
-            tally.raise(cause, contact.place, Some(deep));
+        if let Some(cause) = contact.solid {
+            tally.raise(cause, contact.place, Some(contact.across));
         }
         // What a boring bar meets and leaves besides where there is no hole for it follows from that.
         if tally.alarms.iter().any(|alarm| matches!(alarm.cause, Cause::BoreWithoutHole { .. })) {

@@ -262,7 +262,8 @@ impl Over {
         // Of a part that is all gone, or was not followed to the end, all is missing.
         let gone = Deviation { over: None, under: Some((self.wanted.start[1], self.wanted.start)) };
         let followed = self.ways.iter().all(|way| !way.is_spent());
-        let found = deviation(&straight.contours(), &self.wanted).filter(|_| followed).unwrap_or(gone);
+        let found = deviation(&straight.contours(), &self.wanted, straight.work_left()).ok();
+        let found = found.filter(|_| followed).unwrap_or(gone);
         let sides = [
             (
                 "blank-metal-left",

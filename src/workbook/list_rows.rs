@@ -48,10 +48,10 @@ pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>
         Some(head) => head,
     };
     let columns = columns(list, sheet, head, findings);
-    if head > 0 {
+    let rows = filled(sheet, head, &columns);
+    if head > 0 && !rows.is_empty() {
         units(sheet, head - 1, &columns, findings);
     }
-    let rows = filled(sheet, head, &columns);
     if rows.is_empty() {
         if !list.optional {
             findings.push(Finding::stop(
@@ -140,14 +140,12 @@ fn columns(
     found
 }
 
-/// Compares the units above the headings with those of the columns.
+/// Compares the units above the headings with those of the columns: what stands below a cell that says none, or another, may
+/// have been typed in that.
 fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], findings: &mut Vec<Finding>) {
-    let written_at = |at: u32| sheet.text((row, at)).unwrap_or_default();
-    // One that says a unit makes it the row of the units, and the others may not be without.
-    let is_row = columns.iter().any(|&(one, at)| !one.unit.label().is_empty() && unit::says(one.unit, written_at(at)));
     for &(parameter, at) in columns {
-        let written = written_at(at);
-        if unit::says(parameter.unit, written) || (written.is_empty() && !is_row) {
+        let written = sheet.text((row, at)).unwrap_or_default();
+        if unit::says(parameter.unit, written) {
             continue;
         }
         let (symbol, label) = (parameter.symbol(), parameter.unit.label());

@@ -98,4 +98,21 @@ fn the_viewer_takes_rodete_s_own_blank_program_as_it_is() {
         (document["exit"].as_u64(), &document["programs"][0]["dialect"]),
         (Some(0), &Json::from("fagor-8055-t"))
     );
+    let told = |document: &Json| {
+        let findings = document["programs"][0]["findings"].as_array().expect("findings").iter();
+        let shown = |one: &Json| format!("{} {}", one["grade"].as_str()?, one["what"]["en"].as_str()?).into();
+        findings.map(shown).collect::<Option<Vec<String>>>().expect("graded findings")
+    };
+    let named = "note the header names this tool; its offset, which is measured at the machine, is taken as 0 here";
+    let found = told(&document);
+    assert!(found.iter().all(|one| one.starts_with("note ")) && found.iter().any(|one| one == named), "{found:?}");
+    // The same blocks of somebody else's, and another tool than the header's.
+    let own = fs::read_to_string(folder.path().join("impeller-out/impeller-blank.nc")).expect("a program");
+    for other in [own.replace(";RODETE", ";COPIED FROM"), own.replace("N20 T1 D1", "N20 T1 D2")] {
+        fs::write(folder.path().join("other.nc"), other).expect("a program");
+        let done = rodete(&folder).args(["verify", "other.nc", "--json"]).output().expect("run");
+        let found = told(&serde_json::from_slice(&done.stdout).expect("a document"));
+        let asks = "caution no tool table: tool lengths are taken as 0";
+        assert!(found.iter().any(|one| one == asks), "{found:?}");
+    }
 }

@@ -103,6 +103,71 @@ fn the_alarms_of_the_document_are_figures() {
     assert!((40.0..=50.0).contains(&first["x_mm"].as_f64().unwrap()), "{first}");
 }
 
+/// Numbers of the stops of a program with the example's tools, or a workbook's.
+fn stopped(program: &str, more: &[&str]) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.nc"), program.replace('|', "\n")).unwrap();
+    fs::write(folder.path().join("lathe.xlsx"), Book::of(Language::En).bytes()).unwrap();
+    let said = simulate(folder.path(), &[&["--stock", "D50xL120", "--json"], more].concat());
+    let document: Json = serde_json::from_str(&said.out).unwrap();
+    let stops = document["alarms"].as_array().unwrap().iter().filter(|one| one["grade"] == "stop");
+    stops.map(|one| format!("{} at {}", one["number"], one["line"])).collect()
+}
+
+#[test]
+fn the_example_s_tools_cut_as_a_program_of_m4_alone_turns_and_a_drill_never_does() {
+    let none: [&str; 0] = [];
+    let turned =
+        |spindle: &str| format!("G50 S2500|T0101|G97 S900 {spindle}|M8|G0 X46. Z2.|G1 Z-20. F.2|G0 X100. Z50.|M30");
+    assert_eq!(stopped(&turned("M3"), &[]), none);
+    for left in ["M4", "M04", "M4 (NOT M3)", "m4"] {
+        assert_eq!(stopped(&turned(left), &[]), none, "{left}");
+    }
+    // It has both, or another code that begins alike: the tools stay as they are.
+    assert_eq!(stopped(&turned("M3|M4"), &[]), ["154 at 7"]);
+    assert_eq!(stopped(&turned("M41|M4|M03|M4"), &[]), ["154 at 9"]);
+    // Of a workbook's tools its cells tell.
+    assert_eq!(stopped(&turned("M4"), &["--tools", "lathe.xlsx"]), ["154 at 6"]);
+    let drilled = "G50 S2500|T0505|G97 S900 M4|M8|G0 X0. Z2.|G1 Z-20. F.1|G0 Z50.|X100.|M30";
+    assert_eq!(stopped(drilled, &[]), ["154 at 6"]);
+    assert_eq!(stopped(&drilled.replace("M4", "M3"), &[]), none);
+}
+
+#[test]
+fn r_of_a_hole_is_what_the_option_says_before_the_workbook() {
+    let hole = "T0505|G97 S900 M3|M8|G0 X0. Z5.|G83 Z-20. R-4. Q5000 F.1|G80|G0 Z50.|M30";
+    let none: [&str; 0] = [];
+    assert_eq!(stopped(hole, &["--hole-r", "incremental"]), none);
+    assert_eq!(stopped(hole, &["--hole-r", "incremental", "--tools", "lathe.xlsx"]), none);
+    let absolute = stopped(hole, &["--hole-r", "absolute"]);
+    assert!(absolute.iter().any(|one| one.starts_with("101 ")), "{absolute:?}");
+    // Verify reads it so, with the workbook's word where the option has none; said where neither has.
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.nc"), hole.replace('|', "\n")).unwrap();
+    let book = Book::of(Language::En).put("hole_R", Value::Choice("incremental"));
+    fs::write(folder.path().join("own.xlsx"), book.bytes()).unwrap();
+    let rapid = |more: &[&str]| {
+        let given = ["verify", "p.nc", "--dialect", "fanuc-lathe-a", "--lang", "en"];
+        let said = run(folder.path(), &[&given[..], more].concat());
+        assert_eq!(said.exit, 0, "{}", said.err);
+        let canon = run(folder.path(), &[&given[..], more, &["--canon"]].concat()).out;
+        let first = canon.lines().filter(|line| line.contains("\"rapid\"")).nth(1).unwrap().to_owned();
+        let motion: Json = serde_json::from_str(&first).unwrap();
+        (motion["to"]["Z"].as_f64().unwrap(), said.out.contains("nothing says what R is in G81 to G83"))
+    };
+    assert_eq!(rapid(&[]), (-4.0, true));
+    assert_eq!(rapid(&["--hole-r", "absolute"]), (-4.0, false));
+    assert_eq!(rapid(&["--hole-r", "incremental"]), (1.0, false));
+    assert_eq!(rapid(&["--tools", "own.xlsx"]), (1.0, false));
+    assert_eq!(rapid(&["--tools", "own.xlsx", "--hole-r", "absolute"]), (-4.0, false));
+    // The viewer shows it so.
+    let page = |rule: &str| {
+        let bar = ["view", "p.nc", "--dialect", "fanuc-lathe-a", "--stock", "D50xL120", "--hole-r", rule];
+        run(folder.path(), &bar).exit
+    };
+    assert_eq!((page("incremental"), page("absolute")), (0, 3));
+}
+
 #[test]
 fn nothing_is_written_without_a_folder() {
     let folder = bench(TURNS);

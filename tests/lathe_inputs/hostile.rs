@@ -135,6 +135,46 @@ fn passes_and_pecks_are_counted_and_an_end_of_the_work_is_told() {
 }
 
 #[test]
+fn a_second_set_up_of_a_part_that_was_not_made_is_not_judged() {
+    let endless = ["T0404", "G97 S500 M3", "G0 X40. Z3000.", "G32 Z2000. F0.00001", "M30"].map(str::to_owned);
+    let second = ["T0101", "G97 S500 M3", "G0 X20. Z-20.", "M30"].map(str::to_owned);
+    let (_folder, document, exit) = build(&Book::new(&endless).second(&second).bytes());
+    assert_eq!(exit, 7, "{document}");
+    let stops: Vec<_> = grave(&document).into_iter().filter(|one| one.starts_with("stop ")).collect();
+    let wanted = "PROGRAM!A9 to follow this thread takes more work than is done; motions made before it: 1";
+    assert!(stops.iter().any(|one| one.contains(wanted)), "{stops:?}");
+    assert!(stops.iter().all(|one| one.contains("PROGRAM!")), "{stops:?}");
+    let told = "the motions of this program are not judged: the part is not what is meant, or nothing holds it";
+    let findings = document["findings"].as_array().unwrap();
+    assert!(findings.iter().any(|one| one["what"]["en"] == told), "{findings:?}");
+}
+
+#[test]
+fn a_profile_with_more_points_than_are_held_is_an_end_of_the_work() {
+    let row = |(at, Z): (usize, f64)| Row {
+        values: [
+            ("profile/G", Value::Choice(if at == 0 { "1" } else { "2" })),
+            ("profile/X", Value::Real(40.0)),
+            ("profile/Z", Value::Real(Z)),
+            ("profile/R", Value::Real(2000.0)),
+        ]
+        .into(),
+        cells: std::collections::BTreeMap::new(),
+    };
+    let profile = |count: usize| {
+        let rows: Vec<Row> = (0..count).map(|at| row((at, if at % 2 == 0 { 0.0 } else { -2000.0 }))).collect();
+        let book = Book::new(&program("X46.|G1 Z-20. F.2|X54.|G0 Z2."));
+        let (_folder, document, exit) = build(&book.list(Rows { list: "profile", sheet: String::new(), rows }).bytes());
+        bilingual(&document);
+        (grave(&document), exit)
+    };
+    assert_eq!(profile(3), (Vec::new(), 0));
+    let wanted = "stop file to hold the part (35 corners) against the profile on the workbook's sheet PROFILE (399 spans) \
+                  takes more work than is done ";
+    assert_eq!(profile(400), (vec![wanted.to_owned()], 7));
+}
+
+#[test]
 fn verify_reads_the_tool_sheet_of_a_workbook_and_tells_diameters() {
     let folder = tempfile::tempdir().unwrap();
     let book = |name: &str, book: &Book| std::fs::write(folder.path().join(name), book.bytes()).unwrap();

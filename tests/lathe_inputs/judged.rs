@@ -97,6 +97,10 @@ fn a_boring_bar_needs_a_hole() {
     let (found, exit) = bore("20.", "");
     let wanted = "stop PROGRAM!A15 105 The boring bar is fed into solid metal, where there is no hole, X";
     assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 0 mm] [≥ Ø "), "{found:?}");
+    // So is it where the edge reaches over the axis, and the bar touches nothing.
+    let (found, exit) = bore("11.", "");
+    assert!(exit == 3 && found.len() == 1 && found[0].starts_with(wanted), "{found:?}");
+    assert!(found[0].ends_with(" [Ø 0 mm] [≥ Ø 7.5 mm]"), "{found:?}");
     let (found, exit) = bore("26.", drilled);
     let wanted = "stop PROGRAM!A16 105 The boring bar is fed into a hole that is too narrow for it, X";
     assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 10 mm] [≥ Ø "), "{found:?}");

@@ -162,6 +162,12 @@ fn what_may_follow_from_another_offset_is_counted_with_it_and_not_told_one_by_on
     assert!(!other.iter().any(|line| line.contains(" 101 ")), "{other:?}");
     assert!(other[0].starts_with("stop 127 183 The offset in force is not the tool's own"), "{other:?}");
     assert!(other[0].ends_with("; 59 alarms under this offset may follow from it and are not told here"), "{other:?}");
+    // Without any, 60 mm too deep, the cut lies beyond the axis, where the spindle would have to turn the other way.
+    let none = program("G0 X60. Z5.|T0100|G1 X46. Z2. F.2|Z-20.");
+    let (_folder, document, exit) = build(&Book::new(&none).bytes());
+    let told = lines(&document);
+    assert!(exit == 3 && told.iter().any(|line| line.contains(" 183 ")), "{told:?}");
+    assert!(!told.iter().any(|line| line.contains(" 154 ")), "{told:?}");
 }
 
 #[test]

@@ -218,6 +218,55 @@ fn a_profile_that_cannot_be_drawn_is_refused() {
 }
 
 #[test]
+fn an_emptied_unit_of_a_list_is_told_with_its_cell_also_where_the_whole_row_is() {
+    let units = [
+        ("F", "IC", "mm"),
+        ("G", "R", "mm"),
+        ("H", "phi1", "°"),
+        ("I", "phi2", "°"),
+        ("J", "w", "mm"),
+        ("K", "h", "mm"),
+        ("L", "psi", "°"),
+        ("M", "p_min", "mm"),
+        ("N", "p_max", "mm"),
+        ("R", "b", "mm"),
+        ("S", "l", "mm"),
+        ("T", "c", "mm"),
+        ("U", "Q_x", "mm"),
+        ("V", "Q_z", "mm"),
+    ];
+    let empty = |columns: &[(&str, &str, &str)]| {
+        columns.iter().fold(parts(&sound()), |parts, (column, ..)| parts.cell(TOOLS, &format!("{column}4"), "")).zip()
+    };
+    let told = |&(column, symbol, unit): &(&str, &str, &str)| {
+        format!("TOOLS!{column}4 {symbol} is given in {unit}, and {column}4 is empty")
+    };
+    stops("one", &empty(&units[2..3]), &[&told(&units[2])], "convert the values to ° and write ° in H4");
+    let all: Vec<String> = units.iter().map(told).collect();
+    let all: Vec<&str> = all.iter().map(String::as_str).collect();
+    stops("all", &empty(&units), &all, "convert the values to mm and write mm in F4");
+    // A list that may be left out and holds nothing has nothing to be read in another unit; what has no unit needs none.
+    let profile = "xl/worksheets/sheet5.xml";
+    let bare = |book: &Book| {
+        ["B4", "C4", "D4"].into_iter().fold(parts(book), |parts, cell| parts.cell(profile, cell, "")).zip()
+    };
+    let (_folder, document, exit) = build(&bare(&sound()));
+    assert_eq!(exit, 0, "{:?}", lines(&document));
+    let row = |X: f64, Z: f64| Row {
+        values: [("profile/G", Value::Choice("1")), ("profile/X", Value::Real(X)), ("profile/Z", Value::Real(Z))]
+            .into(),
+        ..Row::default()
+    };
+    let rows = vec![row(20.0, 0.0), row(20.0, -20.0)];
+    let filled = sound().list(rodete::parameter::list::Rows { list: PROFILE_KEY, sheet: String::new(), rows });
+    let told = ["B4 X", "C4 Z", "D4 R"].map(|one| {
+        let (cell, symbol) = one.split_once(' ').unwrap();
+        format!("PROFILE!{cell} {symbol} is given in mm, and {cell} is empty")
+    });
+    stops("a profile", &bare(&filled), &told.each_ref().map(String::as_str), "convert the values to mm");
+}
+
+#[test]
 fn headings_and_sheets_that_are_missing_are_named() {
     let renamed = |part, address, to: &str| parts(&sound()).cell(part, address, &text(address, to)).zip();
     stops(

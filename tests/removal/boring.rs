@@ -65,6 +65,8 @@ fn a_hole_too_narrow_for_the_bar_is_told_with_the_diameter_that_it_needs() {
     // A step on the way, and the bottom of a hole.
     blind(22.0, -39.9).silent();
     blind(22.0, -40.0).silent();
+    // The edge goes on into the bottom, and the bar's end stays out of it.
+    blind(22.0, -40.4).silent();
     let [hole, _] = without_hole(&blind(22.0, -42.0));
     assert!(hole.abs() < 1e-9);
 }

@@ -1,5 +1,7 @@
 //! Which dialect a program is in, where nobody says so.
 
+use std::collections::BTreeSet;
+
 use crate::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A, LINUXCNC};
 
 /// The dialect that the beginning of a program and its file's ending (without the dot) tell.
@@ -48,6 +50,22 @@ fn headed(line: &str) -> Option<&'static Dialect> {
     Dialect::named(named.trim_start_matches('o').trim())
 }
 
+/// The offsets D of the tools that a header of rodete's names, as `;TOOL T1 D1`; none of another program.
+#[must_use]
+pub fn tools_headed(head: &[u8]) -> BTreeSet<u32> {
+    let text = String::from_utf8_lossy(head);
+    if text.lines().find_map(headed).is_none() {
+        return BTreeSet::new();
+    }
+    let named = |line: &str| {
+        let comment = line.trim().strip_prefix([';', '('])?;
+        let mut words = comment.trim_end_matches(')').split_whitespace();
+        let of_tools = matches!(words.next()?, "TOOL" | "HERRAMIENTA") && words.next()?.starts_with('T');
+        words.next()?.strip_prefix('D').filter(|_| of_tools)?.parse().ok()
+    };
+    text.lines().filter_map(named).collect()
+}
+
 /// True where a line has G96 and S: constant surface speed, which no milling program has.
 fn surface_speed(line: &str) -> bool {
     let code = code(line);
@@ -83,7 +101,7 @@ fn builders_code(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{told, told_turning};
+    use super::{told, told_turning, tools_headed};
 
     #[test]
     fn a_dialect_is_told_from_the_beginning_of_a_program() {
@@ -106,6 +124,16 @@ mod tests {
         ] {
             assert_eq!(told(head.as_bytes(), ending).name, name, "{head}");
         }
+    }
+
+    #[test]
+    fn the_tools_of_a_header_are_those_that_rodete_named() {
+        let header = ";RODETE 0.1.0 - DIALECT FAGOR-8055-T\r\n;TOOL T1 D4\r\nN10 T2 D2\r\n";
+        assert_eq!(tools_headed(header.as_bytes()).into_iter().collect::<Vec<_>>(), [4]);
+        let spanish = header.replace("DIALECT ", "DIALECTO ").replace("TOOL", "HERRAMIENTA");
+        assert_eq!(tools_headed(spanish.as_bytes()).into_iter().collect::<Vec<_>>(), [4]);
+        assert!(tools_headed(b";TOOL T1 D4\r\nN10 T1 D4\r\n").is_empty(), "of another program");
+        assert!(tools_headed(b"(RODETE 0.1.0 - DIALECT FAGOR-8070)\nN10 T1 D4 (TOOL T1 D4)\n").is_empty());
     }
 
     #[test]

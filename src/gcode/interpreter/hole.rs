@@ -31,8 +31,25 @@ impl Interpreter<'_> {
         let (unit, sticky) = (self.modal.unit, self.modal.sticky);
         let r = match self.block.get(letter::R) {
             Some(R) => match self.setting.plane {
-                HolePlane::Absolute => unit.to_mm(R),
-                HolePlane::Incremental => self.current.get(Axis::Z) + unit.to_mm(R),
+                Some(HolePlane::Incremental) => self.current.get(Axis::Z) + unit.to_mm(R),
+                Some(HolePlane::Absolute) => unit.to_mm(R),
+                None => {
+                    let column = self.block.column(letter::R);
+                    self.remarks.add(
+                        Grade::Note,
+                        self.line,
+                        Some(column),
+                        Text::fixed(
+                            "nada dice qué es R en G81 a G83: se lee como la Z absoluta del plano",
+                            "nothing says what R is in G81 to G83: it is read as the absolute Z of the plane",
+                        ),
+                        Text::fixed(
+                            "rellene hole_R en el libro (hoja DATOS), o dé --hole-r",
+                            "fill in hole_R in the workbook (sheet DATA), or give --hole-r",
+                        ),
+                    );
+                    unit.to_mm(R)
+                }
             },
             None if again => sticky.r,
             None => return Err(missing('R', cycle)),

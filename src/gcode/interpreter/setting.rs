@@ -51,10 +51,9 @@ pub enum DecimalPoint {
 }
 
 /// What R of the drilling cycles of Fanuc's system A is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HolePlane {
     /// The Z of the plane, as the lathe simulator's figure has it.
-    #[default]
     Absolute,
     /// How far the plane is from where the tool stands at the cycle, with its sign.
     Incremental,
@@ -98,12 +97,14 @@ pub struct Setting {
     pub var_file: VarFile,
     /// The tool table; `None` where it is not known: every tool is then taken as one of length 0, and said so.
     pub tools: Option<Tools>,
+    /// The offsets of the tools that the program's own header names: no table is asked for where they are called.
+    pub headed: BTreeSet<u32>,
     /// The places of a turret, where they are known beside the table, whose numbers are then those of the offsets alone.
     pub places: Option<BTreeSet<u32>>,
     /// What a dimension without a decimal point is; where it is not known a lathe program that has one is refused.
     pub point: Option<DecimalPoint>,
-    /// What R of a lathe's drilling cycles is.
-    pub plane: HolePlane,
+    /// What R of a lathe's drilling cycles is; where it is not known it is taken as absolute, and said so.
+    pub plane: Option<HolePlane>,
     /// What an absolute word of a rotary axis means.
     pub rotary: Rotary,
     /// Blocks that begin with `/` are skipped.
@@ -128,9 +129,10 @@ impl Setting {
             start: Start::default(),
             var_file: VarFile::default(),
             tools: None,
+            headed: BTreeSet::new(),
             places: None,
             point: None,
-            plane: HolePlane::default(),
+            plane: None,
             rotary: dialect.rotary,
             block_delete: false,
             keep_g92: true,

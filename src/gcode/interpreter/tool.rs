@@ -81,20 +81,29 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// A tool's offset; 0 and a Caution where there is no table.
+    /// A tool's offset; 0 where there is no table, with a Caution, or a Note where the program's header names the tool.
     pub(super) fn offset_of(&mut self, number: u32) -> Pose {
         if self.setting.tools.is_none() && number != 0 {
-            let line = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                None,
-                Text::fixed(
-                    "sin tabla de herramientas: las longitudes valen 0",
-                    "no tool table: tool lengths are taken as 0",
-                ),
-                Text::fixed("indique la tabla con --tools", "name the table with --tools"),
-            );
+            let (grade, what, remedy) = if self.setting.headed.contains(&number) {
+                (
+                    Grade::Note,
+                    Text::fixed(
+                        "la cabecera nombra esta herramienta; su corrector, que se mide en la máquina, vale aquí 0",
+                        "the header names this tool; its offset, which is measured at the machine, is taken as 0 here",
+                    ),
+                    Text::fixed("", ""),
+                )
+            } else {
+                (
+                    Grade::Caution,
+                    Text::fixed(
+                        "sin tabla de herramientas: las longitudes valen 0",
+                        "no tool table: tool lengths are taken as 0",
+                    ),
+                    Text::fixed("indique la tabla con --tools", "name the table with --tools"),
+                )
+            };
+            self.remarks.add(grade, self.line, None, what, remedy);
         }
         self.tools.get(&number).map_or_else(Pose::default, |tool| tool.offset)
     }
