@@ -8,6 +8,8 @@ mod blank;
 mod clearance;
 #[path = "verification/outside.rs"]
 mod outside;
+#[path = "verification/tip_path.rs"]
+mod tip_path;
 #[path = "verification/tool.rs"]
 mod tool;
 

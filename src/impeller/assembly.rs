@@ -6,8 +6,9 @@ use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program, Role};
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::impeller::design::{Design, Style};
+use crate::impeller::tip_way::longest;
 use crate::impeller::track::Track;
-use crate::machine::axis::{Axis, Position};
+use crate::machine::axis::{Axis, Pose, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::text::Text;
 
@@ -61,7 +62,8 @@ impl Pass {
     }
 }
 
-/// The F word and the time of each move. The time is what the tip needs over the part at the feed F, or longer where an
+/// The F word and the time of each move. The time is what the tip needs over the part at the feed F, by an upper
+/// bound of its way, or longer where an
 /// axis would exceed F_max: the axes run many times the tip's way.
 fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Limited) -> Result<Feed, OutOfFormat> {
     let (Style::Full, Some(F)) = (design.style, design.F) else {
@@ -70,11 +72,9 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
     let law = design.dialect.feed;
     let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
     let mut at = from;
-    let mut tip = tip_position(design, &at);
     for to in points {
-        let next = tip_position(design, to);
         let differences = to.differences(&at);
-        let mut seconds = (next - tip).norm() * 60.0 / F;
+        let mut seconds = longest(design.machine, &Pose::from(at), &Pose::from(*to)) * 60.0 / F;
         let greatest = differences.iter().fold(0.0_f64, |most, difference| most.max(difference.abs()));
         if let Some(F_max) = design.F_max
             && greatest * 60.0 / F_max > seconds
@@ -87,16 +87,9 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
         limited.by_format += usize::from(resultant > 0.0 && word.is_fastest(law));
         words.push(word);
         times.push(if resultant > 0.0 { law.seconds(word.value(), resultant) } else { 0.0 });
-        (at, tip) = (*to, next);
+        at = *to;
     }
     Ok(Feed::Each { words: words.into(), seconds: times.into() })
-}
-
-/// The point of the part at which the tip stands, mm.
-fn tip_position(design: &Design, at: &Position) -> nalgebra::Vector3<f64> {
-    let machine = nalgebra::Vector3::new(at.get(Axis::X).value(), at.get(Axis::Y).value(), at.get(Axis::Z).value());
-    let angle = |axis| at.get(axis).value().to_radians();
-    design.machine.to_part(&machine, angle(Axis::B), angle(Axis::C))
 }
 
 /// A program being put together.

@@ -18,6 +18,15 @@ use crate::impeller::splitter::Splitter;
 use crate::impeller::track::Track;
 use crate::number::trig::sin_cos;
 
+/// What the derivatives of an ideal path by x are at most between two neighbouring points of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bends {
+    /// The second and the third of the tip.
+    pub tip: [f64; 2],
+    /// The first and the second of N and of the direction away from the blade.
+    pub frame: [f64; 2],
+}
+
 /// The ideal path of a track.
 #[derive(Clone, Copy, Debug)]
 pub struct Ideal {
@@ -69,11 +78,11 @@ impl Ideal {
         self.n
     }
 
-    /// v and dv/dx at the index x; the last step is shorter by the back-off.
-    fn v(&self, x: f64) -> (f64, f64) {
+    /// v and dv/dx at the index x, as they run on from the index `inside`; the last step is shorter by the back-off.
+    fn v(&self, x: f64, inside: f64) -> (f64, f64) {
         let h = FRAC_PI_2 / self.n;
         let before = self.n - 1.0;
-        if x <= before {
+        if inside <= before {
             (PI + h * x, h)
         } else {
             let shorter = h * (1.0 - self.eps_v);
@@ -81,10 +90,10 @@ impl Ideal {
         }
     }
 
-    /// The fraction f of the full offset and df/dx.
-    fn fraction(&self, x: f64) -> (f64, f64) {
+    /// The fraction f of the full offset and df/dx, as they run on from the index `inside`.
+    fn fraction(&self, x: f64, inside: f64) -> (f64, f64) {
         match self.m {
-            Some(m) if x < m => {
+            Some(m) if inside < m => {
                 let part = (x + 1.0) / (m + 1.0);
                 let fourth = part * part * part * part;
                 (fourth * part, 5.0 * fourth / (m + 1.0))
@@ -93,14 +102,59 @@ impl Ideal {
         }
     }
 
+    /// What the derivatives are at most between the points `low` and `low` + 1.
+    ///
+    /// By v the circle and t have derivatives of the size R and 1. N = −(cos v cos u, cos v sin u, sin v) has partial ones of
+    /// no more than 1 in v and u, u′ = k/ρ ≤ q = √((R+r)/(R−r)), |u″| ≤ q·g and |u‴| ≤ q·g + 2q·g² with g = r/(R−r); so its own are at
+    /// most N₁ = 1 + q, N₂ = N₁² + |u″|, N₃ = N₁³ + 3N₁|u″| + |u‴|, and those of b = t × N at most 1 + N₁, 1 + 2N₁ + N₂,
+    /// 1 + 3N₁ + 3N₂ + N₃. Derived here.
+    #[must_use]
+    pub fn bends(&self, low: f64) -> Bends {
+        let Torus { R, r } = self.circle.torus;
+        let h = FRAC_PI_2 / self.n;
+        let (q, g) = (((R + r) / (R - r)).sqrt(), r / (R - r));
+        let (second, third) = (q * g, q * g + 2.0 * q * g * g);
+        let N = [1.0 + q, (1.0 + q) * (1.0 + q) + second];
+        let N = [N[0] * h, N[1] * h * h, (N[0] * N[0] * N[0] + 3.0 * N[0] * second + third) * h * h * h];
+        let (h_2, h_3) = (h * h, h * h * h);
+        let b = [h + N[0], h_2 + 2.0 * h * N[0] + N[1], h_3 + 3.0 * h_2 * N[0] + 3.0 * h * N[1] + N[2]];
+        let f = match self.m {
+            Some(m) if low < m => {
+                let (part, each) = (((low + 2.0) / (m + 1.0)).min(1.0), 1.0 / (m + 1.0));
+                let square = part * part;
+                [
+                    square * square * part,
+                    5.0 * square * square * each,
+                    20.0 * square * part * each * each,
+                    60.0 * square * each * each * each,
+                ]
+            }
+            _ => [1.0, 0.0, 0.0, 0.0],
+        };
+        let w = self.w.abs();
+        let beside =
+            [f[0] * b[1] + 2.0 * f[1] * b[0] + f[2], f[0] * b[2] + 3.0 * f[1] * b[1] + 3.0 * f[2] * b[0] + f[3]];
+        Bends {
+            tip: [R * h_2 + w * beside[0] + self.a_p * N[1], R * h_3 + w * beside[1] + self.a_p * N[2]],
+            frame: [b[0], b[1]],
+        }
+    }
+
     /// The point at the index x (0 … n).
+    #[must_use]
+    pub fn at(&self, x: f64) -> Station {
+        self.within(x, x)
+    }
+
+    /// The point at the index x, as the path runs on from the index `inside`: at the end of a fade its slope is another from
+    /// either side.
     ///
     /// With X(v) on a circle of radius R run through at |dX/dv| = R about the centre (0, −r, 0), t = X′/R turns by
     /// t′ = −(X − centre)/R; N′ follows from u′ = k/ρ, and b′ = t′ × N + t × N′. Derived here.
     #[must_use]
-    pub fn at(&self, x: f64) -> Station {
-        let (v, dv) = self.v(x);
-        let (f, df) = self.fraction(x);
+    pub fn within(&self, x: f64, inside: f64) -> Station {
+        let (v, dv) = self.v(x, inside);
+        let (f, df) = self.fraction(x, inside);
         let (s, ds) = (self.w * f, self.w * df);
         let Torus { R, r } = self.circle.torus;
         let (sin_v, cos_v) = sin_cos(v);

@@ -29,6 +29,7 @@ pub mod solids;
 pub mod splitter;
 pub mod sweep;
 pub mod tables;
+pub mod tip_way;
 pub mod tool_path;
 pub mod track;
 pub mod undercut;

@@ -163,11 +163,16 @@ pub fn mm(value: f64) -> String {
     format!("{} mm", shown(value, 4))
 }
 
+/// A length rounded up to a tenth of a micrometre.
+#[must_use]
+pub fn up(value: f64) -> f64 {
+    // What is on the grid but for the arithmetic stays there.
+    (value * 1e4 - 1e-6).ceil() / 1e4
+}
+
 /// A length that lies between two bounds, the lower one rounded down and the upper one up to a tenth of a micrometre.
 #[must_use]
 pub fn bounded(lower: f64, upper: f64) -> Text {
-    // What is on the grid but for the arithmetic stays there.
-    let (low, high) = ((lower * 1e4 + 1e-6).floor() / 1e4, (upper * 1e4 - 1e-6).ceil() / 1e4);
-    let (low, high) = (shown(low, 4), mm(high));
+    let (low, high) = (shown(-up(-lower), 4), mm(up(upper)));
     Text::new(format!("acotada entre {low} y {high}"), format!("bounded between {low} and {high}"))
 }

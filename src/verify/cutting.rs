@@ -4,19 +4,20 @@
 //! positions, which the agreement with the plan shows, and C turns tool and part as one.
 
 use crate::gcode::program::Program;
+use crate::impeller::design::Design;
 use crate::impeller::figures::Curve;
 use crate::impeller::ideal::Ideal;
 use crate::impeller::track::Track;
 use crate::number::grid::Milli;
 use crate::text::Text;
-use crate::verify::check::{At, Check, FAULT, Verdict, mm};
+use crate::verify::check::{At, Check, FAULT, Verdict, mm, up};
 use crate::verify::flanks::{self, Clearances, Neighbours, Way};
-use crate::verify::floor::{POSES, below_floor, rim};
+use crate::verify::floor::rim;
 use crate::verify::impeller::Geometry;
 use crate::verify::refinement::needed;
 use crate::verify::step::{Cut, Judge, Step};
 use crate::verify::stock;
-use crate::verify::tip_path::{Along, Peak, between, grid_bound};
+use crate::verify::tip_path::{Along, Peak};
 
 /// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
 /// fine class of ISO 2768-1 for lengths up to 6 mm.
@@ -24,13 +25,16 @@ pub const INTO_METAL: f64 = 0.05;
 /// The deviation for which the n is named where the workbook states no tolerance, mm.
 pub const NAMED: f64 = 0.01;
 
+/// On which side of what deviation and depth into the metal must be known to be, mm.
+#[must_use]
+pub fn limits(design: &Design) -> [f64; 2] {
+    [design.tol.unwrap_or(NAMED), INTO_METAL]
+}
+
 /// What is known of one track.
 #[derive(Debug)]
 struct Measured {
     along: Along,
-    /// The bound of what the grid may move the tip.
-    grid: f64,
-    floor: Option<(f64, At)>,
     /// The first pass so far, and then its clearances.
     way: Way,
     clearances: Clearances,
@@ -64,9 +68,9 @@ impl Known {
     pub fn new(geometry: Geometry<'_>) -> Self {
         let Geometry { design, splitter, .. } = geometry;
         let tracks = Track::ALL.into_iter().filter_map(|track| {
-            let along = Along::new(Ideal::new(design, splitter, track)?, design.n);
+            let along = Along::new(Ideal::new(design, splitter, track)?, design.n, limits(design));
             let (way, clearances) = (Way::default(), Clearances::default());
-            Some(Measured { along, grid: 0.0, floor: None, way, clearances, done: false, turn: None })
+            Some(Measured { along, way, clearances, done: false, turn: None })
         });
         Self { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect(), clear_moves: Vec::new() }
     }
@@ -113,28 +117,11 @@ impl Judge for Cutting<'_, '_> {
         let turn = *measured.turn.get_or_insert(turn);
         let motion = &step.motion;
         let (at, block) = (At::motion(motion), (motion.line, motion.n));
-        let place = |x: f64| At { point: Some((track, x)), ..at };
         let passed = if let [Some(from), Some(to)] = points { Some([from, to]) } else { None };
         measured.way.go([&motion.from, &motion.to], turn, at, passed);
         match points {
             [Some(from), Some(to)] => {
                 measured.along.block(design.machine, [&motion.from, &motion.to], [from, to], turn, block);
-                let stride = design.n.div_ceil(POSES).max(1);
-                let parts = u16::try_from(POSES.div_ceil(design.n)).unwrap_or(1);
-                if !to.is_multiple_of(stride) && to != design.n {
-                    return;
-                }
-                measured.grid = measured.grid.max(grid_bound(design.machine, &motion.to));
-                for part in 1..=parts {
-                    let fraction = f64::from(part) / f64::from(parts);
-                    let pose = between(&motion.from, &motion.to, fraction);
-                    #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
-                    let x = from as f64 + (to as f64 - from as f64) * fraction;
-                    let depth = below_floor(design, &pose);
-                    if measured.floor.is_none_or(|(most, _)| depth > most) {
-                        measured.floor = Some((depth, place(x)));
-                    }
-                }
             }
             [None, Some(to)] => measured.along.end(design.machine, &motion.to, to, turn, block),
             _ => measured.finish(&self.known.neighbours),
@@ -153,7 +140,7 @@ impl Judge for Cutting<'_, '_> {
         }
         let mut checks = self.tip_path(program, &measured);
         checks.push(self.grid(program, &measured));
-        checks.extend(self.floor(program, &measured));
+        checks.push(self.floor(program));
         let clearances: Vec<_> = measured.iter().map(|one| (one.along.track(), one.clearances)).collect();
         checks.extend(flanks::checks(self.geometry.design, program, &clearances));
         checks
@@ -164,19 +151,20 @@ fn peak_at(track: Track, peak: &Peak) -> At {
     At { line: peak.line, n: peak.n, point: Some((track, peak.x)) }
 }
 
-/// The greatest of a value over tracks.
-fn greatest(measured: &[&Measured], value: fn(&Along) -> &Peak) -> (f64, Option<At>) {
+/// The greatest of a value over tracks, with the place where the most of it was seen.
+fn greatest(measured: &[&Measured], value: fn(&Along) -> (f64, &Peak)) -> (f64, Option<At>) {
     measured.iter().fold((0.0, None), |most, one| {
-        let peak = value(&one.along);
-        if peak.value > most.0 { (peak.value, Some(peak_at(one.along.track(), peak))) } else { most }
+        let (value, peak) = value(&one.along);
+        if value > most.0 { (value, Some(peak_at(one.along.track(), peak))) } else { most }
     })
 }
 
 impl Cutting<'_, '_> {
     fn tip_path(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
         let design = self.geometry.design;
-        let ((total, total_at), (metal, metal_at)) =
-            (greatest(measured, |along| &along.total), greatest(measured, |along| &along.metal));
+        let (total, total_at) = greatest(measured, |along| (along.at_most()[0], &along.total));
+        let (metal, metal_at) = greatest(measured, |along| (along.at_most()[1], &along.metal));
+        let at_most = |value: f64| Text::same(format!("≤ {}", mm(up(value))));
         let tolerance = design.tol.unwrap_or(NAMED);
         let wanted = (total > tolerance).then(|| needed(design, total, tolerance));
         let remedy = match wanted {
@@ -198,7 +186,7 @@ impl Cutting<'_, '_> {
         };
         let name = Text::fixed("Punta entre bloques: mayor desviación", "Tip between blocks: greatest deviation");
         let limit = Text::same(design.tol.map(mm).unwrap_or_default());
-        let path = Check::passed("tip-path", name, program, Text::same(mm(total)), limit).at(total_at);
+        let path = Check::passed("tip-path", name, program, at_most(total), limit).at(total_at);
         let path = match design.tol {
             None => path.informing(),
             Some(tol) if total <= tol => path,
@@ -207,13 +195,13 @@ impl Cutting<'_, '_> {
                 Text::new(
                     format!(
                         "entre bloques la punta se aparta {} de su trayectoria en «{}»; la tolerancia es {}",
-                        mm(total),
+                        mm(up(total)),
                         program.title.es,
                         mm(tol)
                     ),
                     format!(
                         "between blocks the tip leaves its path by {} in \"{}\"; the tolerance is {}",
-                        mm(total),
+                        mm(up(total)),
                         program.title.en,
                         mm(tol)
                     ),
@@ -223,7 +211,7 @@ impl Cutting<'_, '_> {
         };
         let name = Text::fixed("Punta entre bloques: hacia el metal", "Tip between blocks: into the metal");
         let limit = Text::same(if design.tol.is_none() { mm(INTO_METAL) } else { String::new() });
-        let into = Check::passed("into-metal", name, program, Text::same(mm(metal)), limit).at(metal_at);
+        let into = Check::passed("into-metal", name, program, at_most(metal), limit).at(metal_at);
         let into = if design.tol.is_some() {
             into.informing()
         } else if metal <= INTO_METAL {
@@ -232,8 +220,8 @@ impl Cutting<'_, '_> {
             into.of_parameters(vec!["n"]).found(
                 Verdict::Caution,
                 Text::new(
-                    format!("entre bloques la punta entra {} en el metal", mm(metal)),
-                    format!("between blocks the tip goes {} into the metal", mm(metal)),
+                    format!("entre bloques la punta entra {} en el metal", mm(up(metal))),
+                    format!("between blocks the tip goes {} into the metal", mm(up(metal))),
                 ),
                 remedy,
             )
@@ -252,15 +240,16 @@ impl Cutting<'_, '_> {
 
     /// What rounding to the grid does to the points.
     fn grid(&self, program: &Program, measured: &[&Measured]) -> Check {
-        let (value, at) = greatest(measured, |along| &along.grid);
-        let bound = measured.iter().map(|one| one.grid).fold(0.0, f64::max);
+        let (value, at) = greatest(measured, |along| (along.grid.value, &along.grid));
+        let (past, past_at) = greatest(measured, |along| (along.past_grid.value, &along.past_grid));
+        let bound = measured.iter().map(|one| one.along.grid_limit).fold(0.0, f64::max);
         let name = Text::fixed("Puntos: lo que los mueve el redondeo a 0.001", "Points: moved by rounding to 0.001");
         let check = Check::passed("grid", name, program, Text::same(mm(value)), Text::same(mm(bound))).at(at);
-        // The bound is that of the poses looked at; between them the distances change by less than a hundredth.
-        if value <= bound * 1.01 {
+        // Each point is held against the limit of its own place.
+        if past <= 0.0 {
             check
         } else {
-            check.found(
+            check.at(past_at).found(
                 Verdict::Stop,
                 Text::new(
                     format!(
@@ -279,7 +268,7 @@ impl Cutting<'_, '_> {
         }
     }
 
-    fn floor(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
+    fn floor(&self, program: &Program) -> Check {
         let design = self.geometry.design;
         let (d_t, r) = (design.d_t, design.torus.r);
         let name = Text::fixed(
@@ -290,15 +279,7 @@ impl Cutting<'_, '_> {
             format!("{}; con r + a_p, {}", mm(rim(r, d_t)), mm(rim(r + design.a_p, d_t))),
             format!("{}; with r + a_p, {}", mm(rim(r, d_t)), mm(rim(r + design.a_p, d_t))),
         );
-        let mut checks = vec![Check::passed("floor-rim", name, program, value, Text::same("")).informing()];
-        let deepest = measured.iter().filter_map(|one| one.floor).max_by(|one, other| one.0.total_cmp(&other.0));
-        if let Some((depth, at)) = deepest {
-            let name =
-                Text::fixed("Fondo: lo más hondo del borde, bajo a_p", "Floor: deepest point of the rim, below a_p");
-            let check = Check::passed("floor-depth", name, program, Text::same(mm(depth)), Text::same(""));
-            // What there is to say of it says the caution about the plan, with an upper bound.
-            checks.push(check.at(Some(at)).informing());
-        }
-        checks
+        // How deep the rim reaches in all is said by the caution about the plan, with an upper bound.
+        Check::passed("floor-rim", name, program, value, Text::same("")).informing()
     }
 }

@@ -1,23 +1,22 @@
 //! Feed: no axis faster than F_max, and the tip over the part no faster than F.
 //!
-//! The speed of an axis is its way over the time of the motion (mm/min, °/min); that of the tip is the way between the
-//! points of the part at which it stands before and after the motion. F words are rounded to the slower side; by how much that
+//! The speed of an axis is its way over the time of the motion (mm/min, °/min); that of the tip is its way over the
+//! part over that time, an upper bound of it and not the chord ([`tip_way`](crate::impeller::tip_way)): the mean over the motion,
+//! which is what an F word settles. F words are rounded to the slower side; by how much that
 //! slows the most is a check of its own, here and for pipes.
-
-use nalgebra::Vector3;
 
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::feed_word::step;
 use crate::gcode::motion::{Kind, Motion};
 use crate::gcode::program::Program;
 use crate::impeller::design::Design;
-use crate::machine::axis::{Axis, Pose};
+use crate::impeller::tip_way::longest;
+use crate::machine::axis::Axis;
 use crate::machine::rotary::Rotary;
 use crate::number::shown;
 use crate::text::Text;
-use crate::verify::agreement::tip;
 use crate::verify::check::{At, Check, FAULT, Verdict};
-use crate::verify::step::{Judge, Stage, Step, same};
+use crate::verify::step::{Judge, Stage, Step};
 
 /// By what part rounding the F word may slow a motion before a person must judge it.
 const SLOWER: f64 = 0.05;
@@ -83,7 +82,6 @@ pub struct Feeds {
     machine: Rotary,
     F: Option<f64>,
     F_max: Option<f64>,
-    last: Option<(Pose, Vector3<f64>)>,
     axis: Option<(f64, Axis, At)>,
     tip: Option<(f64, At)>,
     rounded: Option<(f64, At)>,
@@ -95,7 +93,7 @@ impl Feeds {
     #[must_use]
     pub const fn new(design: &Design) -> Self {
         let (machine, F, F_max) = (design.machine, design.F, design.F_max);
-        Self { machine, F, F_max, last: None, axis: None, tip: None, rounded: None, without: None }
+        Self { machine, F, F_max, axis: None, tip: None, rounded: None, without: None }
     }
 }
 
@@ -117,13 +115,7 @@ impl Judge for Feeds {
                 self.axis = Some((speed, axis, at));
             }
         }
-        let from = match self.last {
-            Some((pose, point)) if same(&pose, &motion.from) => point,
-            _ => tip(self.machine, &motion.from),
-        };
-        let to = tip(self.machine, &motion.to);
-        self.last = Some((motion.to, to));
-        let way = (to - from).norm();
+        let way = longest(self.machine, &motion.from, &motion.to);
         if let Some(F) = self.F {
             let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
             let wanted = (way * 60.0 / F).max(self.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max));

@@ -13,6 +13,7 @@ use crate::impeller::tables::Passes;
 use crate::impeller::track::Track;
 use crate::machine::axis::Pose;
 use crate::number::grid::Milli;
+use crate::verify::cutting::limits;
 use crate::verify::tip_path::Along;
 
 /// The greatest n that is tried: the form's own limit.
@@ -20,7 +21,8 @@ const MOST: usize = 100_000;
 /// Blocks a track that may be computed in all: a fraction of a second.
 const BLOCKS: usize = 100_000;
 
-/// The greatest deviation of the tip along any track of a design cut in n steps, from the positions on the grid; mm.
+/// What the deviation of the tip along any track of a design cut in n steps, from the positions on the grid, is nowhere greater
+/// than; mm.
 ///
 /// `None` where a position does not fit into a program.
 #[must_use]
@@ -32,13 +34,13 @@ pub fn greatest(design: &Design, n: usize) -> Option<f64> {
     let mut most = 0.0_f64;
     for track in Track::ALL {
         let Some(ideal) = Ideal::new(&design, splitter.as_ref(), track) else { continue };
-        let mut along = Along::new(ideal, n);
+        let mut along = Along::new(ideal, n, limits(&design));
         let positions = tracks.positions(track).unwrap_or_default();
         for (i, pair) in positions.windows(2).enumerate() {
             let ends = [pair[0], pair[1]].map(Pose::from);
             along.block(design.machine, [&ends[0], &ends[1]], [i, i + 1], Milli::ZERO, (0, None));
         }
-        most = most.max(along.total.value);
+        most = most.max(along.at_most()[0]);
     }
     Some(most)
 }
