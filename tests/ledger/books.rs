@@ -1,0 +1,220 @@
+//! Workbooks: every case in both languages, written for each control that its kind can be written for, and all that the
+//! commands make of it.
+
+use std::fs;
+
+use rayon::prelude::*;
+use serde_json::Value;
+
+use crate::command::Place;
+use crate::golden::Item;
+use crate::package::Parts;
+use crate::plain::{Sums, page};
+
+/// A case as it is written for a control.
+struct Variant {
+    case: &'static str,
+    control: &'static str,
+    /// What tells it from another of the same case and control.
+    name: &'static str,
+    /// Cells that are given other values: by their defined name, and what stands in them, in Spanish behind `|` where that
+    /// is another word.
+    edits: &'static [(&'static str, &'static str)],
+}
+
+const fn variant(case: &'static str, control: &'static str, edits: &'static [(&'static str, &'static str)]) -> Variant {
+    Variant { case, control, name: "", edits }
+}
+
+const fn named(name: &'static str, variant: Variant) -> Variant {
+    Variant { name, ..variant }
+}
+
+const FAGOR: &str = "fagor-8055";
+const FAGOR_8070: &str = "fagor-8070";
+const LINUXCNC: &str = "linuxcnc";
+
+/// LinuxCNC knows neither M11 nor M13, and moves only with F: the published layout has none.
+const IMPELLER: [Variant; 7] = [
+    variant("full", FAGOR, &[]),
+    variant("full", FAGOR_8070, &[("dialect", FAGOR_8070), ("retract", "")]),
+    variant("full", LINUXCNC, &[("dialect", LINUXCNC), ("start_codes", "M3")]),
+    named("absolute", variant("full", FAGOR, &[("distance", "G90"), ("rotary_axes", "linear")])),
+    variant("tfg-2021", FAGOR, &[]),
+    variant("tfg-2021", FAGOR_8070, &[("dialect", FAGOR_8070)]),
+    variant(
+        "tfg-2021",
+        LINUXCNC,
+        &[("dialect", LINUXCNC), ("start_codes", "M3"), ("style", "full"), ("feed_F", "300"), ("speed_S", "6000")],
+    ),
+];
+
+const INSERT: [Variant; 9] = [
+    variant("square", LINUXCNC, &[]),
+    variant("square", FAGOR, &[("dialect", FAGOR)]),
+    variant("square", FAGOR_8070, &[("dialect", FAGOR_8070)]),
+    named("flat", variant("square", LINUXCNC, &[("mode", "flat|plano")])),
+    named("flat", variant("square", FAGOR, &[("mode", "flat|plano"), ("dialect", FAGOR)])),
+    named("flat", variant("square", FAGOR_8070, &[("mode", "flat|plano"), ("dialect", FAGOR_8070)])),
+    variant("3on4-2023", FAGOR, &[]),
+    variant("3on4-2023", FAGOR_8070, &[("dialect", FAGOR_8070)]),
+    variant("3on4-2023", LINUXCNC, &[("dialect", LINUXCNC), ("style", "full"), ("feed_F", "2000")]),
+];
+
+const HOLE: [Variant; 3] = [
+    variant("set-in", LINUXCNC, &[]),
+    variant("set-in", FAGOR, &[("dialect", FAGOR)]),
+    variant("set-in", FAGOR_8070, &[("dialect", FAGOR_8070)]),
+];
+
+/// A turning program is written by the engineer, for one control.
+const LATHE: [Variant; 3] = [
+    variant("shaft", "fanuc-lathe-a", &[]),
+    variant("blank", "fagor-8055-t", &[]),
+    named("turned-round", variant("shaft", "fanuc-lathe-a", &SECOND)),
+];
+
+/// The other end of the shaft is faced, and a wanted profile.
+const SECOND: [(&str, &str); 13] = [
+    ("PROGRAM 2!A6", "O0002"),
+    ("PROGRAM 2!A7", "G21 G40 G97 G99"),
+    ("PROGRAM 2!A8", "G50 S2500"),
+    ("PROGRAM 2!A9", "T0101"),
+    ("PROGRAM 2!A10", "G96 S180 M3"),
+    ("PROGRAM 2!A11", "G0 X54. Z0. M8"),
+    ("PROGRAM 2!A12", "G1 X-1.6 F0.15"),
+    ("PROGRAM 2!A13", "G0 Z2."),
+    ("PROGRAM 2!A14", "G0 X100. Z50. M9"),
+    ("PROGRAM 2!A15", "M5"),
+    ("PROGRAM 2!A16", "M30"),
+    ("block_delete", ""),
+    ("second_Z_s", "1"),
+];
+
+/// The workbook of a variant, and what every command makes of it.
+fn made(kind: &str, variant: &Variant, language: &str) -> Vec<Item> {
+    let Variant { case, control, name, edits } = variant;
+    let place = Place::new();
+    let stem = "book";
+    let (book, other) = (format!("{stem}.xlsx"), format!("{stem}-new.xlsx"));
+    place.run(&["new", kind, &other, "--case", case, "--lang", language]);
+    let spoken = |value: &'static str| match value.split_once('|') {
+        Some((en, es)) => {
+            if language == "es" {
+                es
+            } else {
+                en
+            }
+        }
+        None => value,
+    };
+    let sheet =
+        |cell: &'static str| if language == "es" { cell.replace("PROGRAM ", "PROGRAMA ") } else { cell.to_owned() };
+    let edits: Vec<(String, &str)> = edits.iter().map(|(cell, value)| (sheet(cell), spoken(value))).collect();
+    let edits: Vec<(&str, &str)> = edits.iter().map(|(cell, value)| (cell.as_str(), *value)).collect();
+    let new = Parts::of(&place.read(&other));
+    let under = format!("{kind}/{case}/{language}/{control}{}{name}", if name.is_empty() { "" } else { "-" });
+    let mut items = Vec::new();
+    let mut put = |name: &str, text: &[u8]| items.push(Item::new(format!("{under}/{name}"), text));
+    if edits.is_empty() {
+        for (part, content) in Parts::of(&place.read(&other)).plain() {
+            put(&format!("new/{part}"), &content);
+        }
+    }
+    place.write(&book, &new.with(&edits).zip());
+    fs::remove_file(place.path(&other)).unwrap();
+
+    let mut sums = Sums::default();
+    sums.take(&book, &place.read(&book));
+    put("check", &sums.json(&place.json(&["check", &book])));
+    if edits.is_empty() {
+        put("check-printed", &sums.named(&place.said(&["check", &book])));
+    }
+    place.run(&["view", &book, "-o", "page.html"]);
+    put("view", &sums.named(&page(&place.read("page.html")).0));
+
+    let document = place.json(&["build", &book, "-o", "out"]);
+    let files = place.files("out");
+    assert!(files.len() > 3, "{under}: {}", String::from_utf8_lossy(&document));
+    files.iter().for_each(|file| sums.take(file, &place.read(&format!("out/{file}"))));
+    put("build", &sums.json(&document));
+    for file in &files {
+        let bytes = place.read(&format!("out/{file}"));
+        let name = file.strip_prefix(stem).unwrap().trim_start_matches('-');
+        if name.ends_with(".xlsx") {
+            for (part, content) in Parts::of(&bytes).plain() {
+                put(&format!("{name}/{part}"), &sums.named(&content));
+            }
+        } else if name.ends_with(".html") {
+            put(name, &sums.named(&page(&bytes).0));
+        } else if !name.ends_with(".pdf") {
+            put(name, &sums.named(&bytes));
+        }
+    }
+    for (name, text) in kept(&place, &sums) {
+        if name != "templates" || edits.is_empty() {
+            put(&name, &text);
+        }
+    }
+
+    let programs: Vec<_> =
+        files.iter().filter(|file| file.ends_with(".nc")).map(|file| format!("out/{file}")).collect();
+    let mut words: Vec<_> =
+        ["verify", "--dialect", control].into_iter().chain(programs.iter().map(String::as_str)).collect();
+    if kind == "lathe" {
+        words.extend(["--tools", &book]);
+        for program in &programs {
+            let simulated = place.json(&["simulate", program, "--dialect", control, "--tools", &book]);
+            put(&format!("simulate/{program}"), &sums.json(&simulated));
+        }
+    }
+    put("verify", &sums.json(&place.json(&words)));
+    items
+}
+
+/// What typst was given to set: contents and pictures, and of the templates one sum.
+fn kept(place: &Place, sums: &Sums) -> Vec<(String, Vec<u8>)> {
+    let mut texts = Vec::new();
+    let mut templates = Vec::new();
+    for file in place.files("kept") {
+        let bytes = place.read(&format!("kept/{file}"));
+        let (document, name) = file.split_once('/').unwrap();
+        let document = document.trim_end_matches(".typ");
+        if name.ends_with(".typ") {
+            templates.extend_from_slice(name.as_bytes());
+            templates.extend(bytes);
+        } else if name == "contents.json" {
+            let contents: Value = serde_json::from_slice(&bytes).unwrap();
+            for (key, figure) in contents["figures"].as_object().into_iter().flatten() {
+                let picture = format!("kept/{document}.typ/{}", figure["file"].as_str().unwrap());
+                texts.push((format!("{document}/{key}.svg"), sums.named(&place.read(&picture))));
+            }
+            texts.push((format!("{document}/contents.json"), sums.json(&bytes)));
+        } else if name.starts_with("sheet-") {
+            texts.push((format!("{document}/{name}"), sums.named(&bytes)));
+        }
+    }
+    texts.push(("templates".to_owned(), templates));
+    texts
+}
+
+fn all(kind: &str, variants: &[Variant]) -> Vec<Item> {
+    let pairs: Vec<_> = variants.iter().flat_map(|variant| ["en", "es"].map(|language| (variant, language))).collect();
+    pairs.par_iter().flat_map_iter(|(variant, language)| made(kind, variant, language)).collect()
+}
+
+pub fn impeller() -> Vec<Item> {
+    all("impeller", &IMPELLER)
+}
+
+pub fn insert() -> Vec<Item> {
+    all("pipe-insert", &INSERT)
+}
+
+pub fn hole() -> Vec<Item> {
+    all("pipe-hole", &HOLE)
+}
+
+pub fn lathe() -> Vec<Item> {
+    all("lathe", &LATHE)
+}
