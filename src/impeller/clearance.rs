@@ -350,8 +350,9 @@ impl Search<'_> {
         let rho = rulings
             .iter()
             .flat_map(|ruling| beyond.map(|h| ruling.at(h)))
-            .map(|point| hypot(point.x, point.y))
+            .map(|point| point.x * point.x + point.y * point.y)
             .fold(0.0, f64::max)
+            .sqrt()
             + v_speed / 2.0;
         let step = ends[1].B - ends[0].B;
         let slide = Q.map(|Q| (Vector3::new(-Q.z, 0.0, Q.x) * step - by).norm());

@@ -22,19 +22,29 @@ const MOST: usize = 100_000;
 const BLOCKS: usize = 100_000;
 
 /// What the deviation of the tip along any track of a design cut in n steps, from the positions on the grid, is nowhere greater
-/// than; mm.
+/// than; mm. Where the tracks of the blade alone exceed `enough` those of the splitter, whose fade takes far longer to find, are
+/// left out.
 ///
 /// `None` where a position does not fit into a program.
 #[must_use]
-pub fn greatest(design: &Design, n: usize) -> Option<f64> {
+pub fn greatest(design: &Design, n: usize, enough: f64) -> Option<f64> {
     let design = Design { n, ..design.clone() };
     let blade = Blade::new(design.torus, n, design.eps_v, design.machine);
-    let splitter = if design.splitters { Splitter::new(&design, &blade).ok() } else { None };
-    let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), splitter.as_ref()).ok()?;
+    let of_blade = greatest_of(&design, &blade, None)?;
+    if of_blade > enough || !design.splitters {
+        return Some(of_blade);
+    }
+    let Ok(splitter) = Splitter::new(&design, &blade) else { return Some(of_blade) };
+    greatest_of(&design, &blade, Some(&splitter)).map(|of_splitter| of_blade.max(of_splitter))
+}
+
+/// The same of the tracks of a splitter, or of those of a blade.
+fn greatest_of(design: &Design, blade: &Blade, splitter: Option<&Splitter>) -> Option<f64> {
+    let tracks = Tracks::new(blade, &Passes::new(design, blade), splitter).ok()?;
     let mut most = 0.0_f64;
-    for track in Track::ALL {
-        let Some(ideal) = Ideal::new(&design, splitter.as_ref(), track) else { continue };
-        let mut along = Along::new(ideal, n, limits(&design));
+    for track in Track::ALL.into_iter().filter(|track| track.of_splitter() == splitter.is_some()) {
+        let Some(ideal) = Ideal::new(design, splitter, track) else { continue };
+        let mut along = Along::new(ideal, design.n, limits(design));
         let positions = tracks.positions(track).unwrap_or_default();
         for (i, pair) in positions.windows(2).enumerate() {
             let ends = [pair[0], pair[1]].map(Pose::from);
@@ -53,7 +63,7 @@ pub fn needed(design: &Design, deviation: f64, tolerance: f64) -> Option<usize> 
     let mut left = BLOCKS;
     let mut at = |n: usize| {
         left = left.checked_sub(n)?;
-        greatest(design, n)
+        greatest(design, n, tolerance)
     };
     let next = |n: usize, deviation: f64| {
         #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
