@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
 use rodete::finding::{Exit, Grade, Refusal};
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::geometry::pipe_pair::Side;
 use rodete::job::{self, Outcome, Source};
@@ -56,7 +56,7 @@ fn row(outcome: &Outcome, name: &str) -> f64 {
 /// The motions of the cut, lead-in first.
 fn cuts(program: &Program) -> Vec<Motion> {
     let motions = program.read_back().map(|motion| motion.expect("taken"));
-    motions.filter(|motion| matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..))).collect()
+    motions.filter(|motion| matches!(motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..))).collect()
 }
 
 /// An axis a part of the way along a motion.
@@ -278,13 +278,13 @@ proptest! {
                 .collect(),
         };
         let feeds = program.read_back_with(setting).map(|motion| motion.expect("taken"));
-        let feeds = feeds.filter(|motion| matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..)));
+        let feeds = feeds.filter(|motion| matches!(motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)));
         for (motion, span) in feeds.skip(usize::from(annex)).zip(spans) {
             let Some([from, to]) = span else { continue };
             let [x, y] = if flat { [Axis::X, Axis::Y] } else { [Axis::A, Axis::X] };
             for part in PARTS {
                 let point = match motion.kind {
-                    Kind::Arc(arc, _) => {
+                    MotionKind::Arc(arc, _) => {
                         let centre = Vector2::from(arc.centre);
                         let start = Vector2::new(motion.from.get(x), motion.from.get(y)) - centre;
                         let (sin, cos) = sin_cos(arc.sweep * part);

@@ -3,7 +3,7 @@
 use rodete::finding::Grade;
 use rodete::gcode::dialect::Rotary;
 use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::{Part, Program};
 use rodete::gcode::word::Word;
 use rodete::job::{self, Outcome, Source};
@@ -61,7 +61,7 @@ fn motions(program: &Program, rotary: Rotary) -> Vec<Motion> {
 
 /// The motions at feed: where each ends.
 fn cuts(motions: &[Motion]) -> Vec<[f64; 6]> {
-    let feeds = motions.iter().filter(|motion| matches!(motion.kind, Kind::Feed(_)));
+    let feeds = motions.iter().filter(|motion| matches!(motion.kind, MotionKind::Feed(_)));
     feeds.map(|motion| [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C].map(|axis| motion.to.get(axis))).collect()
 }
 
@@ -80,7 +80,7 @@ fn on_a_fagor_8055_both_kinds_of_rotary_axes_make_the_motions_of_the_plan() {
             for (one, other) in rollover.iter().zip(&linear) {
                 assert_eq!((one.line, one.from, one.to), (other.line, other.from, other.to), "{kind} {joint:?}");
                 for by in &one.to.differences(&one.from)[3..6] {
-                    assert!(matches!(one.kind, Kind::Rapid) || by.abs() <= 180.0, "{kind} line {}", one.line);
+                    assert!(matches!(one.kind, MotionKind::Rapid) || by.abs() <= 180.0, "{kind} line {}", one.line);
                 }
             }
             // The plan of the dialect whose axes are linear: the feeds do not bear on it here.

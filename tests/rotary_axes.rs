@@ -7,7 +7,7 @@ use common::{absolute, outcome, program, read_back};
 use rodete::finding::{Finding, Grade, Place};
 use rodete::gcode::dialect::Rotary;
 use rodete::gcode::interpreter::Setting;
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::impeller::parameters::FORM;
 use rodete::job::{self, Outcome};
@@ -54,7 +54,7 @@ fn the_usual_programs_make_the_same_motions_on_rollover_and_on_linear_axes() {
         for (one, other) in rollover.iter().zip(&linear) {
             assert_eq!((one.line, one.from, one.to), (other.line, other.from, other.to), "{key}");
             let turned = one.to.differences(&one.from)[Axis::C as usize].abs();
-            assert!(matches!(one.kind, Kind::Rapid) || turned <= 180.0, "{key} line {}", one.line);
+            assert!(matches!(one.kind, MotionKind::Rapid) || turned <= 180.0, "{key} line {}", one.line);
         }
         let last = rollover.last().expect("a motion").to;
         for axis in [Axis::X, Axis::Y, Axis::B, Axis::C] {

@@ -10,9 +10,9 @@ use super::verdict::Verdict;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::told_turning;
+use crate::gcode::dialect::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
-use crate::gcode::motion::Kind;
+use crate::gcode::motion::MotionKind;
 use crate::job::lathe::MOST_MOTIONS;
 use crate::job::{Outcome, Source, lathe};
 use crate::lathe::cases;
@@ -87,7 +87,7 @@ pub(super) fn follow(
     verdict.language = wanted.tools.map(|_| values.language);
     verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));
     let dialect = wanted.dialect.unwrap_or_else(|| {
-        let dialect = told_turning(wanted.bytes);
+        let dialect = guess_turning(wanted.bytes);
         verdict.findings.push(told_from(dialect));
         dialect
     });
@@ -275,7 +275,7 @@ fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> 
     let interpreter: Interpreter<'_> = program.read(given.setting());
     // No more than are followed.
     let motions = interpreter.flatten().take(MOST_MOTIONS);
-    for motion in motions.filter(|motion| !matches!(motion.kind, Kind::Rapid | Kind::Dwell(_))) {
+    for motion in motions.filter(|motion| !matches!(motion.kind, MotionKind::Rapid | MotionKind::Dwell(_))) {
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));
     }

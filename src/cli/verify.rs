@@ -13,9 +13,9 @@ use super::verdict::{Verdict, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::tools_headed;
+use crate::gcode::dialect::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
-use crate::gcode::motion::{FeedMode, Kind, Motion};
+use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::store::{Sum, Summed};
@@ -194,16 +194,16 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
     object.insert("line".into(), json!(motion.line));
     object.insert("n".into(), json!(motion.n));
     let name = match motion.kind {
-        Kind::Rapid => "rapid",
-        Kind::Feed(_) => "feed",
-        Kind::Arc(..) => "arc",
-        Kind::Thread(_) => "thread",
-        Kind::Dwell(_) => "dwell",
+        MotionKind::Rapid => "rapid",
+        MotionKind::Feed(_) => "feed",
+        MotionKind::Arc(..) => "arc",
+        MotionKind::Thread(_) => "thread",
+        MotionKind::Dwell(_) => "dwell",
     };
     object.insert("motion".into(), json!(name));
     object.insert("to".into(), pose(&motion.to, false));
     object.insert("machine".into(), pose(&motion.machine, false));
-    if let Kind::Arc(arc, _) = motion.kind {
+    if let MotionKind::Arc(arc, _) = motion.kind {
         let [first, second, _] = arc.plane.axes();
         let centre: Map<String, Value> = [first, second]
             .into_iter()
@@ -214,7 +214,7 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
         object.insert("plane".into(), json!(arc.plane.name()));
         object.insert("turns".into(), json!(arc.turns));
     }
-    if let Kind::Feed(feed) | Kind::Arc(_, feed) = motion.kind {
+    if let MotionKind::Feed(feed) | MotionKind::Arc(_, feed) = motion.kind {
         object.insert("feed".into(), json!(feed.value));
         let mode = match feed.mode {
             FeedMode::PerMinute => "mm/min",
@@ -224,7 +224,7 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
         };
         object.insert("feed_unit".into(), json!(mode));
     }
-    if let Kind::Thread(thread) = motion.kind {
+    if let MotionKind::Thread(thread) = motion.kind {
         object.insert("lead".into(), json!(thread.lead));
         object.insert("lead_change".into(), json!(thread.change));
         if thread.angle != 0.0 {

@@ -14,7 +14,7 @@ use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::told;
+use crate::gcode::dialect::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
 use crate::lathe::parameters as lathe;
 use crate::store::{self, Existing, Folder, Set, Written};
@@ -136,7 +136,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
     Ok(match control.dialect.as_deref().and_then(Dialect::named) {
         Some(dialect) => dialect.reading.diameter,
         // A lathe's workbook is given for a turning program alone.
-        None => machine == Some(true) || told(head, &ending).reading.diameter,
+        None => machine == Some(true) || guess(head, &ending).reading.diameter,
     })
 }
 

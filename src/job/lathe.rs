@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
-use crate::gcode::interpreter::Stood;
-use crate::gcode::motion::Kind;
+use crate::gcode::interpreter::Standstill;
+use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
@@ -19,7 +19,7 @@ use crate::job::{Outcome, Run, Source, Template, Turned};
 use crate::lathe::alarm::{Alarm, Cause};
 use crate::lathe::deviation::Profile;
 use crate::lathe::figures::{self, Drawn};
-use crate::lathe::in_force::InForce;
+use crate::lathe::in_force::InForceWatch;
 use crate::lathe::parameters::{PROGRAM_KEY, SECOND_KEY};
 use crate::lathe::repeat::AGREE;
 use crate::lathe::setup::{self, Given};
@@ -43,7 +43,7 @@ pub enum Seen<'a> {
     Begin(&'a Program, &'a text::Source, &'a Simulation),
     /// What is in force before the first block, or after one that changed it without a motion; with the name of the
     /// subprogram's file that the block stands in.
-    Stood(&'a Stood, &'a Simulation, Option<&'a str>),
+    Stood(&'a Standstill, &'a Simulation, Option<&'a str>),
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
     /// An alarm that could be told only when all programs had ended, of a motion of the program of this number, from 0; with
@@ -250,7 +250,7 @@ fn follow<'a>(
         account: Account::default(),
     };
     let mut interpreter = source.read(given.setting());
-    let mut in_force = InForce::new(given.own.clone());
+    let mut in_force = InForceWatch::new(given.own.clone());
     let (mut faults, mut more) = (Vec::new(), 0);
     // Refusals in more than one cell, as they are told of lines and as they are told of cells.
     let mut together: Vec<(Finding, Finding)> = Vec::new();
@@ -312,7 +312,7 @@ fn follow<'a>(
                     let place = source.place(interpreter.file(alarm.file), alarm.line, Vec::new());
                     one.alarms.push(Raised { alarm: *alarm, place, other_offset });
                 }
-                let paths = if motion.kind == Kind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
+                let paths = if motion.kind == MotionKind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
                 if step.way.len() > 1 {
                     paths.push(step.way.clone());
                 }

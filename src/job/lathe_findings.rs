@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::job::lathe_tables::Raised;
 use crate::lathe::alarm::{Alarm, Cause};
 use crate::lathe::repeat::AGREE;
@@ -60,7 +60,7 @@ pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
 pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) -> Finding {
     let stop = |what, remedy| Finding::stop(at_line(file, motion.line), what, remedy);
     let shown = |value: f64| crate::number::shown(value, 6);
-    if let Kind::Thread(thread) = motion.kind {
+    if let MotionKind::Thread(thread) = motion.kind {
         let lead = shown(thread.lead);
         let length = [Axis::X, Axis::Z].map(|axis| (motion.to.get(axis) - motion.from.get(axis)).abs());
         let turns = revolutions(thread, length[0].max(length[1])).unwrap_or_default();

@@ -1,8 +1,8 @@
 //! The tables of a turning: motions, alarms, tools, turret, contour.
 
 use crate::finding::Place;
-use crate::gcode::control::{Control, Spindle};
-use crate::gcode::motion::{Feed, FeedMode, Kind};
+use crate::gcode::control::{InForce, Spindle};
+use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::geometry::exact::region::Ring;
 use crate::job::checks;
 use crate::lathe::alarm::Alarm;
@@ -41,31 +41,31 @@ fn count(value: usize) -> f64 {
     f64::from(u32::try_from(value).unwrap_or(u32::MAX))
 }
 
-fn name(kind: Kind) -> Text {
+fn name(kind: MotionKind) -> Text {
     match kind {
-        Kind::Rapid => t("G0", "G0"),
-        Kind::Feed(_) => t("G1", "G1"),
-        Kind::Arc(arc, _) if arc.turns < 0 => t("G2", "G2"),
-        Kind::Arc(..) => t("G3", "G3"),
-        Kind::Thread(_) => t("G32", "G32"),
-        Kind::Dwell(_) => t("G4", "G4"),
+        MotionKind::Rapid => t("G0", "G0"),
+        MotionKind::Feed(_) => t("G1", "G1"),
+        MotionKind::Arc(arc, _) if arc.turns < 0 => t("G2", "G2"),
+        MotionKind::Arc(..) => t("G3", "G3"),
+        MotionKind::Thread(_) => t("G32", "G32"),
+        MotionKind::Dwell(_) => t("G4", "G4"),
     }
 }
 
 /// F in mm a revolution, where it is one or the spindle's speed tells it.
-fn feed(kind: Kind, speed: f64) -> f64 {
+fn feed(kind: MotionKind, speed: f64) -> f64 {
     match kind {
-        Kind::Feed(Feed { mode, value }) | Kind::Arc(_, Feed { mode, value }) => match mode {
+        MotionKind::Feed(Feed { mode, value }) | MotionKind::Arc(_, Feed { mode, value }) => match mode {
             FeedMode::PerRevolution => value,
             FeedMode::PerMinute if speed > 0.0 => value / speed,
             _ => 0.0,
         },
-        Kind::Thread(thread) => thread.lead,
-        Kind::Rapid | Kind::Dwell(_) => 0.0,
+        MotionKind::Thread(thread) => thread.lead,
+        MotionKind::Rapid | MotionKind::Dwell(_) => 0.0,
     }
 }
 
-fn turning(control: &Control) -> bool {
+fn turning(control: &InForce) -> bool {
     control.spindle != Spindle::Stopped
 }
 
@@ -195,7 +195,7 @@ pub fn lines_table(motions: &[Table]) -> Table {
             });
             let Some(one) = lines.get_mut(at) else { continue };
             // As a step tells it: see Step::cuts.
-            let cuts = number("V", row) > 0.0 && text("motion", row).en != name(Kind::Rapid).en;
+            let cuts = number("V", row) > 0.0 && text("motion", row).en != name(MotionKind::Rapid).en;
             let cutting = if cuts { number("t", row) } else { 0.0 };
             for (sum, more) in one.sums.iter_mut().zip([1.0, number("t", row), cutting, number("V", row)]) {
                 *sum += more;

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::alarm::{Alarm, Cause};
 use super::step::Step;
-use crate::gcode::control::{Control, Speed};
-use crate::gcode::motion::{Feed, FeedMode, Kind};
+use crate::gcode::control::{InForce, Speed};
+use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::machine::axis::Axis;
 
 /// What a tool is fed in the cut with each revolution of the spindle, mm: less rubs and more breaks any insert. Finishing goes
@@ -20,7 +20,7 @@ const SAME_SPEED: f64 = 1e-3;
 
 /// Watches the offset of the tool, its feed and the speed of threads over the steps of a program.
 #[derive(Clone, Debug, Default)]
-pub struct InForce {
+pub struct InForceWatch {
     /// The offset of each tool's own, by its place.
     own: BTreeMap<u32, u32>,
     /// Tools with the offsets that were told of.
@@ -35,7 +35,7 @@ pub struct InForce {
     threads: BTreeSet<u32>,
 }
 
-impl InForce {
+impl InForceWatch {
     /// With the offset of each tool's own, by its place in the turret.
     #[must_use]
     pub fn new(own: BTreeMap<u32, u32>) -> Self {
@@ -44,7 +44,7 @@ impl InForce {
 
     /// The tool's place and the offset in force, where it is not the tool's own.
     #[must_use]
-    pub fn other_offset(&self, control: &Control) -> Option<(u32, u32)> {
+    pub fn other_offset(&self, control: &InForce) -> Option<(u32, u32)> {
         let own = self.own.get(&control.tool)?;
         (*own != control.offset).then_some((control.tool, control.offset))
     }
@@ -53,9 +53,9 @@ impl InForce {
     pub fn judge(&mut self, step: &mut Step) {
         let (motion, control) = (&step.motion, &step.control);
         let feed = match motion.kind {
-            Kind::Feed(feed) | Kind::Arc(_, feed) => Some(feed),
-            Kind::Thread(_) => None,
-            Kind::Rapid | Kind::Dwell(_) => return,
+            MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => Some(feed),
+            MotionKind::Thread(_) => None,
+            MotionKind::Rapid | MotionKind::Dwell(_) => return,
         };
         let mut causes = Vec::new();
         match feed {

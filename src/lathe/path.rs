@@ -1,6 +1,6 @@
 //! The way of the tool's point during a motion, as straight pieces.
 
-use crate::gcode::motion::{Kind, Motion, Plane};
+use crate::gcode::motion::{Motion, MotionKind, Plane};
 use crate::geometry::chords;
 use crate::geometry::exact::grid::Point;
 use crate::machine::axis::Axis;
@@ -20,8 +20,8 @@ pub fn pieces(motion: &Motion, to: [f64; 2], bent: Option<[f64; 2]>, tolerance: 
     let shift = [to[0] - end[0], to[1] - end[1]];
     let from = [start[0] + shift[0], start[1] + shift[1]];
     match motion.kind {
-        Kind::Dwell(_) => {}
-        Kind::Arc(arc, _) if arc.plane == Plane::ZX && arc.sweep != 0.0 => {
+        MotionKind::Dwell(_) => {}
+        MotionKind::Arc(arc, _) if arc.plane == Plane::ZX && arc.sweep != 0.0 => {
             let centre = [arc.centre[0] + shift[0], arc.centre[1] + shift[1]];
             let mut last = from;
             chords::corners(centre, [from, to], arc.sweep, tolerance, |corner| {
@@ -29,7 +29,7 @@ pub fn pieces(motion: &Motion, to: [f64; 2], bent: Option<[f64; 2]>, tolerance: 
                 last = corner;
             });
         }
-        Kind::Rapid => {
+        MotionKind::Rapid => {
             let [dz, dr] = [to[0] - from[0], to[1] - from[1]];
             if let Some([rate_x, rate_z]) = bent
                 && dz != 0.0

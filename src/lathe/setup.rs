@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::{CellPlace, Finding, Place};
-use crate::gcode::control::{Control, Spindle};
+use crate::gcode::control::{InForce, Spindle};
 use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
-use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, Tool as Offset, Tools};
+use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::lathe::machine::{Chuck, Lathe};
@@ -256,7 +256,7 @@ impl Given {
     /// X or Z: the program's zero then is what is left of the machine's position without the position in the program and
     /// without the tool's offset, and not 0.
     #[must_use]
-    pub fn without_zero(&self, motion: &Motion, control: &Control) -> Option<Finding> {
+    pub fn without_zero(&self, motion: &Motion, control: &InForce) -> Option<Finding> {
         let cells = self.empty.get(&control.system)?;
         let offset = self.offsets.get(&control.offset).map_or(0.0, |tool| tool.offset.get(Axis::Z));
         let from = self.setup.lathe.origin[1];
@@ -420,7 +420,7 @@ fn turret(rows: &[Row], (tolerance, behind): (f64, bool), findings: &mut Vec<Fin
         offset.set(Axis::X, tool.overhang[0]);
         offset.set(Axis::Z, tool.overhang[1]);
         let nose = Some(Nose { radius: tool.nose(), tip: tool.tip });
-        if offsets.insert(D, Offset { offset, nose, ..Offset::default() }).is_some() {
+        if offsets.insert(D, ToolOffset { offset, nose, ..ToolOffset::default() }).is_some() {
             findings.push(Finding::stop(
                 Place::Cells(cells(row, &["tools/D", "tools/T"])),
                 Text::new(format!("el corrector {D} está dos veces"), format!("offset {D} is given twice")),

@@ -19,8 +19,8 @@ use super::tool::{Cutter, Tool};
 use super::watch::Watch;
 use super::workpiece::{CHIP, Removed, TURN, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::gcode::control::{Control, Speed};
-use crate::gcode::motion::{Feed, Kind, Motion};
+use crate::gcode::control::{InForce, Speed};
+use crate::gcode::motion::{Feed, Motion, MotionKind};
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::region::{Labelled, Ring};
@@ -290,7 +290,7 @@ impl Simulation {
     }
 
     /// Makes one motion.
-    pub fn take(&mut self, motion: &Motion, control: &Control) -> Step {
+    pub fn take(&mut self, motion: &Motion, control: &InForce) -> Step {
         let origin = self.setup.lathe.origin;
         let reference = [motion.machine.get(Axis::Z) + origin[1], motion.machine.get(Axis::X) + origin[0]];
         // Where the programmed point ends on the grid.
@@ -307,7 +307,7 @@ impl Simulation {
         let (begins, sides, speed, alarms) = (None, [0.0; 2], 0.0, Vec::new());
         let mut tally = Tally { motion, index, file, shift, turning, begins, sides, speed, alarms };
         let seconds = match motion.kind {
-            Kind::Rapid => None,
+            MotionKind::Rapid => None,
             _ => motion.seconds,
         };
         let seconds = seconds.or_else(|| turning.seconds(motion, &pieces, lathe));
@@ -325,21 +325,21 @@ impl Simulation {
         let removed =
             if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
         self.judge(control, &pieces, &contact, &mut tally);
-        if begins && contact.real && motion.kind != Kind::Rapid {
+        if begins && contact.real && motion.kind != MotionKind::Rapid {
             self.watch.run_in(control.tool, &pieces, &mut tally);
         }
         if removed.parted > 0.0 {
             tally.raise(Cause::PartedOff(removed.parted), to, None);
             self.fallen = self.part.fallen().to_vec();
-        } else if motion.kind != Kind::Rapid && removed.volume > CHIP {
+        } else if motion.kind != MotionKind::Rapid && removed.volume > CHIP {
             self.fallen.clear();
         }
 
         let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
         let speed = [turning.at(program_start), turning.at(program_end)];
-        let cuts = contact.real && motion.kind != Kind::Rapid;
+        let cuts = contact.real && motion.kind != MotionKind::Rapid;
         if !pieces.is_empty() {
-            self.stands = (motion.kind != Kind::Rapid).then_some((control.tool, to));
+            self.stands = (motion.kind != MotionKind::Rapid).then_some((control.tool, to));
         }
         let cutting_speed = if cuts { tally.speed } else { 0.0 };
         let rate = match seconds {
@@ -375,13 +375,13 @@ impl Simulation {
     }
 
     /// Takes away what the tool sweeps, and looks where the rest of it goes.
-    fn cut(&mut self, pieces: &[Piece], control: &Control, contact: &mut Contact, tally: &mut Tally) -> Removed {
+    fn cut(&mut self, pieces: &[Piece], control: &InForce, contact: &mut Contact, tally: &mut Tally) -> Removed {
         let mut removed = Removed::default();
         let Some(ready) = self.tools.get(&control.tool) else { return removed };
         let (part, swept, chain) = (&mut self.part, &mut self.swept, &mut self.chain);
-        let rapid = tally.motion.kind == Kind::Rapid;
+        let rapid = tally.motion.kind == MotionKind::Rapid;
         let insert = matches!(ready.tool.cutter, Cutter::Insert { .. });
-        if !matches!(tally.motion.kind, Kind::Feed(_) | Kind::Arc(..)) {
+        if !matches!(tally.motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
             chain.end();
         }
         let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
@@ -403,7 +403,7 @@ impl Simulation {
                 }
             }
         };
-        if let Kind::Thread(thread) = tally.motion.kind {
+        if let MotionKind::Thread(thread) = tally.motion.kind {
             for &piece in pieces {
                 // Blocks of a thread that follow one another go on in its revolution; a new pass at its angle.
                 let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
@@ -446,7 +446,7 @@ impl Simulation {
                     continue;
                 }
                 collide(&self.fixtures, swept, Moving::Cutter, tally);
-                if matches!(tally.motion.kind, Kind::Thread(_)) {
+                if matches!(tally.motion.kind, MotionKind::Thread(_)) {
                     continue;
                 }
                 add(part.cut(swept, |meeting, mirrored, labels| {
@@ -493,25 +493,25 @@ impl Simulation {
     }
 
     /// What the motion's contact with metal, and what is in force, give rise to.
-    fn judge(&mut self, control: &Control, pieces: &[Piece], contact: &Contact, tally: &mut Tally) {
+    fn judge(&mut self, control: &InForce, pieces: &[Piece], contact: &Contact, tally: &mut Tally) {
         let Some(&[start, end]) = pieces.last() else { return };
         let start = pieces.first().map_or(start, |piece| piece[0]);
         let kind = tally.motion.kind;
         let ready = self.tools.get(&control.tool);
         let lathe = &self.setup.lathe;
-        let cuts = contact.real && kind != Kind::Rapid;
+        let cuts = contact.real && kind != MotionKind::Rapid;
         let watch = &mut self.watch;
-        if let Kind::Feed(Feed { value, .. }) | Kind::Arc(_, Feed { value, .. }) = kind
+        if let MotionKind::Feed(Feed { value, .. }) | MotionKind::Arc(_, Feed { value, .. }) = kind
             && value <= 0.0
         {
             tally.raise(Cause::NoFeed, start, None);
         }
         // A turret may be moved about before the first tool is called.
-        let missing = ready.is_none() && (control.tool != 0 || kind != Kind::Rapid);
+        let missing = ready.is_none() && (control.tool != 0 || kind != MotionKind::Rapid);
         if watch.begins(Cause::UnknownTool(0), missing, control.tool) {
             tally.raise(Cause::UnknownTool(control.tool), start, None);
         }
-        if let Kind::Thread(thread) = kind {
+        if let MotionKind::Thread(thread) = kind {
             self.part.spend(watch.passes());
             watch.thread(thread, [start, end], (control.tool, ready.map(|ready| &ready.tool.cutter)), cuts, tally);
         }

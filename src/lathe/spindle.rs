@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::machine::Lathe;
 use super::path::Piece;
-use crate::gcode::control::{Control, Speed, Spindle};
-use crate::gcode::motion::{Feed, FeedMode, Kind, Motion, Thread};
+use crate::gcode::control::{InForce, Speed, Spindle};
+use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Thread};
 use crate::number::trig::hypot;
 
 /// The spindle during a motion.
@@ -35,7 +35,7 @@ pub struct Engaged {
 impl Turning {
     /// What the control asks of the lathe.
     #[must_use]
-    pub fn new(control: &Control, lathe: &Lathe) -> Self {
+    pub fn new(control: &InForce, lathe: &Lathe) -> Self {
         let limit = control.greatest_speed.map_or(lathe.greatest_speed, |most| most.min(lathe.greatest_speed));
         Self { speed: control.speed, limit, stopped: control.spindle == Spindle::Stopped }
     }
@@ -118,13 +118,13 @@ impl Turning {
                 / per_revolution
         };
         let minutes = match motion.kind {
-            Kind::Dwell(seconds) => return Some(seconds),
-            Kind::Rapid => {
+            MotionKind::Dwell(seconds) => return Some(seconds),
+            MotionKind::Rapid => {
                 let (Some([from, _]), Some([_, to])) = (pieces.first(), pieces.last()) else { return Some(0.0) };
                 let [rate_x, rate_z] = lathe.rapid;
                 ((to[1] - from[1]).abs() / rate_x).max((to[0] - from[0]).abs() / rate_z)
             }
-            Kind::Feed(feed) | Kind::Arc(_, feed) => {
+            MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => {
                 let Feed { mode, value } = feed;
                 match mode {
                     FeedMode::PerMinute => pieces.iter().map(length).sum::<f64>() / value,
@@ -133,7 +133,7 @@ impl Turning {
                     FeedMode::Seconds => value / 60.0,
                 }
             }
-            Kind::Thread(thread) => {
+            MotionKind::Thread(thread) => {
                 let [from, to] = *pieces.first()?;
                 revolutions(thread, (to[0] - from[0]).abs().max((to[1] - from[1]).abs()))?
                     * self.slowness(from[1], to[1])
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn a_cutting_speed_is_that_of_one_moment() {
         let turning = |speed, greatest_speed| {
-            let control = Control { speed, spindle: Spindle::Clockwise, greatest_speed, ..Control::default() };
+            let control = InForce { speed, spindle: Spindle::Clockwise, greatest_speed, ..InForce::default() };
             Turning::new(&control, &Lathe::default())
         };
         let surface = turning(Speed::Surface(180.0), Some(2500.0));
@@ -233,11 +233,11 @@ mod tests {
 
     #[test]
     fn a_constant_surface_speed_slows_down_as_the_sum_over_small_steps_says() {
-        let control = Control {
+        let control = InForce {
             speed: Speed::Surface(120.0),
             spindle: Spindle::Clockwise,
             greatest_speed: Some(2500.0),
-            ..Control::default()
+            ..InForce::default()
         };
         let turning = Turning::new(&control, &Lathe::default());
         assert!((turning.at(25.0) - 120_000.0 / (PI * 50.0)).abs() < 1e-9);

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::alarm::Alarm;
 use super::workpiece::Removed;
-use crate::gcode::control::Control;
-use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::control::InForce;
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::geometry::exact::region::Ring;
 
 /// A change of the part's outer contour: of its points, counted from the corner of least Z and on counter-clockwise, some
@@ -49,7 +49,7 @@ pub struct Step {
     /// The motion.
     pub motion: Motion,
     /// What was in force.
-    pub control: Control,
+    pub control: InForce,
     /// Where the programmed point went, `[z, r]` from W1, mm, with the chords of an arc and the bend of a rapid motion;
     /// empty where nothing moved.
     pub way: Vec<[f64; 2]>,
@@ -76,7 +76,7 @@ impl Step {
     /// True of a motion that cuts: it takes metal away, and not at rapid, which is an alarm and no cut.
     #[must_use]
     pub fn cuts(&self) -> bool {
-        self.motion.kind != Kind::Rapid && self.removed.volume > 0.0
+        self.motion.kind != MotionKind::Rapid && self.removed.volume > 0.0
     }
 }
 
@@ -112,7 +112,7 @@ impl Total {
         match step.seconds {
             Some(seconds) => {
                 self.seconds += seconds;
-                if step.motion.kind == Kind::Rapid {
+                if step.motion.kind == MotionKind::Rapid {
                     self.rapid_seconds += seconds;
                 } else if step.cuts() {
                     self.cutting_seconds += seconds;

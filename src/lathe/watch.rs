@@ -5,8 +5,8 @@ use super::path::Piece;
 use super::spindle::{extent, revolutions};
 use super::tally::Tally;
 use super::tool::{Cutter, Tool};
-use crate::gcode::control::{Compensation, Control};
-use crate::gcode::motion::{FeedMode, Kind, Thread};
+use crate::gcode::control::{Compensation, InForce};
+use crate::gcode::motion::{FeedMode, MotionKind, Thread};
 use crate::number::trig::{hypot, sin, tan};
 
 /// A pass of a thread.
@@ -42,7 +42,7 @@ const SHARE: f64 = 3.2;
 ///
 /// The nose's centre lies to the left of the way with G41. On the tool it lies from the tip against the way that the tip
 /// points. Within 17° of a way along which the tip points either side may be meant. Derived here.
-fn nose_ahead(tool: &Tool, control: &Control, &[from, to]: &Piece) -> bool {
+fn nose_ahead(tool: &Tool, control: &InForce, &[from, to]: &Piece) -> bool {
     let side = match control.compensation {
         Compensation::Off => return false,
         Compensation::Left => 1.0,
@@ -95,15 +95,17 @@ impl Watch {
     }
 
     /// What a cut is told of that is wrong with the tool's edge: the side of its nose, its feed, a thread's depth.
-    pub(super) fn edge(&mut self, tool: &Tool, control: &Control, pieces: &[Piece], deep: f64, tally: &mut Tally) {
+    pub(super) fn edge(&mut self, tool: &Tool, control: &InForce, pieces: &[Piece], deep: f64, tally: &mut Tally) {
         let Some(&[start, _]) = pieces.first() else { return };
         let place = tally.begins.unwrap_or(start);
         let mut causes = Vec::new();
-        if !matches!(tally.motion.kind, Kind::Thread(_)) {
+        if !matches!(tally.motion.kind, MotionKind::Thread(_)) {
             let cause = Cause::NoseInTheWork(control.compensation);
             causes.push((cause, tool.nose() > 0.0 && pieces.iter().any(|piece| nose_ahead(tool, control, piece))));
         }
-        if let (Kind::Feed(feed) | Kind::Arc(_, feed), Cutter::Insert { .. }) = (tally.motion.kind, tool.cutter) {
+        if let (MotionKind::Feed(feed) | MotionKind::Arc(_, feed), Cutter::Insert { .. }) =
+            (tally.motion.kind, tool.cutter)
+        {
             let slowest =
                 pieces.iter().flatten().map(|at| tally.turning.at(at[1] + tally.shift[1])).fold(f64::MAX, f64::min);
             let most = SMOOTHS * tool.nose();
@@ -114,7 +116,7 @@ impl Watch {
             };
             causes.push((Cause::CoarseFeed { feed, most }, most > 0.0 && feed > most + 1e-9));
         }
-        if let (Kind::Thread(thread), Cutter::Threader { angle, nose, .. }) = (tally.motion.kind, tool.cutter) {
+        if let (MotionKind::Thread(thread), Cutter::Threader { angle, nose, .. }) = (tally.motion.kind, tool.cutter) {
             let half = angle.to_radians() / 2.0;
             let most = thread.lead / (2.0 * tan(half)) - nose * (1.0 / sin(half) - 1.0);
             causes.push((Cause::ThreadTooDeep { depth: deep, most }, deep > most + TOUCH));
@@ -128,7 +130,8 @@ impl Watch {
 
     /// What is wrong with the run-in of a pass of a thread that begins in this motion: see [`SHARE`].
     pub(super) fn run_in(&mut self, place: u32, pieces: &[Piece], tally: &mut Tally) {
-        let (Kind::Thread(thread), Some(&[start, _]), Some(metal)) = (tally.motion.kind, pieces.first(), tally.begins)
+        let (MotionKind::Thread(thread), Some(&[start, _]), Some(metal)) =
+            (tally.motion.kind, pieces.first(), tally.begins)
         else {
             return;
         };

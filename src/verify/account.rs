@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::interpreter::{Interpreter, Setting};
-use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::{shown, trig};
@@ -94,9 +94,9 @@ impl Account {
         let by = motion.to.differences(&motion.from);
         let straight = (by[0] * by[0] + by[1] * by[1] + by[2] * by[2]).sqrt();
         match motion.kind {
-            Kind::Rapid => self.rapid_path += straight,
-            Kind::Feed(_) | Kind::Thread(_) => self.feed_path += straight,
-            Kind::Arc(arc, _) => {
+            MotionKind::Rapid => self.rapid_path += straight,
+            MotionKind::Feed(_) | MotionKind::Thread(_) => self.feed_path += straight,
+            MotionKind::Arc(arc, _) => {
                 let [_, _, across] = arc.plane.axes();
                 self.feed_path += arc.length(by[across as usize]);
                 arc.quarters(&motion.from, &motion.to, &mut |axis, at| {
@@ -116,11 +116,11 @@ impl Account {
                     }
                 }
             }
-            Kind::Dwell(_) => {}
+            MotionKind::Dwell(_) => {}
         }
         match motion.seconds {
             Some(seconds) => self.seconds += seconds,
-            None => self.untimed |= !matches!(motion.kind, Kind::Rapid),
+            None => self.untimed |= !matches!(motion.kind, MotionKind::Rapid),
         }
         self.end = [motion.to, motion.machine];
     }
@@ -181,7 +181,7 @@ mod tests {
 
     /// The extents of an arc in machine coordinates, from many points along it.
     fn sampled(motion: &Motion) -> Extents {
-        let Kind::Arc(arc, _) = motion.kind else { unreachable!("an arc") };
+        let MotionKind::Arc(arc, _) = motion.kind else { unreachable!("an arc") };
         let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
         let [a, b, _] = arc.plane.axes();
         let mut extents: Option<Extents> = None;

@@ -2,7 +2,7 @@
 //! refused by the interpreter.
 
 use crate::gcode::interpreter::radii_tolerance;
-use crate::gcode::motion::{Arc, Kind, Motion};
+use crate::gcode::motion::{Arc, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::trig::hypot;
@@ -25,7 +25,7 @@ pub struct Arcs {
 
 impl Judge for Arcs {
     fn see(&mut self, step: &Step<'_>) {
-        let Kind::Arc(arc, _) = &step.motion.kind else { return };
+        let MotionKind::Arc(arc, _) = &step.motion.kind else { return };
         let [start, end] = radii(&step.motion, arc);
         let difference = (start - end).abs();
         if self.worst.is_none_or(|(worst, _)| difference > worst) {
@@ -46,7 +46,7 @@ impl Judge for Arcs {
 #[cfg(test)]
 mod tests {
     use super::radii;
-    use crate::gcode::motion::{Arc, Feed, Kind, Motion, Plane};
+    use crate::gcode::motion::{Arc, Feed, Motion, MotionKind, Plane};
     use crate::machine::axis::{Axis, Pose};
 
     #[test]
@@ -60,7 +60,7 @@ mod tests {
         // G18: the centre is given along Z, then X.
         let arc = Arc { plane: Plane::ZX, centre: [1.0, 2.0], turns: 1, radius: 3.0, sweep: 1.0, rotation: 0.0 };
         let (from, to) = (at(2.0, 4.0), at(6.0, 1.0));
-        let kind = Kind::Arc(arc, Feed::default());
+        let kind = MotionKind::Arc(arc, Feed::default());
         let motion = Motion { line: 1, n: None, kind, from, to, machine: to, seconds: None };
         assert_eq!(radii(&motion, &arc), [3.0, 4.0]);
     }

@@ -14,10 +14,10 @@
 //! that is left is derived here.
 
 use crate::finding::Grade;
-use crate::gcode::control::{Control, Speed, Spindle};
+use crate::gcode::control::{InForce, Speed, Spindle};
 use crate::gcode::dialect::FAGOR_8055_T;
-use crate::gcode::interpreter::{Interpreter, Setting, Start, Tool as Offset};
-use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
+use crate::gcode::interpreter::{Interpreter, Setting, Start, ToolOffset};
+use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::impeller::design::{Design, Style};
 use crate::lathe::alarm::{Alarm, Cause, TOUCH};
@@ -52,7 +52,7 @@ pub fn setting(design: &Design) -> Setting {
     machine.set(Axis::Z, blank.Z_e);
     Setting {
         start: Start { machine, tool: blank.T_b, offset: blank.D_b },
-        tools: Some([(blank.D_b, Offset::default())].into()),
+        tools: Some([(blank.D_b, ToolOffset::default())].into()),
         ..Setting::new(&FAGOR_8055_T)
     }
 }
@@ -109,8 +109,8 @@ impl<'a> Terms<'a> {
         self.design.blank.S_m.filter(|_| self.design.style == Style::Full).map(f64::from)
     }
 
-    fn see(&mut self, motion: &Motion, control: &Control) {
-        let (Kind::Feed(feed) | Kind::Arc(_, feed)) = motion.kind else { return };
+    fn see(&mut self, motion: &Motion, control: &InForce) {
+        let (MotionKind::Feed(feed) | MotionKind::Arc(_, feed)) = motion.kind else { return };
         let (at, blank) = (At::motion(motion), &self.design.blank);
         self.feeds += 1;
         self.limit.get_or_insert((at, control.greatest_speed));
@@ -242,7 +242,7 @@ impl Over {
         Some(Self { ways, wanted: Profile { start: [0.0, 0.0], spans }, step: blank.C, rapid: None, other: None })
     }
 
-    fn take(&mut self, motion: &Motion, control: &Control) {
+    fn take(&mut self, motion: &Motion, control: &InForce) {
         for (way, simulation) in self.ways.iter_mut().enumerate() {
             for alarm in simulation.take(motion, control).alarms {
                 if matches!(alarm.cause, Cause::RapidInMetal | Cause::RetractionInMetal) {

@@ -7,7 +7,7 @@
 
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::feed_word::step;
-use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::impeller::design::Design;
 use crate::impeller::tip_way::longest;
@@ -100,7 +100,7 @@ impl Feeds {
 impl Judge for Feeds {
     fn see(&mut self, step: &Step<'_>) {
         let motion = &step.motion;
-        if matches!(motion.kind, Kind::Rapid) || matches!(step.stage, Stage::Positioning) {
+        if matches!(motion.kind, MotionKind::Rapid) || matches!(step.stage, Stage::Positioning) {
             return;
         }
         let Some(seconds) = motion.seconds else {

@@ -18,7 +18,7 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::Vector3;
 
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::torch::{TorchAxes, TorchPose};
@@ -126,7 +126,7 @@ impl Watch<'_> {
         };
         let (read, plan) = (five(&motion.to), planned.map(Milli::value));
         let same = (0..5).all(|axis| (read[axis] - plan[axis]).abs() <= SAME) && motion.to.get(Axis::Y) == 0.0;
-        if same && matches!(motion.kind, Kind::Feed(_)) {
+        if same && matches!(motion.kind, MotionKind::Feed(_)) {
             self.agreed += 1;
         } else {
             let show = |place: [f64; 5]| place.map(|value| shown(value, 4)).join(" ");
@@ -156,7 +156,7 @@ impl Watch<'_> {
         if let Some(seconds) = motion.seconds.filter(|seconds| *seconds > 0.0) {
             let speed = way * 60.0 / seconds;
             self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
-            let word = if let Kind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
+            let word = if let MotionKind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
             if !timely(self.design.dialect.feed, motion, word, leg.seconds) {
                 self.off_speed.get_or_insert((speed, at));
             }
@@ -359,8 +359,8 @@ pub fn judge(
         }
         before = Some(motion.machine);
         match motion.kind {
-            Kind::Dwell(_) => {}
-            Kind::Rapid => {
+            MotionKind::Dwell(_) => {}
+            MotionKind::Rapid => {
                 rapids += 1;
                 // The first two come from where the machine stood, high above the pipe or on the way there.
                 if rapids > 2 {

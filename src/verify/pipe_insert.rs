@@ -13,7 +13,7 @@ use nalgebra::Vector2;
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::feed_word::step;
 use crate::gcode::interpreter::{Interpreter, Setting};
-use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Program, Style};
 use crate::geometry::pipe_pair::Side;
 use crate::machine::axis::{Axis, Pose};
@@ -122,7 +122,7 @@ impl Watch<'_> {
     fn way(&self, motion: &Motion) -> Way {
         let [from, to] = [&motion.from, &motion.to].map(|pose| axes(self.design.mode, pose));
         match motion.kind {
-            Kind::Arc(arc, _) => {
+            MotionKind::Arc(arc, _) => {
                 let centre = Vector2::from(arc.centre);
                 let [start, end] = [from, to].map(|place| Vector2::from(place) - centre);
                 let angle = atan2(start.y, start.x);
@@ -142,7 +142,7 @@ impl Watch<'_> {
         };
         let to = axes(self.design.mode, &motion.to);
         let bend = match motion.kind {
-            Kind::Arc(arc, _) => Some((arc.turns < 0, arc.radius)),
+            MotionKind::Arc(arc, _) => Some((arc.turns < 0, arc.radius)),
             _ => None,
         };
         let alike = match (bend, planned.bend) {
@@ -154,7 +154,7 @@ impl Watch<'_> {
             _ => false,
         };
         let same = (0..2).all(|axis| (to[axis] - planned.to[axis]).abs() <= SAME);
-        if alike && same && !matches!(motion.kind, Kind::Rapid) {
+        if alike && same && !matches!(motion.kind, MotionKind::Rapid) {
             self.agreed += 1;
         } else {
             let show = |to: [f64; 2]| format!("{} {}", shown(to[0], 4), shown(to[1], 4));
@@ -170,7 +170,7 @@ impl Watch<'_> {
     /// Looks at a motion of the cut.
     fn look(&mut self, motion: &Motion, follows: Follows) {
         let way = self.way(motion);
-        let length = if let Kind::Arc(arc, _) = motion.kind { arc.length(0.0) } else { way.length() };
+        let length = if let MotionKind::Arc(arc, _) = motion.kind { arc.length(0.0) } else { way.length() };
         self.length += length;
         self.look_at_speed(motion, length);
         let at = At::motion(motion);
@@ -196,8 +196,8 @@ impl Watch<'_> {
         }
         self.slowest = Some(self.slowest.map_or(speed, |least: f64| least.min(speed)));
         let word = match motion.kind {
-            Kind::Feed(feed) | Kind::Arc(_, feed) => feed.value,
-            Kind::Rapid | Kind::Thread(_) | Kind::Dwell(_) => 0.0,
+            MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => feed.value,
+            MotionKind::Rapid | MotionKind::Thread(_) | MotionKind::Dwell(_) => 0.0,
         };
         let F = self.design.F.unwrap_or(speed);
         let planned = length * 60.0 / F;
@@ -404,18 +404,18 @@ pub fn judge(
                 break;
             }
         };
-        if rapid > 0 || matches!(motion.kind, Kind::Rapid) {
+        if rapid > 0 || matches!(motion.kind, MotionKind::Rapid) {
             account.take(&motion, &before);
         }
         before = motion.machine;
-        if matches!(motion.kind, Kind::Dwell(_)) {
+        if matches!(motion.kind, MotionKind::Dwell(_)) {
             continue;
         }
         if rapid < rapids {
             rapid += 1;
             let to = axes(design.mode, &motion.to);
             let same = rapid < rapids || (0..2).all(|axis| (to[axis] - pierce[axis]).abs() <= SAME);
-            if !same || !matches!(motion.kind, Kind::Rapid) {
+            if !same || !matches!(motion.kind, MotionKind::Rapid) {
                 let what = Text::fixed("no va en rápido a la perforación", "it is no rapid move to the pierce");
                 watch.different.get_or_insert((At::motion(&motion), what));
             }

@@ -1,7 +1,7 @@
 //! The motions of a program beside its plan, and what a judge is.
 
 use crate::gcode::interpreter::Fault;
-use crate::gcode::motion::{Kind, Motion};
+use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::{Move, Moves, Program, Role};
 use crate::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose};
@@ -127,7 +127,7 @@ impl<'a, I: Iterator<Item = Result<Motion, Box<Fault>>>> Iterator for Steps<'a, 
             }
             // Where the tool is taken away to may be a place of the machine: it is none of the program's positions.
             let away = self.away == Some(motion.line);
-            if away || matches!(motion.kind, Kind::Dwell(_)) || same(&motion.from, &motion.to) {
+            if away || matches!(motion.kind, MotionKind::Dwell(_)) || same(&motion.from, &motion.to) {
                 continue;
             }
             let before = self.next.is_some_and(|planned| motion.line < planned.line);

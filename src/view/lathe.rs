@@ -7,8 +7,8 @@ use super::program::Program;
 use super::scene::{Remark, Scene, Shape, Tool};
 use super::turning::{Fixture, Turning};
 use crate::finding::Place;
-use crate::gcode::control::Control;
-use crate::gcode::interpreter::Stood;
+use crate::gcode::control::InForce;
+use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::Motion;
 use crate::job::lathe::Seen;
 use crate::lathe::alarm::Alarm;
@@ -119,11 +119,11 @@ impl Watching {
         self.known.push(known);
     }
 
-    fn stood(&mut self, stood: &Stood, simulation: &Simulation, file: Option<&str>) {
+    fn stood(&mut self, stood: &Standstill, simulation: &Simulation, file: Option<&str>) {
         let (Some(program), Some(known)) = (self.programs.last_mut(), self.known.last()) else { return };
         let [z, r] = simulation.point(stood.control.tool, &stood.machine);
         program.shift = [r - stood.at.get(Axis::X), 0.0, z - stood.at.get(Axis::Z)];
-        program.stand(known.line(file, stood.line), &Control { file: 0, ..stood.control }, &stood.at);
+        program.stand(known.line(file, stood.line), &InForce { file: 0, ..stood.control }, &stood.at);
     }
 
     fn step(&mut self, step: &Step, simulation: &Simulation, file: Option<&str>) {
@@ -135,7 +135,7 @@ impl Watching {
         }
         let index = program.motions();
         // Lines of subprograms have been numbered on.
-        program.push(&motion, &Control { file: 0, ..step.control });
+        program.push(&motion, &InForce { file: 0, ..step.control });
         if step.removed.parted > 0.0 {
             self.parted = Some(index);
         }

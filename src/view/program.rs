@@ -7,10 +7,10 @@ use super::column;
 use super::frame::{Frame, Stand};
 use super::scene::{Remark, State, Tool};
 use super::turning::Turning;
-use crate::gcode::control::Control;
+use crate::gcode::control::InForce;
 use crate::gcode::dialect::Dialect;
 use crate::gcode::interpreter::line_feeds;
-use crate::gcode::motion::{Arc, Feed, Kind, Motion};
+use crate::gcode::motion::{Arc, Feed, Motion, MotionKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::{acos, atan2, sin_cos};
 use crate::text::Text;
@@ -186,17 +186,17 @@ impl Program {
     ///
     /// Where the first one is rapid it has no way, unless it is [`known`](Self::known) where the machine stood before. A motion whose time is
     /// not known is given that at [`RAPID`] or [`FEED`], and the page says so.
-    pub fn push(&mut self, motion: &Motion, control: &Control) {
-        let rapid = motion.kind == Kind::Rapid;
+    pub fn push(&mut self, motion: &Motion, control: &InForce) {
+        let rapid = motion.kind == MotionKind::Rapid;
         let from = if !self.known && rapid { motion.to } else { motion.from };
         self.known = true;
         let (kind, feed) = match motion.kind {
-            Kind::Rapid => (RAPID_CODE, Feed::default().value),
-            Kind::Feed(feed) => (FEED_CODE, feed.value),
-            Kind::Arc(arc, feed) if arc.sweep < 0.0 => (CLOCKWISE, feed.value),
-            Kind::Arc(_, feed) => (COUNTER_CLOCKWISE, feed.value),
-            Kind::Thread(thread) => (THREAD, thread.lead),
-            Kind::Dwell(_) => (DWELL, 0.0),
+            MotionKind::Rapid => (RAPID_CODE, Feed::default().value),
+            MotionKind::Feed(feed) => (FEED_CODE, feed.value),
+            MotionKind::Arc(arc, feed) if arc.sweep < 0.0 => (CLOCKWISE, feed.value),
+            MotionKind::Arc(_, feed) => (COUNTER_CLOCKWISE, feed.value),
+            MotionKind::Thread(thread) => (THREAD, thread.lead),
+            MotionKind::Dwell(_) => (DWELL, 0.0),
         };
         self.columns(&from, &motion.to);
         if self.before.is_none_or(|before| before != (from, self.shift)) {
@@ -224,9 +224,16 @@ impl Program {
 
     /// Adds a block without motion that stands at a line, 0 before the first: what it puts into force, and where the
     /// machine stands.
-    pub fn stand(&mut self, line: usize, control: &Control, at: &Pose) {
-        let motion =
-            Motion { line, n: None, kind: Kind::Dwell(0.0), from: *at, to: *at, machine: *at, seconds: Some(0.0) };
+    pub fn stand(&mut self, line: usize, control: &InForce, at: &Pose) {
+        let motion = Motion {
+            line,
+            n: None,
+            kind: MotionKind::Dwell(0.0),
+            from: *at,
+            to: *at,
+            machine: *at,
+            seconds: Some(0.0),
+        };
         let known = self.known;
         self.push(&motion, control);
         self.known = known;
@@ -246,9 +253,9 @@ impl Program {
         }
         let by = motion.to.differences(from);
         let (rate, assumed, way) = match motion.kind {
-            Kind::Dwell(seconds) => return seconds.max(0.0),
-            Kind::Rapid => (RAPID, 0, by.iter().fold(0.0, |most: f64, by| most.max(by.abs()))),
-            Kind::Arc(arc, _) => (FEED, 1, arc.length(by[arc.plane.axes()[2] as usize])),
+            MotionKind::Dwell(seconds) => return seconds.max(0.0),
+            MotionKind::Rapid => (RAPID, 0, by.iter().fold(0.0, |most: f64, by| most.max(by.abs()))),
+            MotionKind::Arc(arc, _) => (FEED, 1, arc.length(by[arc.plane.axes()[2] as usize])),
             _ => (FEED, 1, by.iter().map(|by| by * by).sum::<f64>().sqrt()),
         };
         self.assumed[assumed] |= way > 0.0;
@@ -270,7 +277,7 @@ impl Program {
         }
     }
 
-    fn state_of(&mut self, control: &Control) -> u32 {
+    fn state_of(&mut self, control: &InForce) -> u32 {
         let state = State { shift: self.shift, ..State::from(control) };
         let known = self.states.iter().enumerate().rev().take(STATES).find(|(_, known)| **known == state);
         let at = known.map(|(at, _)| at).unwrap_or_else(|| {
@@ -286,13 +293,13 @@ impl Program {
         let straight = self.frame.straight();
         let mut pieces = 1;
         match motion.kind {
-            Kind::Arc(arc, _) if straight => {
+            MotionKind::Arc(arc, _) if straight => {
                 let [x, y] = arc.centre;
                 self.arcs.push(whole(self.kind.len()));
                 let [first, second, _] = arc.plane.axes().map(|axis| self.shift[axis as usize]);
                 self.arc_shapes.push([f64::from(arc.plane as u8), x + first, y + second, arc.sweep]);
             }
-            Kind::Arc(arc, _) => {
+            MotionKind::Arc(arc, _) => {
                 let steps = (arc.sweep.abs() / TURN).ceil().clamp(1.0, f64::from(PIECES));
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to PIECES")]
                 let steps = steps as u8;
@@ -305,7 +312,7 @@ impl Program {
             let part = f64::from(piece) / f64::from(pieces);
             let pose = match motion.kind {
                 _ if piece == pieces => to,
-                Kind::Arc(arc, _) => along(&arc, from, &to, part),
+                MotionKind::Arc(arc, _) => along(&arc, from, &to, part),
                 _ => between(from, &to, part),
             };
             let Stand { point, axis } = self.placed(&pose);

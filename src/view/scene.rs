@@ -6,7 +6,7 @@ use super::column;
 use super::mesh::{Mesh, Paint};
 use super::program::Program;
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::control::{Compensation, Control, Speed, Spindle};
+use crate::gcode::control::{Compensation, InForce, Speed, Spindle};
 use crate::gcode::motion::FeedMode;
 use crate::machine::length_unit::LengthUnit;
 use crate::text::{Language, Text};
@@ -67,8 +67,8 @@ pub struct State {
     pub shift: [f64; 3],
 }
 
-impl From<&Control> for State {
-    fn from(control: &Control) -> Self {
+impl From<&InForce> for State {
+    fn from(control: &InForce) -> Self {
         let (speed, surface) = match control.speed {
             Speed::Revolutions(speed) => (speed, false),
             Speed::Surface(speed) => (speed, true),

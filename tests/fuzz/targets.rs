@@ -9,7 +9,7 @@ use rodete::escape::hidden;
 use rodete::finding::{Exit, Finding, Grade, Refusal};
 use rodete::gcode::dialect::{self, Dialect};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, findings, tool_table};
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::job::{self, Source, lathe};
 use rodete::lathe::setup::Given;
 use rodete::lathe::simulation::{Setup, Simulation};
@@ -71,7 +71,7 @@ fn sound(motion: &Motion) {
             assert!(pose.get(axis).abs() <= FARTHEST, "{motion:?}");
         }
     }
-    if let Kind::Feed(feed) | Kind::Arc(_, feed) = motion.kind {
+    if let MotionKind::Feed(feed) | MotionKind::Arc(_, feed) = motion.kind {
         assert!(feed.value >= 0.0 && feed.value <= FARTHEST, "{motion:?}");
     }
     assert!(motion.seconds.is_none_or(|seconds| seconds >= 0.0 && seconds.is_finite()), "{motion:?}");

@@ -2,7 +2,7 @@
 
 use rodete::gcode::dialect::FANUC_LATHE_A;
 use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::Kind;
+use rodete::gcode::motion::MotionKind;
 use rodete::machine::axis::Axis;
 use rodete::number::trig::sin_cos;
 use rodete::text::{Language, Text};
@@ -84,7 +84,7 @@ pub fn scene(repeat: usize) -> Scene {
         let mut interpreter = Interpreter::over(PROGRAM.as_bytes(), Setting::new(&FANUC_LATHE_A));
         while let Some(motion) = interpreter.next() {
             let motion = motion.expect("a motion");
-            if matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..)) {
+            if matches!(motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
                 turning.cut(shown.motions(), after.next().expect("outlines of each cut"));
             }
             shown.push(&motion, interpreter.control());

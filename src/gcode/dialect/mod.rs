@@ -9,9 +9,9 @@
 
 mod fagor;
 mod fanuc;
+pub mod guess;
 mod linuxcnc;
 pub mod reading;
-pub mod told;
 
 use crate::gcode::code::M;
 use crate::gcode::dialect::reading::Reading;

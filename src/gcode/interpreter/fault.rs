@@ -63,7 +63,7 @@ impl Fault {
 
     /// What is wrong, with the other lines at fault.
     #[must_use]
-    pub fn told(&self) -> Text {
+    pub fn message(&self) -> Text {
         let Some(((file, last), lines)) = self.others.split_last() else { return self.what.clone() };
         let lines = lines.iter().map(|(_, line)| line.to_string()).collect::<Vec<_>>().join(", ");
         let of = match file {
@@ -87,7 +87,7 @@ impl Fault {
 
 impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
-        let told = fault.told();
+        let told = fault.message();
         Self::stop(place(fault.file.as_deref(), fault.line, fault.columns), told, fault.remedy)
     }
 }

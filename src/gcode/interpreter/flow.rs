@@ -8,7 +8,7 @@ use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::parameters::LOCAL;
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::structure::{Mark, Structure, Word, label, shown, word};
 use crate::text::Text;
 
@@ -400,7 +400,7 @@ impl Interpreter<'_> {
                         Text::fixed("divídalo", "split it"),
                     ));
                 }
-                self.sources.push(Source::new(Box::new(std::io::Cursor::new(bytes)), Some(name.to_owned())));
+                self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name.to_owned())));
                 self.structures.push(None);
                 self.sources.len() - 1
             }

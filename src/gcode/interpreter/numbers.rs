@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::gcode::dialect::reading::Comments;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{Interpreter, block_number};
 use crate::text::Text;
@@ -40,7 +40,7 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Looks through a file up to the second `%` and goes back to where it was.
-    fn of(source: &mut Source<'_>, comments: Comments) -> Outcome<Self> {
+    fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
         let back = source.position();
         let mut numbers = Self::default();
         let mut tape = Tape::new(comments);

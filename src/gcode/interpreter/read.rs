@@ -1,7 +1,7 @@
 //! From a line to a block.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, M, Turning};
+use crate::gcode::code::{G, Group, M, TurningCycle};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
@@ -133,7 +133,7 @@ impl Interpreter<'_> {
 
     /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
     fn fagor_cycle(&self) -> bool {
-        matches!(self.block.g(Group::NonModal), Some(G::Turning(Turning::Fagor(_))))
+        matches!(self.block.g(Group::NonModal), Some(G::Turning(TurningCycle::Fagor(_))))
     }
 
     fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
@@ -291,7 +291,7 @@ impl Interpreter<'_> {
         let column = cursor.column();
         let index = letter - b'a';
         let known = self.reading.letters.has(index);
-        if !(known || (self.fagor_cycle() && Turning::Fagor(0).letters().has(index))) {
+        if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }
         cursor.pass();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::gcode::control::Control;
+use crate::gcode::control::InForce;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, Stage};
 use crate::text::Text;
@@ -20,7 +20,7 @@ pub(super) struct Rounds {
     /// How often the blocks of a source and line were refused.
     refusals: BTreeMap<(usize, usize), u32>,
     /// Motions made, parameters changed and what was in force at the end of the last round.
-    last: Option<(u64, u64, Control)>,
+    last: Option<(u64, u64, InForce)>,
     idle: u32,
     /// Motions that cycles have made.
     cycled: u64,

@@ -10,7 +10,7 @@ use crate::gcode::dialect::reading::Comments;
 use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::text::Text;
 
@@ -204,7 +204,7 @@ impl Structure {
     ///
     /// # Errors
     /// For words that do not belong together, two subprograms of one label, and too many words.
-    pub(super) fn of(source: &mut Source<'_>, comments: Comments) -> Outcome<Self> {
+    pub(super) fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
         let back = source.position();
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();

@@ -14,7 +14,7 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::flow::{Call, LARGEST_FILE, MOST_REPEATS};
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::text::Text;
 
 impl Interpreter<'_> {
@@ -187,7 +187,7 @@ impl Interpreter<'_> {
                 Text::fixed("divídalo", "split it"),
             ));
         }
-        self.sources.push(Source::new(Box::new(std::io::Cursor::new(bytes)), Some(name)));
+        self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name)));
         self.structures.push(None);
         let into = self.sources.len() - 1;
         Ok((into, self.beginning(into, number)?))

@@ -14,8 +14,8 @@
 
 use crate::gcode::turning::Move;
 use crate::gcode::turning::rough::finite;
-use crate::gcode::turning::scan::{EPS, Frame};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::scan::{EPS, PassFrame};
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::text::Text;
 
@@ -68,7 +68,7 @@ fn step_end(from: f64, to: f64, step: f64, n: usize, count: usize) -> f64 {
 fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move>, Trouble> {
     let Groove { retract, to, step, relief, feed } = *groove;
     finite(&[start[0], start[1], retract, to[0], to[1], step[0], step[1], relief, feed.unwrap_or(0.0)])?;
-    let frame = Frame { axes, signs: [1.0; 2] };
+    let frame = PassFrame { axes, signs: [1.0; 2] };
     let [from, to, step] = [start, to, step].map(|p| frame.inward(p));
     if step.iter().any(|&step| step < 0.0) {
         return Err(Trouble::ps(320));
@@ -104,7 +104,7 @@ fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 100,000")]
     let [across, down] = [across as usize, down as usize];
     let aside = if stepping { -way[0].signum() * relief } else { relief };
-    let mut tool = Tool::new(frame, start);
+    let mut tool = CycleMoves::new(frame, start);
     for place in 0..=across {
         let u = step_end(from[0], to[0], step[0], place, across.max(1));
         let u = if place == 0 { from[0] } else { u };

@@ -16,8 +16,8 @@
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::sign;
 use crate::gcode::turning::rough::finite;
-use crate::gcode::turning::scan::{EPS, Frame};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::scan::{EPS, PassFrame};
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::text::Text;
 
@@ -75,7 +75,7 @@ pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
         ));
     }
     // v counts out of the hole.
-    let frame = Frame { axes: [0, 1], signs: [1.0, sign(depth)] };
+    let frame = PassFrame { axes: [0, 1], signs: [1.0, sign(depth)] };
     let [u, face] = frame.inward(at);
     let bottom = face - depth.abs();
     let approach = [u, face + safety];
@@ -94,7 +94,7 @@ pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
         reached.push(v);
         next = (next * factor).max(least);
     }
-    let mut tool = Tool::new(frame, start);
+    let mut tool = CycleMoves::new(frame, start);
     tool.rapid(approach);
     for (at, &v) in reached.iter().enumerate() {
         if let Some(before) = at.checked_sub(1).and_then(|at| reached.get(at)) {

@@ -21,7 +21,7 @@ use crate::gcode::turning::fagor::{Along, no_step, sign, wrong_start};
 use crate::gcode::turning::profile::{Element, Profile};
 use crate::gcode::turning::rough::{MOST_PASSES, finite};
 use crate::gcode::turning::scan::{EPS, Path, same};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::number::trig;
 use crate::text::Text;
@@ -151,7 +151,7 @@ pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<M
         return Err(Trouble::too_many(passes, most, Text::fixed("aumente C", "make C greater")));
     }
     let path = moved.clone().with_lead(S[0]).with_wall(S[1]);
-    let mut tool = Tool::new(frame, start);
+    let mut tool = CycleMoves::new(frame, start);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 10,000")]
     for n in 1..=passes as usize {
         #[expect(clippy::cast_precision_loss, reason = "0 to 10,000")]

@@ -36,7 +36,7 @@ pub mod tip;
 use std::f64::consts::PI;
 
 pub use self::element::{Element, Path, Point};
-pub use self::gouge::Cut;
+pub use self::gouge::Gouge;
 pub use self::tip::{Nose, Tip};
 use crate::gcode::control::Compensation;
 use crate::gcode::turning::nose::corner::{Corner, corner, offset_radius};
@@ -140,7 +140,7 @@ impl<T: Clone> Stage<T> {
     }
 
     /// The cuts into pieces that are no neighbours, found since the last time they were asked for.
-    pub fn cuts(&mut self) -> Vec<Cut<T>> {
+    pub fn cuts(&mut self) -> Vec<Gouge<T>> {
         std::mem::take(&mut self.trail.cuts)
     }
 

@@ -3,15 +3,18 @@
 //! # References
 //! LinuxCNC, canned cycles G73, G74 and G81 to G89, G98 and G99.
 
+mod drilling;
+pub(super) mod single_pass;
+
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G};
 use crate::gcode::control::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::moves;
+use crate::gcode::interpreter::out;
 use crate::gcode::interpreter::{Interpreter, doubt};
-use crate::gcode::motion::{Feed, FeedMode, Kind, Plane};
+use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
 use crate::machine::axis::Pose;
 use crate::text::Text;
 
@@ -24,7 +27,7 @@ const MOST_HOLES: i64 = 9_999;
 
 /// The holes of a block that are still to be made.
 #[derive(Clone, Debug)]
-pub(super) struct Run {
+pub(super) struct Holes {
     cycle: Cycle,
     left: i64,
     first: bool,
@@ -114,7 +117,7 @@ impl Interpreter<'_> {
                 Text::fixed("R va por encima del fondo del agujero", "R goes above the bottom of the hole"),
             ));
         }
-        let mut run = Run {
+        let mut run = Holes {
             cycle,
             left: holes,
             first: true,
@@ -134,7 +137,7 @@ impl Interpreter<'_> {
         let old = if initial < r {
             let mut up = self.current;
             up.set(across, r);
-            self.emit(Kind::Rapid, up, None);
+            self.emit(MotionKind::Rapid, up, None);
             r
         } else {
             initial
@@ -158,7 +161,7 @@ impl Interpreter<'_> {
         let sticky = &mut self.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
         self.modal.motion = G::Cycle(cycle);
-        self.run = Some(moves::Run::Holes(run));
+        self.run = Some(out::Pending::Holes(run));
         Ok(())
     }
 
@@ -168,7 +171,7 @@ impl Interpreter<'_> {
     }
 
     /// P, Q, I, J and K of the cycle.
-    fn cycle_words(&mut self, run: &mut Run, again: bool) -> Outcome<()> {
+    fn cycle_words(&mut self, run: &mut Holes, again: bool) -> Outcome<()> {
         let (cycle, unit) = (run.cycle, self.modal.unit);
         match cycle {
             Cycle::ChipBreak | Cycle::Peck => {
@@ -293,7 +296,7 @@ impl Interpreter<'_> {
     }
 
     /// Makes the next hole of a run.
-    pub(super) fn next_hole(&mut self, mut run: Run) -> Outcome<()> {
+    pub(super) fn next_hole(&mut self, mut run: Holes) -> Outcome<()> {
         let [first, second, across] = self.modal.plane.axes();
         run.at[0] += run.step[0];
         run.at[1] += run.step[1];
@@ -307,12 +310,12 @@ impl Interpreter<'_> {
         };
         let height = self.current.get(across);
         if run.first && height > run.r {
-            self.emit(Kind::Rapid, point(run.at, height), None);
-            self.emit(Kind::Rapid, point(run.at, run.r), None);
+            self.emit(MotionKind::Rapid, point(run.at, height), None);
+            self.emit(MotionKind::Rapid, point(run.at, run.r), None);
         } else {
-            self.emit(Kind::Rapid, point(run.at, run.clear), None);
+            self.emit(MotionKind::Rapid, point(run.at, run.clear), None);
             if run.clear > run.r {
-                self.emit(Kind::Rapid, point(run.at, run.r), None);
+                self.emit(MotionKind::Rapid, point(run.at, run.r), None);
             }
         }
         run.first = false;
@@ -320,12 +323,12 @@ impl Interpreter<'_> {
         match run.cycle {
             Cycle::Drill => {
                 self.cut(at(run.bottom), run.feed);
-                self.emit(Kind::Rapid, at(run.clear), None);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
             }
             Cycle::DrillDwell | Cycle::BoreStop => {
                 self.cut(at(run.bottom), run.feed);
                 self.wait(run.p);
-                self.emit(Kind::Rapid, at(run.clear), None);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
             }
             Cycle::Peck | Cycle::ChipBreak => {
                 let mut depth = run.r - run.q;
@@ -333,13 +336,13 @@ impl Interpreter<'_> {
                 while depth > run.bottom + 1e-9 {
                     self.cut(at(depth), run.feed);
                     if run.cycle == Cycle::Peck {
-                        self.emit(Kind::Rapid, at(run.r), None);
+                        self.emit(MotionKind::Rapid, at(run.r), None);
                     }
-                    self.emit(Kind::Rapid, at(depth + PECK_CLEARANCE), None);
+                    self.emit(MotionKind::Rapid, at(depth + PECK_CLEARANCE), None);
                     depth -= run.q;
                 }
                 self.cut(at(run.bottom), run.feed);
-                self.emit(Kind::Rapid, at(run.clear), None);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
             }
             Cycle::TapLeft | Cycle::TapRight => {
                 self.cut(at(run.bottom), run.feed);
@@ -349,18 +352,18 @@ impl Interpreter<'_> {
             Cycle::Bore => {
                 self.cut(at(run.bottom), run.feed);
                 self.cut(at(run.r), run.feed);
-                self.emit(Kind::Rapid, at(run.clear), None);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
             }
             Cycle::BackBore => {
                 let aside = [run.at[0] + run.offset[0], run.at[1] + run.offset[1]];
-                self.emit(Kind::Rapid, point(aside, run.r), None);
-                self.emit(Kind::Rapid, point(aside, run.bottom), None);
-                self.emit(Kind::Rapid, at(run.bottom), None);
+                self.emit(MotionKind::Rapid, point(aside, run.r), None);
+                self.emit(MotionKind::Rapid, point(aside, run.bottom), None);
+                self.emit(MotionKind::Rapid, at(run.bottom), None);
                 self.cut(at(run.middle), run.feed);
                 self.cut(at(run.bottom), run.feed);
-                self.emit(Kind::Rapid, point(aside, run.bottom), None);
-                self.emit(Kind::Rapid, point(aside, run.clear), None);
-                self.emit(Kind::Rapid, at(run.clear), None);
+                self.emit(MotionKind::Rapid, point(aside, run.bottom), None);
+                self.emit(MotionKind::Rapid, point(aside, run.clear), None);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
             }
             Cycle::BoreManual => {
                 self.cut(at(run.bottom), run.feed);
@@ -377,19 +380,19 @@ impl Interpreter<'_> {
         }
         run.left -= 1;
         if run.left > 0 {
-            self.run = Some(moves::Run::Holes(run));
+            self.run = Some(out::Pending::Holes(run));
         }
         Ok(())
     }
 
     fn cut(&mut self, to: Pose, feed: Feed) {
         let seconds = self.straight_seconds(&to, feed);
-        self.emit(Kind::Feed(feed), to, seconds);
+        self.emit(MotionKind::Feed(feed), to, seconds);
     }
 
     fn wait(&mut self, seconds: f64) {
         if seconds > 0.0 {
-            self.emit(Kind::Dwell(seconds), self.current, Some(seconds));
+            self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds));
         }
     }
 }

@@ -13,11 +13,11 @@
 //! a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, Pass};
+use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, doubt};
-use crate::gcode::motion::{Feed, Kind, Thread};
+use crate::gcode::motion::{Feed, MotionKind, Thread};
 use crate::gcode::turning::pace::revolutions;
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::Axis;
@@ -26,7 +26,7 @@ use crate::text::Text;
 
 impl Interpreter<'_> {
     /// The lead of a thread: F of this block, or of an earlier block of a thread; mm.
-    pub(super) fn lead(&mut self) -> Outcome<f64> {
+    pub(in crate::gcode::interpreter) fn lead(&mut self) -> Outcome<f64> {
         if let Some(F) = self.block.get(letter::F) {
             self.modal.lead = Some(self.modal.unit.to_mm(F));
         }
@@ -91,7 +91,7 @@ impl Interpreter<'_> {
     }
 
     /// G32 and G34.
-    pub(super) fn thread(&mut self, changing: bool) -> Outcome<()> {
+    pub(in crate::gcode::interpreter) fn thread(&mut self, changing: bool) -> Outcome<()> {
         let lead = self.lead()?;
         let change = match self.block.get(letter::K) {
             Some(K) if changing => self.modal.unit.to_mm(K),
@@ -132,13 +132,13 @@ impl Interpreter<'_> {
             ));
         }
         let seconds = self.thread_seconds(&to, &thread);
-        self.emit(Kind::Thread(thread), to, seconds);
+        self.emit(MotionKind::Thread(thread), to, seconds);
         Ok(())
     }
 
     /// G90 alone: the turning cycle is in force and makes nothing yet.
     fn bare_axial_pass(&mut self) {
-        self.modal.motion = G::Pass(Pass::Axial);
+        self.modal.motion = G::Pass(SinglePassCycle::Axial);
         self.remarks.add(
             Grade::Caution,
             self.line,
@@ -157,7 +157,7 @@ impl Interpreter<'_> {
     }
 
     /// G90, G92 and G94.
-    pub(super) fn pass(&mut self, pass: Pass) -> Outcome<()> {
+    pub(in crate::gcode::interpreter) fn pass(&mut self, pass: SinglePassCycle) -> Outcome<()> {
         let number = pass.number();
         let before = self.modal.pass;
         let named = [
@@ -165,7 +165,7 @@ impl Interpreter<'_> {
             self.block.has(letter::Z) || self.block.has(letter::W),
         ];
         let bare = self.block.present & !self.reading.free.mask() == 0;
-        if pass == Pass::Axial && before.is_none() && bare {
+        if pass == SinglePassCycle::Axial && before.is_none() && bare {
             self.bare_axial_pass();
             return Ok(());
         }
@@ -200,7 +200,7 @@ impl Interpreter<'_> {
         }
         let taper = self.block.get(letter::R).map_or(taper, |R| self.modal.unit.to_mm(R));
         let start = [self.current.get(Axis::X), self.current.get(Axis::Z)];
-        let across = usize::from(pass == Pass::Radial);
+        let across = usize::from(pass == SinglePassCycle::Radial);
         let infeed = end[across] - start[across];
         if infeed * (infeed + taper) < 0.0 {
             return Err(Fault::at(
@@ -216,7 +216,7 @@ impl Interpreter<'_> {
             )
             .hanging_on(doubt::LATHE));
         }
-        let (cut, out, feed) = if pass == Pass::Thread {
+        let (cut, out, feed) = if pass == SinglePassCycle::Thread {
             let thread = Thread { lead: self.lead()?, change: 0.0, angle: self.start_angle()? };
             let first = before.is_none() || self.modal.motion != G::Pass(pass);
             self.remark_start_angle(first, end[0], thread.angle);
@@ -224,7 +224,7 @@ impl Interpreter<'_> {
         } else {
             (Way::Feed(None), Way::Feed(None), self.feed()?)
         };
-        let mut points = if pass == Pass::Radial {
+        let mut points = if pass == SinglePassCycle::Radial {
             [[start[0], end[1] + taper], end, [end[0], start[1]], start]
         } else {
             [[end[0] + taper, start[1]], end, [start[0], end[1]], start]

@@ -11,7 +11,7 @@ use crate::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC
 /// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
 /// 8055. A T of four digits, place and offset as in `T0101`, is a Fanuc lathe of system A. Everything else is LinuxCNC.
 #[must_use]
-pub fn told(head: &[u8], ending: &str) -> &'static Dialect {
+pub fn guess(head: &[u8], ending: &str) -> &'static Dialect {
     let text = String::from_utf8_lossy(head);
     if let Some(dialect) = text.lines().find_map(headed) {
         return dialect;
@@ -37,7 +37,7 @@ pub fn told(head: &[u8], ending: &str) -> &'static Dialect {
 /// The same of a turning program. A first line `%name,MX--,`, or a tool with its offset as `T1 D1` or `T1.1`, is a Fagor
 /// 8055 T; everything else is a Fanuc of system A, whose T carries both numbers.
 #[must_use]
-pub fn told_turning(head: &[u8]) -> &'static Dialect {
+pub fn guess_turning(head: &[u8]) -> &'static Dialect {
     let text = String::from_utf8_lossy(head);
     let named = text.lines().any(|line| line.trim_start().starts_with('%') && line.contains(",MX"));
     if named || text.lines().any(tool_and_offset) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
@@ -101,7 +101,7 @@ fn builders_code(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{told, told_turning, tools_headed};
+    use super::{guess, guess_turning, tools_headed};
 
     #[test]
     fn a_dialect_is_told_from_the_beginning_of_a_program() {
@@ -122,7 +122,7 @@ mod tests {
             ("(M11)\nG0 X1\nM2\n", "nc", "linuxcnc"),
             ("G0 X1 M3 M19\nM2\n", "nc", "linuxcnc"),
         ] {
-            assert_eq!(told(head.as_bytes(), ending).name, name, "{head}");
+            assert_eq!(guess(head.as_bytes(), ending).name, name, "{head}");
         }
     }
 
@@ -146,7 +146,7 @@ mod tests {
             (";D50\n%0001-A,MX--,\nG90\n", "fagor-8055-t"),
             ("", "fanuc-lathe-a"),
         ] {
-            assert_eq!(told_turning(head.as_bytes()).name, name, "{head}");
+            assert_eq!(guess_turning(head.as_bytes()).name, name, "{head}");
         }
     }
 }

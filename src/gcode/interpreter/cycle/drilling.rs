@@ -25,7 +25,7 @@ use crate::text::Text;
 
 impl Interpreter<'_> {
     /// A drilling cycle of the block in hand.
-    pub(super) fn hole(&mut self, cycle: Cycle) -> Outcome<()> {
+    pub(in crate::gcode::interpreter) fn hole(&mut self, cycle: Cycle) -> Outcome<()> {
         let feed = self.feed()?;
         let again = matches!(self.modal.motion, G::Cycle(_));
         let (unit, sticky) = (self.modal.unit, self.modal.sticky);
@@ -154,7 +154,7 @@ impl Interpreter<'_> {
     }
 
     /// A number of least input increments, as P and Q of cycles are; mm.
-    pub(super) fn increments(&self, number: f64) -> f64 {
+    pub(in crate::gcode::interpreter) fn increments(&self, number: f64) -> f64 {
         match self.modal.unit {
             LengthUnit::Millimetre => number / 1_000.0,
             LengthUnit::Inch => self.modal.unit.to_mm(number / 10_000.0),

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use super::Interpreter;
-use crate::gcode::control::Control;
+use crate::gcode::control::InForce;
 use crate::gcode::motion::Motion;
 use crate::machine::axis::Pose;
 
@@ -12,11 +12,11 @@ const MOST: usize = 10_000;
 
 /// What is in force after a block that made no motion, or after the motions of one that changed it behind them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stood {
+pub struct Standstill {
     /// The line of the block.
     pub line: usize,
     /// What is in force, with the number of the block's file.
-    pub control: Control,
+    pub control: InForce,
     /// Where the machine stands, in program coordinates.
     pub at: Pose,
     /// The same in machine coordinates.
@@ -26,7 +26,7 @@ pub struct Stood {
 /// A block without motion.
 #[derive(Debug)]
 struct Block {
-    stood: Stood,
+    stood: Standstill,
     /// How many motions were made before it.
     made: u64,
     /// Nose radius compensation keeps the tip aside of where the program stands.
@@ -37,7 +37,7 @@ struct Block {
 #[derive(Debug, Default)]
 pub(super) struct Standing {
     kept: bool,
-    last: Option<(Control, Pose)>,
+    last: Option<(InForce, Pose)>,
     /// Motions made, and the number of the one handed out last: nose radius compensation holds them back and can make more
     /// than one of one.
     made: u64,
@@ -56,14 +56,14 @@ impl Interpreter<'_> {
 
     /// What is in force at the block that was read last, and where the machine stands.
     #[must_use]
-    pub fn stands(&self) -> Stood {
-        let control = Control { file: self.at, ..self.modal.control() };
-        Stood { line: self.line, control, at: self.current, machine: self.frame.to_machine(&self.current) }
+    pub fn stands(&self) -> Standstill {
+        let control = InForce { file: self.at, ..self.modal.control() };
+        Standstill { line: self.line, control, at: self.current, machine: self.frame.to_machine(&self.current) }
     }
 
     /// The blocks that changed what is in force without a motion, before the motion last handed out or, at the end of the
     /// program, behind it. Each is given once.
-    pub fn stood(&mut self) -> Vec<Stood> {
+    pub fn stood(&mut self) -> Vec<Standstill> {
         let Standing { blocks, given, ends, .. } = &mut self.standing;
         let before = blocks.iter().take_while(|block| block.made < *given).count();
         let placed = |Block { mut stood, aside, .. }: Block| {
@@ -113,10 +113,10 @@ impl Interpreter<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::gcode::control::Spindle;
     use crate::gcode::dialect::FANUC_LATHE_A;
-    use crate::gcode::interpreter::{Setting, Tool, Tools};
+    use crate::gcode::interpreter::standstill::*;
+    use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
     use crate::gcode::turning::nose::{Nose, Tip};
     use crate::machine::axis::Axis;
 
@@ -153,7 +153,7 @@ mod tests {
                      G40 G0 X70.\nM5\nM30\n";
         let mut setting = Setting::new(&FANUC_LATHE_A);
         let nose = Some(Nose { radius: 0.8, tip: Tip::OutsideLeft });
-        setting.tools = Some(Tools::from([(1, Tool { nose, ..Tool::default() })]));
+        setting.tools = Some(Tools::from([(1, ToolOffset { nose, ..ToolOffset::default() })]));
         let mut interpreter = Interpreter::over(text, setting);
         interpreter.keep_stood();
         let (mut seen, mut tip) = (Vec::new(), None);

@@ -7,16 +7,16 @@ use crate::gcode::interpreter::block::Block;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::cycle;
 use crate::gcode::interpreter::fault::Outcome;
-use crate::gcode::motion::{Arc, Feed, Kind, Plane};
+use crate::gcode::motion::{Arc, Feed, MotionKind, Plane};
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig;
 
 /// What the block in hand has still to do.
 #[derive(Debug)]
-pub(super) enum Run {
+pub(super) enum Pending {
     /// Holes of a canned cycle.
-    Holes(cycle::Run),
+    Holes(cycle::Holes),
     /// Moves of a turning cycle.
     Moves(Moves),
 }
@@ -45,12 +45,13 @@ impl Interpreter<'_> {
     pub(super) fn make_contour_moves(&mut self, moves: Vec<Move>, feed: Feed, blocks: Vec<ContourBlock>) {
         self.remark_uncompensated(&blocks);
         self.run =
-            Some(Run::Moves(Moves { moves: moves.into_iter(), feed: Some(feed), blocks, obeyed: 0, begun: false }));
+            Some(Pending::Moves(Moves { moves: moves.into_iter(), feed: Some(feed), blocks, obeyed: 0, begun: false }));
     }
 
     /// The same for moves along a contour whose blocks are obeyed on the way.
     pub(super) fn finish_contour(&mut self, moves: Vec<Move>, blocks: Vec<ContourBlock>) {
-        self.run = Some(Run::Moves(Moves { moves: moves.into_iter(), feed: None, blocks, obeyed: 0, begun: false }));
+        self.run =
+            Some(Pending::Moves(Moves { moves: moves.into_iter(), feed: None, blocks, obeyed: 0, begun: false }));
     }
 
     /// The feed of the moves that do not say their own: it need not be given where there are none.
@@ -65,14 +66,14 @@ impl Interpreter<'_> {
     pub(super) fn go_on(&mut self) -> Outcome<()> {
         match self.run.take() {
             None => Ok(()),
-            Some(Run::Holes(run)) => self.next_hole(run),
-            Some(Run::Moves(mut run)) => {
+            Some(Pending::Holes(run)) => self.next_hole(run),
+            Some(Pending::Moves(mut run)) => {
                 let Some(next) = run.moves.next() else { return Ok(()) };
                 match run.feed {
                     Some(feed) => self.make_move(&next, feed, &run.blocks)?,
                     None => self.finish_move(&next, &mut run)?,
                 }
-                self.run = Some(Run::Moves(run));
+                self.run = Some(Pending::Moves(run));
                 Ok(())
             }
         }
@@ -173,11 +174,11 @@ impl Interpreter<'_> {
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
         match next.way {
-            Way::Rapid => self.emit(Kind::Rapid, to, None),
+            Way::Rapid => self.emit(MotionKind::Rapid, to, None),
             Way::Feed(own) => {
                 let feed = self.feed_of_move(feed, own)?;
                 let seconds = self.straight_seconds(&to, feed);
-                self.emit(Kind::Feed(feed), to, seconds);
+                self.emit(MotionKind::Feed(feed), to, seconds);
             }
             Way::Arc { centre, clockwise, feed: own } => {
                 let feed = self.feed_of_move(feed, own)?;
@@ -187,13 +188,13 @@ impl Interpreter<'_> {
                 } else {
                     self.seconds(arc.length(0.0), feed)
                 };
-                self.emit(Kind::Arc(arc, feed), to, seconds);
+                self.emit(MotionKind::Arc(arc, feed), to, seconds);
             }
             Way::Thread(thread) => {
                 let seconds = self.thread_seconds(&to, &thread);
-                self.emit(Kind::Thread(thread), to, seconds);
+                self.emit(MotionKind::Thread(thread), to, seconds);
             }
-            Way::Dwell(seconds) => self.emit(Kind::Dwell(seconds), self.current, Some(seconds)),
+            Way::Dwell(seconds) => self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds)),
         }
         Ok(())
     }

@@ -14,8 +14,8 @@
 use crate::gcode::turning::Move;
 use crate::gcode::turning::profile::Profile;
 use crate::gcode::turning::rough::{MOST_PASSES, check, finite};
-use crate::gcode::turning::scan::{Frame, moved};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::scan::{PassFrame, moved};
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::text::Text;
 
@@ -60,8 +60,8 @@ pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Trouble> 
             Text::fixed("dé menos pasadas con R", "give fewer passes with R"),
         ));
     }
-    let plain = Frame { axes: [0, 1], signs: [1.0; 2] };
-    let mut tool = Tool::new(plain, profile.start);
+    let plain = PassFrame { axes: [0, 1], signs: [1.0; 2] };
+    let mut tool = CycleMoves::new(plain, profile.start);
     for pass in 0..count {
         #[expect(clippy::cast_precision_loss, reason = "counts of passes")]
         let left = if count == 1 { 0.0 } else { 1.0 - pass as f64 / (count - 1) as f64 };
