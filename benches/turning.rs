@@ -19,11 +19,11 @@ use rodete::geometry::exact::region::{Region, twice_area};
 use rodete::job::lathe::{Seen, watched};
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::parameters::FORM;
-use rodete::lathe::repeat::Repeat;
+use rodete::lathe::second_removal::Repeat;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::stock::Stock;
-use rodete::lathe::text::{Source, Text};
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
+use rodete::lathe::text::{Lines, SheetProgram};
+use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
 use rodete::lathe::turret::Turret;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::parameter::{Value, Values};
@@ -61,7 +61,7 @@ impl Program {
 
 fn setup() -> Setup {
     let stock = Stock { overhang: 500.0, ..Stock::bar(100.0, 550.0) };
-    let tool = Tool {
+    let tool = TurningTool {
         name: Name::same("55°"),
         cutter: Cutter::Insert { shape: Shape::D, circle: 12.7, main: 93.0, auxiliary: 32.0, nose: 0.4 },
         hand: Hand::Right,
@@ -156,7 +156,7 @@ fn values() -> Values {
 
 /// The whole job: how many motions it makes, and how many of them cut.
 fn job(text: &str) -> (u64, u64) {
-    let program = Source { main: Text::of_file(text), subprograms: BTreeMap::new() };
+    let program = SheetProgram { main: Lines::of_file(text), subprograms: BTreeMap::new() };
     let source = rodete::job::Source {
         workbook: "g71.nc".to_owned(),
         sha256: String::new(),

@@ -9,7 +9,7 @@ use rodete::impeller::part::Part;
 use rodete::impeller::programs::Tracks;
 use rodete::impeller::ribs::ribs;
 use rodete::impeller::sweep::Sweep;
-use rodete::impeller::tables::Passes;
+use rodete::impeller::tables::ToolPaths;
 use rodete::impeller::track::Track;
 use rodete::impeller::undercut;
 use rodete::job::Outcome;
@@ -131,7 +131,7 @@ fn sweeps_of([R, r, N, e, a_p, d_t]: [f64; 6], n: u32) -> (Design, Vec<Sweep>) {
     ];
     let design = Design::new(&common::values("tfg-2021", &changes)).unwrap();
     let blade = common::blade(&design);
-    let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), None).unwrap();
+    let tracks = Tracks::new(&blade, &ToolPaths::new(&design, &blade), None).unwrap();
     let sweep = |track| Sweep::new(&design, &tracks, track, undercut::height(a_p, d_t)).unwrap();
     let sweeps = [Track::Obverse, Track::Reverse].map(sweep).to_vec();
     (design, sweeps)

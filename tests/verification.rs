@@ -26,7 +26,7 @@ use rodete::impeller::design::Design;
 use rodete::impeller::ideal::Ideal;
 use rodete::impeller::programs::{Tracks, programs};
 use rodete::impeller::splitter::Splitter;
-use rodete::impeller::tables::Passes;
+use rodete::impeller::tables::ToolPaths;
 use rodete::impeller::track::Track;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::grid::Milli;
@@ -53,7 +53,7 @@ fn published(n: u32) -> Design {
 /// rounded.
 fn exact(design: &Design, track: Track) -> [f64; 2] {
     let blade = common::blade(design);
-    let passes = Passes::new(design, &blade);
+    let passes = ToolPaths::new(design, &blade);
     let points = if track == Track::Obverse { &passes.obverse } else { &passes.reverse };
     let ideal = Ideal::new(design, None, track).unwrap();
     let pose = |i: usize| {
@@ -478,7 +478,7 @@ proptest! {
         // Some designs have no splitter, and are refused.
         prop_assume!(splitter.is_ok());
         let splitter = splitter.unwrap();
-        let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), Some(&splitter)).unwrap();
+        let tracks = Tracks::new(&blade, &ToolPaths::new(&design, &blade), Some(&splitter)).unwrap();
         let origin = Origin { workbook: "", sha256: "", version: "", language: Language::En };
         let made = programs(&design, &tracks, &origin).unwrap();
         let program = made.programs.iter().find(|program| program.key == "splitter").unwrap();

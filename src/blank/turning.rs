@@ -17,7 +17,7 @@ use crate::text::Text;
 
 /// How the blank is turned. Lengths in mm; those named "on the diameter" are programmed so.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turning {
+pub struct BlankTurning {
     /// C, step of the cycle, on the radius.
     pub C: f64,
     /// Feed, mm a revolution.
@@ -46,7 +46,7 @@ pub struct Turning {
     pub S_m: Option<u32>,
 }
 
-impl Turning {
+impl BlankTurning {
     /// The turning of a filled-in form; `None` where a required value is missing.
     #[must_use]
     pub fn from_values(values: &Values) -> Option<Self> {

@@ -91,9 +91,9 @@ pub(super) fn follow(
         verdict.findings.push(told_from(dialect));
         dialect
     });
-    let main = text::Text::of_file(&decoded(wanted.bytes));
+    let main = text::Lines::of_file(&decoded(wanted.bytes));
     let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
-    let program = text::Source { main, subprograms };
+    let program = text::SheetProgram { main, subprograms };
     let mut values = for_program(values, wanted, dialect, &program);
     if let Some(stock) = wanted.stock {
         put_stock(&mut values, stock, wanted.tools.is_some());
@@ -187,7 +187,12 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
 }
 
 /// The form with this program in place of its own.
-fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialect, program: &text::Source) -> Values {
+fn for_program(
+    mut values: Values,
+    wanted: &Wanted<'_>,
+    dialect: &'static Dialect,
+    program: &text::SheetProgram,
+) -> Values {
     values.values.insert("dialect", Value::Choice(dialect.name));
     match wanted.point {
         Some(DecimalPoint::Calculator) => values.values.insert("point", Value::Choice("calculator")),
@@ -214,7 +219,7 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
         let faced = rows.filter(|row| !matches!(row.choice("tools/type"), Some("drill" | "centre-drill")));
         faced.for_each(|row| drop(row.values.insert("tools/M", Value::Choice("M4"))));
     }
-    let mut put = |list: &'static str, sheet: &str, text: &text::Text| {
+    let mut put = |list: &'static str, sheet: &str, text: &text::Lines| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
         if lines.len() <= BLOCKS_MOST {
@@ -269,7 +274,7 @@ fn stock_of(values: &Values) -> Stock {
 
 /// A stock that holds the path at feed: its greatest diameter and its least Z, rounded up to whole millimetres, and what is
 /// held in the jaws.
-fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> {
+fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Refusal> {
     let given = Given::of(values).map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
     let (mut X, mut Z): (f64, f64) = (0.0, 0.0);
     let interpreter: Interpreter<'_> = program.read(given.setting());
@@ -284,7 +289,7 @@ fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> 
 }
 
 /// The subprograms that stand beside the program: those that its M98 name, and so on.
-fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::Text>, Refusal> {
+fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::Lines>, Refusal> {
     let mut found = BTreeMap::new();
     let mut texts = vec![main.to_owned()];
     while let Some(text) = texts.pop() {
@@ -303,7 +308,7 @@ fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::
                     Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
                 };
                 if let Some(bytes) = files.find(&name).map_err(unreadable)? {
-                    let text = text::Text::of_file(&decoded(&bytes));
+                    let text = text::Lines::of_file(&decoded(&bytes));
                     texts.push(text.text.clone());
                     found.insert(name, text);
                 }

@@ -29,7 +29,7 @@ const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 
 /// One pass: from a safe point through the points of a path to the next safe point, with its F words.
 #[derive(Clone, Debug)]
-pub struct Pass {
+pub struct BladePass {
     track: Track,
     points: Arc<[Position]>,
     backwards: bool,
@@ -40,7 +40,7 @@ pub struct Pass {
     pub limited: Limited,
 }
 
-impl Pass {
+impl BladePass {
     /// The pass, its feeds computed so that the tip moves over the part at F.
     ///
     /// # Errors
@@ -227,7 +227,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// A pass, with C turned on.
-    pub fn cut(&mut self, pass: &Pass, turn: Milli) {
+    pub fn cut(&mut self, pass: &BladePass, turn: Milli) {
         let turn = turn + self.turns;
         let through = Path {
             role: Role::Cut(pass.track.key()),

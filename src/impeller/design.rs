@@ -1,6 +1,6 @@
 //! The design of an impeller: validated parameters with units settled, and the checks of one against another.
 
-use crate::blank::turning::Turning;
+use crate::blank::turning::BlankTurning;
 use crate::finding::{Finding, Place};
 use crate::gcode::dialect::{Dialect, Rotary as Counting};
 pub use crate::gcode::program::Style;
@@ -82,7 +82,7 @@ pub struct Design {
     /// Step of the block numbers.
     pub block_step: u32,
     /// The turning of the blank.
-    pub blank: Turning,
+    pub blank: BlankTurning,
     /// The calibration, if asked for.
     pub calibration: Option<Slots>,
 }
@@ -177,7 +177,7 @@ impl Design {
             retract: block(values.line("retract"))?,
             end_codes: codes(values.line("end_codes"))?,
             block_step: values.whole("block_step")?,
-            blank: Turning::from_values(values)?,
+            blank: BlankTurning::from_values(values)?,
             calibration: Self::slots(values),
         })
     }

@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use crate::impeller::blade::Blade;
     use crate::impeller::cases::CASES;
-    use crate::impeller::tables::Passes;
+    use crate::impeller::tables::ToolPaths;
     use crate::impeller::tool_path::part_path;
     use crate::parameter::Values;
     use crate::text::Language;
@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn it_goes_through_every_point_of_the_tables() {
         let (design, blade, splitter) = published();
-        let passes = Passes::new(&design, &blade);
+        let passes = ToolPaths::new(&design, &blade);
         for track in Track::ALL {
             let ideal = Ideal::new(&design, Some(&splitter), track).unwrap();
             let points = match track {

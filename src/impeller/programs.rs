@@ -7,14 +7,14 @@ use std::sync::Arc;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
-use crate::impeller::assembly::{Assembly, Limited, Pass};
+use crate::impeller::assembly::{Assembly, BladePass, Limited};
 use crate::impeller::blade::Blade;
 use crate::impeller::design::{Design, Style};
 use crate::impeller::discretisation;
 use crate::impeller::fade::Fade;
 use crate::impeller::header::{blank_header, header};
 use crate::impeller::splitter::Splitter;
-use crate::impeller::tables::Passes;
+use crate::impeller::tables::ToolPaths;
 use crate::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
@@ -39,7 +39,7 @@ impl Tracks {
     ///
     /// # Errors
     /// For a position that no program may carry.
-    pub fn new(blade: &Blade, passes: &Passes, splitter: Option<&Splitter>) -> Result<Self, OutOfFormat> {
+    pub fn new(blade: &Blade, passes: &ToolPaths, splitter: Option<&Splitter>) -> Result<Self, OutOfFormat> {
         let last = blade.points() - 1;
         // The last point may be backed off, and lies nowhere else near the middle of two thousandths.
         let B = |i: usize| match discretisation::B_on_grid(last, i) {
@@ -102,15 +102,15 @@ impl Tracks {
 
 /// The passes of one blade and of one splitter, ready to be put anywhere about the axis.
 struct Cuts {
-    obverse: Pass,
-    reverse: Pass,
-    splitter: Option<[Pass; 2]>,
+    obverse: BladePass,
+    reverse: BladePass,
+    splitter: Option<[BladePass; 2]>,
 }
 
 impl Cuts {
     fn new(design: &Design, tracks: &Tracks) -> Result<Self, OutOfFormat> {
         let pass = |track: Track, from: Position, points: &Arc<[Position]>, to: Position| {
-            Pass::new(design, track, from, points, to)
+            BladePass::new(design, track, from, points, to)
         };
         Ok(Self {
             obverse: pass(Track::Obverse, tracks.entry_obverse, &tracks.obverse, tracks.exit_obverse)?,

@@ -19,7 +19,7 @@ const RAD: Unit = Unit::Radian;
 
 /// What the passes of one blade are made of.
 #[derive(Clone, Debug)]
-pub struct Passes {
+pub struct ToolPaths {
     /// The path along the obverse, machine coordinates, mm.
     pub obverse: Vectors,
     /// The path along the reverse.
@@ -30,7 +30,7 @@ pub struct Passes {
     pub exit: SafeEnd,
 }
 
-impl Passes {
+impl ToolPaths {
     /// The passes of one blade with their safe points.
     #[must_use]
     pub fn new(design: &Design, blade: &Blade) -> Self {
@@ -53,7 +53,7 @@ const fn t(es: &'static str, en: &'static str) -> Text {
 
 /// Annexes 1 to 8, in order.
 #[must_use]
-pub fn annexes(blade: &Blade, passes: &Passes) -> Vec<Table> {
+pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
     let xyz = ["x", "y", "z"];
     let path = |formula, points: &Vectors| -> Vec<Column> {
         let mut columns: Vec<Column> = Column::vectors(xyz, MM, formula, points).into();
@@ -129,7 +129,7 @@ pub fn annexes(blade: &Blade, passes: &Passes) -> Vec<Table> {
     ]
 }
 
-fn safety(passes: &Passes) -> Table {
+fn safety(passes: &ToolPaths) -> Table {
     let rows: [(&SafeEnd, bool); 4] =
         [(&passes.entry, true), (&passes.entry, false), (&passes.exit, true), (&passes.exit, false)];
     let column = |symbol, unit, formula, value: fn(&SafeEnd, bool) -> f64| {

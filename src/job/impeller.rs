@@ -14,7 +14,7 @@ use crate::impeller::figures::figures;
 use crate::impeller::gap::Limits;
 use crate::impeller::programs::{Tracks, programs};
 use crate::impeller::splitter::Splitter;
-use crate::impeller::tables::{self, Passes};
+use crate::impeller::tables::{self, ToolPaths};
 use crate::job::impeller_remarks::{no_calibration, no_splitter, remarks};
 use crate::job::impeller_shortfalls::{shortfalls, too_narrow};
 use crate::job::{Outcome, Source, charts, not_finite, out_of_format};
@@ -35,7 +35,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
     };
     let design = Design::new(&values).map_err(refused)?;
     let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
-    let passes = Passes::new(&design, &blade);
+    let passes = ToolPaths::new(&design, &blade);
     let mut stops = Vec::new();
     let splitter = if design.splitters {
         Splitter::new(&design, &blade).map_err(|why| stops.push(no_splitter(why))).ok()
@@ -108,7 +108,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
 fn quantities(
     design: &Design,
     limits: &Limits,
-    passes: &Passes,
+    passes: &ToolPaths,
     splitter: Option<&Splitter>,
     programs: &[Program],
 ) -> Vec<Quantity> {

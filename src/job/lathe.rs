@@ -21,7 +21,7 @@ use crate::lathe::deviation::Profile;
 use crate::lathe::figures::{self, Drawn};
 use crate::lathe::in_force::InForceWatch;
 use crate::lathe::parameters::{PROGRAM_KEY, SECOND_KEY};
-use crate::lathe::repeat::AGREE;
+use crate::lathe::second_removal::AGREE;
 use crate::lathe::setup::{self, Given};
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::step::Step;
@@ -40,7 +40,7 @@ const TOLERANCE: f64 = 0.01;
 #[derive(Debug)]
 pub enum Seen<'a> {
     /// A program begins, with its text and the part as it is.
-    Begin(&'a Program, &'a text::Source, &'a Simulation),
+    Begin(&'a Program, &'a text::SheetProgram, &'a Simulation),
     /// What is in force before the first block, or after one that changed it without a motion; with the name of the
     /// subprogram's file that the block stands in.
     Stood(&'a Standstill, &'a Simulation, Option<&'a str>),
@@ -56,7 +56,7 @@ pub enum Seen<'a> {
 /// A program followed to its end.
 struct Followed<'a> {
     program: Program,
-    source: &'a text::Source,
+    source: &'a text::SheetProgram,
     /// The names of its subprograms' files, by their numbers from 1.
     files: Vec<String>,
     simulation: Simulation,
@@ -99,7 +99,7 @@ pub fn watched(
     form: &'static Form,
     values: Values,
     source: Source,
-    program: Option<text::Source>,
+    program: Option<text::SheetProgram>,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
     let mut wrong = Vec::new();
@@ -113,11 +113,11 @@ pub fn watched(
         Ok(_) => return Err(refused(wrong)),
         Err(findings) => return Err(refused(findings.into_iter().chain(wrong).collect())),
     };
-    let first = program.or_else(|| text::Source::of(&values, PROGRAM_KEY)).unwrap_or_default();
+    let first = program.or_else(|| text::SheetProgram::of(&values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let begins = Begins::new(Simulation::new(given.setup.clone())?);
     let one = follow("program", title, &first, &given, begins, watch);
-    let second = text::Source::of(&values, SECOND_KEY);
+    let second = text::SheetProgram::of(&values, SECOND_KEY);
     let two = if let Some(second) = &second {
         let simulation = one.simulation.turned_about(given.second)?;
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
@@ -186,7 +186,7 @@ fn held(setup: &Setup) -> Finding {
 }
 
 /// The program as it stands on its sheet; its subprograms are not known before it has been read.
-fn listed(key: &'static str, title: Text, source: &text::Source, given: &Given) -> Program {
+fn listed(key: &'static str, title: Text, source: &text::SheetProgram, given: &Given) -> Program {
     Program {
         key,
         title,
@@ -225,7 +225,7 @@ impl Begins {
 fn follow<'a>(
     key: &'static str,
     title: Text,
-    source: &'a text::Source,
+    source: &'a text::SheetProgram,
     given: &Given,
     Begins { mut simulation, lost, uncut, held }: Begins,
     watch: &mut dyn FnMut(Seen<'_>),

@@ -6,7 +6,7 @@ use crate::finding::{Finding, Grade, Place};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::job::lathe_tables::Raised;
 use crate::lathe::alarm::{Alarm, Cause};
-use crate::lathe::repeat::AGREE;
+use crate::lathe::second_removal::AGREE;
 use crate::lathe::setup::Given;
 use crate::lathe::spindle::revolutions;
 use crate::machine::axis::Axis;

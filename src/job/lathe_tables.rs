@@ -7,7 +7,7 @@ use crate::geometry::exact::region::Ring;
 use crate::job::checks;
 use crate::lathe::alarm::Alarm;
 use crate::lathe::step::{Step, Total, Totals};
-use crate::lathe::text::Text as Lines;
+use crate::lathe::text::Lines;
 use crate::lathe::turret::Turret;
 use crate::machine::axis::Axis;
 use crate::parameter::t;
@@ -324,7 +324,7 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
 /// The turret as the control knows it.
 #[must_use]
 pub fn turret_table(turret: &Turret) -> Table {
-    let of = |value: fn(&crate::lathe::tool::Tool) -> f64| {
+    let of = |value: fn(&crate::lathe::tool::TurningTool) -> f64| {
         turret.tools.values().map(|tool| value(tool) + 0.0).collect::<Vec<f64>>()
     };
     Table {
@@ -343,7 +343,7 @@ pub fn turret_table(turret: &Turret) -> Table {
             Column::texts(t("herramienta", "tool"), "", turret.tools.values().map(|tool| tool.name.clone()).collect()),
             Column::numbers("Q_x", Unit::Millimetre, "", of(|tool| tool.overhang[0])),
             Column::numbers("Q_z", Unit::Millimetre, "", of(|tool| tool.overhang[1])),
-            Column::numbers("R", Unit::Millimetre, "", of(crate::lathe::tool::Tool::nose)),
+            Column::numbers("R", Unit::Millimetre, "", of(crate::lathe::tool::TurningTool::nose)),
             Column::numbers("tip", Unit::Count, "", of(|tool| f64::from(tool.tip.number()))).named(t("punta", "tip")),
         ],
     }

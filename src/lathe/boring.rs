@@ -4,7 +4,7 @@ use super::alarm::{Cause, TOUCH};
 use super::contact::bounds;
 use super::outline::{Outline, Role};
 use super::path::Piece;
-use super::tool::{Cutter, Holder, Tool};
+use super::tool::{Cutter, Holder, TurningTool};
 use super::workpiece::Workpiece;
 use crate::geometry::exact::convex::Convex;
 
@@ -27,7 +27,7 @@ impl Hole {
     /// With its tip at the radius r the edge takes what lies out from r − e, where e is how far its cutting edges reach towards
     /// the axis before the bar's end comes; what is nearer to it has to be gone before. The bar of diameter d with its centre c from the tip reaches over
     /// the axis to c + d/2 − r on the other side, and goes into no hole of less than c + d/2. Derived here.
-    pub fn before(part: &mut Workpiece, tool: &Tool, outline: &Outline, [from, to]: Piece) -> Option<Self> {
+    pub fn before(part: &mut Workpiece, tool: &TurningTool, outline: &Outline, [from, to]: Piece) -> Option<Self> {
         let (Cutter::Insert { .. }, Holder::Bar { diameter, reach, .. }) = (tool.cutter, tool.holder) else {
             return None;
         };

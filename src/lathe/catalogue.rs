@@ -31,7 +31,7 @@ const DRILLS: [f64; 18] =
 /// Pilot, its length, and body of centre drills, form A.
 const CENTRES: [[f64; 3]; 3] = [[2.0, 2.5, 5.0], [3.15, 3.9, 8.0], [4.0, 5.0, 10.0]];
 
-struct Tool {
+struct CatalogueTool {
     name: [String; 2],
     choices: Vec<(&'static str, &'static str)>,
     numbers: Vec<(&'static str, f64)>,
@@ -42,14 +42,14 @@ fn shank() -> Vec<(&'static str, f64)> {
     vec![("tools/b", 25.0), ("tools/l", 150.0), ("tools/Q_x", 60.0), ("tools/Q_z", 40.0)]
 }
 
-fn tools() -> Vec<Tool> {
+fn tools() -> Vec<CatalogueTool> {
     let mut tools = Vec::new();
     for hand in ["R", "L"] {
         for (shape, IC, main, auxiliary) in OUTSIDE {
             for R in NOSES {
                 let mut numbers = shank();
                 numbers.extend([("tools/IC", IC), ("tools/R", R), ("tools/phi1", main), ("tools/phi2", auxiliary)]);
-                tools.push(Tool {
+                tools.push(CatalogueTool {
                     name: [
                         format!("Exterior {shape} {main}° R{R} {hand}"),
                         format!("External {shape} {main}° R{R} {hand}"),
@@ -63,7 +63,7 @@ fn tools() -> Vec<Tool> {
     for IC in [6.0, 8.0, 10.0] {
         let mut numbers = shank();
         numbers.push(("tools/IC", IC));
-        tools.push(Tool {
+        tools.push(CatalogueTool {
             name: [format!("Placa redonda de {IC}"), format!("Round insert of {IC}")],
             choices: vec![("tools/type", "external"), ("tools/shape", "R"), ("tools/hand", "N")],
             numbers,
@@ -71,7 +71,7 @@ fn tools() -> Vec<Tool> {
     }
     for (shape, IC, main, auxiliary, bar, reach) in INSIDE {
         for R in [0.4, 0.8] {
-            tools.push(Tool {
+            tools.push(CatalogueTool {
                 name: [format!("Mandrinar {shape} {main}° R{R}"), format!("Boring {shape} {main}° R{R}")],
                 choices: vec![("tools/type", "internal"), ("tools/shape", shape), ("tools/hand", "R")],
                 numbers: vec![
@@ -93,7 +93,7 @@ fn tools() -> Vec<Tool> {
         for w in GROOVES {
             let mut numbers = shank();
             numbers.extend([("tools/w", w), ("tools/R", 0.2), ("tools/h", 6.0 * w)]);
-            tools.push(Tool {
+            tools.push(CatalogueTool {
                 name: names.map(|name| format!("{name} {w} mm")),
                 choices: vec![("tools/type", kind), ("tools/hand", "R")],
                 numbers,
@@ -110,7 +110,7 @@ fn tools() -> Vec<Tool> {
                 ("tools/R", nose),
                 ("tools/h", 0.9 * greatest),
             ]);
-            tools.push(Tool {
+            tools.push(CatalogueTool {
                 name: [
                     format!("Roscar {angle}°, {least} a {greatest} mm, {hand}"),
                     format!("Threading {angle}°, {least} to {greatest} mm, {hand}"),
@@ -122,7 +122,7 @@ fn tools() -> Vec<Tool> {
     }
     for w in DRILLS {
         let flutes = 6.0 * w;
-        tools.push(Tool {
+        tools.push(CatalogueTool {
             name: [format!("Broca de {w}"), format!("Drill of {w}")],
             choices: vec![("tools/type", "drill")],
             numbers: vec![
@@ -137,7 +137,7 @@ fn tools() -> Vec<Tool> {
         });
     }
     for [pilot, reach, body] in CENTRES {
-        tools.push(Tool {
+        tools.push(CatalogueTool {
             name: [format!("Broca de centrar de {pilot}"), format!("Centre drill of {pilot}")],
             choices: vec![("tools/type", "centre-drill")],
             numbers: vec![
@@ -157,7 +157,7 @@ fn tools() -> Vec<Tool> {
 /// The rows of the catalogue, none of them mounted.
 #[must_use]
 pub fn rows(language: Language) -> Vec<Row> {
-    let row = |tool: Tool| {
+    let row = |tool: CatalogueTool| {
         let [es, en] = tool.name;
         let name = match language {
             Language::Es => es,

@@ -2,10 +2,10 @@
 
 use super::alarm::{Cause, TOUCH};
 use super::contact::depth;
+use super::motion_totals::Tally;
 use super::outline::Outline;
 use super::stock::Fixture;
-use super::tally::Tally;
-use super::tool::Tool;
+use super::tool::TurningTool;
 use super::workpiece::Workpiece;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
@@ -19,7 +19,7 @@ const ROOM: f64 = 30.0;
 /// work. Derived here.
 pub(super) fn judge<'a>(
     (part, fixtures): (&mut Workpiece, &[(Fixture, Convex)]),
-    tools: impl Iterator<Item = (u32, &'a Tool, &'a Outline)>,
+    tools: impl Iterator<Item = (u32, &'a TurningTool, &'a Outline)>,
     [old, new]: [u32; 2],
     stands: [f64; 2],
     tally: &mut Tally,

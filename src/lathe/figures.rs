@@ -1,6 +1,6 @@
 //! The drawings of a turning: the part in space, its half section in the chuck, the path of the tools.
 
-use super::cover::cover;
+use super::part_view::cover;
 use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::parameter::t;
 use crate::text::Text;

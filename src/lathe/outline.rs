@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-use super::tool::{Cutter, Holder, Shape, Tool};
+use super::tool::{Cutter, Holder, Shape, TurningTool};
 use crate::geometry::chords;
 use crate::geometry::exact::convex::Convex;
 use crate::number::trig::{atan, atan2, hypot, sin_cos, tan};
@@ -127,7 +127,7 @@ fn rounded(corners: &[[f64; 2]], radius: f64, tolerance: f64, cutting: usize) ->
     (!short).then_some((points, first))
 }
 
-impl Tool {
+impl TurningTool {
     /// The tool's outline in a turret in front of the axis or behind it, with its curves as chords within a tolerance in mm.
     /// Refused with the reason: lengths that are not positive, angles that do not fit the insert, a nose too large for it, a
     /// bar that reaches past its tip.

@@ -12,7 +12,7 @@ use crate::lathe::machine::{Chuck, Lathe};
 use crate::lathe::parameters::TOOLS_KEY;
 use crate::lathe::simulation::Setup;
 use crate::lathe::stock::{Stock, Support};
-use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tool};
+use crate::lathe::tool::{Cutter, Hand, Holder, Shape, TurningTool};
 use crate::lathe::turret::Turret;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
@@ -383,7 +383,11 @@ pub fn without_rule(values: &Values) -> Option<Finding> {
 }
 
 /// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
-fn turret(rows: &[Row], (tolerance, behind): (f64, bool), findings: &mut Vec<Finding>) -> (BTreeMap<u32, Tool>, Tools) {
+fn turret(
+    rows: &[Row],
+    (tolerance, behind): (f64, bool),
+    findings: &mut Vec<Finding>,
+) -> (BTreeMap<u32, TurningTool>, Tools) {
     let mut tools = BTreeMap::new();
     let mut offsets = Tools::new();
     let mut places: BTreeSet<u32> = BTreeSet::new();
@@ -437,7 +441,7 @@ fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
 }
 
 /// The cells of what is wrong with a tool that has no outline: of its holder, or else of its type and the sizes that it needs.
-fn sizes(tool: &Tool) -> &'static [&'static str] {
+fn sizes(tool: &TurningTool) -> &'static [&'static str] {
     match (tool.check_holder(), tool.cutter, tool.holder) {
         (Err(_), _, Holder::Bar { .. }) => &["tools/b", "tools/l", "tools/c"],
         (Err(_), _, Holder::Shank { .. }) => &["tools/b", "tools/l"],
@@ -476,7 +480,7 @@ fn lost(row: &Row, key: &'static str) -> Box<Finding> {
 ///
 /// # Errors
 /// The first value that its type needs and that is missing.
-fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
+fn tool(row: &Row) -> Result<TurningTool, Box<Finding>> {
     let kind = row.choice("tools/type").unwrap_or_default();
     let need = |key: &'static str| row.real(key).ok_or_else(|| lost(row, key));
     let hand = match row.choice("tools/hand") {
@@ -535,7 +539,7 @@ fn tool(row: &Row) -> Result<Tool, Box<Finding>> {
     } else {
         Holder::Shank { width, length }
     };
-    Ok(Tool {
+    Ok(TurningTool {
         name: Text::same(row.line("tools/name")),
         cutter,
         hand,

@@ -4,19 +4,19 @@ use std::collections::BTreeMap;
 
 use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
 use super::boring::Hole;
-use super::chain::{self, Chain, Pass};
 use super::change;
 use super::contact::{Contact, Ride, depth, far_end};
-use super::loose::judged;
+use super::detached::judged;
+use super::motion_totals::{Tally, collide, travel};
+use super::once::Watch;
 use super::outline::Outline;
 use super::path::{self, Piece};
-use super::spindle::{Turning, begun, extent, revolutions, ribs};
+use super::spindle::{SpindleUse, begun, extent, revolutions, ribs};
 pub use super::start::Setup;
 use super::step::{Edit, Step, Totals};
 use super::stock::{Fixture, turned_about};
-use super::tally::{Tally, collide, travel};
-use super::tool::{Cutter, Tool};
-use super::watch::Watch;
+use super::surface_origin::{self, Chain, SweptPiece};
+use super::tool::{Cutter, TurningTool};
 use super::workpiece::{CHIP, Removed, TURN, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::control::{InForce, Speed};
@@ -35,7 +35,7 @@ const WITHIN: f64 = 780.0;
 /// A tool made ready.
 #[derive(Debug)]
 struct Ready {
-    tool: Tool,
+    tool: TurningTool,
     outline: Outline,
     bodies: Vec<Convex>,
 }
@@ -91,8 +91,9 @@ impl Simulation {
         let stock = &self.setup.stock;
         let part = Some(turned_about(&self.shifted(rings), stock, shift));
         // The edge that began at a corner ends there now.
-        let about =
-            |of: Vec<u32>| of.iter().rev().cycle().skip(1).take(of.len()).copied().map(chain::turned_about).collect();
+        let about = |of: Vec<u32>| {
+            of.iter().rev().cycle().skip(1).take(of.len()).copied().map(surface_origin::turned_about).collect()
+        };
         let labels: Vec<Vec<u32>> = labels.into_iter().map(about).collect();
         let [left, right] = stock.ends();
         let chain = self.chain.turned_about(left + right + shift - 2.0 * self.middle);
@@ -192,7 +193,7 @@ impl Simulation {
     }
 
     /// What the program makes: the piece that its last cut has parted off, else what is in the chuck; see
-    /// [`super::loose::judged`].
+    /// [`super::detached::judged`].
     #[must_use]
     pub fn product(&self) -> Vec<Ring> {
         self.shifted(self.made().into_iter().map(|(ring, _)| ring).collect())
@@ -244,7 +245,7 @@ impl Simulation {
         labels(&part.labelled_rings()).chain(labels(part.fallen())).chain(part.gone()).collect()
     }
 
-    /// From now on a library of polygons takes away the same beside; see [`super::repeat`].
+    /// From now on a library of polygons takes away the same beside; see [`super::second_removal`].
     pub fn repeat(&mut self) {
         self.part.repeat();
     }
@@ -302,7 +303,7 @@ impl Simulation {
         path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
 
         self.part.spend(pieces.len());
-        let turning = Turning::new(control, lathe);
+        let turning = SpindleUse::new(control, lathe);
         let (index, file) = (self.steps, control.file);
         let (begins, sides, speed, alarms) = (None, [0.0; 2], 0.0, Vec::new());
         let mut tally = Tally { motion, index, file, shift, turning, begins, sides, speed, alarms };
@@ -465,7 +466,7 @@ impl Simulation {
                             tally.weigh(meeting, mirrored);
                         }
                         if insert && !mirrored {
-                            let pass = Pass { part: cutter, meeting, way, ends };
+                            let pass = SweptPiece { part: cutter, meeting, way, ends };
                             let alarm = |deep, place| tally.alarm(Cause::BackCutting, place, Some(deep));
                             chain.label(pass, alarm, |at| far_end(meeting, &ride, at), labels);
                         }
@@ -515,7 +516,7 @@ impl Simulation {
             self.part.spend(watch.passes());
             watch.thread(thread, [start, end], (control.tool, ready.map(|ready| &ready.tool.cutter)), cuts, tally);
         }
-        let turning = Turning::new(control, lathe);
+        let turning = SpindleUse::new(control, lathe);
         let asked = [start, end].map(|at| turning.asked(at[1] + tally.shift[1])).into_iter().fold(0.0, f64::max);
         let most = lathe.greatest_speed;
         match control.speed {
@@ -570,7 +571,7 @@ impl Simulation {
 }
 
 /// True where a tool goes from where it has worked towards the side on which its own body lies.
-fn retracts(tool: &Tool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
+fn retracts(tool: &TurningTool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
     let body = tool.tip.mirror();
     let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);
     stands == place && pieces.first().is_some_and(|piece| near(at, piece[0])) && pieces.iter().all(aside)

@@ -10,7 +10,7 @@ use crate::number::trig::hypot;
 
 /// The spindle during a motion.
 #[derive(Clone, Copy, Debug)]
-pub struct Turning {
+pub struct SpindleUse {
     speed: Speed,
     /// The greatest speed that program and machine allow, rpm.
     limit: f64,
@@ -32,7 +32,7 @@ pub struct Engaged {
     pub metal: [f64; 2],
 }
 
-impl Turning {
+impl SpindleUse {
     /// What the control asks of the lathe.
     #[must_use]
     pub fn new(control: &InForce, lathe: &Lathe) -> Self {
@@ -203,7 +203,7 @@ mod tests {
     fn a_cutting_speed_is_that_of_one_moment() {
         let turning = |speed, greatest_speed| {
             let control = InForce { speed, spindle: Spindle::Clockwise, greatest_speed, ..InForce::default() };
-            Turning::new(&control, &Lathe::default())
+            SpindleUse::new(&control, &Lathe::default())
         };
         let surface = turning(Speed::Surface(180.0), Some(2500.0));
         let facing = Engaged { from: 40.0, to: -0.8, shift: 0.0, reach: [0.0, 0.0], metal: [0.0, 25.0] };
@@ -239,7 +239,7 @@ mod tests {
             greatest_speed: Some(2500.0),
             ..InForce::default()
         };
-        let turning = Turning::new(&control, &Lathe::default());
+        let turning = SpindleUse::new(&control, &Lathe::default());
         assert!((turning.at(25.0) - 120_000.0 / (PI * 50.0)).abs() < 1e-9);
         assert!((turning.at(0.0) - 2500.0).abs() < 1e-9);
         for (from, to) in [(50.0, 0.0), (50.0, 20.0), (-3.0, 40.0), (5.0, 1.0), (10.0, 10.0)] {

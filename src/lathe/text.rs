@@ -14,14 +14,14 @@ const BLOCK: &str = "program/BLOCK";
 
 /// Lines of a program, each with the cell it stands in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Text {
+pub struct Lines {
     /// The lines, each ended by a line feed.
     pub text: String,
     /// The cell of each line, where it came from a workbook.
     pub cells: Vec<Option<CellPlace>>,
 }
 
-impl Text {
+impl Lines {
     /// The lines of a list's rows; a row without a block is none.
     #[must_use]
     pub fn of(rows: &[Row]) -> Self {
@@ -59,25 +59,25 @@ impl Text {
 
 /// A program with its subprograms.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Source {
+pub struct SheetProgram {
     /// The program.
-    pub main: Text,
+    pub main: Lines,
     /// The external subprograms by their names, as `O0005`.
-    pub subprograms: BTreeMap<String, Text>,
+    pub subprograms: BTreeMap<String, Lines>,
 }
 
-impl Source {
+impl SheetProgram {
     /// The program of a list of a filled-in form, with the subprograms of its sheets; `None` where it has no block.
     #[must_use]
     pub fn of(values: &Values, list: &str) -> Option<Self> {
-        let main = Text::of(values.rows(list));
+        let main = Lines::of(values.rows(list));
         let subprograms = values
             .lists
             .iter()
             .filter(|rows| rows.list == SUBPROGRAM_KEY)
             .filter_map(|rows| {
                 let number = number(&rows.sheet)?;
-                Some((format!("O{number:04}"), Text::of(&rows.rows)))
+                Some((format!("O{number:04}"), Lines::of(&rows.rows)))
             })
             .collect();
         (!main.text.is_empty()).then_some(Self { main, subprograms })
@@ -112,7 +112,7 @@ impl Source {
 
     /// The text that a line stands in; `file` is the subprogram it is of.
     #[must_use]
-    pub fn text(&self, file: Option<&str>) -> Option<&Text> {
+    pub fn text(&self, file: Option<&str>) -> Option<&Lines> {
         file.map_or(Some(&self.main), |name| self.subprograms.get(name))
     }
 
@@ -185,7 +185,7 @@ fn number(sheet: &str) -> Option<u32> {
 }
 
 /// Subprograms by their names.
-struct Sheets(BTreeMap<String, Text>);
+struct Sheets(BTreeMap<String, Lines>);
 
 impl Files for Sheets {
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {

@@ -161,7 +161,7 @@ pub enum Holder {
 
 /// A tool as it stands in the turret.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tool {
+pub struct TurningTool {
     /// What it is called.
     pub name: Text,
     /// What cuts.
@@ -172,14 +172,14 @@ pub struct Tool {
     pub tip: Tip,
     /// What holds it.
     pub holder: Holder,
-    /// The way the spindle turns for it to cut, where that is given; never stopped. Where it is not, see [`Tool::spindle`].
+    /// The way the spindle turns for it to cut, where that is given; never stopped. Where it is not, see [`TurningTool::spindle`].
     pub turns: Option<Spindle>,
     /// From the programmed point to the turret's reference point along X (as a radius) and Z: what stands as the tool's
     /// offset in the control.
     pub overhang: [f64; 2],
 }
 
-impl Tool {
+impl TurningTool {
     /// True for drills, which work on the axis.
     #[must_use]
     pub const fn axial(&self) -> bool {
@@ -210,7 +210,7 @@ impl Tool {
     ///
     /// Of a blade for grooves, parting or threads the tip says which corner is programmed, and not how it lies. On a bar its
     /// edge is at the end that goes ahead to the chuck: M3 for a right-hand one, M4 for a left-hand one. On a shank the rule
-    /// is that of inserts (see [`Tool::ahead`]), and either hand may lie either way up. A right-hand one has its edge at the
+    /// is that of inserts (see [`TurningTool::ahead`]), and either hand may lie either way up. A right-hand one has its edge at the
     /// chuck's side, as it is parted off there: M3. A left-hand one lies face up, to be seen and changed: M3 in front, with
     /// its body towards the chuck; M4 behind, with its edge there. Derived here.
     #[must_use]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::tool::{Cutter, Holder, Tool};
+use super::tool::{Cutter, Holder, TurningTool};
 use crate::geometry::exact::convex::Convex;
 
 /// The most a body may reach from a tool's programmed point, mm: with the ways of tools it stays on the grid.
@@ -15,7 +15,7 @@ pub const PLACES: u32 = 8;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Turret {
     /// The tools by place, from 1.
-    pub tools: BTreeMap<u32, Tool>,
+    pub tools: BTreeMap<u32, TurningTool>,
     /// The turret's body, with what the tools beside the one in the cut reach, as a rectangle about its reference point,
     /// `[[z, r] least, [z, r] greatest]`, mm; none where it is not to be watched.
     pub body: Option<[[f64; 2]; 2]>,
@@ -29,7 +29,7 @@ impl Turret {
     /// point, whichever is nearer to its point: a drill, a bar or a shank with a blade for faces goes as deep as that, and
     /// the body counts from there on. Derived here.
     #[must_use]
-    pub fn bodies(&self, tool: &Tool) -> Vec<Convex> {
+    pub fn bodies(&self, tool: &TurningTool) -> Vec<Convex> {
         let body = self.body.and_then(|[low, high]| {
             let [x, z] = tool.overhang;
             let own = match (tool.holder, tool.cutter) {

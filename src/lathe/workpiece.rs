@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::loose::Loose;
-use super::repeat::Repeat;
+use super::detached::Loose;
+use super::second_removal::Repeat;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::cut::Cut;
 use crate::geometry::exact::grid::Point;

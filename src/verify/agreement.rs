@@ -29,14 +29,14 @@ pub fn tip(machine: Rotary, pose: &Pose) -> Vector3<f64> {
 }
 
 /// How many passes of each track a program should make.
-pub type Passes = [usize; 4];
+pub type PassCount = [usize; 4];
 
 /// Holds a program against its plan.
 #[derive(Debug)]
 pub struct Agreement {
     machine: Rotary,
-    expected: Passes,
-    made: Passes,
+    expected: PassCount,
+    made: PassCount,
     motions: usize,
     farthest: f64,
     different: Option<(At, Text)>,
@@ -45,7 +45,7 @@ pub struct Agreement {
 impl Agreement {
     /// The judge of a program that should make these passes.
     #[must_use]
-    pub fn new(machine: Rotary, expected: Passes) -> Self {
+    pub fn new(machine: Rotary, expected: PassCount) -> Self {
         Self { machine, expected, made: [0; 4], motions: 0, farthest: 0.0, different: None }
     }
 
@@ -147,7 +147,7 @@ impl Judge for Agreement {
                 FAULT,
             ),
         };
-        let list = |passes: Passes| passes.map(|count| count.to_string()).join(" + ");
+        let list = |passes: PassCount| passes.map(|count| count.to_string()).join(" + ");
         let name = Text::fixed(
             "Pasadas: anverso + reverso + intermedio, ida + vuelta",
             "Passes: obverse + reverse + splitter, out + back",

@@ -25,7 +25,7 @@ use crate::lathe::deviation::{Deviation, Profile, Span, deviation};
 use crate::lathe::machine::{Chuck, Lathe};
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::stock::{Stock, Support};
-use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
+use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
 use crate::lathe::turret::Turret;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
@@ -390,8 +390,8 @@ fn lathe(stock: &Stock) -> Lathe {
 }
 
 /// A sharp tool whose edges and shank are longer than what any pass asks for: a step is 20 mm at most.
-fn tool() -> Tool {
-    Tool {
+fn tool() -> TurningTool {
+    TurningTool {
         name: Text::fixed("Herramienta exterior de punta viva", "Sharp external tool"),
         cutter: Cutter::Insert { shape: Shape::C, circle: 60.0, main: 100.0, auxiliary: 0.0, nose: 0.0 },
         hand: Hand::Left,

@@ -15,7 +15,7 @@ use crate::verify::flanks::{self, Clearances, Neighbours, Way};
 use crate::verify::floor::rim;
 use crate::verify::impeller::Geometry;
 use crate::verify::refinement::needed;
-use crate::verify::step::{Cut, Judge, Step};
+use crate::verify::step::{Judge, Step, TrackStep};
 use crate::verify::stock;
 use crate::verify::tip_path::{Along, Peak};
 
@@ -105,7 +105,7 @@ impl<'k, 'a> Cutting<'k, 'a> {
 
 impl Judge for Cutting<'_, '_> {
     fn see(&mut self, step: &Step<'_>) {
-        let Some(Cut { track, turn, points }) = step.cut() else { return };
+        let Some(TrackStep { track, turn, points }) = step.cut() else { return };
         let design = self.geometry.design;
         let Some(measured) = self.known.tracks.iter_mut().find(|one| one.along.track() == track) else { return };
         if measured.done {

@@ -8,7 +8,7 @@ use crate::impeller::figures::Curve;
 use crate::impeller::splitter::Splitter;
 use crate::number::grid::Milli;
 use crate::text::Text;
-use crate::verify::agreement::{Agreement, Passes};
+use crate::verify::agreement::{Agreement, PassCount};
 use crate::verify::arcs::Arcs;
 use crate::verify::blank;
 use crate::verify::check::Check;
@@ -19,7 +19,7 @@ use crate::verify::rollover;
 use crate::verify::step::watch;
 use crate::verify::stock::Clear;
 use crate::verify::travel::Axes;
-use crate::verify::turning::Turning;
+use crate::verify::turning::RotarySteps;
 use crate::verify::verification::{Verification, reading};
 
 /// The geometry that programs are held against.
@@ -64,7 +64,7 @@ pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'
     let mut agreement = Agreement::new(design.machine, expected(design, program));
     let mut closure = Closure::new(turn(design, program));
     let mut axes = Axes::new(&design.travel);
-    let mut turning = Turning::default();
+    let mut turning = RotarySteps::default();
     let mut feeds = Feeds::new(design);
     let mut arcs = Arcs::default();
     let mut clear_moves = std::mem::take(&mut known.clear_moves);
@@ -82,7 +82,7 @@ pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'
 }
 
 /// How many passes of each track a program should make.
-fn expected(design: &Design, program: &Program) -> Passes {
+fn expected(design: &Design, program: &Program) -> PassCount {
     let N = usize::try_from(design.N).unwrap_or(usize::MAX);
     match program.key {
         "blade" => [1, 1, 0, 0],

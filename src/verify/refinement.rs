@@ -9,7 +9,7 @@ use crate::impeller::design::Design;
 use crate::impeller::ideal::Ideal;
 use crate::impeller::programs::Tracks;
 use crate::impeller::splitter::Splitter;
-use crate::impeller::tables::Passes;
+use crate::impeller::tables::ToolPaths;
 use crate::impeller::track::Track;
 use crate::machine::axis::Pose;
 use crate::number::grid::Milli;
@@ -30,7 +30,7 @@ pub fn greatest(design: &Design, n: usize) -> Option<f64> {
     let design = Design { n, ..design.clone() };
     let blade = Blade::new(design.torus, n, design.eps_v, design.machine);
     let splitter = if design.splitters { Splitter::new(&design, &blade).ok() } else { None };
-    let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), splitter.as_ref()).ok()?;
+    let tracks = Tracks::new(&blade, &ToolPaths::new(&design, &blade), splitter.as_ref()).ok()?;
     let mut most = 0.0_f64;
     for track in Track::ALL {
         let Some(ideal) = Ideal::new(&design, splitter.as_ref(), track) else { continue };

@@ -39,7 +39,7 @@ pub struct Step<'a> {
 
 /// A motion that cuts.
 #[derive(Clone, Copy, Debug)]
-pub struct Cut {
+pub struct TrackStep {
     /// The track.
     pub track: Track,
     /// How far C is turned on beyond the track's own position.
@@ -51,7 +51,7 @@ pub struct Cut {
 impl Step<'_> {
     /// What of a track the motion cuts, or leaves.
     #[must_use]
-    pub fn cut(&self) -> Option<Cut> {
+    pub fn cut(&self) -> Option<TrackStep> {
         let Stage::Planned(planned) = self.stage else { return None };
         let path = planned.path;
         let index = |step: usize| if path.backwards { path.positions.len().checked_sub(step + 1) } else { Some(step) };
@@ -60,7 +60,7 @@ impl Step<'_> {
             Role::Cut(key) => (key, [planned.step.checked_sub(1).and_then(index), index(planned.step)]),
             Role::Leave(key) => (key, [None, None]),
         };
-        Some(Cut { track: Track::from_key(key)?, turn: path.turn, points })
+        Some(TrackStep { track: Track::from_key(key)?, turn: path.turn, points })
     }
 
     /// True for a motion that should be clear of the part.

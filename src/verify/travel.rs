@@ -10,7 +10,7 @@ use crate::verify::step::{Judge, Step};
 
 /// What is known of one axis.
 #[derive(Clone, Copy, Debug)]
-struct Run {
+struct AxisRange {
     axis: Axis,
     limit: Travel,
     /// Parameters of the lower and the upper limit.
@@ -23,7 +23,7 @@ struct Run {
 
 /// Holds a program against the travel of its axes.
 #[derive(Debug)]
-pub struct Axes([Run; 4]);
+pub struct Axes([AxisRange; 4]);
 
 impl Axes {
     /// The judge for the travel of X, Y, Z and B.
@@ -37,7 +37,7 @@ impl Axes {
         ];
         Self(axes.map(|(axis, keys)| {
             let limit = limits.iter().find(|(letter, _)| *letter == axis.letter()).map_or([None, None], |one| one.1);
-            Run { axis, limit, keys, ends: None, left: None }
+            AxisRange { axis, limit, keys, ends: None, left: None }
         }))
     }
 }
@@ -64,7 +64,7 @@ impl Judge for Axes {
     }
 }
 
-impl Run {
+impl AxisRange {
     fn check(&self, program: &Program) -> Check {
         let (letter, unit) = (self.axis.letter(), if self.axis.rotary() { "°" } else { " mm" });
         let range = |[low, high]: [Option<f64>; 2]| {

@@ -15,12 +15,12 @@ pub const LIMIT: f64 = 180.0;
 
 /// Watches the steps of C.
 #[derive(Debug, Default)]
-pub struct Turning {
+pub struct RotarySteps {
     greatest: f64,
     at: Option<At>,
 }
 
-impl Judge for Turning {
+impl Judge for RotarySteps {
     fn see(&mut self, step: &Step<'_>) {
         if matches!(step.stage, Stage::Positioning) {
             return;

@@ -15,7 +15,7 @@ use crate::lathe::alarm::Alarm;
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::step::Step;
 use crate::lathe::stock::Fixture as Standing;
-use crate::lathe::text::Source;
+use crate::lathe::text::SheetProgram;
 use crate::machine::axis::Axis;
 use crate::text::{Language, Text};
 
@@ -90,7 +90,7 @@ impl Watching {
         &mut self,
         title: Text,
         dialect: &'static crate::gcode::dialect::Dialect,
-        source: &Source,
+        source: &SheetProgram,
         simulation: &Simulation,
     ) {
         // Subprograms of other sheets and files follow the program in the list of blocks.
@@ -192,7 +192,7 @@ fn upper(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 fn tools(setup: &Setup) -> Vec<Tool> {
-    let tool = |(&number, tool): (&u32, &crate::lathe::tool::Tool)| {
+    let tool = |(&number, tool): (&u32, &crate::lathe::tool::TurningTool)| {
         // A tool without an outline is refused before the simulation begins.
         let outline = tool.outline(0.02, setup.lathe.turret_behind).ok()?;
         let corners = |polygon: &crate::geometry::exact::convex::Convex| {

@@ -135,7 +135,8 @@ pub fn simulate(bytes: &[u8]) -> Work {
     values.values.insert("L", Value::Real(L));
     values.values.insert("L4", Value::Real(L / 4.0));
     values.values.insert("L5", Value::Real(0.0));
-    let program = text::Source { main: text::Text::of_file(rest), subprograms: std::collections::BTreeMap::new() };
+    let program =
+        text::SheetProgram { main: text::Lines::of_file(rest), subprograms: std::collections::BTreeMap::new() };
     let Some(motions) = followed(&values, &program) else { return Work { read: 1, motions: 0 } };
     let source = Source { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
     let mut watching = Watching::default();
@@ -156,7 +157,7 @@ pub fn simulate(bytes: &[u8]) -> Work {
 const MOST_WORK: u64 = 800_000;
 
 /// Follows a program within a small budget, and counts its motions. `None` where the budget ends before the program.
-fn followed(values: &Values, program: &text::Source) -> Option<u64> {
+fn followed(values: &Values, program: &text::SheetProgram) -> Option<u64> {
     let Ok(given) = Given::of(values) else { return Some(0) };
     let setup = Setup { most_work: MOST_WORK, ..given.setup.clone() };
     let Ok(mut simulation) = Simulation::new(setup) else { return Some(0) };

@@ -7,7 +7,7 @@ use rodete::gcode::control::{Speed, Spindle};
 use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::{Stock, Support};
-use rodete::lathe::tool::{Cutter, Holder, Shape, Tool};
+use rodete::lathe::tool::{Cutter, Holder, Shape, TurningTool};
 use rodete::number::trig::{sin_cos, tan};
 
 #[track_caller]
@@ -257,7 +257,7 @@ fn beyond_the_axis_the_spindle_has_to_turn_the_other_way() {
 #[test]
 fn a_cut_this_side_of_the_axis_with_the_programmed_point_beyond_it_is_judged_as_one_this_side() {
     let (M3, M4) = (Spindle::Clockwise, Spindle::CounterClockwise);
-    let wrong = |spindle: Spindle, run: fn(Run) -> Run, tool: Tool, bore: f64| {
+    let wrong = |spindle: Spindle, run: fn(Run) -> Run, tool: TurningTool, bore: f64| {
         let mut setup = Setup::new(Lathe::default(), Stock { bore, ..bar() }, turret());
         setup.turret.tools.insert(1, tool);
         let mut start = Run::on(setup);
@@ -271,7 +271,7 @@ fn a_cut_this_side_of_the_axis_with_the_programmed_point_beyond_it_is_judged_as_
     // A round insert of 8 mm plunges with its centre on the axis, and 0.1 mm beyond.
     let round = || {
         let cutter = Cutter::Insert { shape: Shape::R, circle: 8.0, main: 0.0, auxiliary: 0.0, nose: 4.0 };
-        Tool { cutter, ..tools::rougher() }
+        TurningTool { cutter, ..tools::rougher() }
     };
     let plunged: fn(Run) -> Run = |run| run.rapid(-8.0, 5.0).cut(-8.0, -2.0);
     let past: fn(Run) -> Run = |run| run.rapid(-8.2, 5.0).cut(-8.2, -2.0);

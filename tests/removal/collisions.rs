@@ -12,7 +12,7 @@ use rodete::finding::Grade;
 use rodete::lathe::machine::{Chuck, Lathe};
 use rodete::lathe::simulation::Setup;
 use rodete::lathe::stock::{Stock, Support};
-use rodete::lathe::tool::{Cutter, Hand, Holder, Tip, Tool};
+use rodete::lathe::tool::{Cutter, Hand, Holder, Tip, TurningTool};
 use rodete::lathe::turret::Turret;
 use rodete::text::Text;
 
@@ -26,7 +26,7 @@ enum Stands {
 }
 
 fn setup(stands: Stands) -> Setup {
-    let tool = Tool {
+    let tool = TurningTool {
         name: Text::same("T1"),
         cutter: Cutter::Groover { width: 3.0, depth: 26.0, corner: 0.2, face: false },
         hand: Hand::Neutral,

@@ -7,7 +7,7 @@ use rodete::lathe::machine::Lathe;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::step::Step;
 use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::{Cutter, Shape, Tool};
+use rodete::lathe::tool::{Cutter, Shape, TurningTool};
 use rodete::lathe::turret::Turret;
 use rodete::machine::axis::{Axis, Pose};
 
@@ -19,9 +19,9 @@ pub fn bar() -> Stock {
 }
 
 /// A turning tool with a sharp tip.
-pub fn sharp() -> Tool {
+pub fn sharp() -> TurningTool {
     let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 93.0, auxiliary: 52.0, nose: 0.0 };
-    Tool { cutter, ..tools::copier() }
+    TurningTool { cutter, ..tools::copier() }
 }
 
 /// The usual turret with the tools at hand in front: T9 has a sharp tip.

@@ -7,7 +7,7 @@ use rodete::impeller::design::Design;
 use rodete::impeller::ideal::Ideal;
 use rodete::impeller::programs::Tracks;
 use rodete::impeller::splitter::Splitter;
-use rodete::impeller::tables::Passes;
+use rodete::impeller::tables::ToolPaths;
 use rodete::impeller::track::Track;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::rotary::Rotary;
@@ -22,7 +22,7 @@ use crate::{common, published};
 fn over(design: &Design, parts: &[f64]) -> [[f64; 2]; 2] {
     let blade = common::blade(design);
     let splitter = Splitter::new(design, &blade).ok();
-    let tracks = Tracks::new(&blade, &Passes::new(design, &blade), splitter.as_ref()).unwrap();
+    let tracks = Tracks::new(&blade, &ToolPaths::new(design, &blade), splitter.as_ref()).unwrap();
     let (mut most, mut seen) = ([0.0_f64; 2], [0.0_f64; 2]);
     for track in Track::ALL {
         let Some(ideal) = Ideal::new(design, splitter.as_ref(), track) else { continue };

@@ -8,7 +8,7 @@ use super::{FINE, arrow, label, line, sampled, steps, t};
 use crate::figure::{Axes, Figure, Ink, Label, Stroke};
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;
-use crate::impeller::tables::Passes;
+use crate::impeller::tables::ToolPaths;
 use crate::number::trig::sin_cos;
 use crate::text::Text;
 
@@ -91,7 +91,7 @@ fn position(strokes: &mut Vec<Stroke>, labels: &mut Vec<Label>, design: &Design,
 }
 
 /// The way of the tool round a blade in machine XY, with the safe points.
-pub(super) fn safe_points(passes: &Passes) -> Figure {
+pub(super) fn safe_points(passes: &ToolPaths) -> Figure {
     let xy = |point: &Vector3<f64>| [point.x, point.y];
     let path = |points: &[Vector3<f64>]| {
         sampled(points.len(), FINE).filter_map(|at| points.get(at)).map(xy).collect::<Vec<_>>()
@@ -133,7 +133,7 @@ pub(super) fn safe_points(passes: &Passes) -> Figure {
 
 /// Both ends of a blade in machine XY, to scale, side by side: the blade, the tool at the ends of the passes and at the
 /// safe points.
-pub(super) fn safe_ends(design: &Design, blade: &Blade, passes: &Passes) -> Figure {
+pub(super) fn safe_ends(design: &Design, blade: &Blade, passes: &ToolPaths) -> Figure {
     let (mut strokes, mut labels) = (Vec::new(), Vec::new());
     let reach = design.d_s + 2.0 * design.d_t + 2.0 * design.w();
     let last = blade.points().saturating_sub(1);

@@ -13,7 +13,7 @@ use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;
 use crate::impeller::splitter::Splitter;
-use crate::impeller::tables::Passes;
+use crate::impeller::tables::ToolPaths;
 use crate::impeller::track::Track;
 use crate::text::Text;
 
@@ -34,7 +34,7 @@ pub struct Curve {
 pub fn figures(
     design: &Design,
     blade: &Blade,
-    passes: &Passes,
+    passes: &ToolPaths,
     splitter: Option<&Splitter>,
     deviation: &[Curve],
 ) -> Vec<Figure> {

@@ -64,18 +64,18 @@ pub(super) struct Chain {
 /// What a part of a tool did on a straight piece of its way: what it met, the direction of the way of length 1, and the ends of
 /// the way; all `[z, r]`, mm.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pass<'a> {
+pub(super) struct SweptPiece<'a> {
     pub part: &'a Part,
     pub meeting: &'a Meeting,
     pub way: [f64; 2],
     pub ends: [[f64; 2]; 2],
 }
 
-impl Pass<'_> {
+impl SweptPiece<'_> {
     /// How far beyond the line that the nose draws on this way an edge has left a stretch, beside the way, on one that goes
     /// down in both axes more steeply than the edge stands; and the nose's line, from where that is.
-    fn beyond(&self, edge: &Stretch) -> Option<(f64, Frame)> {
-        let (way, left) = (self.way, Frame::of(edge)?);
+    fn beyond(&self, edge: &Stretch) -> Option<(f64, TakenAway)> {
+        let (way, left) = (self.way, TakenAway::of(edge)?);
         if way.iter().any(|part| part.abs() < INTO) || dot(way, left.into) < INTO {
             return None;
         }
@@ -98,7 +98,7 @@ impl Pass<'_> {
         }
         let deep = near[1] + (far[1] - near[1]) * (behind - near[0]) / (far[0] - near[0]);
         let from = [0, 1].map(|axis| last[axis] - way[axis] * behind);
-        Some((deep, Frame { from, along: [into[1], -into[0]], into, long: behind }))
+        Some((deep, TakenAway { from, along: [into[1], -into[0]], into, long: behind }))
     }
 }
 
@@ -108,7 +108,7 @@ struct Mark {
     /// How deep, mm.
     deep: f64,
     /// The line of the surface that had been made.
-    made: Frame,
+    made: TakenAway,
     alarm: Alarm,
 }
 
@@ -147,12 +147,12 @@ impl Chain {
     /// nose's the end of an edge has left a stretch.
     pub(super) fn label(
         &mut self,
-        pass: Pass,
+        pass: SweptPiece,
         alarm: impl Fn(f64, [f64; 2]) -> Alarm,
         far: impl Fn(usize) -> Option<f64>,
         labels: &mut [u32],
     ) {
-        let Pass { part, meeting, way, .. } = pass;
+        let SweptPiece { part, meeting, way, .. } = pass;
         let mut own = None;
         for (at, ((stretch, origin), new)) in meeting.inserted.iter().zip(&mut *labels).enumerate() {
             if is_nose(part, *origin) {
@@ -161,7 +161,7 @@ impl Chain {
                     *new = *own.get_or_insert_with(|| 1 + sense(way));
                     self.drew = true;
                 }
-            } else if let (Some(behind), Some(line)) = (far(at), Frame::of(stretch)) {
+            } else if let (Some(behind), Some(line)) = (far(at), TakenAway::of(stretch)) {
                 let (deep, place, made) =
                     self.under(stretch, meeting).unwrap_or_else(|| (behind, middle(stretch), line.raised(behind)));
                 let deep = deep.min(behind);
@@ -170,7 +170,7 @@ impl Chain {
             }
         }
         for (removed, label) in meeting.removed.iter().zip(&meeting.labels) {
-            let Some(frame) = Frame::of(removed) else { continue };
+            let Some(frame) = TakenAway::of(removed) else { continue };
             let (before, made) = match self.read(*label) {
                 Label::None => continue,
                 Label::Made(made) => (None, Some(made)),
@@ -203,7 +203,7 @@ impl Chain {
     }
 
     /// Labels what an auxiliary edge has left where no nose had made a surface before.
-    fn label_bare(&mut self, pass: Pass, alarm: impl Fn(f64, [f64; 2]) -> Alarm, labels: &mut [u32]) {
+    fn label_bare(&mut self, pass: SweptPiece, alarm: impl Fn(f64, [f64; 2]) -> Alarm, labels: &mut [u32]) {
         if pass.meeting.labels.iter().any(|label| matches!(self.read(*label), Label::Made(_))) {
             return;
         }
@@ -219,9 +219,9 @@ impl Chain {
     }
 
     /// How deep an end of a stretch lies below what was taken away above it, where it is, and the line of what was there.
-    fn under(&self, stretch: &Stretch, meeting: &Meeting) -> Option<(f64, [f64; 2], Frame)> {
+    fn under(&self, stretch: &Stretch, meeting: &Meeting) -> Option<(f64, [f64; 2], TakenAway)> {
         let found = meeting.removed.iter().zip(&meeting.labels).filter_map(|(removed, label)| {
-            let frame = Frame::of(removed)?;
+            let frame = TakenAway::of(removed)?;
             let before = if let Label::Mark(mark) = self.read(*label) { Some(mark) } else { None };
             let ends = [stretch.from, stretch.to].into_iter();
             ends.map(|end| (end, frame.of_point(end)))
@@ -274,14 +274,14 @@ impl Chain {
 
 /// A stretch that was taken away: where it begins, its direction, the one into the metal, and how long it is.
 #[derive(Clone, Copy, Debug)]
-struct Frame {
+struct TakenAway {
     from: [f64; 2],
     along: [f64; 2],
     into: [f64; 2],
     long: f64,
 }
 
-impl Frame {
+impl TakenAway {
     fn of(Stretch { from, to }: &Stretch) -> Option<Self> {
         let along = [to[0] - from[0], to[1] - from[1]];
         let long = hypot(along[0], along[1]);
@@ -326,7 +326,7 @@ impl Frame {
 
     /// How deep the inserted stretch of a number lies below, where no other lies between, and from where: the deepest place.
     /// Where the nose passes between them, what is beyond it; where it does not, with what was there of a mark before.
-    fn below(&self, number: usize, pass: Pass, before: Option<&Mark>) -> Option<(f64, [f64; 2])> {
+    fn below(&self, number: usize, pass: SweptPiece, before: Option<&Mark>) -> Option<(f64, [f64; 2])> {
         let (stretch, _) = pass.meeting.inserted.get(number)?;
         let [low, high] = self.beside(stretch);
         let wide = high - low;

@@ -4,7 +4,7 @@ use super::alarm::{Alarm, Cause, Moving, TOUCH};
 use super::contact::Bite;
 use super::machine::Lathe;
 use super::path::Piece;
-use super::spindle::{Engaged, Turning};
+use super::spindle::{Engaged, SpindleUse};
 use super::stock::Fixture;
 use super::workpiece::taken;
 use crate::gcode::motion::Motion;
@@ -21,7 +21,7 @@ pub(super) struct Tally<'a> {
     pub file: usize,
     /// From `[z, r]` on the grid to program coordinates.
     pub shift: [f64; 2],
-    pub turning: Turning,
+    pub turning: SpindleUse,
     /// Where the programmed point is when the cut begins, `[z, r]` on the grid.
     pub begins: Option<[f64; 2]>,
     /// What was cut this side of the axis and beyond it, mm³.

@@ -1,17 +1,17 @@
 //! What was said already: a state that lasts is reported once, when it begins.
 
 use super::alarm::{Cause, TOUCH};
+use super::motion_totals::Tally;
 use super::path::Piece;
 use super::spindle::{extent, revolutions};
-use super::tally::Tally;
-use super::tool::{Cutter, Tool};
+use super::tool::{Cutter, TurningTool};
 use crate::gcode::control::{Compensation, InForce};
 use crate::gcode::motion::{FeedMode, MotionKind, Thread};
 use crate::number::trig::{hypot, sin, tan};
 
 /// A pass of a thread.
 #[derive(Clone, Copy, Debug)]
-struct Pass {
+struct ThreadPass {
     /// Where it went along z, and along r.
     z: [f64; 2],
     r: [f64; 2],
@@ -23,7 +23,7 @@ struct Pass {
 pub struct Watch {
     /// The alarm's number and the tool.
     holding: Vec<(u16, u32)>,
-    passes: Vec<Pass>,
+    passes: Vec<ThreadPass>,
 }
 
 /// Passes of threads farther apart than this across are different threads, mm: more than any thread is deep.
@@ -42,7 +42,7 @@ const SHARE: f64 = 3.2;
 ///
 /// The nose's centre lies to the left of the way with G41. On the tool it lies from the tip against the way that the tip
 /// points. Within 17° of a way along which the tip points either side may be meant. Derived here.
-fn nose_ahead(tool: &Tool, control: &InForce, &[from, to]: &Piece) -> bool {
+fn nose_ahead(tool: &TurningTool, control: &InForce, &[from, to]: &Piece) -> bool {
     let side = match control.compensation {
         Compensation::Off => return false,
         Compensation::Left => 1.0,
@@ -76,7 +76,7 @@ impl Watch {
     pub fn lead(&mut self, [from, to]: Piece, lead: f64) -> Option<f64> {
         let [z, r] = [0, 1].map(|axis| [from[axis].min(to[axis]), from[axis].max(to[axis])]);
         let meets = |one: [f64; 2], two: [f64; 2], apart: f64| one[0] < two[1] + apart && two[0] < one[1] + apart;
-        let near = |pass: &&mut Pass| {
+        let near = |pass: &&mut ThreadPass| {
             // Along the thread they must share more than a lead, so that a run-out does not count.
             let along = if z[1] - z[0] >= r[1] - r[0] { (-lead, APART) } else { (APART, -lead) };
             meets(pass.z, z, along.0) && meets(pass.r, r, along.1)
@@ -90,12 +90,19 @@ impl Watch {
             }
             return None;
         }
-        self.passes.push(Pass { z, r, lead });
+        self.passes.push(ThreadPass { z, r, lead });
         None
     }
 
     /// What a cut is told of that is wrong with the tool's edge: the side of its nose, its feed, a thread's depth.
-    pub(super) fn edge(&mut self, tool: &Tool, control: &InForce, pieces: &[Piece], deep: f64, tally: &mut Tally) {
+    pub(super) fn edge(
+        &mut self,
+        tool: &TurningTool,
+        control: &InForce,
+        pieces: &[Piece],
+        deep: f64,
+        tally: &mut Tally,
+    ) {
         let Some(&[start, _]) = pieces.first() else { return };
         let place = tally.begins.unwrap_or(start);
         let mut causes = Vec::new();
