@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use rodete::impeller::cases::CASES;
 use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Outcome, Source};
+use rodete::job::{self, Outcome, Provenance};
 use rodete::parameter::{Value, Values};
 use rodete::table::Entry;
 use rodete::text::Language;
@@ -23,7 +23,7 @@ fn outcome() -> Outcome {
     let mut values = Values { language: Language::En, ..Values::default() };
     values.values.extend(CASES[0].values(Language::En));
     values.values.insert("n", Value::Whole(INTERVALS));
-    let source = Source { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
+    let source = Provenance { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
     match job::run(&FORM, values, source) {
         Ok(outcome) => outcome,
         Err(refusal) => panic!("refused: {:?}", refusal.findings),

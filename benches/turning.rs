@@ -157,7 +157,7 @@ fn values() -> Values {
 /// The whole job: how many motions it makes, and how many of them cut.
 fn job(text: &str) -> (u64, u64) {
     let program = SheetProgram { main: Lines::of_file(text), subprograms: BTreeMap::new() };
-    let source = rodete::job::Source {
+    let source = rodete::job::Provenance {
         workbook: "g71.nc".to_owned(),
         sha256: String::new(),
         version: env!("CARGO_PKG_VERSION"),

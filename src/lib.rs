@@ -34,14 +34,14 @@
 //! ```
 //! use rodete::impeller::cases::CASES;
 //! use rodete::impeller::parameters::FORM;
-//! use rodete::job::{self, Source};
+//! use rodete::job::{self, Provenance};
 //! use rodete::parameter::Values;
 //! use rodete::text::Language;
 //!
 //! let published = CASES.iter().find(|case| case.name == "tfg-2021").unwrap();
 //! let mut values = Values { language: Language::En, ..Values::default() };
 //! values.values.extend(published.values(Language::En));
-//! let source = Source { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
+//! let source = Provenance { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
 //!
 //! let outcome = job::run(&FORM, values, source).unwrap();
 //! let blade = outcome.programs.iter().find(|program| program.key == "blade").unwrap();

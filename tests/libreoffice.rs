@@ -10,7 +10,7 @@ use std::process::Command;
 use calamine::{Data, Reader, Xlsx, open_workbook};
 use rodete::impeller::cases::CASES;
 use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Source};
+use rodete::job::{self, Provenance};
 use rodete::lathe::parameters as lathe;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
@@ -99,7 +99,7 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
                 values.values.extend(filled);
                 values.lists = (case.listed)(language);
                 values.values.insert(hostile.0, hostile.1.clone());
-                let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
                 let outcome = job::run(form, values, source).expect("an outcome");
                 results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
             }

@@ -9,7 +9,7 @@ use rodete::finding::{Exit, Grade, Refusal};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::geometry::pipe_pair::Side;
-use rodete::job::{self, Outcome, Source};
+use rodete::job::{self, Outcome, Provenance};
 use rodete::machine::axis::Axis;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::{Form, Value, Values};
@@ -24,7 +24,7 @@ fn designs(usual: u32) -> ProptestConfig {
 }
 
 fn run(form: &'static Form, values: Values) -> Result<Outcome, Refusal> {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
     job::run(form, values, source)
 }
 

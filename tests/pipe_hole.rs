@@ -11,7 +11,7 @@ use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
 use rodete::gcode::interpreter::Interpreter;
-use rodete::job::{self, Outcome, Source};
+use rodete::job::{self, Outcome, Provenance};
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::{Value, Values};
 use rodete::pipe::hole::cases::CASES;
@@ -32,7 +32,7 @@ fn values(changes: &[(&'static str, Value)]) -> Values {
 }
 
 fn run(changes: &[(&'static str, Value)]) -> Result<Outcome, rodete::finding::Refusal> {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
     job::run(&FORM, values(changes), source)
 }
 

@@ -8,7 +8,7 @@ use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
 use rodete::gcode::interpreter::Interpreter;
-use rodete::job::{self, Outcome, Source};
+use rodete::job::{self, Outcome, Provenance};
 use rodete::parameter::{Value, Values};
 use rodete::pipe::insert::cases::CASES;
 use rodete::pipe::insert::cut::cut;
@@ -98,12 +98,12 @@ fn table_2_is_reproduced_with_its_slips_named() {
 
 /// What comes of a case with changes.
 fn outcome(case: &str, changes: &[(&'static str, Value)]) -> Outcome {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
     job::run(&FORM, values(case, changes), source).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings))
 }
 
 fn refused(changes: &[(&'static str, Value)]) -> Vec<Finding> {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
     match job::run(&FORM, values("square", changes), source) {
         Err(refusal) => {
             assert_eq!(refusal.exit, Exit::Refused);
@@ -307,7 +307,7 @@ fn variations_of_the_published_case_are_no_fault() {
 /// A steep branch reaches farther than a program may: the input is refused, and rodete is not to blame.
 #[test]
 fn a_position_beyond_the_format_is_refused_in_the_published_style_too() {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
     let changes = [real("theta", 1.0), real("r", 1000.0), real("R", 1500.0)];
     let refusal = job::run(&FORM, values("3on4-2023", &changes), source).expect_err("beyond the format");
     assert_eq!(refusal.exit, Exit::Refused);
@@ -378,7 +378,7 @@ proptest! {
         for key in ["branch_size", "branch_schedule", "header_size", "header_schedule"] {
             values.values.remove(key);
         }
-        let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+        let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
         match job::run(&FORM, values, source) {
             Ok(outcome) => prop_assert!(!outcome.stopped(), "{:?}", outcome.findings),
             Err(refusal) => prop_assert!(

@@ -6,7 +6,7 @@ use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::{Part, Program};
 use rodete::gcode::word::Word;
-use rodete::job::{self, Outcome, Source};
+use rodete::job::{self, Outcome, Provenance};
 use rodete::machine::axis::Axis;
 use rodete::parameter::{Value, Values};
 use rodete::pipe::{hole, insert};
@@ -47,7 +47,7 @@ fn values(kind: &str, dialect: &'static str, changes: &[Change]) -> Values {
 
 fn outcome(kind: &str, dialect: &'static str, changes: &[Change]) -> Outcome {
     let form = if kind == "hole" { &hole::parameters::FORM } else { &insert::parameters::FORM };
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
     let outcome = job::run(form, values(kind, dialect, changes), source)
         .unwrap_or_else(|refusal| panic!("{kind} {dialect} {changes:?}: {:?}", refusal.findings));
     assert!(!outcome.stopped(), "{kind} {dialect} {changes:?}: {:?}", outcome.findings);

@@ -14,13 +14,13 @@ use rodete::impeller::blade_count::{N_max, e_max};
 use rodete::impeller::parameters::FORM;
 use rodete::machine::rotary::Rotary;
 use rodete::number::trig::{asin, atan2, hypot};
-use rodete::parameter::{Kind, Value};
+use rodete::parameter::{FieldKind, Value};
 
 /// The limits of a parameter, from the form itself.
 fn limits(key: &str) -> (f64, f64) {
     match FORM.parameter(key).unwrap().kind {
-        Kind::Real { min, max } => (min, max),
-        Kind::Whole { min, max } => (f64::from(min), f64::from(max)),
+        FieldKind::Real { min, max } => (min, max),
+        FieldKind::Whole { min, max } => (f64::from(min), f64::from(max)),
         _ => panic!("a number"),
     }
 }

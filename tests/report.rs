@@ -10,7 +10,7 @@ use rodete::figure::{Axes, Figure, Ink, Stroke};
 use rodete::finding::{Finding, Grade, Place};
 use rodete::impeller::cases::CASES;
 use rodete::impeller::parameters::FORM;
-use rodete::job::{Outcome, Source};
+use rodete::job::{Outcome, Provenance};
 use rodete::parameter::{Value, Values};
 #[cfg(feature = "embedded-typst")]
 use rodete::report::{Attachment, Content, Role};
@@ -29,7 +29,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
     Outcome {
         form: &FORM,
         values,
-        source: Source {
+        source: Provenance {
             workbook: "impeller & co.xlsx".to_owned(),
             sha256: "0123456789abcdef".repeat(4),
             version: "0.1.0",
@@ -200,7 +200,8 @@ mod embedded {
                 for language in Language::ALL {
                     let mut values = Values { language, ..Values::default() };
                     values.values.extend(case.values(language));
-                    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                    let source =
+                        Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
                     let outcome = rodete::job::run(form, values, source).expect("an outcome");
                     let report = typeset(&outcome, &[workbook()], language, &typst()).expect("a report");
                     assert!(report.findings.is_empty(), "{} {}: {:?}", form.kind, case.name, report.findings);

@@ -12,7 +12,7 @@ use super::interrupt::{self, AtWork};
 use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use super::{BUILD, Sink, drawings, reading, refused, side_by_side};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
@@ -74,7 +74,7 @@ fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     typst.with_interrupt(interrupted)
 }
 
-fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<(), Refusal> {
+fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(), Refusal> {
     let (bytes, filled) = reading::read(&item.workbook, verdict)?;
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
@@ -117,7 +117,7 @@ fn typeset(
     language: Language,
     typst: &Typst,
     set: &mut Set<'_>,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
 ) -> Result<Option<Finding>, Refusal> {
     let input = Attachment {
         name: outcome.source.workbook.clone(),

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 
 use super::kinds::FORMS;
 use super::plan::Item;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use super::{drawings, show};
 use crate::escape::printable;
 use crate::finding::{Finding, Grade, Place, Refusal};
@@ -98,7 +98,7 @@ impl Delivery<'_> {
 
 /// A caution for each file in the folder that bears the name of an output and is not of this set: a program of an earlier
 /// one must not be taken for one of this.
-pub(super) fn leftovers(item: &Item, verdict: &Verdict) -> Vec<Finding> {
+pub(super) fn leftovers(item: &Item, verdict: &Ending) -> Vec<Finding> {
     endings()
         .into_iter()
         .map(|ending| store::file_name(&item.stem, &ending))

@@ -115,14 +115,14 @@ mod tests {
     use crate::figure::{Figure, Ink, Paper, Stroke};
     use crate::impeller::cases::CASES;
     use crate::impeller::parameters::FORM;
-    use crate::job::{self, Source};
+    use crate::job::{self, Provenance};
     use crate::parameter::Values;
     use crate::store::{Existing, Folder};
 
     fn outcome(points: Vec<[f64; 2]>) -> Outcome {
         let mut values = Values { language: Language::En, ..Values::default() };
         values.values.extend(CASES[0].values(Language::En));
-        let source = Source { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
+        let source = Provenance { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
         let mut outcome = job::run(&FORM, values, source).unwrap();
         let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };
         outcome.templates = [Some(Paper::A4), None]

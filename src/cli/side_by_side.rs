@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 
 use super::terminal::Terminal;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 
 /// Most workbooks at once: each may hold its tables and one child process.
 const MOST: usize = 8;
@@ -17,9 +17,9 @@ const MOST: usize = 8;
 /// them are there. With more than one item, a bar on standard error shows the progress if that is a terminal.
 pub(super) fn run<T: Sync>(
     items: &[T],
-    work: impl Fn(&T) -> Verdict + Sync,
+    work: impl Fn(&T) -> Ending + Sync,
     terminal: &mut Terminal,
-    mut show: impl FnMut(Verdict, &mut Terminal),
+    mut show: impl FnMut(Ending, &mut Terminal),
 ) {
     let threads = available_parallelism().map_or(1, usize::from).min(items.len()).min(MOST);
     let pool = if threads > 1 { ThreadPoolBuilder::new().num_threads(threads).build().ok() } else { None };

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::program::PACKAGE;
 use super::program::{Beside, told_from};
 use super::stock::Stock;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
@@ -14,7 +14,7 @@ use crate::gcode::dialect::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::MotionKind;
 use crate::job::lathe::MOST_MOTIONS;
-use crate::job::{Outcome, Source, lathe};
+use crate::job::{Outcome, Provenance, lathe};
 use crate::lathe::cases;
 use crate::lathe::parameters::{BLOCKS_MOST, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
 use crate::lathe::setup::Given;
@@ -70,7 +70,7 @@ pub(super) struct Followed {
 /// Where a file cannot be read, the workbook is refused, or its values contradict each other.
 pub(super) fn follow(
     wanted: &Wanted<'_>,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
     watching: Option<&mut Watching>,
 ) -> Result<Followed, Refusal> {
     let path = wanted.program;
@@ -109,7 +109,7 @@ pub(super) fn follow(
         put_stock(&mut values, stock, false);
     }
     let stock = stock_of(&values).to_string();
-    let source = Source {
+    let source = Provenance {
         workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
         sha256,
         version: env!("CARGO_PKG_VERSION"),

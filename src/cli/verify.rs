@@ -9,7 +9,7 @@ use super::args::Verify;
 use super::locale::spoken;
 use super::program::{Consulted, Shared, told_from};
 use super::terminal::Terminal;
-use super::verdict::{Verdict, code, gravest, status};
+use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
@@ -30,7 +30,7 @@ const CHUNK: usize = 1 << 16;
 
 /// What came of one program.
 struct Read {
-    verdict: Verdict,
+    verdict: Ending,
     dialect: Option<&'static Dialect>,
     rotary: Option<Rotary>,
     account: Account,
@@ -83,7 +83,7 @@ pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
 
 fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Terminal) -> Read {
     let mut read = Read {
-        verdict: Verdict::new(path.to_owned()),
+        verdict: Ending::new(path.to_owned()),
         dialect: None,
         rotary: None,
         account: Account::default(),

@@ -15,7 +15,7 @@ use thiserror::Error;
 
 use crate::figure::{Arc, Figure};
 use crate::finding::{Finding, Place};
-use crate::job::Source;
+use crate::job::Provenance;
 use crate::text::{Language, Text};
 
 /// Height of a label's letters in mm.
@@ -33,7 +33,7 @@ pub struct Drawing<'a> {
     /// The part's name.
     pub part: &'a str,
     /// Where it comes from.
-    pub source: &'a Source,
+    pub source: &'a Provenance,
     /// The language of titles, labels and layers.
     pub language: Language,
 }

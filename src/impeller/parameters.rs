@@ -5,7 +5,7 @@
 //! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
 
 use crate::impeller::cases::CASES;
-use crate::parameter::{Choice, DIALECTS, Earlier, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::{Choice, DIALECTS, Earlier, FieldKind, Form, Parameter, Section, Sheet, other, real, t, whole};
 use crate::table::Unit;
 use crate::text::Text;
 
@@ -105,7 +105,7 @@ const GEOMETRY: &[Parameter] = &[
     other(
         "splitters",
         "splitters",
-        Kind::Choice(YES_NO),
+        FieldKind::Choice(YES_NO),
         true,
         t("Álabes intermedios", "Splitter blades"),
         t("sí o no", "yes or no"),
@@ -113,7 +113,7 @@ const GEOMETRY: &[Parameter] = &[
     other(
         "splitter_fade",
         "splitter_fade",
-        Kind::Choice(FADES),
+        FieldKind::Choice(FADES),
         false,
         t("Cómo nacen los álabes intermedios", "How splitter blades begin"),
         t(
@@ -168,7 +168,7 @@ const MACHINE: &[Parameter] = &[
     other(
         "rotary",
         "rotary_axes",
-        Kind::Choice(ROTARIES),
+        FieldKind::Choice(ROTARIES),
         false,
         t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),
         t(
@@ -251,8 +251,8 @@ const CUTTING: &[Parameter] = &[
 ];
 
 const PROGRAM: &[Parameter] = &[
-    other("part", "part", Kind::Line { max: 200 }, true, t("Pieza", "Part"), t("", "")),
-    other("material", "material", Kind::Line { max: 200 }, false, t("Material", "Material"), t("", "")),
+    other("part", "part", FieldKind::Line { max: 200 }, true, t("Pieza", "Part"), t("", "")),
+    other("material", "material", FieldKind::Line { max: 200 }, false, t("Material", "Material"), t("", "")),
     whole(
         "program",
         "program_number",
@@ -265,7 +265,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "dialect",
         "dialect",
-        Kind::Choice(DIALECTS),
+        FieldKind::Choice(DIALECTS),
         true,
         t("Dialecto del control", "Dialect of the control"),
         t("", ""),
@@ -273,7 +273,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "style",
         "style",
-        Kind::Choice(STYLES),
+        FieldKind::Choice(STYLES),
         true,
         t("Estilo de los programas", "Style of the programs"),
         t("annex: como los anexos publicados; full: completo", "annex: as in the published annexes; full: complete"),
@@ -281,7 +281,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "distance",
         "distance",
-        Kind::Choice(DISTANCES),
+        FieldKind::Choice(DISTANCES),
         true,
         t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
         t(
@@ -292,7 +292,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "start_codes",
         "start_codes",
-        Kind::Codes,
+        FieldKind::Codes,
         true,
         t("Códigos de máquina al empezar", "Machine codes at the start"),
         t(
@@ -303,7 +303,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "coolant",
         "coolant",
-        Kind::Codes,
+        FieldKind::Codes,
         false,
         t("Códigos de refrigerante, antes de cortar", "Codes for coolant, before the cut"),
         t("Como M8; vacía: sin refrigerante", "Such as M8; empty: no coolant"),
@@ -311,7 +311,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "retract",
         "retract",
-        Kind::Block,
+        FieldKind::Block,
         false,
         t(
             "Bloque que retira la herramienta antes de que gire nada",
@@ -325,7 +325,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "end_codes",
         "end_codes",
-        Kind::Codes,
+        FieldKind::Codes,
         true,
         t("Códigos de máquina al terminar", "Machine codes at the end"),
         t("Publicado: M30", "Published: M30"),
@@ -552,7 +552,7 @@ pub static FORM: Form = Form {
                     parameters: &[other(
                         "schema",
                         "schema",
-                        Kind::Schema,
+                        FieldKind::Schema,
                         true,
                         t("Esquema y versión de este libro", "Schema and version of this workbook"),
                         t("No se cambia", "Not to be changed"),

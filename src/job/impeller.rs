@@ -17,7 +17,7 @@ use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::{self, ToolPaths};
 use crate::job::impeller_remarks::{no_calibration, no_splitter, remarks};
 use crate::job::impeller_shortfalls::{shortfalls, too_narrow};
-use crate::job::{Outcome, Source, charts, not_finite, out_of_format};
+use crate::job::{Outcome, Provenance, charts, not_finite, out_of_format};
 use crate::machine::axis::Axis;
 use crate::parameter::{Form, Values};
 use crate::table::{Quantity, Unit};
@@ -28,7 +28,7 @@ use crate::verify::impeller::{Geometry, SOURCE, verify};
 ///
 /// # Errors
 /// A refusal with every contradiction between values, or for a splitter or calibration that does not exist.
-pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
     let refused = |findings: Vec<Finding>| Refusal {
         exit: Exit::Refused,
         findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),

@@ -15,7 +15,7 @@ use crate::job::lathe_findings::{
 };
 use crate::job::lathe_profile::{compared, wanted};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
-use crate::job::{Outcome, Run, Source, Template, Turned};
+use crate::job::{FollowedProgram, Outcome, Provenance, Template, Turned};
 use crate::lathe::alarm::{Alarm, Cause};
 use crate::lathe::deviation::Profile;
 use crate::lathe::figures::{self, Drawn};
@@ -77,9 +77,14 @@ struct Followed<'a> {
 
 impl Followed<'_> {
     /// What the program came to.
-    fn run(&self) -> Run {
+    fn run(&self) -> FollowedProgram {
         let all = self.simulation.totals().all;
-        Run { key: self.program.key, account: self.account.clone(), seconds: all.seconds, timeless: all.timeless }
+        FollowedProgram {
+            key: self.program.key,
+            account: self.account.clone(),
+            seconds: all.seconds,
+            timeless: all.timeless,
+        }
     }
 }
 
@@ -87,7 +92,7 @@ impl Followed<'_> {
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
-pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
     watched(form, values, source, None, &mut |_| ())
 }
 
@@ -98,7 +103,7 @@ pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcom
 pub fn watched(
     form: &'static Form,
     values: Values,
-    source: Source,
+    source: Provenance,
     program: Option<text::SheetProgram>,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Outcome, Refusal> {
@@ -397,7 +402,7 @@ fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
 fn outcome(
     form: &'static Form,
     values: Values,
-    source: Source,
+    source: Provenance,
     given: &Given,
     mut followed: Vec<Followed>,
     profile: Option<Profile>,

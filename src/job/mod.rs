@@ -27,7 +27,7 @@ use crate::verify::account::Account;
 /// Where an outcome comes from, for headers and reports. All of it is input: nothing below the edge reads a clock or a
 /// file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct Provenance {
     /// The workbook's file name, cleaned for print.
     pub workbook: String,
     /// SHA-256 of the workbook's bytes, in lower-case hexadecimal.
@@ -82,7 +82,7 @@ pub struct Template {
 
 /// A turning program that was followed to its end.
 #[derive(Clone, Debug)]
-pub struct Run {
+pub struct FollowedProgram {
     /// The program's key.
     pub key: &'static str,
     /// How far it reaches and how long its path is, from where the turret stands at the start.
@@ -97,7 +97,7 @@ pub struct Run {
 #[derive(Clone, Debug)]
 pub struct Turned {
     /// What the programs came to, in their order.
-    pub runs: Vec<Run>,
+    pub runs: Vec<FollowedProgram>,
     /// The tailstock supports the stock.
     pub supported: bool,
     /// How far the part is shifted once it is turned about, Z_s in mm, where there is a second set-up.
@@ -118,7 +118,7 @@ pub struct Outcome {
     /// The values it was computed from.
     pub values: Values,
     /// Where they come from.
-    pub source: Source,
+    pub source: Provenance,
     /// Derived limits, angles and lengths.
     pub quantities: Vec<Quantity>,
     /// The tables, in the order of their sheets.
@@ -194,7 +194,7 @@ fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Finding {
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
-pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
     match form.kind {
         "impeller" => impeller::run(form, values, source),
         "lathe" => lathe::run(form, values, source),

@@ -6,7 +6,7 @@ use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
-use crate::job::{Chart, Outcome, Series, Source, Template, not_finite, out_of_format};
+use crate::job::{Chart, Outcome, Provenance, Series, Template, not_finite, out_of_format};
 use crate::number::shown;
 use crate::parameter::{Form, Values};
 use crate::pipe::insert::cut::cut;
@@ -27,7 +27,7 @@ const fn t(es: &'static str, en: &'static str) -> Text {
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
-pub fn run(form: &'static Form, values: Values, source: Source) -> Result<Outcome, Refusal> {
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
     let refused = |findings: Vec<Finding>| Refusal {
         exit: Exit::Refused,
         findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),

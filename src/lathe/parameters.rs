@@ -7,7 +7,7 @@ use crate::lathe::cases::CASES;
 use crate::lathe::tool_sheet;
 pub use crate::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet, other, real, t};
+use crate::parameter::{Choice, FieldKind, Form, Parameter, Section, Sheet, other, real, t};
 use crate::table::Unit;
 use crate::text::Text;
 
@@ -45,16 +45,16 @@ const RAPIDS: &[Choice] = &[
 ];
 
 const PART: &[Parameter] = &[
-    other("part", "part_name", Kind::Line { max: 60 }, true, t("Nombre de la pieza", "Name of the part"), NONE),
-    other("material", "material", Kind::Line { max: 60 }, false, t("Material", "Material"), NONE),
+    other("part", "part_name", FieldKind::Line { max: 60 }, true, t("Nombre de la pieza", "Name of the part"), NONE),
+    other("material", "material", FieldKind::Line { max: 60 }, false, t("Material", "Material"), NONE),
 ];
 
 const PROGRAM: &[Parameter] = &[
-    other("dialect", "dialect", Kind::Choice(DIALECTS), true, t("Control", "Control"), NONE),
+    other("dialect", "dialect", FieldKind::Choice(DIALECTS), true, t("Control", "Control"), NONE),
     other(
         "point",
         "decimal_point",
-        Kind::Choice(POINTS),
+        FieldKind::Choice(POINTS),
         false,
         t("Cotas sin punto decimal", "Dimensions without a decimal point"),
         t(
@@ -65,7 +65,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "block_delete",
         "block_delete",
-        Kind::Choice(YES_NO),
+        FieldKind::Choice(YES_NO),
         false,
         t("Salta los bloques con /", "Skip blocks that begin with /"),
         t("Vacío: no", "Empty: no"),
@@ -136,7 +136,7 @@ const CHUCK: &[Parameter] = &[
     other(
         "tailstock",
         "tailstock",
-        Kind::Choice(TAILSTOCK),
+        FieldKind::Choice(TAILSTOCK),
         true,
         t("Contrapunto", "Tailstock"),
         t("Según el voladizo: cuando L3 pasa de 3·D", "By the overhang: where L3 is more than 3·D"),
@@ -213,7 +213,7 @@ const MACHINE: &[Parameter] = &[
     other(
         "rapid",
         "rapid_path",
-        Kind::Choice(RAPIDS),
+        FieldKind::Choice(RAPIDS),
         true,
         t("Recorrido de G0", "Way of G0"),
         t("Lo decide un parámetro del control", "A setting of the control decides"),
@@ -221,7 +221,7 @@ const MACHINE: &[Parameter] = &[
     other(
         "turret",
         "turret",
-        Kind::Choice(TURRET),
+        FieldKind::Choice(TURRET),
         true,
         t("Torreta", "Turret"),
         t(
@@ -338,7 +338,7 @@ const CONTROL: &[Parameter] = &[
     other(
         "hole_R",
         "hole_R",
-        Kind::Choice(PLANES),
+        FieldKind::Choice(PLANES),
         false,
         t("R de G81 a G83", "R of G81 to G83"),
         t(
@@ -349,8 +349,8 @@ const CONTROL: &[Parameter] = &[
 ];
 
 const BLOCKS: &[Parameter] = &[
-    other("program/BLOCK", "", Kind::Line { max: 200 }, true, t("un bloque por fila", "one block a row"), NONE),
-    other("program/NOTE", "", Kind::Line { max: 200 }, false, t("no se lee", "not read"), NONE),
+    other("program/BLOCK", "", FieldKind::Line { max: 200 }, true, t("un bloque por fila", "one block a row"), NONE),
+    other("program/NOTE", "", FieldKind::Line { max: 200 }, false, t("no se lee", "not read"), NONE),
 ];
 
 const ELEMENTS: &[Choice] = &[
@@ -363,7 +363,7 @@ const PROFILE: &[Parameter] = &[
     other(
         "profile/G",
         "",
-        Kind::Choice(ELEMENTS),
+        FieldKind::Choice(ELEMENTS),
         true,
         t("1 recta, 2 arco horario, 3 antihorario", "1 straight, 2 clockwise arc, 3 counter-clockwise"),
         NONE,
@@ -410,7 +410,7 @@ pub static FORM: Form = Form {
                 parameters: &[other(
                     "schema",
                     "schema",
-                    Kind::Schema,
+                    FieldKind::Schema,
                     true,
                     t("Esquema y versión de este libro", "Schema and version of this workbook"),
                     t("No se cambia", "Not to be changed"),

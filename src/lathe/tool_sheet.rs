@@ -4,7 +4,7 @@
 //! machine needs beside them is added here.
 
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, Kind, Parameter, other, real, t, whole};
+use crate::parameter::{Choice, FieldKind, Parameter, other, real, t, whole};
 use crate::table::Unit;
 use crate::text::Text;
 
@@ -56,12 +56,12 @@ const TOOLS: &[Parameter] = &[
         NONE,
     ),
     whole("tools/D", "", Unit::Count, [1, 99], false, t("corrector; vacío: T", "offset; empty: T"), NONE),
-    other("tools/name", "", Kind::Line { max: 60 }, false, t("nombre", "name"), NONE),
-    other("tools/type", "", Kind::Choice(KINDS), true, t("tipo", "type"), NONE),
+    other("tools/name", "", FieldKind::Line { max: 60 }, false, t("nombre", "name"), NONE),
+    other("tools/type", "", FieldKind::Choice(KINDS), true, t("tipo", "type"), NONE),
     other(
         "tools/shape",
         "",
-        Kind::Choice(SHAPES),
+        FieldKind::Choice(SHAPES),
         false,
         t("forma de la placa, ISO 1832", "insert shape, ISO 1832"),
         NONE,
@@ -107,7 +107,7 @@ const TOOLS: &[Parameter] = &[
     ),
     real("tools/p_min", "", MM, [0.05, 50.0], false, t("paso menor", "least lead"), NONE),
     real("tools/p_max", "", MM, [0.05, 50.0], false, t("paso mayor", "greatest lead"), NONE),
-    other("tools/hand", "", Kind::Choice(HANDS), false, t("mano; vacío: R", "hand; empty: R"), NONE),
+    other("tools/hand", "", FieldKind::Choice(HANDS), false, t("mano; vacío: R", "hand; empty: R"), NONE),
     whole(
         "tools/tip",
         "",
@@ -120,7 +120,7 @@ const TOOLS: &[Parameter] = &[
     other(
         "tools/M",
         "",
-        Kind::Choice(TURNS),
+        FieldKind::Choice(TURNS),
         false,
         t("giro con el que corta; vacío: según la mano", "spindle's way in the cut; empty: by the hand"),
         NONE,

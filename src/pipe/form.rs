@@ -1,7 +1,7 @@
 //! The parameters that the forms of both pipe workbooks share.
 
 use crate::figure::PAPERS;
-use crate::parameter::{DIALECTS, Kind, Parameter, other, real, t, whole};
+use crate::parameter::{DIALECTS, FieldKind, Parameter, other, real, t, whole};
 use crate::pipe::size::{NPS, SCHEDULES};
 use crate::table::Unit;
 
@@ -14,7 +14,7 @@ pub(super) const PIPES: &[Parameter] = &[
     other(
         "branch_size",
         "branch_size",
-        Kind::Choice(NPS),
+        FieldKind::Choice(NPS),
         false,
         t("Tamaño nominal del injerto (NPS)", "Nominal size of the branch (NPS)"),
         t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
@@ -22,7 +22,7 @@ pub(super) const PIPES: &[Parameter] = &[
     other(
         "branch_schedule",
         "branch_schedule",
-        Kind::Choice(SCHEDULES),
+        FieldKind::Choice(SCHEDULES),
         false,
         t("Cédula del injerto", "Schedule of the branch"),
         t("ASME B36.10", "ASME B36.10"),
@@ -48,7 +48,7 @@ pub(super) const PIPES: &[Parameter] = &[
     other(
         "header_size",
         "header_size",
-        Kind::Choice(NPS),
+        FieldKind::Choice(NPS),
         false,
         t("Tamaño nominal del tubo base (NPS)", "Nominal size of the header (NPS)"),
         t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
@@ -56,7 +56,7 @@ pub(super) const PIPES: &[Parameter] = &[
     other(
         "header_schedule",
         "header_schedule",
-        Kind::Choice(SCHEDULES),
+        FieldKind::Choice(SCHEDULES),
         false,
         t("Cédula del tubo base", "Schedule of the header"),
         t("ASME B36.10", "ASME B36.10"),
@@ -118,11 +118,12 @@ pub(super) const PIERCE_DELAY: Parameter = real(
 );
 
 /// The part.
-pub(super) const PART: Parameter = other("part", "part", Kind::Line { max: 200 }, true, t("Pieza", "Part"), t("", ""));
+pub(super) const PART: Parameter =
+    other("part", "part", FieldKind::Line { max: 200 }, true, t("Pieza", "Part"), t("", ""));
 
 /// The material.
 pub(super) const MATERIAL: Parameter =
-    other("material", "material", Kind::Line { max: 200 }, false, t("Material", "Material"), t("", ""));
+    other("material", "material", FieldKind::Line { max: 200 }, false, t("Material", "Material"), t("", ""));
 
 /// The program number.
 pub(super) const NUMBER: Parameter = whole(
@@ -139,7 +140,7 @@ pub(super) const NUMBER: Parameter = whole(
 pub(super) const DIALECT: Parameter = other(
     "dialect",
     "dialect",
-    Kind::Choice(DIALECTS),
+    FieldKind::Choice(DIALECTS),
     true,
     t("Dialecto del control", "Dialect of the control"),
     t("", ""),
@@ -149,7 +150,7 @@ pub(super) const DIALECT: Parameter = other(
 pub(super) const TORCH_ON: Parameter = other(
     "torch_on",
     "torch_on",
-    Kind::Codes,
+    FieldKind::Codes,
     true,
     t("Códigos que encienden la antorcha", "Codes that turn the torch on"),
     t("Lo usual: M3", "Usual: M3"),
@@ -159,7 +160,7 @@ pub(super) const TORCH_ON: Parameter = other(
 pub(super) const TORCH_OFF: Parameter = other(
     "torch_off",
     "torch_off",
-    Kind::Codes,
+    FieldKind::Codes,
     true,
     t("Códigos que la apagan", "Codes that turn it off"),
     t("Lo usual: M5", "Usual: M5"),
@@ -169,7 +170,7 @@ pub(super) const TORCH_OFF: Parameter = other(
 pub(super) const END_CODES: Parameter = other(
     "end_codes",
     "end_codes",
-    Kind::Codes,
+    FieldKind::Codes,
     true,
     t("Códigos al terminar", "Codes at the end"),
     t("Lo usual: M30", "Usual: M30"),
@@ -190,7 +191,7 @@ pub(super) const BLOCK_STEP: Parameter = whole(
 pub(super) const PAPER: Parameter = other(
     "paper",
     "paper",
-    Kind::Choice(PAPERS),
+    FieldKind::Choice(PAPERS),
     false,
     t("Papel de la plantilla a tamaño natural", "Paper of the template at full size"),
     t("Vacío: A4", "Empty: A4"),

@@ -8,7 +8,7 @@ use crate::machine::torch::TorchAxes;
 
 /// How the axes of a program bring the tool to the part.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Frame {
+pub enum Chain {
     /// X, Y and Z are coordinates of the part, and the tool stands along Z.
     Milling,
     /// The same with X as a radius: it is shown as a diameter, and the part turns about Z.
@@ -28,7 +28,7 @@ pub(super) struct Stand {
     pub(super) axis: Vector3<f64>,
 }
 
-impl Frame {
+impl Chain {
     /// True where a straight motion of the axes is straight on the part, and X, Y, Z are its coordinates.
     pub(super) const fn straight(self) -> bool {
         matches!(self, Self::Milling | Self::Turning)

@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::Vector3;
 
-use super::frame::Frame;
+use super::frame::Chain;
 use super::mesh::{Mesh, Paint};
-use super::scene::{Curve, Shape, Tool};
+use super::scene::{Curve, Shape, ShownTool};
 use crate::geometry::torus::Torus;
 use crate::impeller::blade::Blade;
 use crate::impeller::design::Design;
@@ -29,9 +29,9 @@ pub struct Part {
     /// Lines on it.
     pub curves: Vec<Curve>,
     /// The tool.
-    pub tool: Tool,
+    pub tool: ShownTool,
     /// How the axes bring the tool to it.
-    pub frame: Frame,
+    pub frame: Chain,
 }
 
 /// The impeller of checked values; `None` where they make none.
@@ -56,13 +56,13 @@ pub fn part(values: &Values) -> Option<Part> {
     Some(Part {
         meshes,
         curves: Vec::new(),
-        tool: Tool {
+        tool: ShownTool {
             number: design.T,
             name: Text::new(format!("fresa d{}", design.d_t), format!("end mill d{}", design.d_t)),
             // How long the tool is, and where its holder begins, is not known.
             shape: Shape::Revolved(vec![[0.0, 0.0], [r, 0.0], [r, length]]),
         },
-        frame: Frame::Tilting(design.machine),
+        frame: Chain::Tilting(design.machine),
     })
 }
 

@@ -1,6 +1,6 @@
 //! Scenes of programs and of workbooks.
 
-use super::frame::Frame;
+use super::frame::Chain;
 use super::program::Program;
 use super::scene::{Remark, Scene};
 use super::{impeller, pipe};
@@ -97,8 +97,8 @@ pub fn outcome(outcome: &Outcome, title: String, language: Language) -> Result<S
         let turning = program.dialect.reading.diameter;
         let frame = match &part {
             Some(part) if !turning => part.frame,
-            _ if turning => Frame::Turning,
-            _ => Frame::Milling,
+            _ if turning => Chain::Turning,
+            _ => Chain::Milling,
         };
         let mut shown = Program::new(program.title.clone(), program.dialect, frame, &program.text());
         shown.tools.extend(part.iter().filter(|_| !turning).map(|part| part.tool.clone()));

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::frame::Frame;
+use super::frame::Chain;
 use super::program::Program;
-use super::scene::{Remark, Scene, Shape, Tool};
-use super::turning::{Fixture, Turning};
+use super::scene::{Remark, Scene, Shape, ShownTool};
+use super::turning::{Fixture, ShownTurning};
 use crate::finding::Place;
 use crate::gcode::control::InForce;
 use crate::gcode::interpreter::Standstill;
@@ -105,10 +105,10 @@ impl Watching {
             text.push_str(&subprogram.text);
         }
         let setup = simulation.setup();
-        let mut program = Program::new(title, dialect, Frame::Turning, &text);
+        let mut program = Program::new(title, dialect, Chain::Turning, &text);
         program.tools = tools(setup);
         program.known = true;
-        let mut turning = Turning::new(simulation.contours());
+        let mut turning = ShownTurning::new(simulation.contours());
         let fixtures = setup.fixtures();
         turning.fixtures = fixtures
             .into_iter()
@@ -191,14 +191,14 @@ fn upper(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
     outline.iter().map(|&[z, r]| [z, r.max(0.0)]).collect()
 }
 
-fn tools(setup: &Setup) -> Vec<Tool> {
+fn tools(setup: &Setup) -> Vec<ShownTool> {
     let tool = |(&number, tool): (&u32, &crate::lathe::tool::TurningTool)| {
         // A tool without an outline is refused before the simulation begins.
         let outline = tool.outline(0.02, setup.lathe.turret_behind).ok()?;
         let corners = |polygon: &crate::geometry::exact::convex::Convex| {
             polygon.corners().iter().map(|corner| corner.mm()).collect()
         };
-        Some(Tool {
+        Some(ShownTool {
             number,
             name: tool.name.clone(),
             shape: Shape::Flat {

@@ -19,10 +19,10 @@ mod program;
 mod scene;
 mod turning;
 
-pub use frame::Frame;
+pub use frame::Chain;
 pub use kept::{MOST_MOTIONS, following, outcome};
 pub use mesh::{Mesh, Paint};
 pub use page::{html, write};
 pub use program::{FEED, Program, RAPID};
-pub use scene::{Curve, Remark, Scene, Shape, State, Tool};
-pub use turning::{Contour, Fixture, Turning};
+pub use scene::{Curve, Remark, Scene, Shape, ShownTool, State};
+pub use turning::{Contour, Fixture, ShownTurning};

@@ -80,7 +80,7 @@ mod tests {
     use super::*;
     use crate::gcode::dialect::LINUXCNC;
     use crate::text::Text;
-    use crate::view::{Frame, Program};
+    use crate::view::{Chain, Program};
 
     fn scene(title: &str, block: &str) -> Scene {
         Scene {
@@ -88,7 +88,7 @@ mod tests {
             language: Language::En,
             meshes: Vec::new(),
             curves: Vec::new(),
-            programs: vec![Program::new(Text::same("p"), &LINUXCNC, Frame::Milling, block)],
+            programs: vec![Program::new(Text::same("p"), &LINUXCNC, Chain::Milling, block)],
         }
     }
 

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use super::frame::Frame;
+use super::frame::Chain;
 use super::impeller::Part;
 use super::mesh::{Mesh, Paint};
-use super::scene::{Curve, Shape, Tool};
+use super::scene::{Curve, Shape, ShownTool};
 use crate::machine::torch::TorchAxes;
 use crate::number::trig::sin_cos;
 use crate::parameter::Values;
@@ -27,8 +27,8 @@ const KEPT: Text = Text::fixed("Pieza", "Part");
 const WASTE: Text = Text::fixed("Sobrante", "Waste");
 const CURVE: Text = Text::fixed("Curva exacta", "Exact curve");
 
-fn torch(name: Text, outline: Vec<[f64; 2]>) -> Tool {
-    Tool { number: 0, name, shape: Shape::Revolved(outline) }
+fn torch(name: Text, outline: Vec<[f64; 2]>) -> ShownTool {
+    ShownTool { number: 0, name, shape: Shape::Revolved(outline) }
 }
 
 /// A body between rows of an outside and an inside: both, and the two edges. The outside's columns run from one edge to the
@@ -78,7 +78,7 @@ pub fn insert(values: &Values) -> Option<Part> {
         meshes: vec![kept, waste],
         curves: vec![Curve { name: CURVE, paint: Paint::Line, points }],
         tool: torch(name, vec![[0.0, 0.0], [2.0, 0.0], [4.0, 4.0], [10.0, 18.0], [10.0, 70.0]]),
-        frame: if rotary { Frame::Pipe(radius) } else { Frame::Milling },
+        frame: if rotary { Chain::Pipe(radius) } else { Chain::Milling },
     })
 }
 
@@ -118,6 +118,6 @@ pub fn hole(values: &Values) -> Option<Part> {
             Text::fixed("antorcha", "torch"),
             vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]],
         ),
-        frame: Frame::Torch,
+        frame: Chain::Torch,
     })
 }

@@ -4,9 +4,9 @@ use nalgebra::Vector3;
 use serde::Serialize;
 
 use super::column;
-use super::frame::{Frame, Stand};
-use super::scene::{Remark, State, Tool};
-use super::turning::Turning;
+use super::frame::{Chain, Stand};
+use super::scene::{Remark, ShownTool, State};
+use super::turning::ShownTurning;
 use crate::gcode::control::InForce;
 use crate::gcode::dialect::Dialect;
 use crate::gcode::interpreter::line_feeds;
@@ -59,9 +59,9 @@ pub struct Program {
     /// Alarms and findings, gravest first.
     pub remarks: Vec<Remark>,
     /// The tools.
-    pub tools: Vec<Tool>,
+    pub tools: Vec<ShownTool>,
     /// What is turned.
-    pub turning: Option<Turning>,
+    pub turning: Option<ShownTurning>,
     /// What is added to the program coordinates (X as a radius, Y, Z) of the motions to come, so that their path stands on
     /// the part when the program shifts its coordinates; mm. The display goes on showing program coordinates.
     #[serde(skip)]
@@ -119,7 +119,7 @@ pub struct Program {
     #[serde(skip)]
     pub known: bool,
     #[serde(skip)]
-    frame: Frame,
+    frame: Chain,
     #[serde(skip)]
     before: Option<(Pose, [f64; 3])>,
 }
@@ -127,13 +127,13 @@ pub struct Program {
 impl Program {
     /// A program without motions. `text` gives its lines.
     #[must_use]
-    pub fn new(title: Text, dialect: &Dialect, frame: Frame, text: &str) -> Self {
+    pub fn new(title: Text, dialect: &Dialect, frame: Chain, text: &str) -> Self {
         let fanuc = dialect.name.starts_with("fanuc");
         let letters: &[char] = match frame {
-            Frame::Milling | Frame::Turning => &[],
-            Frame::Tilting(_) => &['X', 'Y', 'Z', 'B', 'C'],
-            Frame::Torch => &['X', 'Z', 'A', 'B', 'C'],
-            Frame::Pipe(_) => &['X', 'A'],
+            Chain::Milling | Chain::Turning => &[],
+            Chain::Tilting(_) => &['X', 'Y', 'Z', 'B', 'C'],
+            Chain::Torch => &['X', 'Z', 'A', 'B', 'C'],
+            Chain::Pipe(_) => &['X', 'A'],
         };
         Self {
             title,
@@ -145,7 +145,7 @@ impl Program {
             shift: [0.0; 3],
             feed_codes: if fanuc { ["G98", "G99", "G98", "G98"] } else { ["G94", "G95", "G93", "G93"] },
             offset_letter: if dialect.name == "linuxcnc" { 'H' } else { 'D' },
-            diameter: frame == Frame::Turning,
+            diameter: frame == Chain::Turning,
             plain: frame.straight(),
             axes: letters.iter().map(|&letter| Column { letter, to: Vec::new() }).collect(),
             states: Vec::new(),
@@ -375,7 +375,7 @@ mod tests {
     use crate::gcode::interpreter::{Interpreter, Setting};
     use crate::machine::rotary::Rotary;
 
-    fn program(text: &str, frame: Frame, shift: [f64; 3]) -> Program {
+    fn program(text: &str, frame: Chain, shift: [f64; 3]) -> Program {
         let mut program = Program::new(Text::same("p"), &LINUXCNC, frame, text);
         program.shift = shift;
         let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
@@ -388,7 +388,7 @@ mod tests {
     #[test]
     fn the_first_rapid_has_no_way_and_other_motions_start_where_the_last_ended() {
         let text = "G21 G90\nG0 X10 Y5 Z2\nG1 Z-1 F100\nG1 X40\nM2\n";
-        let program = program(text, Frame::Milling, [0.0; 3]);
+        let program = program(text, Chain::Milling, [0.0; 3]);
         assert_eq!(program.points, [[10.0, 5.0, 2.0], [10.0, 5.0, -1.0], [40.0, 5.0, -1.0]]);
         assert_eq!(
             (program.jumps.as_slice(), program.jump_points.as_slice()),
@@ -400,7 +400,7 @@ mod tests {
 
     #[test]
     fn lines_are_counted_as_the_interpreter_counts_them_and_a_byte_order_mark_is_none_of_them() {
-        let program = program("\u{feff}G21 G90\rG0 X1\r\n\r\r\nG0 X2\nM2", Frame::Milling, [0.0; 3]);
+        let program = program("\u{feff}G21 G90\rG0 X1\r\n\r\r\nG0 X2\nM2", Chain::Milling, [0.0; 3]);
         assert_eq!(program.blocks, ["G21 G90", "G0 X1", "", "", "G0 X2", "M2"]);
         assert_eq!(program.line, [2, 5]);
     }
@@ -408,7 +408,7 @@ mod tests {
     #[test]
     fn a_shift_moves_the_path_and_the_centres_of_arcs() {
         let text = "G21 G90 F100\nG0 X10 Y0\nG3 X0 Y10 I-10 J0\nM2\n";
-        let program = program(text, Frame::Milling, [1.0, 2.0, 3.0]);
+        let program = program(text, Chain::Milling, [1.0, 2.0, 3.0]);
         assert_eq!(program.points, [[11.0, 2.0, 3.0], [1.0, 12.0, 3.0]]);
         assert_eq!(program.arc_shapes[0][..3], [0.0, 1.0, 2.0]);
         assert_eq!(program.states.last().unwrap().shift, [1.0, 2.0, 3.0]);
@@ -417,7 +417,7 @@ mod tests {
     #[test]
     fn an_axis_that_the_path_does_not_say_has_its_own_column_from_its_first_move_on() {
         let text = "G21 G90 F100\nG0 X1\nG1 X2\nG1 A90\nM2\n";
-        let program = program(text, Frame::Milling, [0.0; 3]);
+        let program = program(text, Chain::Milling, [0.0; 3]);
         assert!(program.turns_unseen());
         assert_eq!((program.axes[0].letter, program.axes[0].to.as_slice()), ('A', [0.0, 0.0, 90.0].as_slice()));
     }
@@ -426,7 +426,7 @@ mod tests {
     fn a_turn_of_the_part_bends_the_path_of_the_tip_within_the_tolerance() {
         let machine = Rotary { L: 250.0 };
         let text = "G21 G90 G94 F100\nG0 X20 Y0 Z0 B0 C0\nG1 B60 C90\nM2\n";
-        let program = program(text, Frame::Tilting(machine), [0.0; 3]);
+        let program = program(text, Chain::Tilting(machine), [0.0; 3]);
         assert_eq!(program.pieces[0], 1);
         let count = program.pieces[1];
         assert!(count > 20, "{count} pieces");
@@ -442,7 +442,7 @@ mod tests {
             let [one, two] = [piece, piece + 1].map(|at| Vector3::from(program.points[at]));
             #[expect(clippy::cast_precision_loss, reason = "a small count")]
             let part = (piece as f64 + 0.5) / f64::from(count);
-            let exact = Frame::Tilting(machine).stand(&pose(part)).point;
+            let exact = Chain::Tilting(machine).stand(&pose(part)).point;
             assert!(((one + two) / 2.0 - exact).norm() < 2.0 * TOLERANCE, "piece {piece}");
         }
     }

@@ -122,7 +122,7 @@ pub enum Shape {
 
 /// A tool.
 #[derive(Clone, Debug, Serialize)]
-pub struct Tool {
+pub struct ShownTool {
     /// Its number, or the turret's place; the first of the list also stands for numbers that are not in it.
     pub number: u32,
     /// What it is.

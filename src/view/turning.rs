@@ -37,16 +37,16 @@ struct Edit {
 /// Fill it with the outlines that stand after each motion that cuts; what changed is found here:
 ///
 /// ```
-/// use rodete::view::Turning;
+/// use rodete::view::ShownTurning;
 ///
 /// let bar = vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 20.0], [-50.0, 20.0]];
 /// let stepped = vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 15.0], [-30.0, 15.0], [-30.0, 20.0], [-50.0, 20.0]];
-/// let mut turning = Turning::new(vec![bar]);
+/// let mut turning = ShownTurning::new(vec![bar]);
 /// turning.cut(3, vec![stepped]);
 /// assert_eq!(turning.edits(), 1);
 /// ```
 #[derive(Clone, Debug)]
-pub struct Turning {
+pub struct ShownTurning {
     stock: Vec<Contour>,
     edits: Vec<Edit>,
     now: Vec<Contour>,
@@ -56,7 +56,7 @@ pub struct Turning {
     pub fixtures: Vec<Fixture>,
 }
 
-impl Turning {
+impl ShownTurning {
     /// The stock before the first motion.
     #[must_use]
     pub fn new(stock: Vec<Contour>) -> Self {
@@ -135,7 +135,7 @@ impl Turning {
     }
 }
 
-impl Serialize for Turning {
+impl Serialize for ShownTurning {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         /// Outlines one behind another: how many points each has, and all of them.
         #[derive(Serialize)]
@@ -190,7 +190,7 @@ mod tests {
     const BAR: [[f64; 2]; 4] = [[-50.0, 0.0], [0.0, 0.0], [0.0, 20.0], [-50.0, 20.0]];
 
     /// The outlines that the edits give, begun at their least point and sorted.
-    fn replayed(turning: &Turning) -> Vec<Contour> {
+    fn replayed(turning: &ShownTurning) -> Vec<Contour> {
         let mut contours = turning.stock.clone();
         for edit in &turning.edits {
             let at = edit.contour as usize;
@@ -220,7 +220,7 @@ mod tests {
             vec![[-9.0, 0.0], [0.0, 0.0], [0.0, 15.0], [-9.0, 15.0]],
             vec![[-50.0, 0.0], [-12.0, 0.0], [-12.0, 15.0], [-30.0, 15.0], [-30.0, 20.0], [-50.0, 20.0]],
         ];
-        let mut turning = Turning::new(vec![BAR.to_vec()]);
+        let mut turning = ShownTurning::new(vec![BAR.to_vec()]);
         for (motion, outlines) in [(2, vec![stepped]), (3, parted.clone()), (5, vec![parted[1].clone()])] {
             turning.cut(motion, outlines.clone());
             assert_eq!(replayed(&turning), plain(outlines), "after motion {motion}");
@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn a_hollow_that_appears_is_an_outline_of_its_own() {
         let hollow = vec![[-20.0, 5.0], [-20.0, 8.0], [-10.0, 8.0], [-10.0, 5.0]];
-        let mut turning = Turning::new(vec![BAR.to_vec()]);
+        let mut turning = ShownTurning::new(vec![BAR.to_vec()]);
         turning.cut(0, vec![hollow.clone(), BAR.to_vec()]);
         assert_eq!(turning.edits(), 1);
         assert_eq!(replayed(&turning), plain(vec![BAR.to_vec(), hollow]));
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn a_motion_that_cuts_nothing_changes_nothing_and_a_small_cut_few_points() {
         let long: Contour = (0..500_i32).map(|at| [f64::from(at), 10.0]).chain([[499.0, 0.0], [0.0, 0.0]]).collect();
-        let mut turning = Turning::new(vec![long.clone()]);
+        let mut turning = ShownTurning::new(vec![long.clone()]);
         turning.cut(0, vec![long.clone()]);
         assert_eq!(turning.edits(), 0);
         let mut cut = long;

@@ -7,7 +7,7 @@ use rodete::impeller::blade::Blade;
 use rodete::impeller::cases::CASES;
 use rodete::impeller::design::Design;
 use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Outcome, Source};
+use rodete::job::{self, Outcome, Provenance};
 use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 use rodete::parameter::{Value, Values};
@@ -35,8 +35,8 @@ pub fn absolute(changes: &[(&'static str, Value)]) -> Vec<(&'static str, Value)>
     all
 }
 
-pub fn source() -> Source {
-    Source { workbook: "impeller.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.0.0" }
+pub fn source() -> Provenance {
+    Provenance { workbook: "impeller.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.0.0" }
 }
 
 /// The outcome of a shipped case, some of its values replaced.

@@ -10,7 +10,7 @@ use rodete::finding::{Exit, Finding, Grade, Refusal};
 use rodete::gcode::dialect::{self, Dialect};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, findings, tool_table};
 use rodete::gcode::motion::{Motion, MotionKind};
-use rodete::job::{self, Source, lathe};
+use rodete::job::{self, Provenance, lathe};
 use rodete::lathe::setup::Given;
 use rodete::lathe::simulation::{Setup, Simulation};
 use rodete::lathe::{cases, parameters, text};
@@ -138,7 +138,7 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let program =
         text::SheetProgram { main: text::Lines::of_file(rest), subprograms: std::collections::BTreeMap::new() };
     let Some(motions) = followed(&values, &program) else { return Work { read: 1, motions: 0 } };
-    let source = Source { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
+    let source = Provenance { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
     let mut watching = Watching::default();
     let followed = lathe::watched(&parameters::FORM, values, source, Some(program), &mut |seen| watching.see(seen));
     match followed {
@@ -239,7 +239,7 @@ fn book(bytes: &[u8]) -> Work {
 
 /// The values of a form that was read: computed, or refused with a reason.
 pub fn design(form: &'static Form, values: Values) {
-    let source = Source { workbook: "fuzz.xlsx".to_owned(), sha256: "0".repeat(64), version: "0" };
+    let source = Provenance { workbook: "fuzz.xlsx".to_owned(), sha256: "0".repeat(64), version: "0" };
     match job::run(form, values, source) {
         Ok(outcome) => {
             said(&outcome.findings);

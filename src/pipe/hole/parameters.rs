@@ -3,7 +3,7 @@
 //! Source: the parameters of the patent, in its symbols: R_o and R_i from the header's size, the groove angle γ, the gap b,
 //! the land h, the torch's r_g, R_g, Ψ and m, the heights d₀ and g₀; what a machine needs beside them is added here.
 
-use crate::parameter::{Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::{FieldKind, Form, Parameter, Section, Sheet, other, real, t, whole};
 use crate::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
@@ -184,7 +184,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "hold_on",
         "hold_on",
-        Kind::Codes,
+        FieldKind::Codes,
         false,
         t("Códigos que bloquean el control de altura", "Codes that hold the height control"),
         t("Vacío: en linuxcnc M62 P2; en otro, ninguno", "Empty: M62 P2 in linuxcnc; none in another"),
@@ -192,7 +192,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "hold_off",
         "hold_off",
-        Kind::Codes,
+        FieldKind::Codes,
         false,
         t("Códigos que lo sueltan", "Codes that let it go"),
         t("Vacío: en linuxcnc M63 P2; en otro, ninguno", "Empty: M63 P2 in linuxcnc; none in another"),
@@ -219,7 +219,7 @@ pub static FORM: Form = Form {
                 parameters: &[other(
                     "schema",
                     "schema",
-                    Kind::Schema,
+                    FieldKind::Schema,
                     true,
                     t("Esquema y versión de este libro", "Schema and version of this workbook"),
                     t("No se cambia", "Not to be changed"),

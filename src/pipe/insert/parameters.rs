@@ -4,7 +4,7 @@
 //! machine needs beside them is added here. The published form asks for an inside and an outside radius; this one asks for
 //! what is stamped on a pipe, and keeps the radii as an override.
 
-use crate::parameter::{Choice, Form, Kind, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::{Choice, FieldKind, Form, Parameter, Section, Sheet, other, real, t, whole};
 use crate::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
@@ -33,7 +33,7 @@ const JOINT: &[Parameter] = &[
     other(
         "contact",
         "contact",
-        Kind::Choice(CONTACT),
+        FieldKind::Choice(CONTACT),
         true,
         t("Curva del injerto que apoya en el tubo base", "Curve of the branch that rests on the header"),
         t("interior o exterior", "inside or outside"),
@@ -91,7 +91,7 @@ const CUTTING: &[Parameter] = &[
     other(
         "mode",
         "mode",
-        Kind::Choice(MODES),
+        FieldKind::Choice(MODES),
         true,
         t("Máquina: chapa plana (X, Y) o tubo que gira (A, X)", "Machine: flat sheet (X, Y) or turning pipe (A, X)"),
         t("plano o giratorio", "flat or rotary"),
@@ -99,7 +99,7 @@ const CUTTING: &[Parameter] = &[
     other(
         "sheet",
         "sheet",
-        Kind::Choice(SHEETS),
+        FieldKind::Choice(SHEETS),
         true,
         t("Superficie del desarrollo", "Surface of the development"),
         t("exterior: plantilla que envuelve el tubo", "outside: a template wrapped round the pipe"),
@@ -161,7 +161,7 @@ const PROGRAM: &[Parameter] = &[
     other(
         "style",
         "style",
-        Kind::Choice(STYLES),
+        FieldKind::Choice(STYLES),
         true,
         t("Estilo del programa", "Style of the program"),
         t("annex: como el publicado; full: completo", "annex: as published; full: complete"),
@@ -190,7 +190,7 @@ pub static FORM: Form = Form {
                 parameters: &[other(
                     "schema",
                     "schema",
-                    Kind::Schema,
+                    FieldKind::Schema,
                     true,
                     t("Esquema y versión de este libro", "Schema and version of this workbook"),
                     t("No se cambia", "Not to be changed"),
