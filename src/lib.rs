@@ -16,7 +16,7 @@
 //!
 //! | floor | modules | |
 //! |---|---|---|
-//! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`] | the concepts |
+//! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`], [`limits`] | the concepts |
 //! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines, circles, two pipes that meet, plane regions |
 //! | 2 | [`machine`] | axes, rotary axes with pivot length, a torch over a turning pipe, travel, calibration, work offsets |
 //! | 3 | [`gcode`] | words, dialects, programs and their text, the interpreter |
@@ -59,6 +59,7 @@ pub mod geometry;
 pub mod impeller;
 pub mod job;
 pub mod lathe;
+pub mod limits;
 pub mod machine;
 pub mod number;
 pub mod parameter;

@@ -10,7 +10,7 @@ use std::str::FromStr;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// Every top-level module with its floor: a module uses its own floor and those below.
-const FLOORS: [(&str, u8); 21] = [
+const FLOORS: [(&str, u8); 22] = [
     ("text", 0),
     ("escape", 0),
     ("finding", 0),
@@ -18,6 +18,7 @@ const FLOORS: [(&str, u8); 21] = [
     ("parameter", 0),
     ("figure", 0),
     ("number", 0),
+    ("limits", 0),
     ("geometry", 1),
     ("machine", 2),
     ("gcode", 3),

@@ -13,12 +13,13 @@ use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::MotionKind;
-use crate::job::lathe::MOST_MOTIONS;
 use crate::job::{Outcome, Provenance, lathe};
 use crate::lathe::cases;
-use crate::lathe::parameters::{BLOCKS_MOST, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
+use crate::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
 use crate::lathe::setup::Given;
 use crate::lathe::text;
+use crate::limits::FOLLOWED_MOTIONS;
+use crate::limits::SHEET_BLOCKS;
 use crate::machine::axis::Axis;
 use crate::parameter::list::{Row, Rows};
 use crate::parameter::{Value, Values};
@@ -222,7 +223,7 @@ fn for_program(
     let mut put = |list: &'static str, sheet: &str, text: &text::Lines| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
-        if lines.len() <= BLOCKS_MOST {
+        if lines.len() <= SHEET_BLOCKS {
             let row = |line: &&str| Row {
                 values: BTreeMap::from([("program/BLOCK", Value::Line((*line).to_owned()))]),
                 cells: BTreeMap::new(),
@@ -279,7 +280,7 @@ fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Ref
     let (mut X, mut Z): (f64, f64) = (0.0, 0.0);
     let interpreter: Interpreter<'_> = program.read(given.setting());
     // No more than are followed.
-    let motions = interpreter.flatten().take(MOST_MOTIONS);
+    let motions = interpreter.flatten().take(FOLLOWED_MOTIONS);
     for motion in motions.filter(|motion| !matches!(motion.kind, MotionKind::Rapid | MotionKind::Dwell(_))) {
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));

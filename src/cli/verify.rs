@@ -16,6 +16,7 @@ use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
+use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::store::{Sum, Summed};
@@ -23,8 +24,6 @@ use crate::text::{Language, Text};
 use crate::verify::account::{Account, Extents, drift};
 use crate::workbook;
 
-/// Most refusals of a program that are listed.
-const MOST: usize = 50;
 /// Bytes of output that are gathered before they are printed.
 const CHUNK: usize = 1 << 16;
 
@@ -138,7 +137,7 @@ fn follow(
                 total += 1;
                 read.verdict.exit = gravest(read.verdict.exit, fault.exit);
                 // Where the reading ended is told whatever went before.
-                if faults.len() < MOST || fault.exit == Exit::Limit {
+                if faults.len() < LISTED_REFUSALS || fault.exit == Exit::Limit {
                     faults.push(*fault);
                 }
             }

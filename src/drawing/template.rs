@@ -81,7 +81,7 @@ struct Sheet {
 /// The drawing as a PDF whose pages are sheets of paper at 1:1.
 ///
 /// # Errors
-/// Where there is nothing to draw, a coordinate is not finite, it takes more than [`super::tiles::MOST`] sheets, or typst
+/// Where there is nothing to draw, a coordinate is not finite, it takes more than [`PRINTED_SHEETS`](crate::limits::PRINTED_SHEETS) sheets, or typst
 /// does not do its work.
 pub fn pdf(drawing: &Drawing<'_>, paper: Paper, typst: &Typst) -> Result<Vec<u8>, NotPrinted> {
     let bounds = bounds(drawing.figure, drawing.arcs, drawing.language).map_err(NotPrinted::Drawing)?;

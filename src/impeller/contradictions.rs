@@ -7,11 +7,9 @@ use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
 use crate::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::impeller::design::{Design, Style};
+use crate::limits::PROGRAM_BLOCKS;
 use crate::number::shown;
 use crate::text::Text;
-
-/// Most motion blocks of one program: a workbook that asks for more is refused before anything is computed.
-pub const MOST_BLOCKS: u64 = 4_000_000;
 
 impl Design {
     /// What is valid alone but not together. All findings are stops.
@@ -311,19 +309,19 @@ impl Design {
         findings.extend(refused_codes(self.dialect, "end_codes", &self.end_codes, true));
         let passes = 2 * u64::from(self.N) * if self.splitters { 2 } else { 1 };
         let blocks = passes.saturating_mul(self.n as u64 + 1);
-        if blocks > MOST_BLOCKS {
+        if blocks > PROGRAM_BLOCKS {
             findings.push(
                 Finding::stop(
                     Place::Parameters(vec!["n", "N"]),
                     Text::new(
-                        format!("el programa del rodete tendría {blocks} bloques, más de {MOST_BLOCKS}"),
+                        format!("el programa del rodete tendría {blocks} bloques, más de {PROGRAM_BLOCKS}"),
                         format!(
-                            "the program of the whole impeller would have {blocks} blocks, more than {MOST_BLOCKS}"
+                            "the program of the whole impeller would have {blocks} blocks, more than {PROGRAM_BLOCKS}"
                         ),
                     ),
                     Text::fixed("un n menor", "a smaller n"),
                 )
-                .with(blocks.to_string(), MOST_BLOCKS.to_string()),
+                .with(blocks.to_string(), PROGRAM_BLOCKS.to_string()),
             );
         }
     }

@@ -24,14 +24,12 @@ use std::f64::consts::TAU;
 use crate::geometry::torus::Torus;
 use crate::impeller::sweep::{Pace, Sweep};
 use crate::impeller::track::Track;
+use crate::limits::FLOOR_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest};
 use crate::number::trig::{hypot, sin_cos};
 
 /// How close the bound is to what is found, mm.
 const CLOSE: f64 = 0.0002;
-
-/// Most boxes that are looked at.
-const MOST: usize = 40_000;
 
 /// How much too deep the passes are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +59,7 @@ pub fn deepest(Torus { R, r }: Torus, a_p: f64, d_t: f64, sweeps: &[Sweep]) -> O
         sweeps.iter().flat_map(|sweep| sweep.stretches.iter().map(|stretch| (sweep.track, stretch))).collect();
     let paces: Vec<Pace> = stretches.iter().map(|(_, stretch)| stretch.pace(0.0)).collect();
     let cells = (0..stretches.len()).map(|sheet| Cell { sheet, s: [0.0, 1.0], t: [0.0, TAU] });
-    let found = greatest(cells, CLOSE, MOST, |cell| {
+    let found = greatest(cells, CLOSE, FLOOR_BOXES, |cell| {
         let (_, stretch) = stretches[cell.sheet];
         let pace = paces[cell.sheet];
         let (speed, acceleration) = (pace.speed + pace.turn * a, pace.acceleration + pace.turn * pace.turn * a);

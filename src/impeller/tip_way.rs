@@ -14,14 +14,13 @@
 
 use nalgebra::Vector3;
 
+use crate::limits::WAY_PIECES;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::Rotary;
 use crate::number::trig::sin_cos;
 
 /// What part of the way the bound of the velocity may lose.
 const CLOSE: f64 = 1e-4;
-/// Most pieces of a block.
-const MOST: u32 = 256;
 
 /// A coordinate without what sums of increments lose: one block has one way, wherever C stands and however it was reached.
 fn settled(value: f64) -> f64 {
@@ -50,7 +49,7 @@ pub fn longest(machine: Rotary, from: &Pose, to: &Pose) -> f64 {
     let bend = turn * turn * (turn * start.norm().max(end.norm()) + 3.0 * by.norm()) / 8.0;
     let (first, last) = (speed(0.0), speed(1.0));
     let mut pieces = 1_u32;
-    while pieces < MOST && bend > CLOSE * first.max(last) * f64::from(pieces * pieces) {
+    while pieces < WAY_PIECES && bend > CLOSE * first.max(last) * f64::from(pieces * pieces) {
         pieces *= 2;
     }
     let h = 1.0 / f64::from(pieces);

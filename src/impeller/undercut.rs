@@ -21,13 +21,11 @@ use crate::geometry::torus::Torus;
 use crate::impeller::part::{Face, Part, Piece};
 use crate::impeller::sweep::{Pace, Stretch, Sweep};
 use crate::impeller::track::Track;
+use crate::limits::UNDERCUT_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest};
 
 /// How close the bound is to what is found, mm.
 const CLOSE: f64 = 0.0002;
-
-/// Most boxes that are looked at.
-const MOST: usize = 40_000;
 
 /// The undercut of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +66,7 @@ pub fn undercut(part: &Part, sweep: &Sweep, d_t: f64) -> Option<Undercut> {
         s: [0.0, 1.0],
         t: pieces[sheet % pieces.len()].v,
     });
-    let found = greatest(cells, CLOSE, MOST, |cell| {
+    let found = greatest(cells, CLOSE, UNDERCUT_BOXES, |cell| {
         let at = cell.sheet / pieces.len();
         let beside = Beside {
             part,

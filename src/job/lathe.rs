@@ -9,10 +9,7 @@ use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
-pub use crate::job::lathe_findings::MOST_MOTIONS;
-use crate::job::lathe_findings::{
-    MOST, alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from,
-};
+use crate::job::lathe_findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
 use crate::job::lathe_profile::{compared, wanted};
 use crate::job::lathe_tables::{Raised, Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::job::{FollowedProgram, Outcome, Provenance, Template, Turned};
@@ -26,6 +23,8 @@ use crate::lathe::setup::{self, Given};
 use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::step::Step;
 use crate::lathe::text;
+use crate::limits::FOLLOWED_MOTIONS;
+use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
 use crate::parameter::{Form, Values, t};
@@ -277,7 +276,7 @@ fn follow<'a>(
         }
         let Some(item) = item else { break };
         match item {
-            Ok(motion) if one.rows.len() == MOST_MOTIONS => {
+            Ok(motion) if one.rows.len() == FOLLOWED_MOTIONS => {
                 one.endless = true;
                 faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
                 break;
@@ -334,7 +333,7 @@ fn follow<'a>(
                 if faults.contains(&fault) {
                     continue;
                 }
-                if faults.len() < MOST {
+                if faults.len() < PROGRAM_FINDINGS {
                     together.extend(in_cells.map(|in_cells| (fault.clone(), in_cells)));
                     faults.push(fault);
                 } else {

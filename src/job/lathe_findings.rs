@@ -9,15 +9,10 @@ use crate::lathe::alarm::{Alarm, Cause};
 use crate::lathe::second_removal::AGREE;
 use crate::lathe::setup::Given;
 use crate::lathe::spindle::revolutions;
+use crate::limits::{FOLLOWED_MOTIONS, PROGRAM_FINDINGS};
 use crate::machine::axis::Axis;
 use crate::parameter::t;
 use crate::text::Text;
-
-/// Most findings of one program; the rest is counted. The table of alarms has them all.
-pub(super) const MOST: usize = 50;
-
-/// Most motions of one program: each has a row on the sheet of motions.
-pub const MOST_MOTIONS: usize = 1_000_000;
 
 /// A line of the program, or of the file of a subprogram.
 pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {
@@ -48,8 +43,8 @@ pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
     Finding::stop(
         at_line(file, line),
         Text::new(
-            format!("el programa hace más de {MOST_MOTIONS} movimientos"),
-            format!("the program makes more than {MOST_MOTIONS} motions"),
+            format!("el programa hace más de {FOLLOWED_MOTIONS} movimientos"),
+            format!("the program makes more than {FOLLOWED_MOTIONS} motions"),
         ),
         t("divídalo, o repita menos los subprogramas", "split it, or repeat its subprograms less often"),
     )
@@ -186,8 +181,8 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
         .collect();
     found.sort_by_key(|(cause, finding)| std::cmp::Reverse((finding.grade, *cause)));
     let mut found: Vec<Finding> = found.into_iter().map(|(_, finding)| finding).collect();
-    let more = found.len().saturating_sub(MOST);
-    found.truncate(MOST);
+    let more = found.len().saturating_sub(PROGRAM_FINDINGS);
+    found.truncate(PROGRAM_FINDINGS);
     if more > 0 {
         found.push(Finding::note(
             Place::File,

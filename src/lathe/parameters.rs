@@ -6,6 +6,7 @@
 use crate::lathe::cases::CASES;
 use crate::lathe::tool_sheet;
 pub use crate::lathe::tool_sheet::KEY as TOOLS_KEY;
+use crate::limits::SHEET_BLOCKS;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Choice, FieldKind, Form, Parameter, Section, Sheet, other, real, t};
 use crate::table::Unit;
@@ -384,9 +385,6 @@ pub const SUBPROGRAM_KEY: &str = "subprogram";
 /// The list of the wanted profile's points.
 pub const PROFILE_KEY: &str = "profile";
 
-/// Most blocks of a program on a sheet.
-pub const BLOCKS_MOST: usize = 9_900;
-
 const BLOCKS_NOTE: Text = t(
     "Un bloque por fila en la columna BLOCK; las filas vacías se saltan. Los subprogramas externos van en hojas llamadas O y su número, como O0005.",
     "One block a row in column BLOCK; empty rows are skipped. External subprograms go on sheets called O and their number, such as O0005.",
@@ -443,7 +441,7 @@ pub static FORM: Form = Form {
             optional: false,
             columns: BLOCKS,
             widths: BLOCK_WIDTHS,
-            most: BLOCKS_MOST,
+            most: SHEET_BLOCKS,
         },
         List {
             key: SECOND_KEY,
@@ -453,7 +451,7 @@ pub static FORM: Form = Form {
             optional: true,
             columns: BLOCKS,
             widths: BLOCK_WIDTHS,
-            most: BLOCKS_MOST,
+            most: SHEET_BLOCKS,
         },
         List {
             key: SUBPROGRAM_KEY,
@@ -463,7 +461,7 @@ pub static FORM: Form = Form {
             optional: true,
             columns: BLOCKS,
             widths: BLOCK_WIDTHS,
-            most: BLOCKS_MOST,
+            most: SHEET_BLOCKS,
         },
         List {
             key: PROFILE_KEY,

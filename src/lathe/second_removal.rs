@@ -18,6 +18,7 @@ use i_overlay::i_shape::flat::buffer::FlatContoursBuffer;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::{Point, UNITS};
 use crate::geometry::exact::region::{Ring, twice_area};
+use crate::limits::TILE_CORNERS;
 use crate::number::trig::hypot;
 
 /// How far two contours may be from each other on the average, mm: both round corners to far less.
@@ -25,9 +26,6 @@ pub const AGREE: f64 = 1e-6;
 
 /// Units of the library's grid in one of ours: picometres, about. Coordinates stay below 2⁴⁰, far below its limit of 2⁶².
 const FINE: i64 = 1 << 10;
-
-/// Most corners of a tile; what has more is divided.
-const MOST: usize = 64;
 
 type Corner = IntPoint<i64>;
 
@@ -131,7 +129,7 @@ impl Tiles {
         let mut met = met.into_iter().map(|tile| tile.contours).peekable();
         while let Some(mut few) = met.next() {
             // What has become small is put together again.
-            while let Some(next) = met.next_if(|next| few.points.len() + next.points.len() <= MOST) {
+            while let Some(next) = met.next_if(|next| few.points.len() + next.points.len() <= TILE_CORNERS) {
                 next.ranges.into_iter().for_each(|range| few.add_contour(&next.points[range]));
             }
             let left = self.between(few, &corners, OverlayRule::Difference);
@@ -149,7 +147,7 @@ impl Tiles {
         places.sort_unstable();
         let (first, half, last) = (along(&low), places[places.len() / 2], along(&high));
         let half = if first < half && half < last { half } else { i64::midpoint(first, last) };
-        if contours.points.len() <= MOST || last - first < FINE {
+        if contours.points.len() <= TILE_CORNERS || last - first < FINE {
             let grid = |at: Corner, out| Point { z: at.x.div_euclid(FINE) + out, r: at.y.div_euclid(FINE) + out };
             self.tiles.push(Tile { contours, low: grid(low, 0), high: grid(high, 1) });
             return;

@@ -3,8 +3,8 @@
 use super::machine::Lathe;
 use super::stock::{Fixture, Stock};
 use super::turret::Turret;
-use super::workpiece::MOST_WORK;
 use crate::geometry::exact::region::Ring;
+use crate::limits::SIMULATION_WORK;
 
 /// What a simulation starts from.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +30,7 @@ impl Setup {
     /// A blank in a lathe with a turret, with the usual tolerance of 0.0002 mm.
     #[must_use]
     pub const fn new(lathe: Lathe, stock: Stock, turret: Turret) -> Self {
-        Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false, most_work: MOST_WORK }
+        Self { lathe, stock, turret, tolerance: 0.0002, part: None, record: false, most_work: SIMULATION_WORK }
     }
 
     /// What stands still about the work; the jaws are closed on the part where there is one.

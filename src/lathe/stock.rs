@@ -6,6 +6,7 @@
 use super::machine::{Lathe, Tailstock};
 use crate::finding::{Finding, Place};
 use crate::geometry::exact::region::Ring;
+use crate::limits::STOCK_SIZE;
 use crate::number::shown;
 use crate::number::trig::tan;
 use crate::text::Text;
@@ -39,9 +40,6 @@ pub struct Stock {
     pub support: Support,
 }
 
-/// The greatest diameter and length: they fit on the grid together with any tool near them.
-const MOST: f64 = 1000.0;
-
 impl Stock {
     /// A solid bar with a fifth of its length clamped, nothing to face off, and the tailstock where it is needed.
     #[must_use]
@@ -58,14 +56,14 @@ impl Stock {
         let upto = |high: f64| format!("0 – {} mm", shown(high, 3));
         [
             (
-                within(diameter, 0.0, MOST),
+                within(diameter, 0.0, STOCK_SIZE),
                 t("el diámetro D de la pieza en bruto no es posible", "the blank's diameter D is not possible"),
-                (diameter, upto(MOST)),
+                (diameter, upto(STOCK_SIZE)),
             ),
             (
-                within(length, 0.0, MOST),
+                within(length, 0.0, STOCK_SIZE),
                 t("la longitud L de la pieza en bruto no es posible", "the blank's length L is not possible"),
-                (length, upto(MOST)),
+                (length, upto(STOCK_SIZE)),
             ),
             (
                 bore >= 0.0 && bore < diameter,

@@ -14,10 +14,6 @@ use crate::geometry::revolution::{frustum, volume};
 /// A piece with less than this, in mm³, is a chip and no part that falls off.
 pub const CHIP: f64 = 1.0;
 
-/// How many steps of work a simulation may take, where a step is about one edge of an outline looked at. The shaft of the example
-/// takes some hundreds a motion; what takes more is a lead far too small, or an outline of many thousand edges that is gone over
-/// again and again.
-pub const MOST_WORK: u64 = 100_000_000;
 /// The steps of one turn of a thread, wherever it is.
 pub const TURN: usize = 16;
 /// How many times as many steps a rib of a thread counts as another cut: the outline that it meets is made of ribs, and of the

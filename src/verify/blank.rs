@@ -27,6 +27,7 @@ use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::stock::{Stock, Support};
 use crate::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
 use crate::lathe::turret::Turret;
+use crate::limits::FOLLOWED_BLANK;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::text::Text;
@@ -37,8 +38,6 @@ use crate::verify::verification::reading;
 pub const LIMIT: f64 = 0.001;
 /// Chords of arcs stay within this, mm.
 const TOLERANCE: f64 = 5e-5;
-/// The longest and the thickest stock that is followed, mm.
-const MOST: f64 = 1000.0;
 /// The rapid rates of X and Z along the three ways, mm/min: straight; X first; Z first.
 const WAYS: [(bool, [f64; 2]); 3] = [(false, [1.0, 1.0]), (true, [1e9, 1.0]), (true, [1.0, 1e9])];
 
@@ -221,7 +220,7 @@ impl Over {
     /// `None` for a stock that is too large to be followed.
     fn new(design: &Design) -> Option<Self> {
         let (torus, blank) = (design.torus, &design.blank);
-        let length = (blank.L_b + blank.C).min(MOST);
+        let length = (blank.L_b + blank.C).min(FOLLOWED_BLANK);
         let stock = Stock {
             diameter: 2.0 * torus.R,
             length,
@@ -366,14 +365,16 @@ fn others(first: Option<(Alarm, usize)>, program: &Program) -> Check {
 fn too_large(design: &Design, program: &Program) -> Check {
     let name = Text::fixed("Seguido sobre el bruto", "Followed over the stock");
     let diameter = Text::same(mm(2.0 * design.torus.R));
-    Check::passed("blank-followed", name, program, diameter, Text::same(mm(MOST))).of_parameters(vec!["R"]).found(
-        Verdict::Caution,
-        Text::fixed(
-            "el torneado del bruto no se sigue sobre la pieza: su diámetro pasa de lo que se calcula",
-            "the turning of the blank is not followed over the part: its diameter is beyond what is worked out",
-        ),
-        Text::fixed("compruébelo en vacío en el control", "run it in the air at the control first"),
-    )
+    Check::passed("blank-followed", name, program, diameter, Text::same(mm(FOLLOWED_BLANK)))
+        .of_parameters(vec!["R"])
+        .found(
+            Verdict::Caution,
+            Text::fixed(
+                "el torneado del bruto no se sigue sobre la pieza: su diámetro pasa de lo que se calcula",
+                "the turning of the blank is not followed over the part: its diameter is beyond what is worked out",
+            ),
+            Text::fixed("compruébelo en vacío en el control", "run it in the air at the control first"),
+        )
 }
 
 /// A lathe of which nothing is known: M lies in the zero of the work, and nothing stands about the stock.

@@ -11,13 +11,12 @@ use crate::impeller::programs::Tracks;
 use crate::impeller::splitter::Splitter;
 use crate::impeller::tables::ToolPaths;
 use crate::impeller::track::Track;
+use crate::limits::TRIED_STEPS;
 use crate::machine::axis::Pose;
 use crate::number::grid::Milli;
 use crate::verify::cutting::limits;
 use crate::verify::tip_path::Along;
 
-/// The greatest n that is tried: the form's own limit.
-const MOST: usize = 100_000;
 /// Blocks a track that may be computed in all: a fraction of a second.
 const BLOCKS: usize = 100_000;
 
@@ -59,22 +58,22 @@ pub fn needed(design: &Design, deviation: f64, tolerance: f64) -> Option<usize> 
         #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
         let next = (n as f64 * (deviation / tolerance).sqrt()).ceil();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within a small range")]
-        let next = next.clamp(2.0, MOST as f64 + 1.0) as usize;
+        let next = next.clamp(2.0, TRIED_STEPS as f64 + 1.0) as usize;
         next
     };
     let mut n = next(design.n, deviation);
-    if n > MOST {
+    if n > TRIED_STEPS {
         return None;
     }
     let mut found = at(n)?;
     // One more step of the same rule, so that a start far away is forgotten.
     if found > tolerance || n > 2 * design.n {
-        n = next(n, found).min(MOST);
+        n = next(n, found).min(TRIED_STEPS);
         found = at(n)?;
     }
     while found > tolerance {
         n += 1;
-        if n > MOST {
+        if n > TRIED_STEPS {
             return None;
         }
         found = at(n)?;

@@ -7,18 +7,14 @@ use super::{impeller, pipe};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::interpreter::{Fault, Interpreter, findings};
 use crate::job::Outcome;
+use crate::limits::{SHOWN_MOTIONS, SHOWN_REMARKS};
 use crate::text::{Language, Text};
-
-/// Most motions of a program, and most lines, that are shown.
-pub const MOST_MOTIONS: usize = 1_000_000;
-/// Most refusals of a program that are listed.
-const MOST_REMARKS: usize = 200;
 
 /// Follows a program to its end and keeps what it does. What it says wrong becomes remarks; what the worst of it is, is
 /// given back with all of it.
 ///
 /// # Errors
-/// Exit 7 for more motions than [`MOST_MOTIONS`].
+/// Exit 7 for more motions than [`SHOWN_MOTIONS`].
 pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(Exit, Vec<Finding>), Refusal> {
     let (mut faults, mut total, mut exit): (Vec<Fault>, usize, Exit) = (Vec::new(), 0, Exit::Done);
     text.keep_stood();
@@ -30,7 +26,7 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
             let motion = item.as_ref().and_then(|item| item.as_ref().ok());
             let at = if moved { Some(&stood.at) } else { motion.map(|motion| &motion.to) };
             if let Some(at) = at
-                && program.motions() < MOST_MOTIONS
+                && program.motions() < SHOWN_MOTIONS
             {
                 program.stand(stood.line, &stood.control, at);
             }
@@ -38,14 +34,14 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
         let Some(item) = item else { break };
         moved |= item.is_ok();
         match item {
-            Ok(motion) if program.motions() < MOST_MOTIONS => program.push(&motion, text.control()),
+            Ok(motion) if program.motions() < SHOWN_MOTIONS => program.push(&motion, text.control()),
             Ok(_) => return Err(too_many(&program.title)),
             Err(fault) => {
                 total += 1;
                 if exit != Exit::Limit {
                     exit = fault.exit;
                 }
-                if faults.len() < MOST_REMARKS || fault.exit == Exit::Limit {
+                if faults.len() < SHOWN_REMARKS || fault.exit == Exit::Limit {
                     faults.push(*fault);
                 }
             }
@@ -63,7 +59,7 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
 }
 
 fn too_many(title: &Text) -> Refusal {
-    let most = MOST_MOTIONS;
+    let most = SHOWN_MOTIONS;
     Refusal::new(
         Exit::Limit,
         Finding::stop(
@@ -80,10 +76,10 @@ fn too_many(title: &Text) -> Refusal {
 /// The scene of a workbook's outcome: its part, and every program on it.
 ///
 /// # Errors
-/// Exit 7 for a program with more lines or motions than [`MOST_MOTIONS`].
+/// Exit 7 for a program with more lines or motions than [`SHOWN_MOTIONS`].
 pub fn outcome(outcome: &Outcome, title: String, language: Language) -> Result<Scene, Refusal> {
     let mut scene = Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: Vec::new() };
-    let most = u64::try_from(MOST_MOTIONS).unwrap_or(u64::MAX);
+    let most = u64::try_from(SHOWN_MOTIONS).unwrap_or(u64::MAX);
     let part = match outcome.form.kind {
         "impeller" => impeller::part(&outcome.values),
         "pipe-hole" => pipe::hole(&outcome.values),

@@ -16,11 +16,9 @@ use crate::lathe::simulation::{Setup, Simulation};
 use crate::lathe::step::Step;
 use crate::lathe::stock::Fixture as Standing;
 use crate::lathe::text::SheetProgram;
+use crate::limits::SHOWN_ALARMS;
 use crate::machine::axis::Axis;
 use crate::text::{Language, Text};
-
-/// Most alarms of a program that are listed.
-const MOST: usize = 500;
 
 /// What has been seen of a lathe's programs.
 #[derive(Debug, Default)]
@@ -162,7 +160,7 @@ impl Known {
     }
 
     fn raise(&mut self, alarm: &Alarm, line: usize, index: usize, program: &mut Program) {
-        if self.alarms.len() < MOST && self.alarms.insert((alarm.cause.number(), line)) {
+        if self.alarms.len() < SHOWN_ALARMS && self.alarms.insert((alarm.cause.number(), line)) {
             program.remarks.push(remark(alarm, line, index));
         }
     }

@@ -20,7 +20,7 @@ mod scene;
 mod turning;
 
 pub use frame::Chain;
-pub use kept::{MOST_MOTIONS, following, outcome};
+pub use kept::{following, outcome};
 pub use mesh::{Mesh, Paint};
 pub use page::{html, write};
 pub use program::{FEED, Program, RAPID};

@@ -164,7 +164,7 @@ impl Extent {
     /// The width of the blocks' column, in characters.
     fn width(self) -> f64 {
         const LEAST: u8 = 12;
-        const MOST: u8 = 60;
-        f64::from(u8::try_from(self.longest).unwrap_or(MOST).clamp(LEAST, MOST))
+        const GREATEST: u8 = 60;
+        f64::from(u8::try_from(self.longest).unwrap_or(GREATEST).clamp(LEAST, GREATEST))
     }
 }

@@ -26,8 +26,9 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, FeedMode, Motion, MotionKind, Plane};
-use crate::gcode::turning::nose::{Element, MOST_STILL, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
+use crate::gcode::turning::nose::{Element, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
 use crate::gcode::turning::pace::Pace;
+use crate::limits::STILL_PIECES;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::text::Text;
@@ -486,8 +487,8 @@ fn refusal(misfit: &Misfit) -> Box<Fault> {
         ),
         Misfit::Still => (
             Text::new(
-                format!("más de {MOST_STILL} bloques sin movimiento en el plano con G41 o G42 en vigor"),
-                format!("more than {MOST_STILL} blocks without motion in the plane with G41 or G42 in force"),
+                format!("más de {STILL_PIECES} bloques sin movimiento en el plano con G41 o G42 en vigor"),
+                format!("more than {STILL_PIECES} blocks without motion in the plane with G41 or G42 in force"),
             ),
             Text::fixed(
                 "el control no ve el movimiento siguiente: quite bloques o programe G40",

@@ -1,6 +1,7 @@
 //! What the interpreter refuses, and what it remarks.
 
 use crate::finding::{Exit, Finding, Grade, Place};
+use crate::limits::REMARKS;
 use crate::number::shown;
 use crate::text::Text;
 
@@ -115,9 +116,6 @@ pub const NO_SPEED_LIMIT: Text = Text::fixed(
     "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
 );
 
-/// Most remarks that are kept.
-const MOST: usize = 100;
-
 /// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
 /// often it was seen.
 #[derive(Debug, Default)]
@@ -149,7 +147,7 @@ impl Remarks {
     pub(super) fn add(&mut self, grade: Grade, line: usize, column: Option<usize>, what: Text, remedy: Text) {
         if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| finding.what == what) {
             *count += 1;
-        } else if self.list.len() < MOST {
+        } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
             self.list.push((1, Finding::new(grade, place(self.file.as_deref(), line, columns), what, remedy)));
         }

@@ -11,12 +11,13 @@
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::{Compensation, InForce};
-use crate::gcode::cutter::{MOST_STILL, Misfit, Placed, Stage, Step};
+use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::turning::nose::{Element, Path, Point};
+use crate::limits::HELD_PIECES;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::{shown, trig};
 use crate::text::Text;
@@ -424,8 +425,8 @@ impl Interpreter<'_> {
             ),
             Misfit::Still => (
                 Text::new(
-                    format!("más de {MOST_STILL} bloques sin movimiento en el plano con G41 o G42 en vigor"),
-                    format!("more than {MOST_STILL} blocks without motion in the plane with G41 or G42 in force"),
+                    format!("más de {HELD_PIECES} bloques sin movimiento en el plano con G41 o G42 en vigor"),
+                    format!("more than {HELD_PIECES} blocks without motion in the plane with G41 or G42 in force"),
                 ),
                 Text::fixed("programe antes G40", "program G40 before them"),
             ),

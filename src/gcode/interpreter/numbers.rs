@@ -8,10 +8,8 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{Interpreter, block_number};
+use crate::limits::BLOCK_NUMBERS;
 use crate::text::Text;
-
-/// Most block numbers of a file that calls its blocks by number.
-const MOST: usize = 1_000_000;
 
 /// A block that has a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,11 +67,11 @@ impl Numbers {
                         block.again.get_or_insert(at.lines + 1);
                     })
                     .or_insert(Numbered { at, again: None });
-                if numbers.blocks.len() > MOST {
+                if numbers.blocks.len() > BLOCK_NUMBERS {
                     return Err(Fault::limit(
                         Text::new(
-                            format!("más de {MOST} números de bloque"),
-                            format!("more than {MOST} block numbers"),
+                            format!("más de {BLOCK_NUMBERS} números de bloque"),
+                            format!("more than {BLOCK_NUMBERS} block numbers"),
                         ),
                         Text::fixed("divida el programa", "split the program"),
                     ));

@@ -9,6 +9,7 @@ use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::FeedMode;
+use crate::limits::COUNT;
 use crate::number::grid::LIMIT;
 use crate::text::Text;
 
@@ -16,8 +17,6 @@ use crate::text::Text;
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
 /// The letter E, counted from A = 0.
 const E: u8 = b'E' - b'A';
-/// What no count, tool, time or inverse time may exceed, whatever the code that it belongs to allows.
-const MOST: f64 = 9_999_999_999.0;
 
 fn unverifiable() -> Text {
     Text::fixed(
@@ -314,7 +313,7 @@ impl Interpreter<'_> {
                     Text::fixed("compruebe el número", "check the number"),
                 ));
             }
-        } else if value.abs() > MOST {
+        } else if value.abs() > COUNT {
             return Err(Fault::at(
                 &[number_column],
                 Text::new(

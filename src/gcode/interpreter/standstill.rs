@@ -5,10 +5,8 @@ use std::collections::VecDeque;
 use super::Interpreter;
 use crate::gcode::control::InForce;
 use crate::gcode::motion::Motion;
+use crate::limits::STANDSTILL_BLOCKS;
 use crate::machine::axis::Pose;
-
-/// Most blocks kept between two motions: a loop that moves nothing must not fill the memory.
-const MOST: usize = 10_000;
 
 /// What is in force after a block that made no motion, or after the motions of one that changed it behind them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,7 +97,11 @@ impl Interpreter<'_> {
 
     /// A block was executed: what it changed without a motion is kept.
     pub(super) fn executed(&mut self) {
-        if !self.standing.kept || self.run.is_some() || self.corner.is_some() || self.standing.blocks.len() == MOST {
+        if !self.standing.kept
+            || self.run.is_some()
+            || self.corner.is_some()
+            || self.standing.blocks.len() == STANDSTILL_BLOCKS
+        {
             return;
         }
         let now = (self.modal.control(), self.current);

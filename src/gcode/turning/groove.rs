@@ -17,10 +17,8 @@ use crate::gcode::turning::rough::finite;
 use crate::gcode::turning::scan::{EPS, PassFrame};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::GROOVE_STEPS;
 use crate::text::Text;
-
-/// Most steps of a cycle, all places together.
-const MOST_STEPS: f64 = 100_000.0;
 
 /// The parameters of G74 and G75. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,8 +96,8 @@ fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move
     }
     let [across, down] = [steps(way[0], step[0]), steps(way[1], step[1])];
     let total = (across + 1.0) * down;
-    if total > MOST_STEPS {
-        return Err(Trouble::too_many(total, MOST_STEPS, Text::fixed("aumente P o Q", "make P or Q greater")));
+    if total > GROOVE_STEPS {
+        return Err(Trouble::too_many(total, GROOVE_STEPS, Text::fixed("aumente P o Q", "make P or Q greater")));
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 100,000")]
     let [across, down] = [across as usize, down as usize];

@@ -13,14 +13,13 @@
 
 use crate::gcode::turning::Move;
 use crate::gcode::turning::profile::Profile;
-use crate::gcode::turning::rough::{MOST_PASSES, check, finite};
+use crate::gcode::turning::rough::{check, finite};
 use crate::gcode::turning::scan::{PassFrame, moved};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::REPEATED_MOVES;
+use crate::limits::ROUGHING_PASSES;
 use crate::text::Text;
-
-/// Most moves of a cycle.
-const MOST_MOVES: usize = 1_000_000;
 
 /// The parameters of G73. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +38,7 @@ pub struct Repeat {
 ///
 /// # Errors
 /// PS0321 for a number of passes below 1, PS0063 for a contour without blocks, PS0065 for one that begins with an arc, and a
-/// limit for more than [`MOST_PASSES`] passes or 1,000,000 moves.
+/// limit for more than [`ROUGHING_PASSES`] passes or 1,000,000 moves.
 pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Trouble> {
     let Repeat { relief, passes, allowance, feed } = *repeat;
     finite(&[relief[0], relief[1], allowance[0], allowance[1], feed.unwrap_or(0.0)])?;
@@ -51,7 +50,7 @@ pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Trouble> 
     let Some(count) = usize::try_from(passes).ok().filter(|&passes| passes > 0) else {
         return Err(Trouble::ps(321));
     };
-    let most = MOST_PASSES.min(MOST_MOVES / profile.elements.len());
+    let most = ROUGHING_PASSES.min(REPEATED_MOVES / profile.elements.len());
     #[expect(clippy::cast_precision_loss, reason = "counts of passes")]
     if count > most {
         return Err(Trouble::too_many(

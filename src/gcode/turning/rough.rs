@@ -22,12 +22,9 @@ use crate::gcode::turning::profile::Profile;
 use crate::gcode::turning::scan::{EPS, PassFrame, Path, Span, moved};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::{ROUGHING_PASSES, ROUGHING_WORK};
 use crate::text::Text;
 
-/// Most passes of a cycle.
-pub const MOST_PASSES: usize = 10_000;
-/// Most work for finding them: passes by parts of the contour.
-const MOST_WORK: f64 = 5e7;
 /// The least input increment of a control, mm: by so much a contour may go back, and no pass is shorter.
 const TOLERANCE: f64 = 0.001;
 
@@ -53,7 +50,7 @@ pub struct Rough {
 /// # Errors
 /// PS0062 for a depth of cut that is not above 0, PS0065 for a contour that begins with an arc, PS0322 for one that reaches
 /// beyond the starting point, PS0064 and PS0329 for one that goes back along Z or X (X: type I alone), and refusals without a
-/// number for allowances towards the metal, for a contour without extent and for more than [`MOST_PASSES`] passes.
+/// number for allowances towards the metal, for a contour without extent and for more than [`ROUGHING_PASSES`] passes.
 pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
     expand(profile, rough, [1, 0])
 }
@@ -181,7 +178,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
     let (walls, parts) = (path.crests() as f64 + 1.0, path.parts.len() as f64);
     let passes = ((top[1] - bottom) / rough.depth - EPS).ceil().max(0.0) * walls;
     #[expect(clippy::cast_precision_loss, reason = "a small constant")]
-    let most = (MOST_WORK / parts).min(MOST_PASSES as f64).floor();
+    let most = (ROUGHING_WORK / parts).min(ROUGHING_PASSES as f64).floor();
     if passes > most {
         return Err(Trouble::too_many(
             passes,

@@ -14,10 +14,11 @@ use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::cycle::{MOST_PECKS, PECK_CLEARANCE, missing};
+use crate::gcode::interpreter::cycle::{PECK_CLEARANCE, missing};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::setting::HolePlane;
 use crate::gcode::turning::{Move, Way};
+use crate::limits::PECKS;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::shown;
@@ -110,12 +111,12 @@ impl Interpreter<'_> {
             );
             self.remarks.add(Grade::Caution, self.line, None, what, remedy);
         }
-        if pecks && (r - bottom) / q > MOST_PECKS {
+        if pecks && (r - bottom) / q > PECKS {
             return Err(Fault::at(
                 &[self.block.column(letter::Q)],
                 Text::new(
-                    format!("más de {MOST_PECKS} pasadas en un agujero"),
-                    format!("more than {MOST_PECKS} pecks in one hole"),
+                    format!("más de {PECKS} pasadas en un agujero"),
+                    format!("more than {PECKS} pecks in one hole"),
                 ),
                 Text::fixed("aumente Q, que va en µm", "make Q, which is in µm, greater"),
             ));

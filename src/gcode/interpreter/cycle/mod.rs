@@ -15,15 +15,12 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::out;
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
+use crate::limits::{BLOCK_HOLES, PECKS};
 use crate::machine::axis::Pose;
 use crate::text::Text;
 
 /// How far above the last depth a peck begins again; mm (0.010 inch).
 pub(super) const PECK_CLEARANCE: f64 = 0.254;
-/// Most pecks of a hole.
-pub(super) const MOST_PECKS: f64 = 10_000.0;
-/// Most holes of a block.
-const MOST_HOLES: i64 = 9_999;
 
 /// The holes of a block that are still to be made.
 #[derive(Clone, Debug)]
@@ -88,11 +85,11 @@ impl Interpreter<'_> {
         };
         let holes = match self.block.get(letter::L) {
             None => 1,
-            Some(L) => whole(L).filter(|holes| (1..=MOST_HOLES).contains(holes)).ok_or_else(|| {
+            Some(L) => whole(L).filter(|holes| (1..=BLOCK_HOLES).contains(holes)).ok_or_else(|| {
                 Fault::at(
                     &[self.block.column(letter::L)],
                     Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
-                    Text::new(format!("L va de 1 a {MOST_HOLES}"), format!("L goes from 1 to {MOST_HOLES}")),
+                    Text::new(format!("L va de 1 a {BLOCK_HOLES}"), format!("L goes from 1 to {BLOCK_HOLES}")),
                 )
             })?,
         };
@@ -188,11 +185,11 @@ impl Interpreter<'_> {
                         Text::fixed("dé la profundidad de cada pasada", "give the depth of each peck"),
                     ));
                 }
-                if (run.r - run.bottom) / run.q > MOST_PECKS {
+                if (run.r - run.bottom) / run.q > PECKS {
                     let mut fault = Fault::limit(
                         Text::new(
-                            format!("más de {MOST_PECKS} pasadas en un agujero"),
-                            format!("more than {MOST_PECKS} pecks in one hole"),
+                            format!("más de {PECKS} pasadas en un agujero"),
+                            format!("more than {PECKS} pecks in one hole"),
                         ),
                         Text::fixed("aumente Q", "make Q greater"),
                     );

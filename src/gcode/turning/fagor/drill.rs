@@ -19,10 +19,8 @@ use crate::gcode::turning::rough::finite;
 use crate::gcode::turning::scan::{EPS, PassFrame};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::DRILL_STEPS;
 use crate::text::Text;
-
-/// Most steps of a hole.
-const MOST_STEPS: usize = 10_000;
 
 /// The parameters of G83. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,9 +80,9 @@ pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
     let mut reached = Vec::new();
     let (mut v, mut next) = (face, if step > 0.0 { step } else { depth.abs() });
     while v - bottom > EPS {
-        if reached.len() >= MOST_STEPS || next < EPS {
+        if reached.len() >= DRILL_STEPS || next < EPS {
             #[expect(clippy::cast_precision_loss, reason = "a small constant")]
-            let most = MOST_STEPS as f64;
+            let most = DRILL_STEPS as f64;
             return Err(Trouble::too_many(most + 1.0, most, Text::fixed("aumente B, R o L", "make B, R or L greater")));
         }
         v = (v - next).max(bottom);

@@ -18,10 +18,8 @@ use crate::gcode::turning::rough::finite;
 use crate::gcode::turning::scan::EPS;
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::GROOVE_PLACES;
 use crate::text::Text;
-
-/// Most places of a groove.
-const MOST_PLACES: f64 = 10_000.0;
 
 /// The parameters of G88 and G89. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,8 +66,8 @@ pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move
         return Err(wrong_start());
     }
     let places = ((A[0] - B[0]) / step - EPS).ceil().max(0.0);
-    if places >= MOST_PLACES {
-        return Err(Trouble::too_many(places + 1.0, MOST_PLACES, Text::fixed("aumente C", "make C greater")));
+    if places >= GROOVE_PLACES {
+        return Err(Trouble::too_many(places + 1.0, GROOVE_PLACES, Text::fixed("aumente C", "make C greater")));
     }
     let mut tool = CycleMoves::new(frame, start);
     tool.rapid([A[0], S[1]]);

@@ -8,10 +8,8 @@ use std::f64::consts::TAU;
 
 use crate::gcode::turning::nose::ROUNDING;
 use crate::gcode::turning::nose::element::{Element, Path, Point, cross, distance, dot, plus};
+use crate::limits::GOUGE_PIECES;
 use crate::number::trig;
-
-/// How many pieces back the nose is watched.
-const MOST: usize = 8;
 
 /// The nose cuts into a piece of the programmed path that is not a neighbour of the one it follows, which a control's check
 /// of neighbouring pieces does not see.
@@ -56,7 +54,7 @@ impl<T: Clone> Trail<T> {
             let (along, into) = if now >= then { (tag, of) } else { (of, tag) };
             self.cuts.push(Gouge { depth: now.max(then), radius, along: along.clone(), into: into.clone() });
         }
-        if self.pieces.len() == MOST {
+        if self.pieces.len() == GOUGE_PIECES {
             self.pieces.pop_front();
         }
         self.pieces.push_back((piece, ways, tag.clone()));
