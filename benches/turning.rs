@@ -16,17 +16,17 @@ use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, twice_area};
-use rodete::job::lathe::{Seen, watched};
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::parameters::FORM;
-use rodete::lathe::second_removal::Repeat;
-use rodete::lathe::simulation::{Setup, Simulation};
-use rodete::lathe::stock::Stock;
-use rodete::lathe::text::{Lines, SheetProgram};
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
-use rodete::lathe::turret::Turret;
+use rodete::kinds::lathe::parameters::FORM;
+use rodete::kinds::lathe::text::{Lines, SheetProgram};
+use rodete::kinds::lathe::{Seen, watched};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::parameter::{Value, Values};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::second_removal::Repeat;
+use rodete::removal::turning::simulation::{Setup, Simulation};
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 use rodete::text::{Language, Text as Name};
 
 const FEED: MotionKind = MotionKind::Feed(Feed { mode: FeedMode::PerRevolution, value: 0.2 });
@@ -147,7 +147,7 @@ fn cycles(depth: f64) -> String {
 fn values() -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
     values.values.extend(FORM.cases[0].values(Language::En));
-    values.lists.push(rodete::lathe::cases::turret(Language::En));
+    values.lists.push(rodete::kinds::lathe::cases::turret(Language::En));
     for (key, value) in [("D", 200.0), ("L", 150.0), ("L4", 40.0), ("L5", 0.0)] {
         values.values.insert(key, Value::Real(value));
     }
@@ -157,7 +157,7 @@ fn values() -> Values {
 /// The whole job: how many motions it makes, and how many of them cut.
 fn job(text: &str) -> (u64, u64) {
     let program = SheetProgram { main: Lines::of_file(text), subprograms: BTreeMap::new() };
-    let source = rodete::job::Provenance {
+    let source = rodete::kind::Provenance {
         workbook: "g71.nc".to_owned(),
         sha256: String::new(),
         version: env!("CARGO_PKG_VERSION"),

@@ -10,10 +10,10 @@ use rodete::drawing::template::NotPrinted;
 use rodete::drawing::{Drawing, NotDrawn, dxf, svg, template};
 use rodete::figure::{Arc, Figure, Ink, Label, Paper, Stroke};
 use rodete::finding::Grade;
-use rodete::job::Provenance;
+use rodete::kind::Provenance;
 use rodete::number::trig::cos;
-use rodete::report::Typst;
 use rodete::text::{Language, Text};
+use rodete::typeset::compiler::Typst;
 
 /// What a coordinate of a print may be off, in mm.
 const NEAR: f64 = 0.01;

@@ -9,12 +9,13 @@ use rodete::finding::{Exit, Grade, Refusal};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::geometry::pipe_pair::Side;
-use rodete::job::{self, Outcome, Provenance};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::pipe::hole;
+use rodete::kinds::pipe::insert;
 use rodete::machine::axis::Axis;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::{Form, Value, Values};
-use rodete::pipe::hole;
-use rodete::pipe::insert;
 use rodete::table::Entry;
 use rodete::text::Language;
 
@@ -25,7 +26,7 @@ fn designs(usual: u32) -> ProptestConfig {
 
 fn run(form: &'static Form, values: Values) -> Result<Outcome, Refusal> {
     let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-    job::run(form, values, source)
+    kinds::run(form, values, source)
 }
 
 /// The values of a case with changes, pipes given by diameter and wall.

@@ -6,14 +6,14 @@ use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::{Part, Program};
 use rodete::gcode::word::Word;
-use rodete::job::{self, Outcome, Provenance};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::pipe::{hole, insert};
 use rodete::machine::axis::Axis;
 use rodete::parameter::{Value, Values};
-use rodete::pipe::{hole, insert};
+use rodete::proof::check::Verdict;
+use rodete::proof::rollover;
 use rodete::text::Language;
-use rodete::verify::check::Verdict;
-use rodete::verify::rollover;
-use rodete::verify::{pipe_hole, pipe_insert};
 
 const KINDS: [&str; 2] = ["hole", "insert"];
 
@@ -48,7 +48,7 @@ fn values(kind: &str, dialect: &'static str, changes: &[Change]) -> Values {
 fn outcome(kind: &str, dialect: &'static str, changes: &[Change]) -> Outcome {
     let form = if kind == "hole" { &hole::parameters::FORM } else { &insert::parameters::FORM };
     let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-    let outcome = job::run(form, values(kind, dialect, changes), source)
+    let outcome = kinds::run(form, values(kind, dialect, changes), source)
         .unwrap_or_else(|refusal| panic!("{kind} {dialect} {changes:?}: {:?}", refusal.findings));
     assert!(!outcome.stopped(), "{kind} {dialect} {changes:?}: {:?}", outcome.findings);
     outcome
@@ -180,11 +180,11 @@ fn a_wrong_increment_is_caught() {
             let checks = if kind == "hole" {
                 let design = hole::design::Design::new(&values).expect("a design");
                 let way = hole::cut::cut(&design).expect("within the format").expect("a way");
-                pipe_hole::judge(&design, &way, &program, &mut read).0
+                hole::proof::judge(&design, &way, &program, &mut read).0
             } else {
                 let design = insert::design::Design::new(&values).expect("a design");
                 let way = insert::cut::cut(&design).expect("a way");
-                pipe_insert::judge(&design, Some(&way), &program, &mut read).0
+                insert::proof::judge(&design, Some(&way), &program, &mut read).0
             };
             checks.iter().find(|check| check.key == "agreement").expect("the row").verdict
         };

@@ -16,12 +16,13 @@ use super::verdict::Ending;
 use super::{BUILD, Sink, drawings, reading, refused, side_by_side};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::job::Outcome;
-use crate::lathe::parameters as lathe;
-use crate::report::{self, Attachment, Content, Role, Typst};
+use crate::kind::Outcome;
+use crate::kinds::lathe::parameters as lathe;
+use crate::kinds::lathe::scene::Watching;
+use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, Text};
-use crate::view::lathe::Watching;
+use crate::typeset::compiler::Typst;
 
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";

@@ -10,13 +10,13 @@ use super::{drawings, show};
 use crate::escape::printable;
 use crate::finding::{Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
-use crate::job::Outcome;
-use crate::lathe::mesh;
+use crate::kind::Outcome;
+use crate::kinds::lathe::scene::Watching;
+use crate::removal::turning::mesh;
 use crate::report::{Attachment, Content, Role};
 use crate::store::{self, Set};
 use crate::text::{Language, Text};
 use crate::view;
-use crate::view::lathe::Watching;
 use crate::workbook::results;
 
 /// The ending of the results.

@@ -1,9 +1,9 @@
 //! The workbook kinds that the commands know.
 
-use crate::impeller;
-use crate::lathe;
+use crate::kinds::impeller;
+use crate::kinds::lathe;
+use crate::kinds::pipe;
 use crate::parameter::{Case, FieldKind, Form};
-use crate::pipe;
 
 /// Every form, the usual one first.
 pub(super) static FORMS: [&Form; 4] = [

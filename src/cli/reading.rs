@@ -8,9 +8,11 @@ use super::plan;
 use super::verdict::Ending;
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::job::{self, Outcome, Provenance};
+use crate::kind::{Outcome, Provenance};
+use crate::kinds;
+use crate::kinds::lathe;
+use crate::kinds::lathe::scene::Watching;
 use crate::store;
-use crate::view::lathe::Watching;
 use crate::workbook::{self, Filled};
 
 /// Reads a workbook and computes what it asks for; writes nothing. The set that an earlier build of it delivered is seen
@@ -97,10 +99,8 @@ pub(super) fn watch(
     let begun = verdict.findings.len();
     verdict.findings.extend(filled.findings.iter().cloned());
     let mut outcome = match watching {
-        Some(watching) => {
-            job::lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?
-        }
-        None => job::run(filled.form, filled.values, source)?,
+        Some(watching) => lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?,
+        None => kinds::run(filled.form, filled.values, source)?,
     };
     outcome.findings.extend(filled.findings);
     outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));

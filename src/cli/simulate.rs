@@ -14,10 +14,10 @@ use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::finding::{Exit, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::job::lathe_tables::Raised;
+use crate::kind::Raised;
+use crate::kinds::lathe::scene::Watching;
 use crate::store::{self, Existing, Folder, Set};
 use crate::table::Unit;
-use crate::view::lathe::Watching;
 use crate::workbook::{self, Input};
 
 /// Follows the program and says what it comes to.

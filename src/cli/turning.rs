@@ -13,11 +13,13 @@ use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::MotionKind;
-use crate::job::{Outcome, Provenance, lathe};
-use crate::lathe::cases;
-use crate::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
-use crate::lathe::setup::Given;
-use crate::lathe::text;
+use crate::kind::{Outcome, Provenance};
+use crate::kinds::lathe;
+use crate::kinds::lathe::cases;
+use crate::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
+use crate::kinds::lathe::scene::Watching;
+use crate::kinds::lathe::setup::Given;
+use crate::kinds::lathe::text;
 use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::SHEET_BLOCKS;
 use crate::machine::axis::Axis;
@@ -25,7 +27,6 @@ use crate::parameter::list::{Row, Rows};
 use crate::parameter::{Value, Values};
 use crate::store;
 use crate::text::{Language, Text};
-use crate::view::lathe::Watching;
 use crate::workbook;
 
 /// Held in the jaws, and faced off, where only the stock's size is given: mm.

@@ -19,9 +19,9 @@ use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
+use crate::proof::account::{Account, Extents, drift};
 use crate::store::{Sum, Summed};
 use crate::text::{Language, Text};
-use crate::verify::account::{Account, Extents, drift};
 use crate::workbook;
 
 /// Bytes of output that are gathered before they are printed.

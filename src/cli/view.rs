@@ -16,11 +16,16 @@ use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
 use crate::gcode::dialect::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
-use crate::lathe::parameters as lathe;
+use crate::kinds;
+use crate::kinds::lathe::parameters as lathe;
+use crate::kinds::lathe::scene::Watching;
+use crate::machine::chain::Chain;
+use crate::scene::kept;
+use crate::scene::program::Program;
+use crate::scene::{Remark, Scene, Shape, ShownTool};
 use crate::store::{self, Existing, Folder, Set, Written};
 use crate::text::{Language, Text};
-use crate::view::lathe::Watching;
-use crate::view::{self, Chain, Program, Remark, Scene, Shape, ShownTool};
+use crate::view;
 use crate::workbook;
 
 /// Writes the file and says where it is.
@@ -175,7 +180,7 @@ fn of_workbook(arguments: &View, title: String, verdict: &mut Ending) -> Result<
     if outcome.stopped() {
         return Ok(None);
     }
-    view::outcome(&outcome, title, language).map(Some)
+    kinds::scene(&outcome, title, language).map(Some)
 }
 
 fn of_program(
@@ -203,7 +208,7 @@ fn of_program(
             shape: Shape::Revolved(vec![[0.0, 0.0], [r, 0.0], [r, 4.0 * d]]),
         });
     }
-    let (exit, findings) = view::following(&mut program, &mut Interpreter::over(&bytes, setting))?;
+    let (exit, findings) = kept::following(&mut program, &mut Interpreter::over(&bytes, setting))?;
     verdict.exit = gravest(verdict.exit, exit);
     verdict.findings.extend(findings);
     if !named {

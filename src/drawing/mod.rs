@@ -15,7 +15,7 @@ use thiserror::Error;
 
 use crate::figure::{Arc, Figure};
 use crate::finding::{Finding, Place};
-use crate::job::Provenance;
+use crate::kind::Provenance;
 use crate::limits::PRINTED_SHEETS;
 use crate::text::{Language, Text};
 

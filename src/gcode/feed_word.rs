@@ -1,7 +1,7 @@
 //! The number of an F word: how many decimals its control takes, and the side to which it is rounded.
 //!
 //! Rounding never makes a move faster than it may be: a time is rounded up, its inverse and a speed down. What it costs is
-//! judged by [`crate::verify::feed::feed_word`].
+//! judged by [`crate::proof::feed::feed_word`].
 //!
 //! # Decimals
 //! Speeds have three. Times in seconds have four: an assumption, since the page of the Fagor 8070 on G93 gives no format; with

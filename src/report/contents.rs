@@ -6,23 +6,24 @@ use std::io;
 use std::path::Path;
 
 use super::attachments::files;
-use super::characters::{Words, code_point};
 use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, Sheet};
 use super::number;
-use super::pen::pen;
 use super::shorten::{self, Listing};
 use super::svg::svg;
-use super::{Attachment, ReportFailure, Role};
+use super::{Attachment, Role};
 use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::summary::Summary;
-use crate::job::{FollowedProgram, Outcome, checks};
+use crate::kind::{FollowedProgram, Outcome, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::{FieldKind, Parameter, Value};
+use crate::proof::account::Account;
 use crate::table::{Entry, Index, Table};
 use crate::text::{Language, Text};
-use crate::verify::account::Account;
+use crate::typeset::characters::{Words, code_point};
+use crate::typeset::failure::ReportFailure;
+use crate::typeset::pen::pen;
 
 /// The JSON and what was found while it was made.
 pub(super) struct Contents {

@@ -1,14 +1,14 @@
 //! A figure as SVG: scaled to the page, with ticks for graphs.
 //!
 //! The unit of the drawing is the millimetre of paper. Captions and legends are set by the templates, with the same
-//! inks: [`pen`](super::pen::pen).
+//! inks: [`pen`](crate::typeset::pen::pen).
 
 use std::fmt::Write as _;
 
-use super::pen::{face, pen};
 use super::ticks::ticks;
 use crate::figure::{Axes, Figure, Ink};
 use crate::text::Language;
+use crate::typeset::pen::{face, pen};
 
 /// Width of the drawing area on paper in mm.
 const WIDTH: f64 = 160.0;

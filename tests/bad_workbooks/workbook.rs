@@ -3,8 +3,8 @@
 use std::io::{Cursor, Read, Write};
 
 use rodete::finding::{Exit, Finding, Grade, Place, Refusal};
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{FieldKind, Value};
 use rodete::text::Language;
 use rodete::workbook::{Filled, read};

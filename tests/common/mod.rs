@@ -3,11 +3,12 @@
 
 pub mod rs274;
 
-use rodete::impeller::blade::Blade;
-use rodete::impeller::cases::CASES;
-use rodete::impeller::design::Design;
-use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Outcome, Provenance};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::impeller::blade::Blade;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 use rodete::parameter::{Value, Values};
@@ -41,7 +42,7 @@ pub fn source() -> Provenance {
 
 /// The outcome of a shipped case, some of its values replaced.
 pub fn outcome(case: &str, changes: &[(&'static str, Value)]) -> Outcome {
-    match job::run(&FORM, values(case, changes), source()) {
+    match kinds::run(&FORM, values(case, changes), source()) {
         Ok(outcome) => outcome,
         Err(refusal) => panic!("refused: {:?}", refusal.findings),
     }

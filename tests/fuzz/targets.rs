@@ -10,26 +10,28 @@ use rodete::finding::{Exit, Finding, Grade, Refusal};
 use rodete::gcode::dialect::{self, Dialect};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, findings, tool_table};
 use rodete::gcode::motion::{Motion, MotionKind};
-use rodete::job::{self, Provenance, lathe};
-use rodete::lathe::setup::Given;
-use rodete::lathe::simulation::{Setup, Simulation};
-use rodete::lathe::{cases, parameters, text};
+use rodete::kind::Provenance;
+use rodete::kinds;
+use rodete::kinds::lathe;
+use rodete::kinds::lathe::scene::Watching;
+use rodete::kinds::lathe::setup::Given;
+use rodete::kinds::lathe::{cases, parameters, text};
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::{Form, Value, Values};
+use rodete::proof::account::Account;
+use rodete::removal::turning::simulation::{Setup, Simulation};
 use rodete::text::Language;
-use rodete::verify::account::Account;
-use rodete::view::lathe::Watching;
 use rodete::workbook;
 use zip::CompressionMethod;
 use zip::write::SimpleFileOptions;
 
 /// The forms that a workbook may fill in.
 pub const FORMS: [&Form; 4] = [
-    &rodete::impeller::parameters::FORM,
-    &rodete::pipe::hole::parameters::FORM,
-    &rodete::pipe::insert::parameters::FORM,
+    &rodete::kinds::impeller::parameters::FORM,
+    &rodete::kinds::pipe::hole::parameters::FORM,
+    &rodete::kinds::pipe::insert::parameters::FORM,
     &parameters::FORM,
 ];
 
@@ -240,7 +242,7 @@ fn book(bytes: &[u8]) -> Work {
 /// The values of a form that was read: computed, or refused with a reason.
 pub fn design(form: &'static Form, values: Values) {
     let source = Provenance { workbook: "fuzz.xlsx".to_owned(), sha256: "0".repeat(64), version: "0" };
-    match job::run(form, values, source) {
+    match kinds::run(form, values, source) {
         Ok(outcome) => {
             said(&outcome.findings);
             assert!(outcome.exit() != Exit::Fault, "{:?}", outcome.findings);

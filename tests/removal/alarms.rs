@@ -4,14 +4,14 @@ use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::finding::Grade;
 use rodete::gcode::control::{Speed, Spindle};
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::{Stock, Support};
-use rodete::lathe::tool::{Cutter, Holder, Shape, TurningTool};
 use rodete::number::trig::{sin_cos, tan};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::{Stock, Support};
+use rodete::removal::turning::tool::{Cutter, Holder, Shape, TurningTool};
 
 #[track_caller]
-fn raised(run: &Run, number: u16) -> rodete::lathe::alarm::Alarm {
+fn raised(run: &Run, number: u16) -> rodete::removal::turning::alarm::Alarm {
     let alarms = run.raised();
     let found = alarms.iter().find(|alarm| alarm.cause.number() == number);
     *found.unwrap_or_else(|| panic!("{number} is not among {alarms:?}"))
@@ -226,7 +226,7 @@ fn a_spindle_that_does_not_serve_the_tool_is_told_once() {
     assert_eq!(still.rapid(46.0, 2.0).cut(46.0, -20.0).alarms(), [153], "S0 is no speed");
     // A left-hand tool that feeds towards the chuck wants the other way; a stopped spindle out of the cut is fine.
     let mut setup = Setup::new(Lathe::default(), bar(), turret());
-    setup.turret.tools.get_mut(&1).unwrap().hand = rodete::lathe::tool::Hand::Left;
+    setup.turret.tools.get_mut(&1).unwrap().hand = rodete::removal::turning::tool::Hand::Left;
     let mut left = Run::on(setup);
     left.control.spindle = Spindle::CounterClockwise;
     silent(&left.rapid(46.0, 2.0).cut(46.0, -20.0));

@@ -5,11 +5,11 @@
 use super::lathe::{Run, bar};
 use super::tools;
 use rodete::gcode::control::Spindle;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
-use rodete::lathe::turret::Turret;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 const M3: Option<Spindle> = Some(Spindle::Clockwise);
 const M4: Option<Spindle> = Some(Spindle::CounterClockwise);

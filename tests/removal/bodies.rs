@@ -2,11 +2,11 @@
 
 use super::lathe::{Run, bar, turret};
 use super::tools;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::{Cutter, Hand, Holder, TurningTool};
-use rodete::lathe::turret::Turret;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 /// With the usual tools, and a body about the reference point, `[[z, r], [z, r]]`.
 fn with(body: [[f64; 2]; 2], stock: Stock) -> Run {

@@ -9,7 +9,7 @@ use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, Ring, twice_area};
-use rodete::lathe::tool::TurningTool;
+use rodete::removal::turning::tool::TurningTool;
 
 use super::tools;
 

@@ -2,14 +2,14 @@
 
 use rodete::gcode::control::{InForce, Speed, Spindle};
 use rodete::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane, Thread};
-use rodete::lathe::alarm::Alarm;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::{Setup, Simulation};
-use rodete::lathe::step::Step;
-use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::{Cutter, Shape, TurningTool};
-use rodete::lathe::turret::Turret;
 use rodete::machine::axis::{Axis, Pose};
+use rodete::removal::turning::alarm::Alarm;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::{Setup, Simulation};
+use rodete::removal::turning::step::Step;
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Shape, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 use super::tools;
 

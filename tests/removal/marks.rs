@@ -2,12 +2,12 @@
 
 use super::lathe::{Run, bar};
 use super::tools;
-use rodete::lathe::alarm::Alarm;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::turned_about;
-use rodete::lathe::tool::{Hand, Tip, TurningTool};
 use rodete::number::trig::{hypot, sin_cos, tan};
+use rodete::removal::turning::alarm::Alarm;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::turned_about;
+use rodete::removal::turning::tool::{Hand, Tip, TurningTool};
 
 /// Goes along a path: places at feed `X, Z`, those behind `G0` at rapid, and `T` changes the tool.
 fn run(mut run: Run, path: &str) -> Run {

@@ -6,11 +6,11 @@ use std::f64::consts::PI;
 use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::geometry::revolution::volume;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::mesh::{sectors, write_stl};
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::{Stock, turned_about};
-use rodete::lathe::tool::{Cutter, Hand, Shape, Tip, TurningTool};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::mesh::{sectors, write_stl};
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::{Stock, turned_about};
+use rodete::removal::turning::tool::{Cutter, Hand, Shape, Tip, TurningTool};
 
 #[test]
 fn what_is_parted_off_falls_and_is_counted() {

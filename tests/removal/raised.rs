@@ -6,13 +6,13 @@ use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::finding::Grade;
 use rodete::gcode::control::{Speed, Spindle};
-use rodete::lathe::alarm::{Alarm, Cause};
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::{Stock, turned_about};
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
-use rodete::lathe::turret::Turret;
 use rodete::number::trig::{hypot, sin_cos, tan};
+use rodete::removal::turning::alarm::{Alarm, Cause};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::{Stock, turned_about};
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 #[track_caller]
 fn near(value: f64, wanted: f64, within: f64) {

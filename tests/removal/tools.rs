@@ -1,7 +1,7 @@
 //! Tools to try the removal with.
 
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
-use rodete::lathe::turret::Turret;
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 use rodete::text::Text;
 
 /// A square shank of 25 mm for outside work; its tip stands 60 mm from the turret's reference point across the axis.

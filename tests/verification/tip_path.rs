@@ -3,18 +3,18 @@
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use rodete::geometry::torus::Torus;
-use rodete::impeller::design::Design;
-use rodete::impeller::ideal::Ideal;
-use rodete::impeller::programs::Tracks;
-use rodete::impeller::splitter::Splitter;
-use rodete::impeller::tables::ToolPaths;
-use rodete::impeller::track::Track;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::ideal::Ideal;
+use rodete::kinds::impeller::programs::Tracks;
+use rodete::kinds::impeller::proof::cutting::limits;
+use rodete::kinds::impeller::proof::tip_path::{Along, between, deviation, grid_bound};
+use rodete::kinds::impeller::splitter::Splitter;
+use rodete::kinds::impeller::tables::ToolPaths;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::rotary::Rotary;
 use rodete::number::grid::Milli;
-use rodete::verify::agreement::tip;
-use rodete::verify::cutting::limits;
-use rodete::verify::tip_path::{Along, between, deviation, grid_bound};
+use rodete::proof::agreement::tip;
+use rodete::proof::track::Track;
 
 use crate::{common, published};
 

@@ -4,9 +4,12 @@ use rodete::gcode::dialect::FANUC_LATHE_A;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::MotionKind;
 use rodete::machine::axis::Axis;
+use rodete::machine::chain::Chain;
 use rodete::number::trig::sin_cos;
+use rodete::scene::program::Program;
+use rodete::scene::turning::{Contour, Fixture, ShownTurning};
+use rodete::scene::{Remark, Scene, Shape, ShownTool};
 use rodete::text::{Language, Text};
-use rodete::view::{Chain, Contour, Fixture, Program, Remark, Scene, Shape, ShownTool, ShownTurning};
 
 /// Bar of 50 mm, turned down in passes to 30 mm over 40 mm and 20 mm over 18 mm, a round shoulder, a groove, parted off.
 pub const PROGRAM: &str = "\
