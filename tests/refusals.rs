@@ -333,17 +333,18 @@ fn a_fault_in_rodete_never_ends_as_a_refused_input() {
 #[test]
 fn only_one_remedy_says_that_rodete_is_to_blame() {
     let mut found = Vec::new();
-    let mut folders = vec![std::path::PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))];
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut folders = vec![root.clone()];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
             if entry.is_dir() {
                 folders.push(entry);
             } else if std::fs::read_to_string(&entry).is_ok_and(|text| text.contains(FAULT.en.as_ref())) {
-                found.push(entry.file_name().expect("a name").to_string_lossy().into_owned());
+                found.push(entry.strip_prefix(&root).expect("a path in the folder").to_path_buf());
             }
         }
     }
-    assert_eq!(found, ["finding.rs"]);
+    assert_eq!(found, [std::path::Path::new("finding/mod.rs")]);
 }
 
 #[test]
