@@ -5,9 +5,10 @@
 use std::io::{Cursor, Seek, Write};
 use std::time::{Duration, Instant};
 
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{Value, Values};
 use rodete::table::Entry;
 use rodete::text::Language;
@@ -23,8 +24,8 @@ fn outcome() -> Outcome {
     let mut values = Values { language: Language::En, ..Values::default() };
     values.values.extend(CASES[0].values(Language::En));
     values.values.insert("n", Value::Whole(INTERVALS));
-    let source = Source { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
-    match job::run(&FORM, values, source) {
+    let source = Provenance { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
+    match kinds::run(&FORM, values, source) {
         Ok(outcome) => outcome,
         Err(refusal) => panic!("refused: {:?}", refusal.findings),
     }

@@ -3,9 +3,10 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
 
@@ -18,8 +19,8 @@ fn values(n: u32) -> Values {
 }
 
 fn outcome(n: u32) -> Outcome {
-    let source = Source { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
-    match job::run(&FORM, values(n), source) {
+    let source = Provenance { workbook: "impeller.xlsx".to_owned(), sha256: "0".repeat(64), version: "bench" };
+    match kinds::run(&FORM, values(n), source) {
         Ok(outcome) => outcome,
         Err(refusal) => panic!("refused: {:?}", refusal.findings),
     }

@@ -7,7 +7,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rodete::gcode::dialect::LINUXCNC;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::machine::axis::Pose;
-use rodete::verify::account::Account;
+use rodete::proof::account::Account;
 
 const LINES: u32 = 20_000;
 

@@ -10,26 +10,26 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
 use rodete::finding::Grade;
-use rodete::gcode::control::{Control, Speed, Spindle};
-use rodete::gcode::motion::{Feed, FeedMode, Kind, Motion};
+use rodete::gcode::control::{InForce, Speed, Spindle};
+use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, twice_area};
-use rodete::job::lathe::{Seen, watched};
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::parameters::FORM;
-use rodete::lathe::repeat::Repeat;
-use rodete::lathe::simulation::{Setup, Simulation};
-use rodete::lathe::stock::Stock;
-use rodete::lathe::text::{Source, Text};
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
-use rodete::lathe::turret::Turret;
+use rodete::kinds::lathe::parameters::FORM;
+use rodete::kinds::lathe::text::{Lines, SheetProgram};
+use rodete::kinds::lathe::{Seen, watched};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::parameter::{Value, Values};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::second_removal::Repeat;
+use rodete::removal::turning::simulation::{Setup, Simulation};
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 use rodete::text::{Language, Text as Name};
 
-const FEED: Kind = Kind::Feed(Feed { mode: FeedMode::PerRevolution, value: 0.2 });
+const FEED: MotionKind = MotionKind::Feed(Feed { mode: FeedMode::PerRevolution, value: 0.2 });
 
 struct Program {
     motions: Vec<Motion>,
@@ -46,7 +46,7 @@ impl Program {
         program
     }
 
-    fn go(&mut self, kind: Kind, x: f64, z: f64) {
+    fn go(&mut self, kind: MotionKind, x: f64, z: f64) {
         let mut to = Pose::default();
         to.set(Axis::X, x);
         to.set(Axis::Z, z);
@@ -61,7 +61,7 @@ impl Program {
 
 fn setup() -> Setup {
     let stock = Stock { overhang: 500.0, ..Stock::bar(100.0, 550.0) };
-    let tool = Tool {
+    let tool = TurningTool {
         name: Name::same("55°"),
         cutter: Cutter::Insert { shape: Shape::D, circle: 12.7, main: 93.0, auxiliary: 32.0, nose: 0.4 },
         hand: Hand::Right,
@@ -80,10 +80,10 @@ fn passes(count: u32) -> Vec<Motion> {
     for pass in 0..count / 4 {
         let (zone, deep) = (f64::from(pass / 900), 0.05 * f64::from(pass % 900 + 1));
         let x = 50.0 - deep;
-        program.go(Kind::Rapid, x, 2.0 - 15.0 * zone);
+        program.go(MotionKind::Rapid, x, 2.0 - 15.0 * zone);
         program.go(FEED, x, -15.0 * (zone + 1.0));
         program.go(FEED, x + 0.05, -15.0 * (zone + 1.0) + 0.05);
-        program.go(Kind::Rapid, x + 0.05, 2.0 - 15.0 * zone);
+        program.go(MotionKind::Rapid, x + 0.05, 2.0 - 15.0 * zone);
     }
     program.motions
 }
@@ -95,8 +95,8 @@ fn profiles(count: u32) -> Vec<Motion> {
     let passes = (count / along).max(1);
     for pass in 1..=passes {
         let deep = 20.0 * f64::from(pass) / f64::from(passes);
-        program.go(Kind::Rapid, 60.0, 2.0);
-        program.go(Kind::Rapid, 49.0 - deep, 2.0);
+        program.go(MotionKind::Rapid, 60.0, 2.0);
+        program.go(MotionKind::Rapid, 49.0 - deep, 2.0);
         for at in 1..along - 1 {
             let z = 2.0 - 82.0 * f64::from(at) / f64::from(along - 2);
             let wave = rodete::number::trig::sin(z / 3.0);
@@ -107,13 +107,13 @@ fn profiles(count: u32) -> Vec<Motion> {
 }
 
 fn run(motions: &[Motion]) -> f64 {
-    let control = Control {
+    let control = InForce {
         tool: 1,
         spindle: Spindle::Clockwise,
         speed: Speed::Surface(150.0),
         greatest_speed: Some(2500.0),
         coolant: true,
-        ..Control::default()
+        ..InForce::default()
     };
     let mut simulation = Simulation::new(setup()).expect("a set-up that can be");
     for motion in motions {
@@ -147,7 +147,7 @@ fn cycles(depth: f64) -> String {
 fn values() -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
     values.values.extend(FORM.cases[0].values(Language::En));
-    values.lists.push(rodete::lathe::cases::turret(Language::En));
+    values.lists.push(rodete::kinds::lathe::cases::turret(Language::En));
     for (key, value) in [("D", 200.0), ("L", 150.0), ("L4", 40.0), ("L5", 0.0)] {
         values.values.insert(key, Value::Real(value));
     }
@@ -156,8 +156,8 @@ fn values() -> Values {
 
 /// The whole job: how many motions it makes, and how many of them cut.
 fn job(text: &str) -> (u64, u64) {
-    let program = Source { main: Text::of_file(text), subprograms: BTreeMap::new() };
-    let source = rodete::job::Source {
+    let program = SheetProgram { main: Lines::of_file(text), subprograms: BTreeMap::new() };
+    let source = rodete::kind::Provenance {
         workbook: "g71.nc".to_owned(),
         sha256: String::new(),
         version: env!("CARGO_PKG_VERSION"),

@@ -244,7 +244,7 @@ impl FileLoader for Folder {
 
 #[cfg(test)]
 mod tests {
-    use rodete::report::characters::SHOWN;
+    use rodete::typeset::characters::SHOWN;
     use typst_kit::fonts::embedded;
 
     #[test]

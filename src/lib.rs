@@ -7,48 +7,49 @@
 //!
 //! # Concepts
 //! A [`form`](parameter::Form) lists the parameters of a workbook kind with their limits; checked
-//! [`values`](parameter::Values) become a [`design`](impeller::design::Design); the [`job`] turns it into
+//! [`values`](parameter::Values) become a [`design`](kinds::impeller::design::Design); its kind among the [`kinds`] turns it into
 //! [`tables`](table::Table), [`programs`](gcode::program::Program) and [`findings`](finding::Finding), all of them in
-//! one [`outcome`](job::Outcome). Sheets, JSON, program files and the report are views of the outcome.
+//! one [`outcome`](kind::Outcome). Sheets, JSON, program files and the report are views of the outcome.
 //!
 //! # Floors
 //! A module imports from its own or a lower floor only; `tests/house.rs` holds this.
 //!
 //! | floor | modules | |
 //! |---|---|---|
-//! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`] | the concepts |
+//! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`], [`limits`] | the concepts |
 //! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines, circles, two pipes that meet, plane regions |
 //! | 2 | [`machine`] | axes, rotary axes with pivot length, a torch over a turning pipe, travel, calibration, work offsets |
 //! | 3 | [`gcode`] | words, dialects, programs and their text, the interpreter |
-//! | 4 | [`impeller`], [`blank`], [`pipe`], [`lathe`] | the methods, one formula family a file |
-//! | 5 | [`verify`] | judging programs, what they come to |
-//! | 6 | [`job`] | the pure whole of a workbook kind |
-//! | 7 | [`workbook`], [`report`], [`drawing`], [`view`], [`store`], [`cli`] | the outside world, one wall each |
+//! | 4 | [`scene`], [`removal`] | what can be shown; metal that goes |
+//! | 5 | [`proof`] | judging programs, what they come to |
+//! | 6 | [`kind`] | what every workbook kind comes to |
+//! | 7 | [`kinds`] | impeller, pipes and lathe, a folder each, one formula family a file |
+//! | 8 | [`workbook`], [`report`], [`drawing`], [`typeset`], [`view`], [`store`], [`cli`] | the outside world, one wall each |
 //!
-//! Nothing below floor 7 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
+//! Nothing below floor 8 reads a clock, a file, the environment or chance: the same input gives the same bytes on every
 //! machine.
 //!
 //! # Example
 //! The published case, from its values to the first motion block of a blade:
 //!
 //! ```
-//! use rodete::impeller::cases::CASES;
-//! use rodete::impeller::parameters::FORM;
-//! use rodete::job::{self, Source};
+//! use rodete::kind::Provenance;
+//! use rodete::kinds;
+//! use rodete::kinds::impeller::cases::CASES;
+//! use rodete::kinds::impeller::parameters::FORM;
 //! use rodete::parameter::Values;
 //! use rodete::text::Language;
 //!
 //! let published = CASES.iter().find(|case| case.name == "tfg-2021").unwrap();
 //! let mut values = Values { language: Language::En, ..Values::default() };
 //! values.values.extend(published.values(Language::En));
-//! let source = Source { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
+//! let source = Provenance { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
 //!
-//! let outcome = job::run(&FORM, values, source).unwrap();
+//! let outcome = kinds::run(&FORM, values, source).unwrap();
 //! let blade = outcome.programs.iter().find(|program| program.key == "blade").unwrap();
 //! assert_eq!(blade.text().lines().nth(1), Some("N20 G1 X11.2 Y14.933 Z0 B0 C0"));
 //! ```
 
-pub mod blank;
 pub mod cli;
 pub mod drawing;
 pub mod escape;
@@ -56,17 +57,19 @@ pub mod figure;
 pub mod finding;
 pub mod gcode;
 pub mod geometry;
-pub mod impeller;
-pub mod job;
-pub mod lathe;
+pub mod kind;
+pub mod kinds;
+pub mod limits;
 pub mod machine;
 pub mod number;
 pub mod parameter;
-pub mod pipe;
+pub mod proof;
+pub mod removal;
 pub mod report;
+pub mod scene;
 pub mod store;
 pub mod table;
 pub mod text;
-pub mod verify;
+pub mod typeset;
 pub mod view;
 pub mod workbook;

@@ -65,7 +65,7 @@ impl Unit {
 
 /// The values of a column, one for each row.
 #[derive(Clone, Debug)]
-pub enum Values {
+pub enum Cells {
     /// Numbers.
     Numbers(Arc<[f64]>),
     /// One component (0, 1, 2) of a list of vectors.
@@ -83,7 +83,7 @@ pub enum Entry<'a> {
     Text(&'a Text),
 }
 
-impl Values {
+impl Cells {
     /// How many rows there are.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -124,14 +124,14 @@ pub struct Column {
     /// How the value is computed, as a formula in the source's letters.
     pub formula: &'static str,
     /// The values.
-    pub values: Values,
+    pub values: Cells,
 }
 
 impl Column {
     /// A column of numbers.
     #[must_use]
     pub fn numbers(symbol: &'static str, unit: Unit, formula: &'static str, values: impl Into<Arc<[f64]>>) -> Self {
-        Self { symbol: Text::fixed(symbol, symbol), unit, formula, values: Values::Numbers(values.into()) }
+        Self { symbol: Text::fixed(symbol, symbol), unit, formula, values: Cells::Numbers(values.into()) }
     }
 
     /// The column under another name.
@@ -153,14 +153,14 @@ impl Column {
             symbol: Text::fixed(symbols[axis], symbols[axis]),
             unit,
             formula,
-            values: Values::Component(Arc::clone(values), axis),
+            values: Cells::Component(Arc::clone(values), axis),
         })
     }
 
     /// A column of texts.
     #[must_use]
     pub fn texts(symbol: Text, formula: &'static str, values: Vec<Text>) -> Self {
-        Self { symbol, unit: Unit::None, formula, values: Values::Texts(values.into()) }
+        Self { symbol, unit: Unit::None, formula, values: Cells::Texts(values.into()) }
     }
 }
 

@@ -10,10 +10,10 @@ use rodete::drawing::template::NotPrinted;
 use rodete::drawing::{Drawing, NotDrawn, dxf, svg, template};
 use rodete::figure::{Arc, Figure, Ink, Label, Paper, Stroke};
 use rodete::finding::Grade;
-use rodete::job::Source;
+use rodete::kind::Provenance;
 use rodete::number::trig::cos;
-use rodete::report::Typst;
 use rodete::text::{Language, Text};
+use rodete::typeset::compiler::Typst;
 
 /// What a coordinate of a print may be off, in mm.
 const NEAR: f64 = 0.01;
@@ -53,13 +53,13 @@ fn development(length: f64, height: f64) -> Figure {
     }
 }
 
-fn source() -> Source {
-    Source { workbook: "tubo & co.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.1.0" }
+fn source() -> Provenance {
+    Provenance { workbook: "tubo & co.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.1.0" }
 }
 
 static TITLE: Text = Text::fixed("Plantilla del injerto", "Template of the branch");
 
-fn drawing<'a>(figure: &'a Figure, source: &'a Source) -> Drawing<'a> {
+fn drawing<'a>(figure: &'a Figure, source: &'a Provenance) -> Drawing<'a> {
     Drawing { figure, arcs: &[], title: &TITLE, part: "P-17 <año>", source, language: Language::Es }
 }
 

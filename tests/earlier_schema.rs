@@ -7,8 +7,9 @@ mod workbook;
 
 use common::{outcome, program, source};
 use rodete::finding::{Grade, Place};
-use rodete::impeller::parameters::FORM;
-use rodete::job;
+use rodete::kind;
+use rodete::kinds;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use workbook::{DATA, Parts};
 
@@ -29,12 +30,12 @@ fn a_workbook_of_schema_1_gives_the_same_figures_and_a_caution_at_its_cells() {
     let cells: Vec<&str> = cells.iter().map(|cell| cell.cell.as_str()).collect();
     assert_eq!(cells, ["C23", "C19", "C6"]);
 
-    let old = job::run(&FORM, filled.values, source()).expect("it is computed");
+    let old = kinds::run(&FORM, filled.values, source()).expect("it is computed");
     let new = outcome("tfg-2021", &[]);
     for key in ["blade", "splitter", "impeller", "blank"] {
         assert_eq!(program(&old, key), program(&new, key), "{key}");
     }
-    let L = |outcome: &job::Outcome| outcome.quantities.iter().find(|one| one.symbol == "L").map(|one| one.value);
+    let L = |outcome: &kind::Outcome| outcome.quantities.iter().find(|one| one.symbol == "L").map(|one| one.value);
     assert_eq!(L(&old), Some(242.9));
     assert_eq!(L(&new), L(&old));
 }

@@ -3,17 +3,17 @@
 mod common;
 
 use rodete::finding::{Finding, Grade};
-use rodete::impeller::design::Design;
-use rodete::impeller::floor_depth::{self, deepest};
-use rodete::impeller::part::Part;
-use rodete::impeller::programs::Tracks;
-use rodete::impeller::ribs::ribs;
-use rodete::impeller::sweep::Sweep;
-use rodete::impeller::tables::Passes;
-use rodete::impeller::track::Track;
-use rodete::impeller::undercut;
-use rodete::job::Outcome;
+use rodete::kind::Outcome;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::floor_depth::{self, deepest};
+use rodete::kinds::impeller::part::Part;
+use rodete::kinds::impeller::programs::Tracks;
+use rodete::kinds::impeller::ribs::ribs;
+use rodete::kinds::impeller::sweep::Sweep;
+use rodete::kinds::impeller::tables::ToolPaths;
+use rodete::kinds::impeller::undercut;
 use rodete::parameter::Value;
+use rodete::proof::track::Track;
 
 type Changes = Vec<(&'static str, Value)>;
 
@@ -131,7 +131,7 @@ fn sweeps_of([R, r, N, e, a_p, d_t]: [f64; 6], n: u32) -> (Design, Vec<Sweep>) {
     ];
     let design = Design::new(&common::values("tfg-2021", &changes)).unwrap();
     let blade = common::blade(&design);
-    let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), None).unwrap();
+    let tracks = Tracks::new(&blade, &ToolPaths::new(&design, &blade), None).unwrap();
     let sweep = |track| Sweep::new(&design, &tracks, track, undercut::height(a_p, d_t)).unwrap();
     let sweeps = [Track::Obverse, Track::Reverse].map(sweep).to_vec();
     (design, sweeps)
@@ -241,8 +241,11 @@ fn of_blades_that_meet_at_the_hub_the_rest_is_told() {
         ("X_e", Value::Real(3.0 * R)),
         ("splitters", Value::Choice("no")),
     ];
-    let told =
-        rodete::job::run(&rodete::impeller::parameters::FORM, common::values("full", &changes), common::source());
+    let told = rodete::kinds::run(
+        &rodete::kinds::impeller::parameters::FORM,
+        common::values("full", &changes),
+        common::source(),
+    );
     let findings = told.map_or_else(|refusal| refusal.findings, |outcome| outcome.findings);
     assert!(findings.iter().any(|finding| finding.grade >= Grade::Caution), "{findings:?}");
 }

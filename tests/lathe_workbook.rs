@@ -7,10 +7,11 @@ use std::io::{Cursor, Read};
 use calamine::{Reader, Xlsx};
 use rodete::figure::Ink;
 use rodete::finding::{CellPlace, Place, Refusal};
-use rodete::job::{self, Source};
-use rodete::lathe::catalogue;
-use rodete::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
-use rodete::lathe::setup::Given;
+use rodete::kind::Provenance;
+use rodete::kinds;
+use rodete::kinds::lathe::catalogue;
+use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
+use rodete::kinds::lathe::setup::Given;
 use rodete::machine::axis::Axis;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
@@ -156,8 +157,8 @@ fn every_tool_of_the_catalogue_can_be_mounted() {
 fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_among_them() {
     for (index, case) in FORM.cases.iter().enumerate() {
         let values = read(&book(index, Language::En, |_| ())).unwrap();
-        let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
-        let outcome = job::run(&FORM, values, source).unwrap();
+        let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+        let outcome = kinds::run(&FORM, values, source).unwrap();
         let turned = outcome.turned.as_ref().unwrap();
         let [run] = turned.runs.as_slice() else { panic!("{}: one program", case.name) };
         let time = outcome.quantities.iter().find(|quantity| quantity.symbol == "t").unwrap().value;
@@ -177,8 +178,8 @@ fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_amon
 #[test]
 fn the_programs_of_a_lathe_stand_once_in_its_results_and_its_profile_on_a_layer_of_its_own() {
     let values = read(&book(1, Language::En, |_| ())).unwrap();
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
-    let outcome = job::run(&FORM, values, source).unwrap();
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+    let outcome = kinds::run(&FORM, values, source).unwrap();
     let mut out = Cursor::new(Vec::new());
     workbook::results::write(&outcome, Language::En, &mut out).unwrap();
     let bytes = out.into_inner();
@@ -221,8 +222,8 @@ fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
             row.values.insert("program/BLOCK", Value::Line(block.to_owned()));
         }
     });
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
-    let outcome = job::run(&FORM, read(&bytes).unwrap(), source).unwrap();
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
+    let outcome = kinds::run(&FORM, read(&bytes).unwrap(), source).unwrap();
     let table = outcome.table("blocks").unwrap();
     let column = |name: &str| &table.column(name).unwrap().values;
     let told: Vec<_> = (0..table.rows())

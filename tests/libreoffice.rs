@@ -8,16 +8,17 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use calamine::{Data, Reader, Xlsx, open_workbook};
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Source};
-use rodete::lathe::parameters as lathe;
+use rodete::kind::Provenance;
+use rodete::kinds;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::kinds::lathe::parameters as lathe;
+use rodete::kinds::pipe::hole::parameters as hole;
+use rodete::kinds::pipe::insert::parameters as insert;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
-use rodete::pipe::hole::parameters as hole;
-use rodete::pipe::insert::parameters as insert;
 use rodete::text::Language;
 use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::{self, offsets_sheet, results, template};
@@ -99,8 +100,8 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
                 values.values.extend(filled);
                 values.lists = (case.listed)(language);
                 values.values.insert(hostile.0, hostile.1.clone());
-                let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-                let outcome = job::run(form, values, source).expect("an outcome");
+                let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                let outcome = kinds::run(form, values, source).expect("an outcome");
                 results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
             }
         }

@@ -82,7 +82,7 @@ fn assert_as_planned(program: &Program, motions: &[Motion], design: &str) {
     program.for_each_move(&mut |each| {
         let motion = read.next().expect("a motion");
         assert_eq!(motion.line, each.line, "{design}");
-        assert_eq!(matches!(motion.kind, motion::Kind::Rapid), each.path.rapid, "{design}");
+        assert_eq!(matches!(motion.kind, motion::MotionKind::Rapid), each.path.rapid, "{design}");
         let planned = each.to.differences(&Position::default());
         let miss = motion.machine.0.iter().zip(planned).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(miss < 1e-9, "{design} line {}: {motion:?} against {planned:?}", each.line);

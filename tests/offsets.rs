@@ -10,7 +10,7 @@ use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::offset_edit::Edit;
 use rodete::machine::var_file::{FILE, LAST, VarFile, required};
-use rodete::machine::work_offset::{Frame, Offsets, System, WorkOffset};
+use rodete::machine::work_offset::{ActiveOffsets, Offsets, System, WorkOffset};
 use rodete::text::Language;
 
 /// Runs a program with a var file: the canonical calls, and the var file that is left behind.
@@ -184,7 +184,7 @@ fn writing_touches_only_what_has_changed() {
 
 #[test]
 fn a_rotation_turns_the_program_and_its_g92_but_not_the_origin() {
-    let mut frame = Frame::default();
+    let mut frame = ActiveOffsets::default();
     frame.work.origin = Pose([100.0, 50.0, 10.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
     frame.work.rotation = 90.0;
     frame.g92.set(Axis::X, 5.0);

@@ -6,15 +6,16 @@ use std::f64::consts::TAU;
 use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
 use rodete::finding::{Exit, Grade, Refusal};
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::geometry::pipe_pair::Side;
-use rodete::job::{self, Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::pipe::hole;
+use rodete::kinds::pipe::insert;
 use rodete::machine::axis::Axis;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::{Form, Value, Values};
-use rodete::pipe::hole;
-use rodete::pipe::insert;
 use rodete::table::Entry;
 use rodete::text::Language;
 
@@ -24,8 +25,8 @@ fn designs(usual: u32) -> ProptestConfig {
 }
 
 fn run(form: &'static Form, values: Values) -> Result<Outcome, Refusal> {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-    job::run(form, values, source)
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    kinds::run(form, values, source)
 }
 
 /// The values of a case with changes, pipes given by diameter and wall.
@@ -56,7 +57,7 @@ fn row(outcome: &Outcome, name: &str) -> f64 {
 /// The motions of the cut, lead-in first.
 fn cuts(program: &Program) -> Vec<Motion> {
     let motions = program.read_back().map(|motion| motion.expect("taken"));
-    motions.filter(|motion| matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..))).collect()
+    motions.filter(|motion| matches!(motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..))).collect()
 }
 
 /// An axis a part of the way along a motion.
@@ -278,13 +279,13 @@ proptest! {
                 .collect(),
         };
         let feeds = program.read_back_with(setting).map(|motion| motion.expect("taken"));
-        let feeds = feeds.filter(|motion| matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..)));
+        let feeds = feeds.filter(|motion| matches!(motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)));
         for (motion, span) in feeds.skip(usize::from(annex)).zip(spans) {
             let Some([from, to]) = span else { continue };
             let [x, y] = if flat { [Axis::X, Axis::Y] } else { [Axis::A, Axis::X] };
             for part in PARTS {
                 let point = match motion.kind {
-                    Kind::Arc(arc, _) => {
+                    MotionKind::Arc(arc, _) => {
                         let centre = Vector2::from(arc.centre);
                         let start = Vector2::new(motion.from.get(x), motion.from.get(y)) - centre;
                         let (sin, cos) = sin_cos(arc.sweep * part);

@@ -11,18 +11,19 @@ use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
 use rodete::gcode::interpreter::Interpreter;
-use rodete::job::{self, Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::pipe::hole::cases::CASES;
+use rodete::kinds::pipe::hole::cut::{cut, machine_axes, root};
+use rodete::kinds::pipe::hole::design::Design;
+use rodete::kinds::pipe::hole::parameters::FORM;
+use rodete::kinds::pipe::hole::proof::{clearance, judge};
+use rodete::kinds::pipe::hole::tables;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::{Value, Values};
-use rodete::pipe::hole::cases::CASES;
-use rodete::pipe::hole::cut::{cut, machine_axes, root};
-use rodete::pipe::hole::design::Design;
-use rodete::pipe::hole::parameters::FORM;
-use rodete::pipe::hole::tables;
+use rodete::proof::check::Verdict;
 use rodete::table::Entry;
 use rodete::text::Language;
-use rodete::verify::check::Verdict;
-use rodete::verify::pipe_hole::{clearance, judge};
 
 fn values(changes: &[(&'static str, Value)]) -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
@@ -32,8 +33,8 @@ fn values(changes: &[(&'static str, Value)]) -> Values {
 }
 
 fn run(changes: &[(&'static str, Value)]) -> Result<Outcome, rodete::finding::Refusal> {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-    job::run(&FORM, values(changes), source)
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    kinds::run(&FORM, values(changes), source)
 }
 
 fn outcome(changes: &[(&'static str, Value)]) -> Outcome {
@@ -283,7 +284,7 @@ fn the_root_lies_on_both_pipes_and_under_the_torch() {
 #[test]
 fn branch_and_hole_of_one_joint_are_no_mirror_images() {
     use nalgebra::Vector3;
-    use rodete::pipe::insert;
+    use rodete::kinds::pipe::insert;
     let (theta, e, b) = (65.0, 14.0, 2.0);
     let hole =
         Design::new(&values(&[real("theta", theta), real("e", e), real("D_max", 60.0), real("gamma", 0.0)])).unwrap();
@@ -465,7 +466,7 @@ proptest! {
 #[test]
 fn a_torch_not_lit_for_the_cut_or_not_put_out_after_it_is_caught() {
     use rodete::gcode::program::Part;
-    use rodete::verify::verification::torch;
+    use rodete::proof::verification::torch;
     let design = Design::new(&values(&[])).expect("a design");
     let program = outcome(&[]).programs.remove(0);
     let codes = || Some([&design.torch_on[..], &design.torch_off[..]]);

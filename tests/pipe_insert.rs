@@ -8,18 +8,19 @@ use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
 use rodete::gcode::interpreter::Interpreter;
-use rodete::job::{self, Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::pipe::insert::cases::CASES;
+use rodete::kinds::pipe::insert::cut::cut;
+use rodete::kinds::pipe::insert::design::Design;
+use rodete::kinds::pipe::insert::parameters::FORM;
+use rodete::kinds::pipe::insert::program::{published, template_points};
+use rodete::kinds::pipe::insert::proof::judge;
+use rodete::kinds::pipe::insert::tables;
 use rodete::parameter::{Value, Values};
-use rodete::pipe::insert::cases::CASES;
-use rodete::pipe::insert::cut::cut;
-use rodete::pipe::insert::design::Design;
-use rodete::pipe::insert::parameters::FORM;
-use rodete::pipe::insert::program::{published, template_points};
-use rodete::pipe::insert::tables;
+use rodete::proof::check::Verdict;
 use rodete::table::Entry;
 use rodete::text::Language;
-use rodete::verify::check::Verdict;
-use rodete::verify::pipe_insert::judge;
 
 /// The values of a case with changes.
 fn values(case: &str, changes: &[(&'static str, Value)]) -> Values {
@@ -98,13 +99,13 @@ fn table_2_is_reproduced_with_its_slips_named() {
 
 /// What comes of a case with changes.
 fn outcome(case: &str, changes: &[(&'static str, Value)]) -> Outcome {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-    job::run(&FORM, values(case, changes), source).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings))
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    kinds::run(&FORM, values(case, changes), source).unwrap_or_else(|refusal| panic!("refused: {:?}", refusal.findings))
 }
 
 fn refused(changes: &[(&'static str, Value)]) -> Vec<Finding> {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-    match job::run(&FORM, values("square", changes), source) {
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    match kinds::run(&FORM, values("square", changes), source) {
         Err(refusal) => {
             assert_eq!(refusal.exit, Exit::Refused);
             refusal.findings
@@ -249,7 +250,7 @@ fn the_published_case_says_that_its_radius_is_the_outside_one() {
 fn the_deviation_reported_is_that_of_dense_sampling() {
     let design = published_design();
     let outline = design.template();
-    let triples = rodete::pipe::insert::arcs::triples(&template_points(&design), design.arc_tolerance);
+    let triples = rodete::kinds::pipe::insert::arcs::triples(&template_points(&design), design.arc_tolerance);
     let mut most = 0.0_f64;
     for triple in &triples {
         let circle = triple.circle.expect("an arc");
@@ -307,9 +308,9 @@ fn variations_of_the_published_case_are_no_fault() {
 /// A steep branch reaches farther than a program may: the input is refused, and rodete is not to blame.
 #[test]
 fn a_position_beyond_the_format_is_refused_in_the_published_style_too() {
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
     let changes = [real("theta", 1.0), real("r", 1000.0), real("R", 1500.0)];
-    let refusal = job::run(&FORM, values("3on4-2023", &changes), source).expect_err("beyond the format");
+    let refusal = kinds::run(&FORM, values("3on4-2023", &changes), source).expect_err("beyond the format");
     assert_eq!(refusal.exit, Exit::Refused);
     let what = refusal.findings[0].what.en.as_ref();
     assert!(what.ends_with("does not fit into a program (five digits and three decimals)"), "{what}");
@@ -378,8 +379,8 @@ proptest! {
         for key in ["branch_size", "branch_schedule", "header_size", "header_schedule"] {
             values.values.remove(key);
         }
-        let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-        match job::run(&FORM, values, source) {
+        let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+        match kinds::run(&FORM, values, source) {
             Ok(outcome) => prop_assert!(!outcome.stopped(), "{:?}", outcome.findings),
             Err(refusal) => prop_assert!(
                 refusal.findings.iter().all(|finding| finding.what.en.contains("kerf")), "{:?}", refusal.findings

@@ -3,17 +3,17 @@
 use rodete::finding::Grade;
 use rodete::gcode::dialect::Rotary;
 use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::{Part, Program};
 use rodete::gcode::word::Word;
-use rodete::job::{self, Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::pipe::{hole, insert};
 use rodete::machine::axis::Axis;
 use rodete::parameter::{Value, Values};
-use rodete::pipe::{hole, insert};
+use rodete::proof::check::Verdict;
+use rodete::proof::rollover;
 use rodete::text::Language;
-use rodete::verify::check::Verdict;
-use rodete::verify::rollover;
-use rodete::verify::{pipe_hole, pipe_insert};
 
 const KINDS: [&str; 2] = ["hole", "insert"];
 
@@ -47,8 +47,8 @@ fn values(kind: &str, dialect: &'static str, changes: &[Change]) -> Values {
 
 fn outcome(kind: &str, dialect: &'static str, changes: &[Change]) -> Outcome {
     let form = if kind == "hole" { &hole::parameters::FORM } else { &insert::parameters::FORM };
-    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-    let outcome = job::run(form, values(kind, dialect, changes), source)
+    let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+    let outcome = kinds::run(form, values(kind, dialect, changes), source)
         .unwrap_or_else(|refusal| panic!("{kind} {dialect} {changes:?}: {:?}", refusal.findings));
     assert!(!outcome.stopped(), "{kind} {dialect} {changes:?}: {:?}", outcome.findings);
     outcome
@@ -61,7 +61,7 @@ fn motions(program: &Program, rotary: Rotary) -> Vec<Motion> {
 
 /// The motions at feed: where each ends.
 fn cuts(motions: &[Motion]) -> Vec<[f64; 6]> {
-    let feeds = motions.iter().filter(|motion| matches!(motion.kind, Kind::Feed(_)));
+    let feeds = motions.iter().filter(|motion| matches!(motion.kind, MotionKind::Feed(_)));
     feeds.map(|motion| [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C].map(|axis| motion.to.get(axis))).collect()
 }
 
@@ -80,7 +80,7 @@ fn on_a_fagor_8055_both_kinds_of_rotary_axes_make_the_motions_of_the_plan() {
             for (one, other) in rollover.iter().zip(&linear) {
                 assert_eq!((one.line, one.from, one.to), (other.line, other.from, other.to), "{kind} {joint:?}");
                 for by in &one.to.differences(&one.from)[3..6] {
-                    assert!(matches!(one.kind, Kind::Rapid) || by.abs() <= 180.0, "{kind} line {}", one.line);
+                    assert!(matches!(one.kind, MotionKind::Rapid) || by.abs() <= 180.0, "{kind} line {}", one.line);
                 }
             }
             // The plan of the dialect whose axes are linear: the feeds do not bear on it here.
@@ -180,11 +180,11 @@ fn a_wrong_increment_is_caught() {
             let checks = if kind == "hole" {
                 let design = hole::design::Design::new(&values).expect("a design");
                 let way = hole::cut::cut(&design).expect("within the format").expect("a way");
-                pipe_hole::judge(&design, &way, &program, &mut read).0
+                hole::proof::judge(&design, &way, &program, &mut read).0
             } else {
                 let design = insert::design::Design::new(&values).expect("a design");
                 let way = insert::cut::cut(&design).expect("a way");
-                pipe_insert::judge(&design, Some(&way), &program, &mut read).0
+                insert::proof::judge(&design, Some(&way), &program, &mut read).0
             };
             checks.iter().find(|check| check.key == "agreement").expect("the row").verdict
         };

@@ -9,18 +9,18 @@ use proptest::prelude::*;
 use rodete::geometry::darboux::Darboux;
 use rodete::geometry::torus::Torus;
 use rodete::geometry::villarceau::Villarceau;
-use rodete::impeller::blade::Blade;
-use rodete::impeller::blade_count::{N_max, e_max};
-use rodete::impeller::parameters::FORM;
+use rodete::kinds::impeller::blade::Blade;
+use rodete::kinds::impeller::blade_count::{N_max, e_max};
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::rotary::Rotary;
 use rodete::number::trig::{asin, atan2, hypot};
-use rodete::parameter::{Kind, Value};
+use rodete::parameter::{FieldKind, Value};
 
 /// The limits of a parameter, from the form itself.
 fn limits(key: &str) -> (f64, f64) {
     match FORM.parameter(key).unwrap().kind {
-        Kind::Real { min, max } => (min, max),
-        Kind::Whole { min, max } => (f64::from(min), f64::from(max)),
+        FieldKind::Real { min, max } => (min, max),
+        FieldKind::Whole { min, max } => (f64::from(min), f64::from(max)),
         _ => panic!("a number"),
     }
 }
@@ -142,7 +142,7 @@ proptest! {
         let values = common::values("full", &changes);
         // Some designs have no splitter, or safe points inside the passes: refused with a reason. Too many of them
         // would end the test.
-        let outcome = rodete::job::run(&FORM, values, common::source());
+        let outcome = rodete::kinds::run(&FORM, values, common::source());
         prop_assume!(outcome.is_ok());
         let outcome = outcome.unwrap();
         prop_assert!(!outcome.stopped() || outcome.programs.is_empty());

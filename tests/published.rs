@@ -4,7 +4,7 @@
 
 mod common;
 
-use rodete::impeller::design::Design;
+use rodete::kinds::impeller::design::Design;
 use rodete::parameter::Value;
 use rodete::table::Entry;
 

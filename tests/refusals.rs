@@ -3,9 +3,9 @@
 mod common;
 
 use rodete::finding::{CellPlace, Exit, FAULT, Finding, Grade, Place};
-use rodete::impeller::design::Design;
-use rodete::impeller::parameters::FORM;
-use rodete::job;
+use rodete::kinds;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::table::Entry;
 use rodete::text::Text;
@@ -167,7 +167,7 @@ fn a_stock_too_small_for_the_torus_is_refused() {
 #[test]
 fn a_splitter_whose_path_crosses_nothing_is_refused() {
     let changes = [("N", Value::Whole(1)), real("e", 0.1), real("d_t", 0.5), real("d_s", 5.0)];
-    let refusal = job::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();
+    let refusal = kinds::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();
     assert_eq!(refusal.exit, Exit::Refused);
     assert_eq!(
         refusal.findings[0].what.en,
@@ -182,7 +182,7 @@ fn a_splitter_with_nothing_left_is_refused() {
         ("each-side", "no splitter blade fits: however it fades out, the tool would cut into the neighbouring blade"),
     ] {
         let changes = [("n", Value::Whole(2)), ("N", Value::Whole(5)), ("splitter_fade", Value::Choice(fade))];
-        let refusal = job::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();
+        let refusal = kinds::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();
         assert_eq!(refusal.exit, Exit::Refused);
         assert_eq!(refusal.findings[0].what.en, what);
         assert_eq!(
@@ -197,7 +197,7 @@ fn an_axis_beyond_its_travel_stops_the_programs() {
     let mut values = common::values("full", &[real("B_max", 80.0), real("Z_min", -200.0)]);
     let cell = CellPlace { sheet: "DATA".to_owned(), cell: "C24".to_owned() };
     values.cells.insert("B_max", cell.clone());
-    let outcome = job::run(&FORM, values, common::source()).unwrap();
+    let outcome = kinds::run(&FORM, values, common::source()).unwrap();
     assert!(outcome.stopped() && outcome.programs.is_empty());
     let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
     // Both axes in blade, splitter and impeller.
@@ -224,7 +224,7 @@ fn calibration(x0: f64, z0: f64) -> Vec<(&'static str, Value)> {
 
 #[test]
 fn a_calibration_without_solution_is_refused() {
-    let refusal = job::run(&FORM, common::values("full", &calibration(0.1, 0.1)), common::source()).unwrap_err();
+    let refusal = kinds::run(&FORM, common::values("full", &calibration(0.1, 0.1)), common::source()).unwrap_err();
     assert_eq!(
         refusal.findings[0].what.en,
         "the calibration has no real solution: the slots cannot come from one machine"
@@ -333,17 +333,18 @@ fn a_fault_in_rodete_never_ends_as_a_refused_input() {
 #[test]
 fn only_one_remedy_says_that_rodete_is_to_blame() {
     let mut found = Vec::new();
-    let mut folders = vec![std::path::PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))];
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut folders = vec![root.clone()];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
             if entry.is_dir() {
                 folders.push(entry);
             } else if std::fs::read_to_string(&entry).is_ok_and(|text| text.contains(FAULT.en.as_ref())) {
-                found.push(entry.file_name().expect("a name").to_string_lossy().into_owned());
+                found.push(entry.strip_prefix(&root).expect("a path in the folder").to_path_buf());
             }
         }
     }
-    assert_eq!(found, ["finding.rs"]);
+    assert_eq!(found, [std::path::Path::new("finding/mod.rs")]);
 }
 
 #[test]

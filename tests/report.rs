@@ -8,15 +8,17 @@ use std::time::{Duration, Instant};
 
 use rodete::figure::{Axes, Figure, Ink, Stroke};
 use rodete::finding::{Finding, Grade, Place};
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
-use rodete::job::{Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{Value, Values};
+use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
 use rodete::report::{Attachment, Content, Role};
-use rodete::report::{ReportFailure, Typst, typeset};
 use rodete::table::{Column, Index, Quantity, Table, Unit};
 use rodete::text::{Language, Text};
+use rodete::typeset::compiler::Typst;
+use rodete::typeset::failure::ReportFailure;
 
 /// A small outcome with every kind of content but programs.
 fn outcome(part: &str, rows: usize) -> Outcome {
@@ -29,7 +31,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
     Outcome {
         form: &FORM,
         values,
-        source: Source {
+        source: Provenance {
             workbook: "impeller & co.xlsx".to_owned(),
             sha256: "0123456789abcdef".repeat(4),
             version: "0.1.0",
@@ -194,14 +196,15 @@ mod embedded {
     /// Every kind, case and language: each has words, method and set-up sheet of its own.
     #[test]
     fn every_kind_of_workbook_has_its_report() {
-        use rodete::pipe::{hole, insert};
+        use rodete::kinds::pipe::{hole, insert};
         for form in [&FORM, &insert::parameters::FORM, &hole::parameters::FORM] {
             for case in form.cases {
                 for language in Language::ALL {
                     let mut values = Values { language, ..Values::default() };
                     values.values.extend(case.values(language));
-                    let source = Source { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-                    let outcome = rodete::job::run(form, values, source).expect("an outcome");
+                    let source =
+                        Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                    let outcome = rodete::kinds::run(form, values, source).expect("an outcome");
                     let report = typeset(&outcome, &[workbook()], language, &typst()).expect("a report");
                     assert!(report.findings.is_empty(), "{} {}: {:?}", form.kind, case.name, report.findings);
                     let Some(text) = text(&report.pdf) else { continue };

@@ -7,8 +7,8 @@ use std::io::{Cursor, Read};
 
 use calamine::{Data, Range, Reader, Xlsx};
 use rodete::finding::{Finding, Place};
-use rodete::impeller::parameters::FORM;
-use rodete::job::{Outcome, checks};
+use rodete::kind::{Outcome, checks};
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::table::{Column, Entry, Index, Table, Unit};
 use rodete::text::{Language, Text};

@@ -7,14 +7,15 @@ use common::{absolute, outcome, program, read_back};
 use rodete::finding::{Finding, Grade, Place};
 use rodete::gcode::dialect::Rotary;
 use rodete::gcode::interpreter::Setting;
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
-use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Outcome};
+use rodete::kind::Outcome;
+use rodete::kinds;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::axis::{Axis, Position};
 use rodete::parameter::Value;
-use rodete::verify::check::Verdict;
-use rodete::verify::rollover;
+use rodete::proof::check::Verdict;
+use rodete::proof::rollover;
 
 const MILLED: [&str; 3] = ["blade", "splitter", "impeller"];
 
@@ -32,7 +33,7 @@ fn line(text: &str) -> Value {
 }
 
 fn refusals(changes: &[(&'static str, Value)]) -> Vec<Finding> {
-    job::run(&FORM, common::values("full", changes), common::source()).expect_err("it is refused").findings
+    kinds::run(&FORM, common::values("full", changes), common::source()).expect_err("it is refused").findings
 }
 
 /// The cautions on how the programs begin; those on what they leave of the part are not looked at here.
@@ -54,7 +55,7 @@ fn the_usual_programs_make_the_same_motions_on_rollover_and_on_linear_axes() {
         for (one, other) in rollover.iter().zip(&linear) {
             assert_eq!((one.line, one.from, one.to), (other.line, other.from, other.to), "{key}");
             let turned = one.to.differences(&one.from)[Axis::C as usize].abs();
-            assert!(matches!(one.kind, Kind::Rapid) || turned <= 180.0, "{key} line {}", one.line);
+            assert!(matches!(one.kind, MotionKind::Rapid) || turned <= 180.0, "{key} line {}", one.line);
         }
         let last = rollover.last().expect("a motion").to;
         for axis in [Axis::X, Axis::Y, Axis::B, Axis::C] {
@@ -125,7 +126,7 @@ fn positions_on_rollover_axes_are_refused_at_their_cells() {
     // A workbook without the cell is one of a control as it is delivered.
     let mut values = common::values("full", &[("distance", Value::Choice("G90"))]);
     values.values.remove("rotary");
-    let refusal = job::run(&FORM, values, common::source()).expect_err("it is refused");
+    let refusal = kinds::run(&FORM, values, common::source()).expect_err("it is refused");
     assert_eq!(refusal.findings.len(), 1);
 }
 

@@ -1,14 +1,14 @@
 //! Each slip of the printed source: its form fails against the published figures, ours holds. The list with the
-//! explanation is the documentation of `rodete::impeller::slips`.
+//! explanation is the documentation of `rodete::kinds::impeller::slips`.
 
 mod common;
 
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
-use rodete::impeller::blade::Blade;
-use rodete::impeller::design::Design;
-use rodete::impeller::splitter::Splitter;
+use rodete::kinds::impeller::blade::Blade;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::splitter::Splitter;
 use rodete::machine::calibration::{Slots, nearest};
 use rodete::machine::rotary::Rotary;
 use rodete::number::trig::{acos, atan, sin_cos};
@@ -123,7 +123,7 @@ fn equations_20_and_21_sides() {
     let (design, blade) = published();
     for (name, sign) in [("annex-06-obverse", 1.0), ("annex-07-reverse", -1.0)] {
         let printed = golden(name);
-        let path = |sign: f64| rodete::impeller::tool_path::tool_path(&blade, sign * design.w(), design.a_p);
+        let path = |sign: f64| rodete::kinds::impeller::tool_path::tool_path(&blade, sign * design.w(), design.a_p);
         assert!(miss(path(sign).iter().copied(), &printed) < 5.1e-6);
         assert!(miss(path(-sign).iter().copied(), &printed) > 4.0);
     }

@@ -18,7 +18,7 @@ mod threads;
 use lathe::{arc, bare, line, profile, rapid};
 use rodete::finding::Exit;
 use rodete::gcode::turning::finish::finish;
-use rodete::gcode::turning::repeat::{Repeat, repeat};
+use rodete::gcode::turning::pattern_repeating::{Repeat, repeat};
 use rodete::gcode::turning::rough::{Rough, axial, radial};
 use rodete::gcode::turning::trouble::Trouble;
 use rodete::gcode::turning::{Move, Way};
@@ -234,7 +234,7 @@ fn a_contour_that_a_control_refuses_is_refused_with_its_alarm_and_block() {
         profile([2.0, 30.0], [rapid([2.0, 10.0]), line([-10.0, 12.0]), line([-20.0, 9.0]), line([-30.0, 30.0])]);
     let trouble = radial(&faced, &ROUGH).unwrap_err();
     assert_eq!((trouble.alarm, trouble.line), (Some(64), Some(3)));
-    assert!(trouble.told().en.starts_with("PS0064: "));
+    assert!(trouble.message().en.starts_with("PS0064: "));
     // Allowances into the metal, no extent, no numbers.
     assert_eq!(alarm(&good, &Rough { U: -0.5, ..ROUGH }), (None, None));
     assert_eq!(alarm(&good, &Rough { W: -0.1, ..ROUGH }), (None, None));

@@ -20,25 +20,25 @@ use rodete::finding::{Grade, Place};
 use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
-use rodete::impeller::blade::Blade;
-use rodete::impeller::blade_count::e_max;
-use rodete::impeller::design::Design;
-use rodete::impeller::ideal::Ideal;
-use rodete::impeller::programs::{Tracks, programs};
-use rodete::impeller::splitter::Splitter;
-use rodete::impeller::tables::Passes;
-use rodete::impeller::track::Track;
+use rodete::kinds::impeller::blade::Blade;
+use rodete::kinds::impeller::blade_count::e_max;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::ideal::Ideal;
+use rodete::kinds::impeller::programs::{Tracks, programs};
+use rodete::kinds::impeller::proof::cutting::Known;
+use rodete::kinds::impeller::proof::refinement::{greatest, needed};
+use rodete::kinds::impeller::proof::tip_path::{between, deviation};
+use rodete::kinds::impeller::proof::{Geometry, judge};
+use rodete::kinds::impeller::splitter::Splitter;
+use rodete::kinds::impeller::tables::ToolPaths;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
+use rodete::proof::check::{Check, Verdict};
+use rodete::proof::text::Characters;
+use rodete::proof::track::Track;
 use rodete::table::Entry;
 use rodete::text::Language;
-use rodete::verify::check::{Check, Verdict};
-use rodete::verify::cutting::Known;
-use rodete::verify::impeller::{Geometry, judge};
-use rodete::verify::refinement::{greatest, needed};
-use rodete::verify::text::Characters;
-use rodete::verify::tip_path::{between, deviation};
 use tool::Tool;
 
 fn real(key: &'static str, value: f64) -> (&'static str, Value) {
@@ -53,7 +53,7 @@ fn published(n: u32) -> Design {
 /// rounded.
 fn exact(design: &Design, track: Track) -> [f64; 2] {
     let blade = common::blade(design);
-    let passes = Passes::new(design, &blade);
+    let passes = ToolPaths::new(design, &blade);
     let points = if track == Track::Obverse { &passes.obverse } else { &passes.reverse };
     let ideal = Ideal::new(design, None, track).unwrap();
     let pose = |i: usize| {
@@ -478,7 +478,7 @@ proptest! {
         // Some designs have no splitter, and are refused.
         prop_assume!(splitter.is_ok());
         let splitter = splitter.unwrap();
-        let tracks = Tracks::new(&blade, &Passes::new(&design, &blade), Some(&splitter)).unwrap();
+        let tracks = Tracks::new(&blade, &ToolPaths::new(&design, &blade), Some(&splitter)).unwrap();
         let origin = Origin { workbook: "", sha256: "", version: "", language: Language::En };
         let made = programs(&design, &tracks, &origin).unwrap();
         let program = made.programs.iter().find(|program| program.key == "splitter").unwrap();

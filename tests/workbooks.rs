@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use rodete::impeller::parameters as impeller;
-use rodete::lathe::parameters as lathe;
+use rodete::kinds::impeller::parameters as impeller;
+use rodete::kinds::lathe::parameters as lathe;
+use rodete::kinds::pipe::hole::parameters as hole;
+use rodete::kinds::pipe::insert::parameters as insert;
 use rodete::parameter::Form;
-use rodete::pipe::hole::parameters as hole;
-use rodete::pipe::insert::parameters as insert;
 use rodete::text::Language;
 use rodete::workbook::template;
 

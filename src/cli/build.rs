@@ -12,16 +12,17 @@ use super::interrupt::{self, AtWork};
 use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use super::{BUILD, Sink, drawings, reading, refused, side_by_side};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::job::Outcome;
-use crate::lathe::parameters as lathe;
-use crate::report::{self, Attachment, Content, Role, Typst};
+use crate::kind::Outcome;
+use crate::kinds::lathe::parameters as lathe;
+use crate::kinds::lathe::scene::Watching;
+use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, Text};
-use crate::view::lathe::Watching;
+use crate::typeset::compiler::Typst;
 
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";
@@ -74,7 +75,7 @@ fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     typst.with_interrupt(interrupted)
 }
 
-fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Verdict) -> Result<(), Refusal> {
+fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(), Refusal> {
     let (bytes, filled) = reading::read(&item.workbook, verdict)?;
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
@@ -117,7 +118,7 @@ fn typeset(
     language: Language,
     typst: &Typst,
     set: &mut Set<'_>,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
 ) -> Result<Option<Finding>, Refusal> {
     let input = Attachment {
         name: outcome.source.workbook.clone(),

@@ -5,18 +5,18 @@ use std::ffi::OsString;
 
 use super::kinds::FORMS;
 use super::plan::Item;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use super::{drawings, show};
 use crate::escape::printable;
 use crate::finding::{Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
-use crate::job::Outcome;
-use crate::lathe::mesh;
+use crate::kind::Outcome;
+use crate::kinds::lathe::scene::Watching;
+use crate::removal::turning::mesh;
 use crate::report::{Attachment, Content, Role};
 use crate::store::{self, Set};
 use crate::text::{Language, Text};
 use crate::view;
-use crate::view::lathe::Watching;
 use crate::workbook::results;
 
 /// The ending of the results.
@@ -98,7 +98,7 @@ impl Delivery<'_> {
 
 /// A caution for each file in the folder that bears the name of an output and is not of this set: a program of an earlier
 /// one must not be taken for one of this.
-pub(super) fn leftovers(item: &Item, verdict: &Verdict) -> Vec<Finding> {
+pub(super) fn leftovers(item: &Item, verdict: &Ending) -> Vec<Finding> {
     endings()
         .into_iter()
         .map(|ending| store::file_name(&item.stem, &ending))

@@ -8,10 +8,11 @@ use super::plan::Item;
 use crate::drawing::{Drawing, NotDrawn, dxf, svg, template};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::job::{Outcome, Template};
-use crate::report::{Attachment, Content, Role, Typst};
+use crate::kind::{Outcome, Template};
+use crate::report::{Attachment, Content, Role};
 use crate::store::{self, Set};
 use crate::text::{Language, Text};
+use crate::typeset::compiler::Typst;
 
 /// The formats that are written in any case: extension and media type.
 const FORMATS: [(&str, &str); 2] = [("dxf", "image/vnd.dxf"), ("svg", "image/svg+xml")];
@@ -113,17 +114,18 @@ mod tests {
 
     use super::*;
     use crate::figure::{Figure, Ink, Paper, Stroke};
-    use crate::impeller::cases::CASES;
-    use crate::impeller::parameters::FORM;
-    use crate::job::{self, Source};
+    use crate::kind::Provenance;
+    use crate::kinds;
+    use crate::kinds::impeller::cases::CASES;
+    use crate::kinds::impeller::parameters::FORM;
     use crate::parameter::Values;
     use crate::store::{Existing, Folder};
 
     fn outcome(points: Vec<[f64; 2]>) -> Outcome {
         let mut values = Values { language: Language::En, ..Values::default() };
         values.values.extend(CASES[0].values(Language::En));
-        let source = Source { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
-        let mut outcome = job::run(&FORM, values, source).unwrap();
+        let source = Provenance { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
+        let mut outcome = kinds::run(&FORM, values, source).unwrap();
         let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };
         outcome.templates = [Some(Paper::A4), None]
             .into_iter()

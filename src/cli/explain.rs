@@ -7,12 +7,12 @@ use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{Example, Exit, Grade, Rule};
-use crate::lathe;
 use crate::parameter::t;
+use crate::removal::turning::rules;
 use crate::text::{Language, Text};
 
 /// The rows of every room.
-pub const RULES: [&[&Rule]; 1] = [lathe::rules::RULES];
+pub const RULES: [&[&Rule]; 1] = [rules::RULES];
 
 fn all() -> impl Iterator<Item = &'static Rule> {
     RULES.into_iter().flatten().copied()

@@ -5,10 +5,8 @@ use textwrap::{Options, fill};
 
 use crate::escape::printable;
 use crate::finding::{CellPlace, Finding, Grade, Place};
+use crate::limits::LISTED_FINDINGS;
 use crate::text::{Language, Text};
-
-/// Most findings of a workbook that are printed; the rest is counted.
-const MOST: usize = 50;
 
 /// The names that places are told with.
 #[derive(Clone, Copy, Debug)]
@@ -42,11 +40,12 @@ pub(super) fn list<'a>(
     let names = names.into();
     let mut wanted: Vec<_> = findings.iter().filter(|finding| grades(finding.grade)).collect();
     wanted.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let mut text: String = wanted.iter().take(MOST).map(|finding| one(finding, names, language, width)).collect();
-    if wanted.len() > MOST {
+    let mut text: String =
+        wanted.iter().take(LISTED_FINDINGS).map(|finding| one(finding, names, language, width)).collect();
+    if wanted.len() > LISTED_FINDINGS {
         let more = Text::new(
-            format!("… se muestran {MOST} de {}\n", wanted.len()),
-            format!("… {MOST} of {} are shown\n", wanted.len()),
+            format!("… se muestran {LISTED_FINDINGS} de {}\n", wanted.len()),
+            format!("… {LISTED_FINDINGS} of {} are shown\n", wanted.len()),
         );
         text.push_str(more.get(language));
     }

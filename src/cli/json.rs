@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::verdict::{Verdict, code, status};
+use super::verdict::{Ending, code, status};
 use crate::escape::hidden;
 use crate::finding::{Exit, Finding};
 use crate::text::Text;
@@ -53,7 +53,7 @@ pub(super) struct File<'a> {
 /// The document: version, command, exit code, and for every workbook its end, findings, derived values and files.
 /// Characters that a terminal would obey are escaped, which changes no value. A path that is no UTF-8 is shown with
 /// U+FFFD in its place.
-pub(super) fn document(command: &str, exit: Exit, verdicts: &[Verdict]) -> String {
+pub(super) fn document(command: &str, exit: Exit, verdicts: &[Ending]) -> String {
     let document = Document {
         rodete: env!("CARGO_PKG_VERSION"),
         command,
@@ -83,7 +83,7 @@ pub(super) fn laid_out(document: &impl Serialize) -> String {
     shown
 }
 
-fn workbook(verdict: &Verdict) -> Workbook<'_> {
+fn workbook(verdict: &Ending) -> Workbook<'_> {
     let quantities = verdict.quantities.iter().map(|one| Quantity {
         symbol: one.symbol,
         value: one.value,
@@ -105,7 +105,7 @@ fn workbook(verdict: &Verdict) -> Workbook<'_> {
 }
 
 /// The files that were written.
-pub(super) fn files(verdict: &Verdict) -> Vec<File<'_>> {
+pub(super) fn files(verdict: &Ending) -> Vec<File<'_>> {
     let file = verdict.files.iter().map(|file| File {
         name: file.name.to_string_lossy().into_owned(),
         path: file.path.to_string_lossy().into_owned(),
@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn the_document_holds_what_was_found_and_written() {
-        let mut verdict = Verdict::new("a\u{202e}\u{1b}.xlsx".into());
+        let mut verdict = Ending::new("a\u{202e}\u{1b}.xlsx".into());
         verdict.exit = Exit::Refused;
         verdict.findings.push(Finding::stop(
             Place::Sheet("DATA\u{9b}".into()),

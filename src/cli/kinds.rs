@@ -1,9 +1,9 @@
 //! The workbook kinds that the commands know.
 
-use crate::impeller;
-use crate::lathe;
-use crate::parameter::{Case, Form, Kind};
-use crate::pipe;
+use crate::kinds::impeller;
+use crate::kinds::lathe;
+use crate::kinds::pipe;
+use crate::parameter::{Case, FieldKind, Form};
 
 /// Every form, the usual one first.
 pub(super) static FORMS: [&Form; 4] = [
@@ -36,7 +36,7 @@ pub(super) fn version() -> String {
     let mut text = format!("rodete {}\n", env!("CARGO_PKG_VERSION"));
     for form in FORMS {
         text.push_str(&format!("workbook {}: schema {}\n", form.kind, form.schema));
-        if let Some(Kind::Choice(choices)) = form.parameter("dialect").map(|parameter| &parameter.kind) {
+        if let Some(FieldKind::Choice(choices)) = form.parameter("dialect").map(|parameter| &parameter.kind) {
             let keys: Vec<_> = choices.iter().map(|choice| choice.key).collect();
             text.push_str(&format!("dialects: {}\n", keys.join(", ")));
         }

@@ -42,7 +42,7 @@ use self::args::{Arguments, Check, Command};
 pub use self::explain::RULES;
 use self::locale::spoken;
 use self::terminal::Terminal;
-use self::verdict::{Verdict, code, gravest};
+use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
 use crate::text::Language;
@@ -131,7 +131,7 @@ struct Sink {
     /// The language that was asked for.
     language: Option<Language>,
     /// The verdicts so far, if they are to be printed as one document.
-    kept: Option<Vec<Verdict>>,
+    kept: Option<Vec<Ending>>,
     exit: Exit,
 }
 
@@ -140,7 +140,7 @@ impl Sink {
         Self { command, language, kept: if json { Some(Vec::new()) } else { None }, exit: Exit::Done }
     }
 
-    fn take(&mut self, verdict: Verdict, terminal: &mut Terminal) {
+    fn take(&mut self, verdict: Ending, terminal: &mut Terminal) {
         self.exit = gravest(self.exit, verdict.exit);
         match &mut self.kept {
             Some(kept) => kept.push(verdict),

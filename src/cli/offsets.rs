@@ -8,7 +8,7 @@ use super::args::Offsets;
 use super::locale::spoken;
 use super::offsets_view::{self, View};
 use super::terminal::Terminal;
-use super::verdict::{Verdict, gravest};
+use super::verdict::{Ending, gravest};
 use super::{fault, interrupt, plan, reading, refused};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Place, Refusal};
@@ -75,7 +75,7 @@ fn work(
     edits: &[Edit],
     unit: LengthUnit,
     view: &mut View,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
 ) -> Result<(), Refusal> {
     // A link that leads nowhere is something, too: it is neither read nor written through.
     let there = |path: &Path| fs::symlink_metadata(path).is_ok();
@@ -124,7 +124,7 @@ fn unfit(unfit: Unfit) -> Refusal {
 }
 
 /// What is to say about the file's offsets, and the blocks that set them.
-fn judge(file: &VarFile, unit: LengthUnit, view: &mut View, verdict: &mut Verdict) {
+fn judge(file: &VarFile, unit: LengthUnit, view: &mut View, verdict: &mut Ending) {
     verdict.findings.extend(work_offset::Offsets::read(file, unit).1);
     match preamble(file, unit) {
         Ok(blocks) => view.preamble = blocks,
@@ -154,7 +154,7 @@ fn write(
     changes: bool,
     way: Option<Way>,
     view: &mut View,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
 ) -> Result<(), Refusal> {
     let path = arguments.file.as_path();
     let name = path.file_name().unwrap_or_default();
@@ -195,7 +195,7 @@ fn write(
         ));
     }
     if let Some(out) = out {
-        view.sheet = Some((Way::Out, Verdict::new(out.to_owned())));
+        view.sheet = Some((Way::Out, Ending::new(out.to_owned())));
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::offsets::Way;
 use super::terminal::Terminal;
-use super::verdict::{Verdict, code, status};
+use super::verdict::{Ending, code, status};
 use super::{OFFSETS, finding, json, show};
 use crate::finding::{Exit, Finding, Grade};
 use crate::gcode::offset_preamble::{axes, decimals, value};
@@ -27,7 +27,7 @@ pub(super) struct View {
     /// The blocks that set the same offsets.
     pub(super) preamble: Vec<String>,
     /// The workbook that was named, and which way it went.
-    pub(super) sheet: Option<(Way, Verdict)>,
+    pub(super) sheet: Option<(Way, Ending)>,
 }
 
 /// The rows besides the systems, with their first parameter.
@@ -35,7 +35,7 @@ const OTHERS: [(&str, u32); 3] = [("G92", G92_FIRST), ("G28", G28_FIRST), ("G30"
 
 /// Prints the offsets, the blocks, what was found in the file and in the workbook, and what was written. Stops and
 /// cautions go to standard error, the rest to standard output.
-pub(super) fn show(verdict: &Verdict, view: &View, language: Language, terminal: &mut Terminal) {
+pub(super) fn show(verdict: &Ending, view: &View, language: Language, terminal: &mut Terminal) {
     let name = show::path(&verdict.workbook);
     let width = terminal.width;
     if let Some(file) = &view.file {
@@ -171,7 +171,7 @@ struct Sheet<'a> {
 
 /// The JSON document: the file's end, its offsets after all edits, the blocks, findings, and the files written. `sha256`
 /// is that of the file as it was read.
-pub(super) fn document(verdict: &Verdict, view: &View) -> String {
+pub(super) fn document(verdict: &Ending, view: &View) -> String {
     json::laid_out(&Document {
         rodete: env!("CARGO_PKG_VERSION"),
         command: OFFSETS,

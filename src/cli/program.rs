@@ -12,11 +12,11 @@ use super::reading;
 use super::turning::of_workbook;
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::told;
+use crate::gcode::dialect::guess::guess;
 use crate::gcode::interpreter::tool_table;
 use crate::gcode::interpreter::{Files, Setting, Tools};
-use crate::lathe::parameters::FORM;
-use crate::lathe::setup::Given;
+use crate::kinds::lathe::parameters::FORM;
+use crate::kinds::lathe::setup::Given;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
 use crate::store;
@@ -156,7 +156,7 @@ impl<'a> Shared<'a> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         match self.control.dialect.as_deref().and_then(Dialect::named) {
             Some(dialect) => (true, dialect),
-            None => (false, told(file.fill_buf().unwrap_or_default(), &ending)),
+            None => (false, guess(file.fill_buf().unwrap_or_default(), &ending)),
         }
     }
 

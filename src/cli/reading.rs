@@ -5,17 +5,19 @@ use std::path::Path;
 use super::fault;
 use super::kinds::FORMS;
 use super::plan;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::job::{self, Outcome, Source};
+use crate::kind::{Outcome, Provenance};
+use crate::kinds;
+use crate::kinds::lathe;
+use crate::kinds::lathe::scene::Watching;
 use crate::store;
-use crate::view::lathe::Watching;
 use crate::workbook::{self, Filled};
 
 /// Reads a workbook and computes what it asks for; writes nothing. The set that an earlier build of it delivered is seen
 /// to, too.
-pub(super) fn check(workbook: &Path) -> Verdict {
+pub(super) fn check(workbook: &Path) -> Ending {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (_, filled) = read(workbook, verdict)?;
@@ -24,9 +26,9 @@ pub(super) fn check(workbook: &Path) -> Verdict {
 }
 
 /// The verdict on one workbook: what `work` puts into it, and how it ended. A panic is a fault of that workbook alone.
-pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Verdict) -> Result<(), Refusal>) -> Verdict {
-    let mut verdict = Verdict::new(workbook.to_owned());
-    let work = |verdict: &mut Verdict| {
+pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Ending) -> Result<(), Refusal>) -> Ending {
+    let mut verdict = Ending::new(workbook.to_owned());
+    let work = |verdict: &mut Ending| {
         verdict.findings.extend(settled([beside(workbook)])?);
         work(verdict)
     };
@@ -64,7 +66,7 @@ pub(super) fn settled<'a>(folders: impl IntoIterator<Item = &'a Path>) -> Result
 ///
 /// # Errors
 /// Whatever the gate and the schema refuse.
-pub(super) fn read(path: &Path, verdict: &mut Verdict) -> Result<(Vec<u8>, Filled), Refusal> {
+pub(super) fn read(path: &Path, verdict: &mut Ending) -> Result<(Vec<u8>, Filled), Refusal> {
     let bytes = workbook::open(path)?;
     verdict.sha256 = Some(store::sha256(&bytes));
     let filled =
@@ -78,7 +80,7 @@ pub(super) fn read(path: &Path, verdict: &mut Verdict) -> Result<(Vec<u8>, Fille
 ///
 /// # Errors
 /// Whatever the computation refuses. An outcome that a finding stops is no error: its derived values are shown.
-pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Verdict) -> Result<Outcome, Refusal> {
+pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Ending) -> Result<Outcome, Refusal> {
     watch(path, filled, verdict, None)
 }
 
@@ -86,10 +88,10 @@ pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Verdict) -> Res
 pub(super) fn watch(
     path: &Path,
     filled: Filled,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
     watching: Option<&mut Watching>,
 ) -> Result<Outcome, Refusal> {
-    let source = Source {
+    let source = Provenance {
         workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
         sha256: verdict.sha256.clone().unwrap_or_default(),
         version: env!("CARGO_PKG_VERSION"),
@@ -97,10 +99,8 @@ pub(super) fn watch(
     let begun = verdict.findings.len();
     verdict.findings.extend(filled.findings.iter().cloned());
     let mut outcome = match watching {
-        Some(watching) => {
-            job::lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?
-        }
-        None => job::run(filled.form, filled.values, source)?,
+        Some(watching) => lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?,
+        None => kinds::run(filled.form, filled.values, source)?,
     };
     outcome.findings.extend(filled.findings);
     outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));

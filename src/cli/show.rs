@@ -6,7 +6,7 @@ use anstyle::{AnsiColor, Style};
 
 use super::delivery::REPORT;
 use super::terminal::Terminal;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use super::{finding, quantity};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Grade};
@@ -15,7 +15,7 @@ use crate::text::{Language, Text};
 /// Prints what is to say about one workbook: derived values, findings, files, and a closing line. What needs
 /// attention, stops and cautions, goes to standard error, the rest to standard output. `writes`: the command is one that
 /// writes files.
-pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, terminal: &mut Terminal) {
+pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, terminal: &mut Terminal) {
     let workbook = path(&verdict.workbook);
     let width = terminal.width;
     let bold = Style::new().bold();
@@ -36,7 +36,7 @@ pub(super) fn verdict(verdict: &Verdict, writes: bool, language: Language, termi
 }
 
 /// The files with size and SHA-256, one a line.
-pub(super) fn files(verdict: &Verdict) -> String {
+pub(super) fn files(verdict: &Ending) -> String {
     let longest = verdict.files.iter().map(|file| textwrap::core::display_width(&path(&file.path))).max().unwrap_or(0);
     verdict
         .files
@@ -49,7 +49,7 @@ pub(super) fn files(verdict: &Verdict) -> String {
         .collect()
 }
 
-fn closing(verdict: &Verdict, writes: bool, workbook: &str, language: Language) -> String {
+fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> String {
     let colour = match verdict.exit {
         Exit::Done if verdict.count(Grade::Caution) == 0 => AnsiColor::Green,
         Exit::Done | Exit::ReportFailed => AnsiColor::Yellow,

@@ -8,20 +8,18 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 
 use super::terminal::Terminal;
-use super::verdict::Verdict;
-
-/// Most workbooks at once: each may hold its tables and one child process.
-const MOST: usize = 8;
+use super::verdict::Ending;
+use crate::limits::WORKBOOKS_AT_ONCE;
 
 /// Does `work` for every item; `show` gets the verdicts one by one, in the order of the items, as soon as all before
 /// them are there. With more than one item, a bar on standard error shows the progress if that is a terminal.
 pub(super) fn run<T: Sync>(
     items: &[T],
-    work: impl Fn(&T) -> Verdict + Sync,
+    work: impl Fn(&T) -> Ending + Sync,
     terminal: &mut Terminal,
-    mut show: impl FnMut(Verdict, &mut Terminal),
+    mut show: impl FnMut(Ending, &mut Terminal),
 ) {
-    let threads = available_parallelism().map_or(1, usize::from).min(items.len()).min(MOST);
+    let threads = available_parallelism().map_or(1, usize::from).min(items.len()).min(WORKBOOKS_AT_ONCE);
     let pool = if threads > 1 { ThreadPoolBuilder::new().num_threads(threads).build().ok() } else { None };
     let bar = bar(items.len());
     let Some(pool) = pool else {

@@ -10,14 +10,14 @@ use super::locale::spoken;
 use super::plan::Item;
 use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
-use super::verdict::{Verdict, code, status};
+use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::finding::{Exit, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::job::lathe_tables::Raised;
+use crate::kind::Raised;
+use crate::kinds::lathe::scene::Watching;
 use crate::store::{self, Existing, Folder, Set};
 use crate::table::Unit;
-use crate::view::lathe::Watching;
 use crate::workbook::{self, Input};
 
 /// Follows the program and says what it comes to.
@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &Simulate, terminal: &mut Terminal) -> Exit {
     verdict.exit
 }
 
-fn simulate(arguments: &Simulate, verdict: &mut Verdict) -> Result<Followed, Refusal> {
+fn simulate(arguments: &Simulate, verdict: &mut Ending) -> Result<Followed, Refusal> {
     let path = &arguments.program;
     let bytes = workbook::open_as(Input::Program, path)?;
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
@@ -101,7 +101,7 @@ fn alarm(Raised { alarm, place, .. }: &Raised) -> serde_json::Value {
     })
 }
 
-fn document(arguments: &Simulate, verdict: &Verdict, followed: Option<&Followed>) -> serde_json::Value {
+fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>) -> serde_json::Value {
     let totals: serde_json::Map<String, serde_json::Value> = verdict
         .quantities
         .iter()

@@ -6,25 +6,27 @@ use std::path::Path;
 use super::program::PACKAGE;
 use super::program::{Beside, told_from};
 use super::stock::Stock;
-use super::verdict::Verdict;
+use super::verdict::Ending;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::told_turning;
+use crate::gcode::dialect::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
-use crate::gcode::motion::Kind;
-use crate::job::lathe::MOST_MOTIONS;
-use crate::job::{Outcome, Source, lathe};
-use crate::lathe::cases;
-use crate::lathe::parameters::{BLOCKS_MOST, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
-use crate::lathe::setup::Given;
-use crate::lathe::text;
+use crate::gcode::motion::MotionKind;
+use crate::kind::{Outcome, Provenance};
+use crate::kinds::lathe;
+use crate::kinds::lathe::cases;
+use crate::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
+use crate::kinds::lathe::scene::Watching;
+use crate::kinds::lathe::setup::Given;
+use crate::kinds::lathe::text;
+use crate::limits::FOLLOWED_MOTIONS;
+use crate::limits::SHEET_BLOCKS;
 use crate::machine::axis::Axis;
 use crate::parameter::list::{Row, Rows};
 use crate::parameter::{Value, Values};
 use crate::store;
 use crate::text::{Language, Text};
-use crate::view::lathe::Watching;
 use crate::workbook;
 
 /// Held in the jaws, and faced off, where only the stock's size is given: mm.
@@ -70,7 +72,7 @@ pub(super) struct Followed {
 /// Where a file cannot be read, the workbook is refused, or its values contradict each other.
 pub(super) fn follow(
     wanted: &Wanted<'_>,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
     watching: Option<&mut Watching>,
 ) -> Result<Followed, Refusal> {
     let path = wanted.program;
@@ -87,13 +89,13 @@ pub(super) fn follow(
     verdict.language = wanted.tools.map(|_| values.language);
     verdict.findings.extend(found.into_iter().map(|finding| told_of(finding, wanted.tools)));
     let dialect = wanted.dialect.unwrap_or_else(|| {
-        let dialect = told_turning(wanted.bytes);
+        let dialect = guess_turning(wanted.bytes);
         verdict.findings.push(told_from(dialect));
         dialect
     });
-    let main = text::Text::of_file(&decoded(wanted.bytes));
+    let main = text::Lines::of_file(&decoded(wanted.bytes));
     let subprograms = subprograms(&main.text, &mut Beside::of(path))?;
-    let program = text::Source { main, subprograms };
+    let program = text::SheetProgram { main, subprograms };
     let mut values = for_program(values, wanted, dialect, &program);
     if let Some(stock) = wanted.stock {
         put_stock(&mut values, stock, wanted.tools.is_some());
@@ -109,7 +111,7 @@ pub(super) fn follow(
         put_stock(&mut values, stock, false);
     }
     let stock = stock_of(&values).to_string();
-    let source = Source {
+    let source = Provenance {
         workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
         sha256,
         version: env!("CARGO_PKG_VERSION"),
@@ -187,7 +189,12 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
 }
 
 /// The form with this program in place of its own.
-fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialect, program: &text::Source) -> Values {
+fn for_program(
+    mut values: Values,
+    wanted: &Wanted<'_>,
+    dialect: &'static Dialect,
+    program: &text::SheetProgram,
+) -> Values {
     values.values.insert("dialect", Value::Choice(dialect.name));
     match wanted.point {
         Some(DecimalPoint::Calculator) => values.values.insert("point", Value::Choice("calculator")),
@@ -214,10 +221,10 @@ fn for_program(mut values: Values, wanted: &Wanted<'_>, dialect: &'static Dialec
         let faced = rows.filter(|row| !matches!(row.choice("tools/type"), Some("drill" | "centre-drill")));
         faced.for_each(|row| drop(row.values.insert("tools/M", Value::Choice("M4"))));
     }
-    let mut put = |list: &'static str, sheet: &str, text: &text::Text| {
+    let mut put = |list: &'static str, sheet: &str, text: &text::Lines| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
-        if lines.len() <= BLOCKS_MOST {
+        if lines.len() <= SHEET_BLOCKS {
             let row = |line: &&str| Row {
                 values: BTreeMap::from([("program/BLOCK", Value::Line((*line).to_owned()))]),
                 cells: BTreeMap::new(),
@@ -269,13 +276,13 @@ fn stock_of(values: &Values) -> Stock {
 
 /// A stock that holds the path at feed: its greatest diameter and its least Z, rounded up to whole millimetres, and what is
 /// held in the jaws.
-fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> {
+fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Refusal> {
     let given = Given::of(values).map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
     let (mut X, mut Z): (f64, f64) = (0.0, 0.0);
     let interpreter: Interpreter<'_> = program.read(given.setting());
     // No more than are followed.
-    let motions = interpreter.flatten().take(MOST_MOTIONS);
-    for motion in motions.filter(|motion| !matches!(motion.kind, Kind::Rapid | Kind::Dwell(_))) {
+    let motions = interpreter.flatten().take(FOLLOWED_MOTIONS);
+    for motion in motions.filter(|motion| !matches!(motion.kind, MotionKind::Rapid | MotionKind::Dwell(_))) {
         X = X.max(motion.to.get(Axis::X).abs());
         Z = Z.min(motion.to.get(Axis::Z));
     }
@@ -284,7 +291,7 @@ fn enclosing(values: &Values, program: &text::Source) -> Result<Stock, Refusal> 
 }
 
 /// The subprograms that stand beside the program: those that its M98 name, and so on.
-fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::Text>, Refusal> {
+fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::Lines>, Refusal> {
     let mut found = BTreeMap::new();
     let mut texts = vec![main.to_owned()];
     while let Some(text) = texts.pop() {
@@ -303,7 +310,7 @@ fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::
                     Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
                 };
                 if let Some(bytes) = files.find(&name).map_err(unreadable)? {
-                    let text = text::Text::of_file(&decoded(&bytes));
+                    let text = text::Lines::of_file(&decoded(&bytes));
                     texts.push(text.text.clone());
                     found.insert(name, text);
                 }

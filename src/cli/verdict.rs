@@ -9,7 +9,7 @@ use crate::text::Language;
 
 /// The end of one workbook's work.
 #[derive(Debug)]
-pub(super) struct Verdict {
+pub(super) struct Ending {
     /// The workbook, as it was named.
     pub(super) workbook: PathBuf,
     /// The SHA-256 of its bytes, where it could be read.
@@ -30,7 +30,7 @@ pub(super) struct Verdict {
     pub(super) files: Vec<Written>,
 }
 
-impl Verdict {
+impl Ending {
     /// A verdict with nothing found yet.
     pub(super) const fn new(workbook: PathBuf) -> Self {
         Self {

@@ -9,28 +9,27 @@ use super::args::Verify;
 use super::locale::spoken;
 use super::program::{Consulted, Shared, told_from};
 use super::terminal::Terminal;
-use super::verdict::{Verdict, code, gravest, status};
+use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::tools_headed;
+use crate::gcode::dialect::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
-use crate::gcode::motion::{FeedMode, Kind, Motion};
+use crate::gcode::motion::{FeedMode, Motion, MotionKind};
+use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
+use crate::proof::account::{Account, Extents, drift};
 use crate::store::{Sum, Summed};
 use crate::text::{Language, Text};
-use crate::verify::account::{Account, Extents, drift};
 use crate::workbook;
 
-/// Most refusals of a program that are listed.
-const MOST: usize = 50;
 /// Bytes of output that are gathered before they are printed.
 const CHUNK: usize = 1 << 16;
 
 /// What came of one program.
 struct Read {
-    verdict: Verdict,
+    verdict: Ending,
     dialect: Option<&'static Dialect>,
     rotary: Option<Rotary>,
     account: Account,
@@ -83,7 +82,7 @@ pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
 
 fn read(path: &Path, arguments: &Verify, shared: &Shared<'_>, terminal: &mut Terminal) -> Read {
     let mut read = Read {
-        verdict: Verdict::new(path.to_owned()),
+        verdict: Ending::new(path.to_owned()),
         dialect: None,
         rotary: None,
         account: Account::default(),
@@ -138,7 +137,7 @@ fn follow(
                 total += 1;
                 read.verdict.exit = gravest(read.verdict.exit, fault.exit);
                 // Where the reading ended is told whatever went before.
-                if faults.len() < MOST || fault.exit == Exit::Limit {
+                if faults.len() < LISTED_REFUSALS || fault.exit == Exit::Limit {
                     faults.push(*fault);
                 }
             }
@@ -194,16 +193,16 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
     object.insert("line".into(), json!(motion.line));
     object.insert("n".into(), json!(motion.n));
     let name = match motion.kind {
-        Kind::Rapid => "rapid",
-        Kind::Feed(_) => "feed",
-        Kind::Arc(..) => "arc",
-        Kind::Thread(_) => "thread",
-        Kind::Dwell(_) => "dwell",
+        MotionKind::Rapid => "rapid",
+        MotionKind::Feed(_) => "feed",
+        MotionKind::Arc(..) => "arc",
+        MotionKind::Thread(_) => "thread",
+        MotionKind::Dwell(_) => "dwell",
     };
     object.insert("motion".into(), json!(name));
     object.insert("to".into(), pose(&motion.to, false));
     object.insert("machine".into(), pose(&motion.machine, false));
-    if let Kind::Arc(arc, _) = motion.kind {
+    if let MotionKind::Arc(arc, _) = motion.kind {
         let [first, second, _] = arc.plane.axes();
         let centre: Map<String, Value> = [first, second]
             .into_iter()
@@ -214,7 +213,7 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
         object.insert("plane".into(), json!(arc.plane.name()));
         object.insert("turns".into(), json!(arc.turns));
     }
-    if let Kind::Feed(feed) | Kind::Arc(_, feed) = motion.kind {
+    if let MotionKind::Feed(feed) | MotionKind::Arc(_, feed) = motion.kind {
         object.insert("feed".into(), json!(feed.value));
         let mode = match feed.mode {
             FeedMode::PerMinute => "mm/min",
@@ -224,7 +223,7 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
         };
         object.insert("feed_unit".into(), json!(mode));
     }
-    if let Kind::Thread(thread) = motion.kind {
+    if let MotionKind::Thread(thread) = motion.kind {
         object.insert("lead".into(), json!(thread.lead));
         object.insert("lead_change".into(), json!(thread.change));
         if thread.angle != 0.0 {

@@ -9,24 +9,29 @@ use super::locale::spoken;
 use super::program::{PACKAGE, Shared, told_from};
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
-use super::verdict::{Verdict, gravest};
+use super::verdict::{Ending, gravest};
 use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::told::told;
+use crate::gcode::dialect::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
-use crate::lathe::parameters as lathe;
+use crate::kinds;
+use crate::kinds::lathe::parameters as lathe;
+use crate::kinds::lathe::scene::Watching;
+use crate::machine::chain::Chain;
+use crate::scene::kept;
+use crate::scene::program::Program;
+use crate::scene::{Remark, Scene, Shape, ShownTool};
 use crate::store::{self, Existing, Folder, Set, Written};
 use crate::text::{Language, Text};
-use crate::view::lathe::Watching;
-use crate::view::{self, Frame, Program, Remark, Scene, Shape, Tool};
+use crate::view;
 use crate::workbook;
 
 /// Writes the file and says where it is.
 pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
     interrupt::listen();
-    let mut verdict = Verdict::new(arguments.input.clone());
+    let mut verdict = Ending::new(arguments.input.clone());
     let written = match shown(arguments, &mut verdict) {
         Ok(written) => written,
         Err(refusal) if verdict.findings.is_empty() => {
@@ -54,7 +59,7 @@ pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
     verdict.exit
 }
 
-fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusal> {
+fn shown(arguments: &View, verdict: &mut Ending) -> Result<Vec<Written>, Refusal> {
     let input = &arguments.input;
     let output = match &arguments.output {
         Some(output) => output.clone(),
@@ -97,7 +102,7 @@ fn shown(arguments: &View, verdict: &mut Verdict) -> Result<Vec<Written>, Refusa
 }
 
 /// The scene; what refuses it goes to the verdict, whose findings are told with their places in the input.
-fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Verdict) -> Option<Scene> {
+fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Ending) -> Option<Scene> {
     scene.unwrap_or_else(|refusal| {
         verdict.refuse(refusal);
         None
@@ -136,12 +141,12 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
     Ok(match control.dialect.as_deref().and_then(Dialect::named) {
         Some(dialect) => dialect.reading.diameter,
         // A lathe's workbook is given for a turning program alone.
-        None => machine == Some(true) || told(head, &ending).reading.diameter,
+        None => machine == Some(true) || guess(head, &ending).reading.diameter,
     })
 }
 
 /// The scene of a turning program over its stock.
-fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Scene, Refusal> {
+fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<Scene, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
     let language = arguments.lang.unwrap_or_default();
@@ -162,7 +167,7 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Verdict) -> Result<
 }
 
 /// The scene of a workbook; `None` where a finding stops its programs. A turning is shown all the same: it shows why.
-fn of_workbook(arguments: &View, title: String, verdict: &mut Verdict) -> Result<Option<Scene>, Refusal> {
+fn of_workbook(arguments: &View, title: String, verdict: &mut Ending) -> Result<Option<Scene>, Refusal> {
     plan::twice(std::slice::from_ref(&arguments.input))?;
     let (_, filled) = reading::read(&arguments.input, verdict)?;
     let language = arguments.lang.unwrap_or(filled.values.language);
@@ -175,21 +180,21 @@ fn of_workbook(arguments: &View, title: String, verdict: &mut Verdict) -> Result
     if outcome.stopped() {
         return Ok(None);
     }
-    view::outcome(&outcome, title, language).map(Some)
+    kinds::scene(&outcome, title, language).map(Some)
 }
 
 fn of_program(
     arguments: &View,
     title: String,
     file: &mut impl BufRead,
-    verdict: &mut Verdict,
+    verdict: &mut Ending,
 ) -> Result<Scene, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let shared = Shared::new(control)?;
     let (named, dialect) = shared.dialect(input, file);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
     let milling = !dialect.reading.diameter;
-    let frame = if milling { Frame::Milling } else { Frame::Turning };
+    let frame = if milling { Chain::Milling } else { Chain::Turning };
     let text = decoded(&bytes);
     let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);
     shared.fits(dialect)?;
@@ -197,13 +202,13 @@ fn of_program(
     for (number, tool) in setting.tools.iter().flatten().filter(|(_, tool)| milling && tool.diameter > 0.0) {
         let (r, d) = (tool.diameter / 2.0, tool.diameter);
         let name = Text::same(format!("T{number} d{d}"));
-        program.tools.push(Tool {
+        program.tools.push(ShownTool {
             number: *number,
             name,
             shape: Shape::Revolved(vec![[0.0, 0.0], [r, 0.0], [r, 4.0 * d]]),
         });
     }
-    let (exit, findings) = view::following(&mut program, &mut Interpreter::over(&bytes, setting))?;
+    let (exit, findings) = kept::following(&mut program, &mut Interpreter::over(&bytes, setting))?;
     verdict.exit = gravest(verdict.exit, exit);
     verdict.findings.extend(findings);
     if !named {

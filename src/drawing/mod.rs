@@ -15,7 +15,8 @@ use thiserror::Error;
 
 use crate::figure::{Arc, Figure};
 use crate::finding::{Finding, Place};
-use crate::job::Source;
+use crate::kind::Provenance;
+use crate::limits::PRINTED_SHEETS;
 use crate::text::{Language, Text};
 
 /// Height of a label's letters in mm.
@@ -33,7 +34,7 @@ pub struct Drawing<'a> {
     /// The part's name.
     pub part: &'a str,
     /// Where it comes from.
-    pub source: &'a Source,
+    pub source: &'a Provenance,
     /// The language of titles, labels and layers.
     pub language: Language,
 }
@@ -47,8 +48,8 @@ pub enum NotDrawn {
     /// A coordinate is not finite.
     #[error("a coordinate is not finite")]
     NotFinite,
-    /// It takes more sheets of paper than [`tiles::MOST`].
-    #[error("it takes more than {most} sheets", most = tiles::MOST)]
+    /// It takes more sheets of paper than [`PRINTED_SHEETS`].
+    #[error("it takes more than {most} sheets", most = PRINTED_SHEETS)]
     TooManySheets,
 }
 
@@ -68,8 +69,8 @@ impl NotDrawn {
             Self::TooManySheets => Finding::caution(
                 Place::File,
                 Text::new(
-                    format!("«{es}» ocuparía más de {} hojas y no se imprime", tiles::MOST),
-                    format!("'{en}' would take more than {} sheets and is not printed", tiles::MOST),
+                    format!("«{es}» ocuparía más de {} hojas y no se imprime", PRINTED_SHEETS),
+                    format!("'{en}' would take more than {} sheets and is not printed", PRINTED_SHEETS),
                 ),
                 Text::fixed(
                     "elija el papel A3, o lleve el DXF o el SVG a un trazador",

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::tiles::{FOOT, Joint, MARGIN, Tiling};
 use super::{Drawing, number, svg};
-use crate::report::characters::Words;
+use crate::typeset::characters::Words;
 
 /// Length of the check ruler in mm.
 pub(super) const RULER: f64 = 100.0;

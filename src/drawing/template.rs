@@ -10,10 +10,12 @@ use super::tiles::{FOOT, MARGIN, Tiling};
 use super::{Drawing, NotDrawn, bounds};
 use crate::figure::Paper;
 use crate::finding::Finding;
-use crate::report::characters::Words;
-use crate::report::pen::pen;
-use crate::report::{self, ReportFailure, Typst};
 use crate::text::Text;
+use crate::typeset;
+use crate::typeset::characters::Words;
+use crate::typeset::compiler::Typst;
+use crate::typeset::failure::ReportFailure;
+use crate::typeset::pen::pen;
 
 /// The typst template.
 const TEMPLATE: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/report-templates/template.typ"));
@@ -81,7 +83,7 @@ struct Sheet {
 /// The drawing as a PDF whose pages are sheets of paper at 1:1.
 ///
 /// # Errors
-/// Where there is nothing to draw, a coordinate is not finite, it takes more than [`super::tiles::MOST`] sheets, or typst
+/// Where there is nothing to draw, a coordinate is not finite, it takes more than [`PRINTED_SHEETS`](crate::limits::PRINTED_SHEETS) sheets, or typst
 /// does not do its work.
 pub fn pdf(drawing: &Drawing<'_>, paper: Paper, typst: &Typst) -> Result<Vec<u8>, NotPrinted> {
     let bounds = bounds(drawing.figure, drawing.arcs, drawing.language).map_err(NotPrinted::Drawing)?;
@@ -123,5 +125,5 @@ pub fn pdf(drawing: &Drawing<'_>, paper: Paper, typst: &Typst) -> Result<Vec<u8>
     };
     let json = serde_json::to_vec(&contents).map_err(|error| NotPrinted::Typst(error.into()))?;
     files.push(("contents.json".to_owned(), json));
-    report::document(&files, typst).map_err(NotPrinted::Typst)
+    typeset::document(&files, typst).map_err(NotPrinted::Typst)
 }

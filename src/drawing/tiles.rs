@@ -7,6 +7,7 @@
 
 use super::NotDrawn;
 use crate::figure::Paper;
+use crate::limits::PRINTED_SHEETS;
 
 /// Margin that a printer leaves blank, in mm.
 pub const MARGIN: f64 = 10.0;
@@ -14,8 +15,6 @@ pub const MARGIN: f64 = 10.0;
 pub const FOOT: f64 = 27.0;
 /// By how much the windows of neighbours overlap, in mm.
 pub const OVERLAP: f64 = 10.0;
-/// Most sheets that a drawing is printed on.
-pub const MOST: u32 = 300;
 /// Room between the drawing and the edges of the outermost windows, in mm.
 const ROOM: f64 = 4.0;
 /// Where along a window's side its two crosses are.
@@ -42,7 +41,7 @@ impl Tiling {
     /// a symmetrical one do not fall on its centre lines; in a direction of one sheet it is in the middle.
     ///
     /// # Errors
-    /// Where it takes more than [`MOST`] sheets.
+    /// Where it takes more than [`PRINTED_SHEETS`] sheets.
     pub fn over([[left, right], [bottom, top]]: [[f64; 2]; 2], paper: Paper) -> Result<Self, NotDrawn> {
         let [short, long] = paper.sides();
         let tilings = [[long, short], [short, long]].map(|page| {
@@ -57,7 +56,7 @@ impl Tiling {
         });
         let [lying, upright] = tilings;
         let best = if upright.sheets() < lying.sheets() { upright } else { lying };
-        if best.sheets() > MOST { Err(NotDrawn::TooManySheets) } else { Ok(best) }
+        if best.sheets() > PRINTED_SHEETS { Err(NotDrawn::TooManySheets) } else { Ok(best) }
     }
 
     /// How many sheets there are.
@@ -135,9 +134,9 @@ fn covered(count: u32, window: f64) -> f64 {
     f64::from(count) * (window - OVERLAP) + OVERLAP
 }
 
-/// How many windows cover a length; [`MOST`] and one more where they do not.
+/// How many windows cover a length; [`PRINTED_SHEETS`] and one more where they do not.
 fn count(length: f64, window: f64) -> u32 {
-    (1..=MOST).find(|&count| covered(count, window) >= length).unwrap_or(MOST + 1)
+    (1..=PRINTED_SHEETS).find(|&count| covered(count, window) >= length).unwrap_or(PRINTED_SHEETS + 1)
 }
 
 #[cfg(test)]

@@ -117,7 +117,7 @@ impl Cycle {
 
 /// A turning cycle that a block calls and that is over with the block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turning {
+pub enum TurningCycle {
     /// Finishing along the contour (G70).
     Finish,
     /// Stock removal along Z (G71).
@@ -136,7 +136,7 @@ pub enum Turning {
     Fagor(u8),
 }
 
-impl Turning {
+impl TurningCycle {
     /// The number of its G code.
     #[must_use]
     pub const fn number(self) -> u8 {
@@ -166,7 +166,7 @@ impl Turning {
 
 /// A turning cycle of one pass, which every block with X, Z or R repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pass {
+pub enum SinglePassCycle {
     /// Along Z, or along a cone (G90).
     Axial,
     /// A thread (G92).
@@ -175,7 +175,7 @@ pub enum Pass {
     Radial,
 }
 
-impl Pass {
+impl SinglePassCycle {
     /// The number of its G code.
     #[must_use]
     pub const fn number(self) -> u8 {
@@ -235,9 +235,9 @@ pub enum G {
     /// Canned cycle.
     Cycle(Cycle),
     /// Turning cycle of one call.
-    Turning(Turning),
+    Turning(TurningCycle),
     /// Turning cycle of one pass, repeated until another motion code.
-    Pass(Pass),
+    Pass(SinglePassCycle),
     /// A thread along a straight line; true where its lead changes (G32, G34).
     Thread(bool),
     /// No canned cycle, no motion.

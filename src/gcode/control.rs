@@ -44,7 +44,7 @@ pub enum Compensation {
 
 /// What is in force.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Control {
+pub struct InForce {
     /// The tool in the spindle, or the turret's place at work; 0 for none.
     pub tool: u32,
     /// The number of the offset in force; 0 for none.

@@ -27,13 +27,12 @@ use std::f64::consts::{PI, TAU};
 
 use crate::gcode::turning::nose::element::{End, distance, dot, plus};
 use crate::gcode::turning::nose::{Element, Path, Point};
+use crate::limits::HELD_PIECES;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::trig;
 
 /// A turn by no more than this is no corner; radians.
 pub const NEARLY: f64 = 0.05;
-/// Most pieces without way in the plane between two with way.
-pub const MOST_STILL: usize = 10_000;
 /// By how much an arc may grow at its ends in a unit; radians.
 const fn growth(unit: LengthUnit) -> f64 {
     match unit {
@@ -68,7 +67,7 @@ pub enum Misfit {
         /// The radius of the cutter.
         radius: f64,
     },
-    /// More than [`MOST_STILL`] pieces without way in the plane in a row.
+    /// More than [`HELD_PIECES`] pieces without way in the plane in a row.
     Still,
     /// The corners at its ends take more of a piece than there is.
     Short {
@@ -159,7 +158,7 @@ impl<T: Clone> Stage<T> {
     pub fn push(&mut self, step: Step<T>, out: &mut Vec<Placed<T>>) -> Result<(), Misfit> {
         let Some(mut following) = self.following.take() else { return self.enter(step, out) };
         let (Some(start), Some(end)) = (step.element.start(), step.element.end()) else {
-            if following.held.stills.len() == MOST_STILL {
+            if following.held.stills.len() == HELD_PIECES {
                 return Err(Misfit::Still);
             }
             following.held.stills.push(step.tag);

@@ -1,7 +1,7 @@
 //! The number of an F word: how many decimals its control takes, and the side to which it is rounded.
 //!
 //! Rounding never makes a move faster than it may be: a time is rounded up, its inverse and a speed down. What it costs is
-//! judged by [`crate::verify::feed::feed_word`].
+//! judged by [`crate::proof::feed::feed_word`].
 //!
 //! # Decimals
 //! Speeds have three. Times in seconds have four: an assumption, since the page of the Fagor 8070 on G93 gives no format; with
@@ -10,10 +10,8 @@
 
 use crate::gcode::dialect::FeedLaw;
 use crate::gcode::word::push_whole;
-use crate::number::grid::{LIMIT, OutOfFormat};
-
-/// The greatest F word.
-pub const MOST: f64 = LIMIT as f64 / 1000.0;
+use crate::limits::FEED_WORD;
+use crate::number::grid::OutOfFormat;
 
 /// How many decimals an F word about as great as this has.
 #[must_use]
@@ -51,7 +49,7 @@ impl FeedWord {
     pub fn lasting(law: FeedLaw, seconds: f64, resultant: f64) -> Result<Self, OutOfFormat> {
         let wanted = law.word(seconds, resultant);
         let slowest = if law == FeedLaw::Seconds { f64::INFINITY } else { 0.0 };
-        let fastest = if law == FeedLaw::Seconds { 1e-4 } else { MOST };
+        let fastest = if law == FeedLaw::Seconds { 1e-4 } else { FEED_WORD };
         // A move of no time and no way has no word of its own.
         let wanted = if wanted.is_nan() { fastest } else { wanted };
         let wanted = if law == FeedLaw::Seconds { wanted.max(fastest) } else { wanted.min(fastest) };
@@ -66,7 +64,7 @@ impl FeedWord {
             steps.floor()
         };
         let millionths = whole * step(law, wanted) * 1e6;
-        if wanted == slowest || whole < 1.0 || millionths > MOST * 1e6 + 0.5 {
+        if wanted == slowest || whole < 1.0 || millionths > FEED_WORD * 1e6 + 0.5 {
             return Err(OutOfFormat(wanted));
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 10^11")]

@@ -173,7 +173,7 @@ pub struct Thread {
 
 /// What is moved how.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum MotionKind {
     /// At the machine's rapid rate, each axis as it can.
     Rapid,
     /// Along a straight line in all axes, at feed.
@@ -194,7 +194,7 @@ pub struct Motion {
     /// The block number.
     pub n: Option<u32>,
     /// What is done.
-    pub kind: Kind,
+    pub kind: MotionKind,
     /// Where it starts, in the program coordinates of `to`.
     pub from: Pose,
     /// Where it ends, in program coordinates: work offset, rotation, G92 and tool offset taken out.

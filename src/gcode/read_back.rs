@@ -7,13 +7,13 @@ use crate::gcode::lines::Lines;
 use crate::gcode::program::Program;
 
 /// The bytes of a program's text. They cannot be read a second time: rodete writes no loops and no subprograms.
-struct Text<'a> {
+struct ProgramBytes<'a> {
     lines: Lines<'a>,
     line: String,
     at: usize,
 }
 
-impl BufRead for Text<'_> {
+impl BufRead for ProgramBytes<'_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
         if self.at == self.line.len() {
             self.at = 0;
@@ -27,7 +27,7 @@ impl BufRead for Text<'_> {
     }
 }
 
-impl Read for Text<'_> {
+impl Read for ProgramBytes<'_> {
     fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
         let count = self.fill_buf()?.read(out)?;
         self.consume(count);
@@ -35,7 +35,7 @@ impl Read for Text<'_> {
     }
 }
 
-impl Seek for Text<'_> {
+impl Seek for ProgramBytes<'_> {
     fn seek(&mut self, _to: SeekFrom) -> io::Result<u64> {
         Err(io::Error::from(io::ErrorKind::Unsupported))
     }
@@ -59,7 +59,7 @@ impl Program {
     /// The same with another setting.
     #[must_use]
     pub fn read_back_with(&self, setting: Setting) -> Interpreter<'_> {
-        let text = Text { lines: self.lines(), line: String::new(), at: 0 };
+        let text = ProgramBytes { lines: self.lines(), line: String::new(), at: 0 };
         Interpreter::new(Box::new(text), setting)
     }
 }

@@ -1,11 +1,10 @@
 //! Arcs as chords whose errors in area cancel.
 
+use crate::limits::ARC_CHORDS;
 use crate::number::trig::{atan2, hypot, sin_cos};
 
 /// The widest angle of a chord, however great the tolerance.
 const WIDEST: f64 = 0.25;
-/// The most chords of an arc.
-const MOST: f64 = 100_000.0;
 
 /// How many chords an arc takes to stay within a tolerance.
 ///
@@ -13,8 +12,8 @@ const MOST: f64 = 100_000.0;
 /// outside, the areas outside and inside are equal, to h⁴, and the greatest error is R h²/12, at the ends. Derived here.
 fn count(radius: f64, sweep: f64, tolerance: f64) -> u32 {
     let widest = (12.0 * tolerance / radius.max(tolerance)).sqrt().min(WIDEST);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and MOST")]
-    let count = (sweep.abs() / widest - 1e-9).ceil().clamp(1.0, MOST) as u32;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and ARC_CHORDS")]
+    let count = (sweep.abs() / widest - 1e-9).ceil().clamp(1.0, ARC_CHORDS) as u32;
     count
 }
 

@@ -3,9 +3,11 @@
 
 pub mod axis;
 pub mod calibration;
+pub mod chain;
 pub mod length_unit;
 pub mod offset_edit;
 pub mod rotary;
+pub mod tip_way;
 pub mod torch;
 pub mod travel;
 pub mod var_file;

@@ -113,7 +113,7 @@ pub struct WorkOffset {
 
 /// What stands between program and machine coordinates at one moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Frame {
+pub struct ActiveOffsets {
     /// The active coordinate system.
     pub work: WorkOffset,
     /// The axis offsets of G92 or G52 that are in force; zero where they are off.
@@ -122,7 +122,7 @@ pub struct Frame {
     pub tool: Pose,
 }
 
-impl Frame {
+impl ActiveOffsets {
     /// The machine position of a program position: Rz(rotation)·(program + g92) + origin + tool. The rotation acts on X
     /// and Y alone, not on U and V.
     #[must_use]
@@ -132,7 +132,7 @@ impl Frame {
         Pose(std::array::from_fn(|axis| turned.0[axis] + self.work.origin.0[axis] + self.tool.0[axis]))
     }
 
-    /// The program position of a machine position, the reverse of [`Frame::to_machine`].
+    /// The program position of a machine position, the reverse of [`ActiveOffsets::to_machine`].
     #[must_use]
     pub fn to_program(&self, machine: &Pose) -> Pose {
         let turned_local =
@@ -191,9 +191,9 @@ impl Offsets {
 
     /// The frame of the active system with a tool offset, G92 in it where it is on.
     #[must_use]
-    pub fn frame(&self, tool: Pose) -> Frame {
+    pub fn frame(&self, tool: Pose) -> ActiveOffsets {
         let g92 = if self.g92_on { self.g92 } else { Pose::default() };
-        Frame { work: *self.system(self.active), g92, tool }
+        ActiveOffsets { work: *self.system(self.active), g92, tool }
     }
 
     /// Reads the offsets of a file whose lengths are in the machine's unit. A parameter that the file does not hold is

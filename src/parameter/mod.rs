@@ -23,7 +23,7 @@ pub struct Choice {
 
 /// What may stand in a value cell.
 #[derive(Debug)]
-pub enum Kind {
+pub enum FieldKind {
     /// A real number within bounds (both included).
     Real {
         /// Least value.
@@ -65,7 +65,7 @@ pub struct Parameter {
     /// The unit that must stand in its unit cell.
     pub unit: Unit,
     /// What may stand in the cell.
-    pub kind: Kind,
+    pub kind: FieldKind,
     /// An empty cell is refused.
     pub required: bool,
     /// A note on the allowed range, for column E and the input message.
@@ -285,7 +285,7 @@ pub const fn real(
     meaning: Text,
     note: Text,
 ) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: Kind::Real { min, max }, required, note }
+    Parameter { key, name, meaning, unit, kind: FieldKind::Real { min, max }, required, note }
 }
 
 /// A whole number.
@@ -299,7 +299,7 @@ pub const fn whole(
     meaning: Text,
     note: Text,
 ) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: Kind::Whole { min, max }, required, note }
+    Parameter { key, name, meaning, unit, kind: FieldKind::Whole { min, max }, required, note }
 }
 
 /// A parameter of another kind, without a unit.
@@ -307,7 +307,7 @@ pub const fn whole(
 pub const fn other(
     key: &'static str,
     name: &'static str,
-    kind: Kind,
+    kind: FieldKind,
     required: bool,
     meaning: Text,
     note: Text,

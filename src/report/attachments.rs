@@ -6,11 +6,11 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
-use super::characters::Words;
 use super::document::File;
 use super::{Attachment, Content, Role, number};
 use crate::finding::{Finding, Place};
 use crate::text::Text;
+use crate::typeset::characters::Words;
 
 /// Attachments are carried up to this many bytes in all; larger ones are listed only.
 const CARRIED: u64 = 32 * 1024 * 1024;

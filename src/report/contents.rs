@@ -6,23 +6,24 @@ use std::io;
 use std::path::Path;
 
 use super::attachments::files;
-use super::characters::{Words, code_point};
 use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, Sheet};
 use super::number;
-use super::pen::pen;
 use super::shorten::{self, Listing};
 use super::svg::svg;
-use super::{Attachment, ReportFailure, Role};
+use super::{Attachment, Role};
 use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::summary::Summary;
-use crate::job::{Outcome, Run, checks};
+use crate::kind::{FollowedProgram, Outcome, checks};
 use crate::machine::axis::Axis;
-use crate::parameter::{Kind, Parameter, Value};
+use crate::parameter::{FieldKind, Parameter, Value};
+use crate::proof::account::Account;
 use crate::table::{Entry, Index, Table};
 use crate::text::{Language, Text};
-use crate::verify::account::Account;
+use crate::typeset::characters::{Words, code_point};
+use crate::typeset::failure::ReportFailure;
+use crate::typeset::pen::pen;
 
 /// The JSON and what was found while it was made.
 pub(super) struct Contents {
@@ -117,7 +118,7 @@ fn value(outcome: &Outcome, parameter: &Parameter, words: &mut Words) -> Option<
         Value::Real(value) => Some(number::given(*value)),
         Value::Whole(value) => Some(value.to_string()),
         Value::Choice(key) => match &parameter.kind {
-            Kind::Choice(choices) => {
+            FieldKind::Choice(choices) => {
                 choices.iter().find(|choice| choice.key == *key).map(|choice| words.text(&choice.label))
             }
             _ => Some((*key).to_owned()),
@@ -138,7 +139,7 @@ fn parameters(outcome: &Outcome, words: &mut Words) -> Vec<Group> {
             let rows: Vec<Row> = section
                 .parameters
                 .iter()
-                .filter(|parameter| !matches!(parameter.kind, Kind::Schema))
+                .filter(|parameter| !matches!(parameter.kind, FieldKind::Schema))
                 .map(|parameter| Row {
                     symbol: parameter.symbol().to_owned(),
                     meaning: words.text(&parameter.meaning),
@@ -206,7 +207,7 @@ fn sheet(table: &Table, words: &mut Words) -> Sheet {
             .map(|column| Heading {
                 symbol: words.text(&column.symbol),
                 unit: column.unit.label(),
-                text: matches!(column.values, crate::table::Values::Texts(_)),
+                text: matches!(column.values, crate::table::Cells::Texts(_)),
             })
             .collect(),
         head,
@@ -227,7 +228,12 @@ fn drawing(figure: &Figure, at: usize, folder: &Path, words: &mut Words) -> io::
     Ok(Some(Drawing { file, caption: words.text(&figure.caption), legend }))
 }
 
-fn listed(program: &Program, run: Option<&Run>, file: Option<&File>, words: &mut Words) -> io::Result<Listed> {
+fn listed(
+    program: &Program,
+    run: Option<&FollowedProgram>,
+    file: Option<&File>,
+    words: &mut Words,
+) -> io::Result<Listed> {
     let mut listing = Listing::of(program)?;
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);

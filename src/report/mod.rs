@@ -6,13 +6,9 @@
 //! says so.
 
 mod attachments;
-pub mod characters;
-mod compiler;
 mod contents;
 mod document;
-mod failure;
 mod number;
-pub(crate) mod pen;
 mod shorten;
 pub(crate) mod svg;
 mod templates;
@@ -21,14 +17,12 @@ mod ticks;
 use std::fs;
 use std::path::Path;
 
-use tempfile::TempDir;
-
-pub use self::compiler::{DEADLINE, Typst};
-pub use self::failure::{Ending, ReportFailure, TYPST_VERSION};
-
 use crate::finding::Finding;
-use crate::job::Outcome;
+use crate::kind::Outcome;
 use crate::text::{Language, Text};
+use crate::typeset::compiler::Typst;
+use crate::typeset::failure::ReportFailure;
+use crate::typeset::{MAIN, close};
 
 /// Where the bytes of an attachment are.
 #[derive(Clone, Copy, Debug)]
@@ -76,26 +70,6 @@ pub struct Report {
     pub findings: Vec<Finding>,
 }
 
-/// The template that the report begins with.
-const MAIN: &str = "report.typ";
-
-/// Sets a document of its own from files by name, the first of them the one that typst reads first.
-///
-/// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline.
-///
-/// # Errors
-/// As [`typeset`].
-pub(crate) fn document(files: &[(String, Vec<u8>)], typst: &Typst) -> Result<Vec<u8>, ReportFailure> {
-    let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;
-    for (name, bytes) in files {
-        fs::write(folder.path().join(name), bytes)?;
-    }
-    let main = files.first().map_or(MAIN, |(name, _)| name);
-    let pdf = typst.compile(folder.path(), main)?;
-    close(folder)?;
-    Ok(pdf)
-}
-
 /// Sets the report of an outcome.
 ///
 /// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline.
@@ -115,9 +89,4 @@ pub fn typeset(
     let pdf = typst.compile(folder.path(), MAIN)?;
     close(folder)?;
     Ok(Report { pdf, findings: contents.findings })
-}
-
-/// Removes the folder now, so that what cannot be removed is told and not left behind in silence.
-fn close(folder: TempDir) -> Result<(), ReportFailure> {
-    Ok(folder.close()?)
 }

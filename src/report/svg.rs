@@ -1,14 +1,14 @@
 //! A figure as SVG: scaled to the page, with ticks for graphs.
 //!
 //! The unit of the drawing is the millimetre of paper. Captions and legends are set by the templates, with the same
-//! inks: [`pen`](super::pen::pen).
+//! inks: [`pen`](crate::typeset::pen::pen).
 
 use std::fmt::Write as _;
 
-use super::pen::{face, pen};
 use super::ticks::ticks;
 use crate::figure::{Axes, Figure, Ink};
 use crate::text::Language;
+use crate::typeset::pen::{face, pen};
 
 /// Width of the drawing area on paper in mm.
 const WIDTH: f64 = 160.0;
@@ -34,13 +34,13 @@ fn height(key: &str) -> f64 {
 }
 
 /// Where figure coordinates fall on paper.
-struct Frame {
+struct Plot {
     scale: [f64; 2],
     shift: [f64; 2],
     size: [f64; 2],
 }
 
-impl Frame {
+impl Plot {
     fn at(&self, point: [f64; 2]) -> [f64; 2] {
         [point[0] * self.scale[0] + self.shift[0], self.shift[1] - point[1] * self.scale[1]]
     }
@@ -93,16 +93,16 @@ fn bounds(figure: &Figure) -> Option<[[f64; 2]; 2]> {
 }
 
 /// One scale both ways, the shapes in the middle.
-fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2], height: f64) -> Frame {
+fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2], height: f64) -> Plot {
     let [left, top, right, bottom] = MARGIN;
     let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
     let scale = ((WIDTH - left - right) / dx).min((height - top - bottom) / dy);
     let size = [dx * scale + left + right, dy * scale + top + bottom];
-    Frame { scale: [scale, scale], shift: [left - x0 * scale, top + y1 * scale], size }
+    Plot { scale: [scale, scale], shift: [left - x0 * scale, top + y1 * scale], size }
 }
 
 /// Draws the axes with ticks; a scale of its own for each.
-fn graph(body: &mut String, axes: &Axes, [[x0, x1], [y0, y1]]: [[f64; 2]; 2], language: Language) -> Frame {
+fn graph(body: &mut String, axes: &Axes, [[x0, x1], [y0, y1]]: [[f64; 2]; 2], language: Language) -> Plot {
     let [left, top, right, bottom] = GRAPH_MARGIN;
     let (width, height) = (WIDTH - left - right, GRAPH_HEIGHT);
     let room = 0.06 * (y1 - y0).max(1e-9);
@@ -110,7 +110,7 @@ fn graph(body: &mut String, axes: &Axes, [[x0, x1], [y0, y1]]: [[f64; 2]; 2], la
     let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
     let scale = [width / dx, height / dy];
     let shift = [left - x0 * scale[0], top + y1 * scale[1]];
-    let frame = Frame { scale, shift, size: [WIDTH, height + top + bottom] };
+    let frame = Plot { scale, shift, size: [WIDTH, height + top + bottom] };
     let (foot, end) = (top + height, left + width);
     for (value, text) in ticks(x0, x1, 10) {
         let [x, _] = frame.at([value, y0]);

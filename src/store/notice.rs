@@ -18,13 +18,11 @@ use super::folder::here;
 use super::lock::Lock;
 use super::reason::{refusal, shown};
 use crate::finding::{Finding, Place, Refusal};
+use crate::limits::NOTICE_BYTES;
 use crate::text::Text;
 
 /// The notice's name.
 const NAME: &str = ".rodete-delivery.json";
-
-/// More bytes than any notice has.
-const MOST: u64 = 1 << 22;
 
 /// The files of a set.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -121,13 +119,13 @@ impl Notice {
     fn read(folder: &Path) -> Result<Option<Self>, Refusal> {
         let path = folder.join(NAME);
         match fs::symlink_metadata(&path) {
-            Ok(found) if found.is_file() && found.len() <= MOST => {}
+            Ok(found) if found.is_file() && found.len() <= NOTICE_BYTES => {}
             Ok(_) => return Err(illegible(&path)),
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
             Err(_) => return Err(illegible(&path)),
         }
         let mut text = String::new();
-        match File::open(&path).and_then(|file| file.take(MOST).read_to_string(&mut text)) {
+        match File::open(&path).and_then(|file| file.take(NOTICE_BYTES).read_to_string(&mut text)) {
             Ok(_) => {}
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
             Err(_) => return Err(illegible(&path)),

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
-use super::scene::Scene;
+use crate::scene::Scene;
 use crate::text::Language;
 
 const PAGE: &str = include_str!("page.html");
@@ -79,8 +79,9 @@ fn element_text(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::gcode::dialect::LINUXCNC;
+    use crate::machine::chain::Chain;
+    use crate::scene::program::Program;
     use crate::text::Text;
-    use crate::view::{Frame, Program};
 
     fn scene(title: &str, block: &str) -> Scene {
         Scene {
@@ -88,7 +89,7 @@ mod tests {
             language: Language::En,
             meshes: Vec::new(),
             curves: Vec::new(),
-            programs: vec![Program::new(Text::same("p"), &LINUXCNC, Frame::Milling, block)],
+            programs: vec![Program::new(Text::same("p"), &LINUXCNC, Chain::Milling, block)],
         }
     }
 

@@ -70,9 +70,9 @@ pub fn header_text(text: &str) -> String {
 pub fn row_height(cells: &[(&str, f64)]) -> f64 {
     const LINE: f64 = 15.0;
     /// The highest row that a sheet can have.
-    const MOST: f64 = 409.0;
+    const HIGHEST: f64 = 409.0;
     let most = cells.iter().map(|(text, width)| lines(text, *width)).fold(1.0, f64::max);
-    f64::min(LINE * most, MOST)
+    f64::min(LINE * most, HIGHEST)
 }
 
 /// How many lines a text takes when it is wrapped between words to a width in characters.

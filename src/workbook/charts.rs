@@ -9,7 +9,7 @@ use rust_xlsxwriter::{
 
 use super::error::WriteError;
 use super::table_sheet::{FIRST, TableSheet};
-use crate::job;
+use crate::kind;
 use crate::table::{Entry, Index, Table};
 use crate::text::Language;
 
@@ -101,7 +101,7 @@ impl<'a> Axis<'a> {
 ///
 /// # Errors
 /// For a table longer than a sheet.
-pub fn draw(chart: &job::Chart, tables: &[Placed<'_>], language: Language) -> Result<Option<Drawn>, WriteError> {
+pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> Result<Option<Drawn>, WriteError> {
     let mut drawn = Chart::new(ChartType::ScatterStraight);
     let mut extents = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let mut count = 0;

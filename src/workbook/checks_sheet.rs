@@ -7,7 +7,7 @@ use super::error::WriteError;
 use super::page::Page;
 use super::style::{Styles, grade_fill};
 use crate::finding::Finding;
-use crate::job::checks;
+use crate::kind::checks;
 use crate::table::{Entry, Table};
 use crate::text::Language;
 

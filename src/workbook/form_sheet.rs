@@ -12,7 +12,7 @@ use super::error::WriteError;
 use super::page::Page;
 use super::style::Styles;
 use super::validation::{range_and_note, validation};
-use crate::parameter::{Kind, Parameter, Sheet, Value};
+use crate::parameter::{FieldKind, Parameter, Sheet, Value};
 use crate::text::{Language, Text};
 
 const SYMBOL: ColNum = 0;
@@ -172,9 +172,9 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         write_text(sheet, row, UNIT, parameter.unit.label(), &styles.unit)?;
         write_text(sheet, row, RANGE, &range, &styles.faint)?;
         let format = match parameter.kind {
-            Kind::Real { .. } | Kind::Whole { .. } => &styles.input_number,
-            Kind::Choice(_) | Kind::Line { .. } | Kind::Codes | Kind::Block => &styles.input_text,
-            Kind::Schema => &styles.fixed,
+            FieldKind::Real { .. } | FieldKind::Whole { .. } => &styles.input_number,
+            FieldKind::Choice(_) | FieldKind::Line { .. } | FieldKind::Codes | FieldKind::Block => &styles.input_text,
+            FieldKind::Schema => &styles.fixed,
         };
         match value {
             Some(Value::Real(value)) if !value.is_finite() => {
@@ -194,7 +194,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
                 sheet.write_blank(row, VALUE, format)?;
             }
         }
-        if !matches!(parameter.kind, Kind::Schema) {
+        if !matches!(parameter.kind, FieldKind::Schema) {
             let optional = !parameter.required || self.sheet.optional;
             sheet.add_data_validation(row, VALUE, row, VALUE, &validation(parameter, optional, language)?)?;
         }
@@ -205,7 +205,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
 /// What stands in the cell of a choice.
 pub(super) fn label(parameter: &Parameter, key: &'static str, language: Language) -> &'static str {
     match parameter.kind {
-        Kind::Choice(choices) => {
+        FieldKind::Choice(choices) => {
             choices.iter().find(|choice| choice.key == key).map_or(key, |choice| choice.label.get(language))
         }
         _ => key,

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place};
+use crate::limits::COVERED_ROWS;
 use crate::parameter::Parameter;
 use crate::parameter::list::{List, Row, Rows};
 use crate::text::Text;
@@ -19,8 +20,6 @@ use super::words::fold;
 
 /// Columns A to X.
 pub const COLUMNS: u32 = 24;
-/// Rows of a range of merged cells that are looked at.
-const MOST_COVERED: usize = 10_000;
 /// Characters of a heading shown in a message.
 const SHOWN: usize = 40;
 
@@ -181,7 +180,7 @@ fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], fi
 /// merged: what stood there is hidden.
 fn filled(sheet: &SheetCells, head: u32, columns: &[(&'static Parameter, u32)]) -> Vec<u32> {
     let marked = sheet.survey.uncalculated.iter().chain(&sheet.survey.judged).map(|(row, _)| *row);
-    let covered = sheet.survey.merges.iter().flat_map(|range| (range.start.0..=range.end.0).take(MOST_COVERED));
+    let covered = sheet.survey.merges.iter().flat_map(|range| (range.start.0..=range.end.0).take(COVERED_ROWS));
     let rows: BTreeSet<u32> =
         sheet.rows.keys().copied().chain(marked).chain(covered).filter(|row| *row > head).collect();
     let holds_or_hides = |at: Position| {

@@ -9,7 +9,7 @@ use super::page::Page;
 use super::style::Styles;
 use super::validation::validation;
 use crate::parameter::list::{List, Row};
-use crate::parameter::{Kind, Value};
+use crate::parameter::{FieldKind, Value};
 use crate::text::Language;
 
 /// The rows of meanings, units and headings, and the first row of the list, counted from 0.
@@ -65,7 +65,7 @@ impl ListSheet<'_> {
         let most = FIRST + RowNum::try_from(self.list.most).unwrap_or(RowNum::MAX - FIRST) - 1;
         for (column, parameter) in (0..).zip(self.list.columns) {
             // Blocks of a program are anything; a message at each would be in the way.
-            if !matches!(parameter.kind, Kind::Line { .. }) {
+            if !matches!(parameter.kind, FieldKind::Line { .. }) {
                 let validation = validation(parameter, true, language)?;
                 sheet.add_data_validation(FIRST, column, most, column, &validation)?;
             }
@@ -102,8 +102,8 @@ impl ListSheet<'_> {
     ) -> Result<(), WriteError> {
         for (column, parameter) in (0..).zip(self.list.columns) {
             let format = match parameter.kind {
-                Kind::Real { .. } | Kind::Whole { .. } => &styles.input_number,
-                Kind::Line { .. } => &styles.input_line,
+                FieldKind::Real { .. } | FieldKind::Whole { .. } => &styles.input_number,
+                FieldKind::Line { .. } => &styles.input_line,
                 _ => &styles.input_text,
             };
             match row.and_then(|row| row.values.get(parameter.key)) {

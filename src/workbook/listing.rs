@@ -17,7 +17,7 @@ use super::xml::{attribute, damaged, limit, raw};
 
 /// What a sheet consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum SheetKind {
     /// A sheet of cells.
     Cells,
     /// A sheet that is one chart or dialogue: it has no cells.
@@ -32,7 +32,7 @@ pub struct SheetEntry {
     /// The package's part that holds its cells.
     pub part: String,
     /// What it consists of.
-    pub kind: Kind,
+    pub kind: SheetKind,
     /// Not shown to the user.
     pub hidden: bool,
 }
@@ -175,8 +175,8 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
         let relation = relations.iter().rev().find(|relation| relation.id == id);
         let relation = relation.ok_or_else(|| faulty("no tiene parte en el paquete", "has no part in the package"))?;
         let kind = match relation.kind.rsplit('/').next() {
-            Some("worksheet") => Kind::Cells,
-            Some("chartsheet" | "dialogsheet") => Kind::Other,
+            Some("worksheet") => SheetKind::Cells,
+            Some("chartsheet" | "dialogsheet") => SheetKind::Other,
             _ => return Err(faulty("es de una clase que no se lee", "is of a kind that is not read")),
         };
         let path = resolved(&folder, &relation.target).ok_or_else(|| {

@@ -26,7 +26,7 @@ const LEVEL: u8 = 3;
 const LARGE: RowNum = 500_000;
 
 /// Writes the rows of a sheet.
-pub type Source<'a> = Box<dyn FnOnce(&mut Rows<'_>) -> Result<(), WriteError> + 'a>;
+pub type RowWriter<'a> = Box<dyn FnOnce(&mut Rows<'_>) -> Result<(), WriteError> + 'a>;
 
 /// The rows of one sheet.
 pub struct LongRows<'a> {
@@ -39,7 +39,7 @@ pub struct LongRows<'a> {
     /// How many rows there will be; at least one.
     pub count: RowNum,
     /// Writes them.
-    pub source: Source<'a>,
+    pub source: RowWriter<'a>,
 }
 
 impl fmt::Debug for LongRows<'_> {

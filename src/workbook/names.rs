@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-/// The most UTF-16 units of a sheet's name.
-const MOST: usize = 31;
+use crate::limits::SHEET_NAME;
 
 /// The names of a workbook's sheets that are taken.
 #[derive(Debug, Default)]
@@ -15,12 +14,12 @@ impl SheetNames {
     /// Takes a name as near to the one wanted as the rules allow.
     pub fn take(&mut self, wanted: &str) -> String {
         let cleaned = clean(wanted);
-        let mut name = fitted(&cleaned, MOST);
+        let mut name = fitted(&cleaned, SHEET_NAME);
         let mut count = 2_u64;
         // `History` is kept by spreadsheets for themselves.
         while name.eq_ignore_ascii_case("History") || self.taken.contains(&name.to_lowercase()) {
             let suffix = format!(" ({count})");
-            name = fitted(&cleaned, MOST - suffix.len()) + &suffix;
+            name = fitted(&cleaned, SHEET_NAME - suffix.len()) + &suffix;
             count += 1;
         }
         self.taken.insert(name.to_lowercase());

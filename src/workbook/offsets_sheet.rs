@@ -18,7 +18,7 @@ use crate::machine::length_unit::LengthUnit;
 use crate::machine::offset_edit::{GREATEST_ROTATION, greatest};
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G92_FIRST, Offsets, System};
-use crate::parameter::{Choice, Kind, Parameter};
+use crate::parameter::{Choice, FieldKind, Parameter};
 use crate::table::Unit;
 use crate::text::{Language, Text};
 
@@ -50,7 +50,7 @@ const fn real(key: &'static str, meaning: Text, most: f64) -> Parameter {
         meaning,
         // The units stand in a row of their own.
         unit: Unit::None,
-        kind: Kind::Real { min: -most, max: most },
+        kind: FieldKind::Real { min: -most, max: most },
         required: true,
         note: Text::fixed("", ""),
     }
@@ -92,7 +92,7 @@ const fn mark(key: &'static str) -> Parameter {
         name: "",
         meaning: Text::fixed("sistema activo; G92 en vigor", "active system; G92 in force"),
         unit: Unit::None,
-        kind: Kind::Choice(CHOICES),
+        kind: FieldKind::Choice(CHOICES),
         required: false,
         note: Text::fixed("", ""),
     }
@@ -256,7 +256,7 @@ impl OffsetsSheet<'_> {
             let parameter = column.parameter(self.unit, self.language);
             match (column, number) {
                 (Column::Active, _) => {
-                    let Kind::Choice(choices) = parameter.kind else { continue };
+                    let FieldKind::Choice(choices) = parameter.kind else { continue };
                     let choice = choices.iter().find(|choice| (choice.key == YES) == active);
                     let label = choice.map_or("", |choice| choice.label.get(self.language));
                     write_text(sheet, row, at, label, &input_text)?;

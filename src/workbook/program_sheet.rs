@@ -6,7 +6,7 @@
 use rust_xlsxwriter::{ColNum, RowNum, Worksheet};
 
 use super::error::WriteError;
-use super::long_rows::{Rows, Source};
+use super::long_rows::{RowWriter, Rows};
 use super::page::Page;
 use super::style::Styles;
 use crate::gcode::program::Program;
@@ -108,7 +108,7 @@ impl<'a> ProgramSheet<'a> {
 
     /// Streams the rows, all programs in step.
     #[must_use]
-    pub fn source(self) -> Source<'a> {
+    pub fn source(self) -> RowWriter<'a> {
         Box::new(move |rows: &mut Rows<'_>| {
             let mut running: Vec<_> = self
                 .strands
@@ -164,7 +164,7 @@ impl Extent {
     /// The width of the blocks' column, in characters.
     fn width(self) -> f64 {
         const LEAST: u8 = 12;
-        const MOST: u8 = 60;
-        f64::from(u8::try_from(self.longest).unwrap_or(MOST).clamp(LEAST, MOST))
+        const GREATEST: u8 = 60;
+        f64::from(u8::try_from(self.longest).unwrap_or(GREATEST).clamp(LEAST, GREATEST))
     }
 }

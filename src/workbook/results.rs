@@ -18,8 +18,8 @@ use super::style::Styles;
 use super::table_sheet::{FIRST, TableSheet};
 use super::template::{HOW, OPTIONAL, write_lists};
 use crate::gcode::program::Program;
-use crate::job::{Chart, Outcome, checks};
-use crate::lathe::parameters::PROGRAM_KEY;
+use crate::kind::{Chart, Outcome, checks};
+use crate::kinds::lathe::parameters::PROGRAM_KEY;
 use crate::table::Table;
 use crate::text::{Language, Text};
 

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Refusal};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Earlier, Form, Kind, Parameter, Sheet, Value, Values};
+use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
 use crate::text::{Language, Text};
 
 use super::address;
@@ -251,7 +251,7 @@ pub(super) fn sheet_named(
             ))
         }
         [(entry, language)] if alike.len() == 1 => {
-            if entry.kind == listing::Kind::Cells {
+            if entry.kind == listing::SheetKind::Cells {
                 Ok(((*entry).clone(), *language))
             } else {
                 Err(no_cells(entry))
@@ -279,7 +279,7 @@ fn find(
     let [entry] = alike.as_slice() else {
         return if alike.is_empty() { Ok(None) } else { Err(ambiguous(&alike)) };
     };
-    if entry.kind != listing::Kind::Cells {
+    if entry.kind != listing::SheetKind::Cells {
         return Err(no_cells(entry));
     }
     if names.contains(&entry.name.as_str()) {
@@ -320,7 +320,7 @@ fn list_sheets(
         }
         Naming::Numbered(_) => Ok(sheets
             .iter()
-            .filter(|entry| entry.kind == listing::Kind::Cells && is_numbered(&entry.name))
+            .filter(|entry| entry.kind == listing::SheetKind::Cells && is_numbered(&entry.name))
             .cloned()
             .collect()),
     }
@@ -371,7 +371,9 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
         .copied()
         .filter(|form| form.sheets.first().is_some_and(|one| *one.name.get(language) == *sheet.name))
     {
-        wanted.extend(form.parameters().find(|(_, one)| matches!(one.kind, Kind::Schema)).map(|(_, one)| (form, one)));
+        wanted.extend(
+            form.parameters().find(|(_, one)| matches!(one.kind, FieldKind::Schema)).map(|(_, one)| (form, one)),
+        );
     }
     let known = wanted.iter().map(|(form, _)| format!("\"{}\"", form.schema)).collect::<Vec<_>>().join(", ");
     let symbol = wanted.first().map_or("schema", |(_, parameter)| parameter.symbol());
@@ -471,7 +473,7 @@ fn take(
         match found(parameter).as_slice() {
             [] if parameter.required => findings.push(missing_row(parameter, sheet)),
             [] => {}
-            [_] if matches!(parameter.kind, Kind::Schema) => {
+            [_] if matches!(parameter.kind, FieldKind::Schema) => {
                 values.values.insert(parameter.key, Value::Line(schema.to_owned()));
             }
             [row] => {

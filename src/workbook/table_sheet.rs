@@ -7,10 +7,10 @@ use rust_xlsxwriter::{ColNum, DataValidation, RowNum, Worksheet};
 
 use super::cell::{row_height, shortened, write_text};
 use super::error::WriteError;
-use super::long_rows::{Rows, Source};
+use super::long_rows::{RowWriter, Rows};
 use super::page::Page;
 use super::style::Styles;
-use crate::table::{Column, Entry, Index, Table, Unit, Values};
+use crate::table::{Cells, Column, Entry, Index, Table, Unit};
 use crate::text::Language;
 
 /// The row of the symbols, from 0.
@@ -148,8 +148,8 @@ impl<'a> TableSheet<'a> {
     ) -> Result<(), WriteError> {
         let symbol = column.symbol.get(self.language);
         let (header, unit) = match &column.values {
-            Values::Texts(_) => (&styles.text_header, &styles.unit),
-            Values::Numbers(_) | Values::Component(..) => (&styles.number_header, &styles.number_unit),
+            Cells::Texts(_) => (&styles.text_header, &styles.unit),
+            Cells::Numbers(_) | Cells::Component(..) => (&styles.number_header, &styles.number_unit),
         };
         write_text(sheet, SYMBOLS, at, symbol, header)?;
         write_text(sheet, UNITS, at, column.unit.label(), unit)?;
@@ -209,7 +209,7 @@ impl<'a> TableSheet<'a> {
 
     /// Streams the rows of a long table.
     #[must_use]
-    pub fn rows(self) -> Source<'a> {
+    pub fn rows(self) -> RowWriter<'a> {
         Box::new(move |rows: &mut Rows<'_>| {
             let offset = usize::from(self.offset());
             for (row, index) in (FIRST..=self.last_row()?).zip(0_u32..) {
@@ -237,12 +237,12 @@ impl<'a> TableSheet<'a> {
     /// The width of a column, in characters.
     fn width(&self, column: &Column) -> f64 {
         match &column.values {
-            Values::Texts(texts) => {
+            Cells::Texts(texts) => {
                 let longest = texts.iter().map(|text| count(text.get(self.language))).fold(0.0, f64::max);
                 let [least, most] = TEXT_WIDTH;
                 (longest + 2.0).clamp(least, most)
             }
-            Values::Numbers(_) | Values::Component(..) => NUMBER_WIDTH,
+            Cells::Numbers(_) | Cells::Component(..) => NUMBER_WIDTH,
         }
     }
 
@@ -266,7 +266,7 @@ impl Styles {
     /// The format of a column's values.
     fn values(&self, column: &Column) -> &rust_xlsxwriter::Format {
         match (&column.values, column.unit) {
-            (Values::Texts(_), _) => &self.entry,
+            (Cells::Texts(_), _) => &self.entry,
             (_, Unit::Count) => &self.count,
             _ => &self.value,
         }

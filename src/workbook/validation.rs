@@ -3,7 +3,7 @@
 use rust_xlsxwriter::{DataValidation, DataValidationRule, XlsxError};
 
 use super::cell::shortened;
-use crate::parameter::{Kind, Parameter};
+use crate::parameter::{FieldKind, Parameter};
 use crate::text::{Language, Text};
 
 /// Excel's limits for titles and messages, in UTF-16 units.
@@ -17,11 +17,11 @@ const CODES: u32 = 200;
 #[must_use]
 pub fn range(parameter: &Parameter) -> Text {
     match &parameter.kind {
-        Kind::Real { min, max } => Text::new(format!("de {min} a {max}"), format!("{min} to {max}")),
-        Kind::Whole { min, max } => {
+        FieldKind::Real { min, max } => Text::new(format!("de {min} a {max}"), format!("{min} to {max}")),
+        FieldKind::Whole { min, max } => {
             Text::new(format!("entero de {min} a {max}"), format!("whole number, {min} to {max}"))
         }
-        Kind::Choice(choices) => {
+        FieldKind::Choice(choices) => {
             let join = |language: Language, or: &str| {
                 let labels: Vec<&str> = choices.iter().map(|choice| choice.label.get(language)).collect();
                 match labels.split_last() {
@@ -31,16 +31,16 @@ pub fn range(parameter: &Parameter) -> Text {
             };
             Text::new(join(Language::Es, "o"), join(Language::En, "or"))
         }
-        Kind::Line { max } => Text::new(format!("hasta {max} caracteres"), format!("up to {max} characters")),
-        Kind::Codes => Text::fixed(
+        FieldKind::Line { max } => Text::new(format!("hasta {max} caracteres"), format!("up to {max} characters")),
+        FieldKind::Codes => Text::fixed(
             "códigos G o M con número entero, separados por espacios",
             "codes G or M with a whole number, separated by blanks",
         ),
-        Kind::Block => Text::fixed(
+        FieldKind::Block => Text::fixed(
             "un bloque: códigos G, luego X, Y, Z con su número, luego códigos M",
             "one block: G codes, then X, Y, Z with their numbers, then M codes",
         ),
-        Kind::Schema => Text::fixed("", ""),
+        FieldKind::Schema => Text::fixed("", ""),
     }
 }
 
@@ -69,20 +69,20 @@ pub fn validation(parameter: &Parameter, optional: bool, language: Language) -> 
     static WRONG: Text = Text::fixed("Valor no admitido", "Value not allowed");
     let rule = DataValidation::new();
     let rule = match &parameter.kind {
-        Kind::Real { min, max } => rule.allow_decimal_number(DataValidationRule::Between(*min, *max)),
-        Kind::Whole { min, max } => {
+        FieldKind::Real { min, max } => rule.allow_decimal_number(DataValidationRule::Between(*min, *max)),
+        FieldKind::Whole { min, max } => {
             let bound = |limit: u32| i32::try_from(limit).unwrap_or(i32::MAX);
             rule.allow_whole_number(DataValidationRule::Between(bound(*min), bound(*max)))
         }
-        Kind::Choice(choices) => {
+        FieldKind::Choice(choices) => {
             let labels: Vec<&str> = choices.iter().map(|choice| choice.label.get(language)).collect();
             rule.allow_list_strings(&labels)?
         }
-        Kind::Line { max } => {
+        FieldKind::Line { max } => {
             rule.allow_text_length(DataValidationRule::Between(1, u32::try_from(*max).unwrap_or(u32::MAX)))
         }
-        Kind::Codes | Kind::Block => rule.allow_text_length(DataValidationRule::Between(1, CODES)),
-        Kind::Schema => rule.allow_any_value(),
+        FieldKind::Codes | FieldKind::Block => rule.allow_text_length(DataValidationRule::Between(1, CODES)),
+        FieldKind::Schema => rule.allow_any_value(),
     };
     let meaning = parameter.meaning.get(language);
     let unit = parameter.unit.label();

@@ -2,7 +2,7 @@
 
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place};
-use crate::parameter::{Choice, Kind, Parameter, Value};
+use crate::parameter::{Choice, FieldKind, Parameter, Value};
 use crate::table::Unit;
 use crate::text::Text;
 
@@ -73,33 +73,33 @@ pub fn named(parameter: &Parameter) -> Text {
 #[must_use]
 pub fn expected(parameter: &Parameter) -> Text {
     match &parameter.kind {
-        Kind::Real { min, max } => {
+        FieldKind::Real { min, max } => {
             let (min, max) = (decimal(*min), unit::with(*max, parameter.unit));
             say!("un número de {min} a {max}", "a number from {min} to {max}")
         }
-        Kind::Whole { min, max } => {
+        FieldKind::Whole { min, max } => {
             say!("un número entero de {min} a {max}", "a whole number from {min} to {max}")
         }
-        Kind::Choice(choices) => {
+        FieldKind::Choice(choices) => {
             let list = |pick: fn(&Choice) -> &str| choices.iter().map(pick).collect::<Vec<_>>().join(", ");
             let (es, en) = (list(|choice| &choice.label.es), list(|choice| &choice.label.en));
             say!("una de estas palabras: {es}", "one of: {en}")
         }
-        Kind::Line { max } => say!("un texto de hasta {max} caracteres", "a text of up to {max} characters"),
-        Kind::Codes => Text::fixed("códigos de máquina, como M3 M11 M13", "machine codes, such as M3 M11 M13"),
-        Kind::Block => Text::fixed(
+        FieldKind::Line { max } => say!("un texto de hasta {max} caracteres", "a text of up to {max} characters"),
+        FieldKind::Codes => Text::fixed("códigos de máquina, como M3 M11 M13", "machine codes, such as M3 M11 M13"),
+        FieldKind::Block => Text::fixed(
             "un bloque que retira la herramienta, como G0 G53 Z0",
             "a block that takes the tool away, such as G0 G53 Z0",
         ),
-        Kind::Schema => Text::fixed("el esquema del libro", "the schema of the workbook"),
+        FieldKind::Schema => Text::fixed("el esquema del libro", "the schema of the workbook"),
     }
 }
 
 /// The limits of a parameter, for the finding's own field; empty where there are none.
 fn range(parameter: &Parameter) -> String {
     match &parameter.kind {
-        Kind::Real { min, max } => format!("{} … {}", decimal(*min), unit::with(*max, parameter.unit)),
-        Kind::Whole { min, max } => format!("{min} … {max}"),
+        FieldKind::Real { min, max } => format!("{} … {}", decimal(*min), unit::with(*max, parameter.unit)),
+        FieldKind::Whole { min, max } => format!("{min} … {max}"),
         _ => String::new(),
     }
 }
@@ -184,7 +184,7 @@ impl Reading<'_> {
         let number = number + 0.0;
         let unit = self.parameter.unit;
         match &self.parameter.kind {
-            Kind::Real { min, max } => {
+            FieldKind::Real { min, max } => {
                 if !(*min <= number && number <= *max) {
                     let remedy = unit::meant(number, unit, *min, *max).unwrap_or_else(|| self.write());
                     self.outside(number, remedy);
@@ -207,7 +207,7 @@ impl Reading<'_> {
                 }
                 Some(Value::Real(number))
             }
-            Kind::Whole { min, max } => {
+            FieldKind::Whole { min, max } => {
                 if number.fract() != 0.0 {
                     let shown = decimal(number);
                     let remedy = self.write();
@@ -228,18 +228,18 @@ impl Reading<'_> {
                 whole.map(Value::Whole)
             }
             // A part number, a material number: Excel makes numbers of them.
-            Kind::Line { .. } | Kind::Choice(_) | Kind::Codes | Kind::Block => {
+            FieldKind::Line { .. } | FieldKind::Choice(_) | FieldKind::Codes | FieldKind::Block => {
                 let text = decimal(number);
                 self.text(&text, text.chars().count())
             }
-            Kind::Schema => None,
+            FieldKind::Schema => None,
         }
     }
 
     fn text(&mut self, text: &str, characters: usize) -> Option<Value> {
         let shown = excerpt(text, SHOWN);
         match &self.parameter.kind {
-            Kind::Real { .. } | Kind::Whole { .. } => {
+            FieldKind::Real { .. } | FieldKind::Whole { .. } => {
                 let remedy = typed_number::hint(text, self.parameter.unit.label());
                 self.stop_with(
                     say!(" es el texto \"{shown}\", no un número", " is the text \"{shown}\", not a number"),
@@ -248,8 +248,8 @@ impl Reading<'_> {
                 );
                 None
             }
-            Kind::Choice(choices) => self.choice(choices, text),
-            Kind::Line { max } => {
+            FieldKind::Choice(choices) => self.choice(choices, text),
+            FieldKind::Line { max } => {
                 if characters > *max {
                     self.long(characters, *max);
                     return None;
@@ -265,9 +265,9 @@ impl Reading<'_> {
                 }
                 Some(Value::Line(text.to_owned()))
             }
-            Kind::Codes => self.codes(text, characters, words::codes(text), CODE),
-            Kind::Block => self.codes(text, characters, words::block(text), BLOCK),
-            Kind::Schema => None,
+            FieldKind::Codes => self.codes(text, characters, words::codes(text), CODE),
+            FieldKind::Block => self.codes(text, characters, words::block(text), BLOCK),
+            FieldKind::Schema => None,
         }
     }
 
@@ -351,7 +351,7 @@ impl Reading<'_> {
         }
         let place = Place::Cells(vec![self.sheet.place(at)]);
         let name = named(self.parameter);
-        let finding = if matches!(self.parameter.kind, Kind::Real { .. } | Kind::Whole { .. }) {
+        let finding = if matches!(self.parameter.kind, FieldKind::Real { .. } | FieldKind::Whole { .. }) {
             let what = if unit == Unit::None || label.is_empty() {
                 say!(
                     " no tiene unidad y su celda de unidad dice \"{written}\"",
@@ -416,8 +416,8 @@ impl Reading<'_> {
     fn outside(&mut self, number: f64, remedy: Text) {
         let value = unit::with(number, self.parameter.unit);
         let (min, max) = match &self.parameter.kind {
-            Kind::Real { min, max } => (decimal(*min), unit::with(*max, self.parameter.unit)),
-            Kind::Whole { min, max } => (min.to_string(), max.to_string()),
+            FieldKind::Real { min, max } => (decimal(*min), unit::with(*max, self.parameter.unit)),
+            FieldKind::Whole { min, max } => (min.to_string(), max.to_string()),
             _ => return,
         };
         self.stop_with(

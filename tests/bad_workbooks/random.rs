@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use rodete::finding::Grade;
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::text::Language;
 use rodete::workbook::template;
 

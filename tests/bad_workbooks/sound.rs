@@ -1,10 +1,10 @@
 //! What must be read, and how.
 
 use rodete::finding::Grade;
-use rodete::impeller::cases::CASES;
-use rodete::impeller::design::Design;
-use rodete::impeller::fade::Fade;
-use rodete::impeller::parameters::FORM;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::fade::Fade;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::Language;
 

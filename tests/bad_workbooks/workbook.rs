@@ -3,9 +3,9 @@
 use std::io::{Cursor, Read, Write};
 
 use rodete::finding::{Exit, Finding, Grade, Place, Refusal};
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
-use rodete::parameter::{Kind, Value};
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::parameter::{FieldKind, Value};
 use rodete::text::Language;
 use rodete::workbook::{Filled, read};
 use zip::write::SimpleFileOptions;
@@ -36,7 +36,7 @@ pub fn sound(language: Language) -> Vec<u8> {
                     Some(Value::Whole(number)) => drop(sheet.write(row, 2, *number).unwrap()),
                     Some(Value::Line(line)) => drop(sheet.write(row, 2, line).unwrap()),
                     Some(Value::Choice(key)) => {
-                        let Kind::Choice(choices) = parameter.kind else { panic!("{key}") };
+                        let FieldKind::Choice(choices) = parameter.kind else { panic!("{key}") };
                         let choice = choices.iter().find(|choice| choice.key == *key).unwrap();
                         sheet.write(row, 2, choice.label.get(language)).unwrap();
                     }

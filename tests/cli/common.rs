@@ -4,8 +4,8 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
-use rodete::impeller::cases::CASES;
-use rodete::impeller::parameters::FORM;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::{Language, Text};
 use rodete::workbook::template;

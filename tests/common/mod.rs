@@ -3,11 +3,12 @@
 
 pub mod rs274;
 
-use rodete::impeller::blade::Blade;
-use rodete::impeller::cases::CASES;
-use rodete::impeller::design::Design;
-use rodete::impeller::parameters::FORM;
-use rodete::job::{self, Outcome, Source};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds;
+use rodete::kinds::impeller::blade::Blade;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 use rodete::parameter::{Value, Values};
@@ -35,13 +36,13 @@ pub fn absolute(changes: &[(&'static str, Value)]) -> Vec<(&'static str, Value)>
     all
 }
 
-pub fn source() -> Source {
-    Source { workbook: "impeller.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.0.0" }
+pub fn source() -> Provenance {
+    Provenance { workbook: "impeller.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.0.0" }
 }
 
 /// The outcome of a shipped case, some of its values replaced.
 pub fn outcome(case: &str, changes: &[(&'static str, Value)]) -> Outcome {
-    match job::run(&FORM, values(case, changes), source()) {
+    match kinds::run(&FORM, values(case, changes), source()) {
         Ok(outcome) => outcome,
         Err(refusal) => panic!("refused: {:?}", refusal.findings),
     }

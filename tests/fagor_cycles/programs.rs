@@ -2,7 +2,7 @@
 
 use rodete::gcode::dialect::FAGOR_8055_T;
 use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::{FeedMode, Kind, Motion, Plane};
+use rodete::gcode::motion::{FeedMode, Motion, MotionKind, Plane};
 use rodete::machine::axis::Axis;
 
 use crate::rs274;
@@ -36,11 +36,13 @@ fn the_published_program_runs_its_cycle_from_where_it_stands_and_goes_on() {
     assert!(cycle.iter().all(|motion| motion.line == 6));
     // X55 is the radius 27.5; the passes take F0.1, per revolution, of the block before.
     assert_eq!(xz(cycle[0]), [27.5, -1.0]);
-    assert!(matches!(cycle[1].kind, Kind::Feed(feed) if feed.mode == FeedMode::PerRevolution && feed.value == 0.1));
+    assert!(
+        matches!(cycle[1].kind, MotionKind::Feed(feed) if feed.mode == FeedMode::PerRevolution && feed.value == 0.1)
+    );
     assert_eq!(xz(cycle[60]), [27.5, 0.0]);
     let mut swept = 0.0;
     for motion in &cycle {
-        if let Kind::Arc(arc, feed) = motion.kind {
+        if let MotionKind::Arc(arc, feed) = motion.kind {
             assert_eq!((arc.plane, arc.centre, feed.value), (Plane::ZX, [0.0, 25.0], 0.1));
             assert!((arc.radius - 15.0).abs() < 1e-9);
             swept += arc.sweep;
@@ -48,7 +50,7 @@ fn the_published_program_runs_its_cycle_from_where_it_stands_and_goes_on() {
     }
     assert!((swept - std::f64::consts::FRAC_PI_2).abs() < 1e-9, "a quarter circle: {swept}");
     let after = motions.last().unwrap();
-    assert_eq!((after.n, after.kind, xz(after)), (Some(70), Kind::Rapid, [40.0, 80.0]));
+    assert_eq!((after.n, after.kind, xz(after)), (Some(70), MotionKind::Rapid, [40.0, 80.0]));
 }
 
 #[test]
@@ -72,7 +74,7 @@ fn the_words_of_each_cycle_are_read_as_diameters_radii_and_hundredths() {
         assert_eq!([xz(&motions[1]), xz(&motions[2])], [first, second], "{block}");
         assert_eq!(motions.last().map(xz), Some([20.0, 2.0]), "{block}: back at its start");
         let dwells: Vec<f64> =
-            motions.iter().filter_map(|m| if let Kind::Dwell(s) = m.kind { Some(s) } else { None }).collect();
+            motions.iter().filter_map(|m| if let MotionKind::Dwell(s) = m.kind { Some(s) } else { None }).collect();
         let expected: &[f64] = match &block[..3] {
             "G83" => &[0.5],
             "G88" | "G89" => &[1.0],
@@ -87,8 +89,10 @@ fn the_feeds_of_a_cycle_are_its_own() {
     let program = b"G95 F0.2 S500 M3\nG0 X40 Z2\nG81 X20 Z0 Q20 R-20 C20 L0.5 F0.3 H0.05\nG1 X30\nM30\n";
     let (motions, faults, _) = run(program);
     assert_eq!(faults, []);
-    let feeds: Vec<f64> =
-        motions.iter().filter_map(|m| if let Kind::Feed(feed) = m.kind { Some(feed.value) } else { None }).collect();
+    let feeds: Vec<f64> = motions
+        .iter()
+        .filter_map(|m| if let MotionKind::Feed(feed) = m.kind { Some(feed.value) } else { None })
+        .collect();
     // One pass and out; the last roughing pass, to the profile and along it; the finishing pass; G1 at F0.2 again.
     assert_eq!(feeds, [0.2, 0.2, 0.3, 0.3, 0.05, 0.05, 0.2]);
 }
@@ -98,7 +102,7 @@ fn a_cycle_is_over_with_its_block() {
     let (motions, faults, _) = run(b"G95 F0.2 S500 M3\nG0 X40 Z2\nG82 X20 Z-3 Q0 R0 C3 D1\nX50\nM30\n");
     assert_eq!(faults, []);
     let last = motions.last().unwrap();
-    assert_eq!((last.line, last.kind, xz(last)), (4, Kind::Rapid, [25.0, 2.0]));
+    assert_eq!((last.line, last.kind, xz(last)), (4, MotionKind::Rapid, [25.0, 2.0]));
     assert_eq!(motions.iter().filter(|motion| motion.line == 4).count(), 1);
 }
 
@@ -148,12 +152,12 @@ fn linuxcnc_makes_the_same_motions_of_the_expanded_cycle() {
     for motion in &ours {
         let ([x, z], [from_x, from_z]) = (xz(motion), [motion.from.get(Axis::X), motion.from.get(Axis::Z)]);
         match motion.kind {
-            Kind::Arc(arc, _) => {
+            MotionKind::Arc(arc, _) => {
                 let code = if arc.sweep > 0.0 { 3 } else { 2 };
                 let [k, i] = [arc.centre[0] - from_z, arc.centre[1] - from_x];
                 program += &format!("G{code} X{x:.6} Z{z:.6} I{i:.6} K{k:.6}\n");
             }
-            Kind::Rapid => program += &format!("G0 X{x:.6} Z{z:.6}\n"),
+            MotionKind::Rapid => program += &format!("G0 X{x:.6} Z{z:.6}\n"),
             _ => program += &format!("G1 X{x:.6} Z{z:.6}\n"),
         }
     }
@@ -164,11 +168,11 @@ fn linuxcnc_makes_the_same_motions_of_the_expanded_cycle() {
         let [x, z] = xz(ours);
         assert!((theirs.program[0] - x).abs() < 1e-4 && (theirs.program[2] - z).abs() < 1e-4, "{ours:?} {theirs:?}");
         match (ours.kind, theirs.kind) {
-            (Kind::Arc(arc, _), rs274::Kind::Arc { plane: Plane::ZX, centre, turns, .. }) => {
+            (MotionKind::Arc(arc, _), rs274::Kind::Arc { plane: Plane::ZX, centre, turns, .. }) => {
                 assert!((centre[0] - arc.centre[0]).abs() < 1e-3 && (centre[1] - arc.centre[1]).abs() < 1e-3);
                 assert_eq!(turns.signum(), arc.turns.signum());
             }
-            (Kind::Rapid, rs274::Kind::Rapid) | (Kind::Feed(_), rs274::Kind::Feed(_)) => {}
+            (MotionKind::Rapid, rs274::Kind::Rapid) | (MotionKind::Feed(_), rs274::Kind::Feed(_)) => {}
             (a, b) => panic!("{a:?} {b:?}"),
         }
     }

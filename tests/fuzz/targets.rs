@@ -9,27 +9,29 @@ use rodete::escape::hidden;
 use rodete::finding::{Exit, Finding, Grade, Refusal};
 use rodete::gcode::dialect::{self, Dialect};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, findings, tool_table};
-use rodete::gcode::motion::{Kind, Motion};
-use rodete::job::{self, Source, lathe};
-use rodete::lathe::setup::Given;
-use rodete::lathe::simulation::{Setup, Simulation};
-use rodete::lathe::{cases, parameters, text};
+use rodete::gcode::motion::{Motion, MotionKind};
+use rodete::kind::Provenance;
+use rodete::kinds;
+use rodete::kinds::lathe;
+use rodete::kinds::lathe::scene::Watching;
+use rodete::kinds::lathe::setup::Given;
+use rodete::kinds::lathe::{cases, parameters, text};
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::{Form, Value, Values};
+use rodete::proof::account::Account;
+use rodete::removal::turning::simulation::{Setup, Simulation};
 use rodete::text::Language;
-use rodete::verify::account::Account;
-use rodete::view::lathe::Watching;
 use rodete::workbook;
 use zip::CompressionMethod;
 use zip::write::SimpleFileOptions;
 
 /// The forms that a workbook may fill in.
 pub const FORMS: [&Form; 4] = [
-    &rodete::impeller::parameters::FORM,
-    &rodete::pipe::hole::parameters::FORM,
-    &rodete::pipe::insert::parameters::FORM,
+    &rodete::kinds::impeller::parameters::FORM,
+    &rodete::kinds::pipe::hole::parameters::FORM,
+    &rodete::kinds::pipe::insert::parameters::FORM,
     &parameters::FORM,
 ];
 
@@ -71,7 +73,7 @@ fn sound(motion: &Motion) {
             assert!(pose.get(axis).abs() <= FARTHEST, "{motion:?}");
         }
     }
-    if let Kind::Feed(feed) | Kind::Arc(_, feed) = motion.kind {
+    if let MotionKind::Feed(feed) | MotionKind::Arc(_, feed) = motion.kind {
         assert!(feed.value >= 0.0 && feed.value <= FARTHEST, "{motion:?}");
     }
     assert!(motion.seconds.is_none_or(|seconds| seconds >= 0.0 && seconds.is_finite()), "{motion:?}");
@@ -135,9 +137,10 @@ pub fn simulate(bytes: &[u8]) -> Work {
     values.values.insert("L", Value::Real(L));
     values.values.insert("L4", Value::Real(L / 4.0));
     values.values.insert("L5", Value::Real(0.0));
-    let program = text::Source { main: text::Text::of_file(rest), subprograms: std::collections::BTreeMap::new() };
+    let program =
+        text::SheetProgram { main: text::Lines::of_file(rest), subprograms: std::collections::BTreeMap::new() };
     let Some(motions) = followed(&values, &program) else { return Work { read: 1, motions: 0 } };
-    let source = Source { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
+    let source = Provenance { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
     let mut watching = Watching::default();
     let followed = lathe::watched(&parameters::FORM, values, source, Some(program), &mut |seen| watching.see(seen));
     match followed {
@@ -156,7 +159,7 @@ pub fn simulate(bytes: &[u8]) -> Work {
 const MOST_WORK: u64 = 800_000;
 
 /// Follows a program within a small budget, and counts its motions. `None` where the budget ends before the program.
-fn followed(values: &Values, program: &text::Source) -> Option<u64> {
+fn followed(values: &Values, program: &text::SheetProgram) -> Option<u64> {
     let Ok(given) = Given::of(values) else { return Some(0) };
     let setup = Setup { most_work: MOST_WORK, ..given.setup.clone() };
     let Ok(mut simulation) = Simulation::new(setup) else { return Some(0) };
@@ -238,8 +241,8 @@ fn book(bytes: &[u8]) -> Work {
 
 /// The values of a form that was read: computed, or refused with a reason.
 pub fn design(form: &'static Form, values: Values) {
-    let source = Source { workbook: "fuzz.xlsx".to_owned(), sha256: "0".repeat(64), version: "0" };
-    match job::run(form, values, source) {
+    let source = Provenance { workbook: "fuzz.xlsx".to_owned(), sha256: "0".repeat(64), version: "0" };
+    match kinds::run(form, values, source) {
         Ok(outcome) => {
             said(&outcome.findings);
             assert!(outcome.exit() != Exit::Fault, "{:?}", outcome.findings);

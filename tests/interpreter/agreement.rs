@@ -55,8 +55,8 @@ pub fn begins<'a>(ours: &[Motion], theirs: &'a [rs274::Motion]) -> Result<&'a [r
 }
 
 fn goes_nowhere(motion: &Motion) -> bool {
-    motion.kind == motion::Kind::Dwell(0.0)
-        || matches!(motion.kind, motion::Kind::Rapid | motion::Kind::Feed(_))
+    motion.kind == motion::MotionKind::Dwell(0.0)
+        || matches!(motion.kind, motion::MotionKind::Rapid | motion::MotionKind::Feed(_))
             && close(&motion.from, &six(&motion.to), NOTHING)
 }
 
@@ -144,16 +144,16 @@ fn difference(our: &Motion, their: &rs274::Motion) -> Option<String> {
         return wrong("start");
     }
     let (our_feed, feed) = match (our.kind, their.kind) {
-        (motion::Kind::Rapid, Kind::Rapid) => return None,
-        (motion::Kind::Dwell(seconds), Kind::Dwell(theirs)) => {
+        (motion::MotionKind::Rapid, Kind::Rapid) => return None,
+        (motion::MotionKind::Dwell(seconds), Kind::Dwell(theirs)) => {
             return if (seconds - theirs).abs() <= HALF + NOTHING && our.seconds == Some(seconds) {
                 None
             } else {
                 wrong("dwell")
             };
         }
-        (motion::Kind::Feed(our), Kind::Feed(feed)) => (our, feed),
-        (motion::Kind::Arc(arc, our), Kind::Arc { plane, centre, turns, feed }) => {
+        (motion::MotionKind::Feed(our), Kind::Feed(feed)) => (our, feed),
+        (motion::MotionKind::Arc(arc, our), Kind::Arc { plane, centre, turns, feed }) => {
             if (arc.plane, arc.turns) != (plane, turns) {
                 return wrong("plane or turns");
             }

@@ -3,7 +3,7 @@
 use rodete::finding::Grade;
 use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC};
 use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::Kind;
+use rodete::gcode::motion::MotionKind;
 
 /// How many arcs a program makes, what is refused and what is cautioned of.
 fn read(dialect: &'static Dialect, arc: &str) -> (usize, Vec<String>, Vec<String>) {
@@ -13,7 +13,7 @@ fn read(dialect: &'static Dialect, arc: &str) -> (usize, Vec<String>, Vec<String
     let (mut arcs, mut refused) = (0, Vec::new());
     for item in &mut interpreter {
         match item {
-            Ok(motion) => arcs += usize::from(matches!(motion.kind, Kind::Arc(..))),
+            Ok(motion) => arcs += usize::from(matches!(motion.kind, MotionKind::Arc(..))),
             Err(fault) => refused.push(format!("{} {}; {}", fault.line, fault.what.en, fault.remedy.en)),
         }
     }

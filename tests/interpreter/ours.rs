@@ -3,7 +3,7 @@
 use std::fmt;
 
 use rodete::gcode::dialect::LINUXCNC;
-use rodete::gcode::interpreter::{Interpreter, Setting, Tool, Tools};
+use rodete::gcode::interpreter::{Interpreter, Setting, ToolOffset, Tools};
 use rodete::gcode::motion::Motion;
 use rodete::gcode::turning::nose::{Nose, Tip};
 use rodete::machine::axis::Axis;
@@ -45,7 +45,7 @@ fn tools(table: &str) -> Tools {
     let mut tools = Tools::new();
     for line in table.lines() {
         let mut number = 0;
-        let mut tool = Tool::default();
+        let mut tool = ToolOffset::default();
         for word in line.split(';').next().unwrap_or_default().split_whitespace() {
             let (letter, value) = word.split_at(1);
             match letter {

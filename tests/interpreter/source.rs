@@ -1,6 +1,6 @@
 //! The sample programs of the source on coordinate systems, against positions derived by hand from their text.
 
-use rodete::gcode::motion::{Kind, Motion, Plane};
+use rodete::gcode::motion::{Motion, MotionKind, Plane};
 use rodete::machine::axis::Axis;
 use rodete::machine::var_file::VarFile;
 
@@ -34,16 +34,16 @@ fn assert_follows(motions: &[Motion], table: &Table) {
     for (motion, (by, to)) in motions.iter().zip(table) {
         let feed = |feed: f64| (feed / INCH * 1e9).round() / 1e9;
         let done = match motion.kind {
-            Kind::Rapid => G0,
-            Kind::Feed(f) => G1(feed(f.value)),
-            Kind::Arc(arc, f) => {
+            MotionKind::Rapid => G0,
+            MotionKind::Feed(f) => G1(feed(f.value)),
+            MotionKind::Arc(arc, f) => {
                 assert_eq!((arc.plane, arc.turns), (Plane::XY, 1), "{motion:?}");
                 // The centre in machine coordinates: the offsets are those of the end.
                 let centre = [Axis::X, Axis::Y].map(|axis| motion.machine.get(axis) - motion.to.get(axis));
                 let centre = [0, 1].map(|axis| (arc.centre[axis] + centre[axis]) / INCH);
                 G3(feed(f.value), centre.map(|c| (c * 1e9).round() / 1e9))
             }
-            Kind::Thread(_) | Kind::Dwell(_) => panic!("{motion:?}"),
+            MotionKind::Thread(_) | MotionKind::Dwell(_) => panic!("{motion:?}"),
         };
         assert_eq!(done, *by, "{motion:?}");
         let expected: Six = [to[0] * INCH, to[1] * INCH, to[2] * INCH, 0.0, 0.0, 0.0];

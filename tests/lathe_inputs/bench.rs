@@ -6,7 +6,7 @@ use std::io::Cursor;
 use std::path::Path;
 use std::process::Command;
 
-use rodete::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
+use rodete::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
 use rodete::parameter::Value;
 use rodete::parameter::list::{Row, Rows};
 use rodete::text::Language;

@@ -1,11 +1,11 @@
 //! Short programs that nobody would write, each with what must be said of it.
 
 use rodete::gcode::interpreter::Interpreter;
-use rodete::lathe::parameters::FORM;
-use rodete::lathe::setup::Given;
-use rodete::lathe::simulation::{Setup, Simulation};
+use rodete::kinds::lathe::parameters::FORM;
+use rodete::kinds::lathe::setup::Given;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
+use rodete::removal::turning::simulation::{Setup, Simulation};
 use rodete::text::Language;
 use serde_json::Value as Json;
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use rodete::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
+use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
 use rodete::parameter::Value;
 use rodete::parameter::list::Row;
 use rodete::text::Language;

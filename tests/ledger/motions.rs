@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use rodete::gcode::control::{Compensation, Control, Speed, Spindle};
+use rodete::gcode::control::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::dialect::Dialect;
 use rodete::gcode::interpreter::{DecimalPoint, Files, Interpreter, Setting, tool_table};
-use rodete::gcode::motion::{FeedMode, Kind, Motion};
+use rodete::gcode::motion::{FeedMode, Motion, MotionKind};
 use rodete::machine::axis::Pose;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
@@ -146,9 +146,9 @@ fn pose(Pose(axes): &Pose) -> String {
 
 fn line(motion: &Motion) -> String {
     let kind = match motion.kind {
-        Kind::Rapid => "rapid".to_owned(),
-        Kind::Feed(feed) => format!("feed {} {}", feed.value, mode(feed.mode)),
-        Kind::Arc(arc, feed) => format!(
+        MotionKind::Rapid => "rapid".to_owned(),
+        MotionKind::Feed(feed) => format!("feed {} {}", feed.value, mode(feed.mode)),
+        MotionKind::Arc(arc, feed) => format!(
             "arc {} {} {} {} {} {} {} {} {}",
             arc.plane.name(),
             arc.centre[0],
@@ -160,8 +160,8 @@ fn line(motion: &Motion) -> String {
             feed.value,
             mode(feed.mode)
         ),
-        Kind::Thread(thread) => format!("thread {} {} {}", thread.lead, thread.change, thread.angle),
-        Kind::Dwell(seconds) => format!("dwell {seconds}"),
+        MotionKind::Thread(thread) => format!("thread {} {} {}", thread.lead, thread.change, thread.angle),
+        MotionKind::Dwell(seconds) => format!("dwell {seconds}"),
     };
     let number = motion.n.map_or_else(String::new, |n| format!(" N{n}"));
     let seconds = motion.seconds.map_or_else(|| "untimed".to_owned(), |seconds| format!("{seconds} s"));
@@ -178,7 +178,7 @@ const fn mode(mode: FeedMode) -> &'static str {
     }
 }
 
-fn in_force(control: &Control) -> String {
+fn in_force(control: &InForce) -> String {
     let spindle = match control.spindle {
         Spindle::Stopped => "stopped",
         Spindle::Clockwise => "clockwise",

@@ -1,7 +1,7 @@
 //! Contours, and how far a point is from them, reckoned without the code under test.
 
 use rodete::gcode::control::Compensation;
-use rodete::gcode::turning::nose::{Cut, Element, Misfit, Nose, Path, Point, Stage, Step, Tip};
+use rodete::gcode::turning::nose::{Element, Gouge, Misfit, Nose, Path, Point, Stage, Step, Tip};
 use rodete::number::trig::{atan2, hypot, sin_cos};
 
 pub fn line(from: Point, to: Point) -> Element {
@@ -43,7 +43,7 @@ pub fn run(
 }
 
 /// The cuts into pieces that are no neighbours, for a contour that fits.
-pub fn cuts(contour: &[Element], side: Compensation, nose: Nose, straight: f64) -> Vec<Cut<usize>> {
+pub fn cuts(contour: &[Element], side: Compensation, nose: Nose, straight: f64) -> Vec<Gouge<usize>> {
     let mut stage = Stage::new(straight);
     let mut placed = Vec::new();
     for (tag, &element) in contour.iter().enumerate() {

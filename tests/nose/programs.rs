@@ -1,17 +1,17 @@
 //! Programs: the compensation as the interpreter of the lathe dialects makes it.
 
 use rodete::finding::Grade;
-use rodete::gcode::control::{Compensation, Control};
+use rodete::gcode::control::{Compensation, InForce};
 use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A};
-use rodete::gcode::interpreter::{Fault, Interpreter, Setting, Tool, Tools};
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::interpreter::{Fault, Interpreter, Setting, ToolOffset, Tools};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::trig::tan;
 
 use crate::contour::nose;
 
 pub struct Run {
-    pub motions: Vec<(Motion, Control)>,
+    pub motions: Vec<(Motion, InForce)>,
     pub faults: Vec<Fault>,
     pub remarks: Vec<(Grade, String)>,
     pub end: (Pose, Pose),
@@ -23,10 +23,10 @@ pub fn run(dialect: &'static Dialect, text: &str) -> Run {
     let mut offset = Pose::default();
     offset.set(Axis::X, 30.0);
     offset.set(Axis::Z, 70.0);
-    tools.insert(1, Tool { offset, nose: Some(nose(0.8, 3)), ..Tool::default() });
-    tools.insert(2, Tool { nose: Some(nose(0.0, 3)), ..Tool::default() });
-    tools.insert(3, Tool::default());
-    tools.insert(4, Tool { nose: Some(nose(0.4, 2)), ..Tool::default() });
+    tools.insert(1, ToolOffset { offset, nose: Some(nose(0.8, 3)), ..ToolOffset::default() });
+    tools.insert(2, ToolOffset { nose: Some(nose(0.0, 3)), ..ToolOffset::default() });
+    tools.insert(3, ToolOffset::default());
+    tools.insert(4, ToolOffset { nose: Some(nose(0.4, 2)), ..ToolOffset::default() });
     let mut setting = Setting::new(dialect);
     setting.tools = Some(tools);
     let mut reader = Interpreter::over(text.as_bytes(), setting);
@@ -83,7 +83,7 @@ fn a_fanuc_program_moves_the_tip_so_that_the_nose_cuts_the_contour() {
         .motions
         .iter()
         .map(|(motion, _)| motion)
-        .filter(|motion| !matches!(motion.kind, Kind::Dwell(_)))
+        .filter(|motion| !matches!(motion.kind, MotionKind::Dwell(_)))
         .skip(1)
         .collect();
     assert_eq!(moved.len(), 7);
@@ -92,7 +92,7 @@ fn a_fanuc_program_moves_the_tip_so_that_the_nose_cuts_the_contour() {
     }
     assert_eq!(moved.iter().filter_map(|motion| motion.n).collect::<Vec<_>>(), [10, 20, 30, 40, 50, 60, 70]);
     assert_eq!(moved.iter().map(|motion| motion.line).collect::<Vec<_>>(), [6, 7, 8, 10, 11, 12, 13]);
-    let Kind::Arc(arc, _) = moved[4].kind else { panic!("{:?}", moved[4]) };
+    let MotionKind::Arc(arc, _) = moved[4].kind else { panic!("{:?}", moved[4]) };
     near(arc.centre, [-20.8, 14.2]);
     assert!((arc.radius - 4.2).abs() < 1e-12 && (arc.sweep + std::f64::consts::FRAC_PI_2).abs() < 1e-12);
     for pair in moved.windows(2) {
@@ -111,8 +111,8 @@ fn machine_positions_and_times_are_those_of_the_compensated_path() {
         let (one, two) = (shift(motion), shift(other));
         near(one, two);
         let length = match motion.kind {
-            Kind::Arc(arc, _) => arc.radius * arc.sweep.abs(),
-            Kind::Rapid | Kind::Dwell(_) => continue,
+            MotionKind::Arc(arc, _) => arc.radius * arc.sweep.abs(),
+            MotionKind::Rapid | MotionKind::Dwell(_) => continue,
             _ => rodete::number::trig::hypot(
                 motion.to.get(Axis::Z) - motion.from.get(Axis::Z),
                 motion.to.get(Axis::X) - motion.from.get(Axis::X),
@@ -122,7 +122,7 @@ fn machine_positions_and_times_are_those_of_the_compensated_path() {
         differ += usize::from(motion.seconds != other.seconds);
     }
     assert!(differ >= 4);
-    let dwell = run.motions.iter().position(|(motion, _)| matches!(motion.kind, Kind::Dwell(_))).unwrap();
+    let dwell = run.motions.iter().position(|(motion, _)| matches!(motion.kind, MotionKind::Dwell(_))).unwrap();
     assert_eq!(dwell, 4, "between the chamfer and the cylinder");
     assert_eq!(run.motions[dwell].0.seconds, Some(0.5));
     near(end(&run.motions[dwell].0), tips()[2]);
@@ -149,7 +149,7 @@ fn a_fagor_program_moves_the_same_tip() {
         .motions
         .iter()
         .map(|(motion, _)| motion)
-        .filter(|motion| !matches!(motion.kind, Kind::Dwell(_)))
+        .filter(|motion| !matches!(motion.kind, MotionKind::Dwell(_)))
         .skip(1)
         .collect();
     for (motion, expected) in moved.iter().zip(tips()) {
@@ -277,7 +277,7 @@ fn the_cone_of_a_pass_is_touched_by_the_nose() {
         ("G94 X20. Z-5. R-2. F120.", [-5.0, 10.0], 10.0 / -2.0),
     ] {
         let run = clean(&FANUC_LATHE_A, &format!("{HEAD}G42\n{block}\nG40 G0 X60.\nM30\n"));
-        let cut = run.motions.iter().find(|(motion, _)| matches!(motion.kind, Kind::Feed(_))).unwrap().0;
+        let cut = run.motions.iter().find(|(motion, _)| matches!(motion.kind, MotionKind::Feed(_))).unwrap().0;
         assert_eq!(cut.line, 7);
         for pose in [&cut.from, &cut.to] {
             let centre = [pose.get(Axis::Z) + 0.8, pose.get(Axis::X) + 0.8];
@@ -328,7 +328,7 @@ fn a_long_contour_is_handed_out_as_it_is_read() {
     }
     text += "G40 X60.\nM30\n";
     let mut setting = Setting::new(&FANUC_LATHE_A);
-    setting.tools = Some(Tools::from([(1, Tool { nose: Some(nose(0.01, 3)), ..Tool::default() })]));
+    setting.tools = Some(Tools::from([(1, ToolOffset { nose: Some(nose(0.01, 3)), ..ToolOffset::default() })]));
     let mut reader = Interpreter::over(text.as_bytes(), setting);
     let mut last = 0;
     while let Some(item) = reader.next() {

@@ -3,7 +3,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use rodete::gcode::control::Compensation::{Left, Off, Right};
-use rodete::gcode::turning::nose::{Element, MOST_STILL, Misfit, Path, STRAIGHT, Stage, Step};
+use rodete::gcode::turning::nose::{Element, Misfit, Path, STRAIGHT, Stage, Step};
+use rodete::limits::STILL_PIECES;
 
 use crate::contour::{arc, line, nose, run, through};
 
@@ -104,7 +105,7 @@ fn the_nose_may_not_change_and_too_many_pieces_without_way_are_refused() {
     let mut stage = Stage::new(STRAIGHT);
     push(&mut stage, line([9.0, 0.0], [5.0, 0.0]), 0.8, 0).unwrap();
     let still = Element { from: [5.0, 0.0], to: [5.0, 0.0], path: Path::Still };
-    for tag in 1..=MOST_STILL {
+    for tag in 1..=STILL_PIECES {
         push(&mut stage, still, 0.8, tag).unwrap();
     }
     assert_eq!(push(&mut stage, still, 0.8, 99), Err((Misfit::Still, 99)));

@@ -3,7 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use rodete::gcode::control::Compensation::{self, Left, Off, Right};
-use rodete::gcode::turning::nose::{Element, MOST_STILL, Nose, Path, Point, STRAIGHT, Stage, Step, Tip};
+use rodete::gcode::turning::nose::{Element, Nose, Path, Point, STRAIGHT, Stage, Step, Tip};
+use rodete::limits::STILL_PIECES;
 use rodete::number::trig::tan;
 
 use crate::contour::{arc, distance, line, nose, run, through};
@@ -238,7 +239,7 @@ fn what_makes_no_way_keeps_its_place() {
     for pair in placed.windows(2) {
         near(pair[1].0.from, pair[0].0.to);
     }
-    assert_eq!(MOST_STILL, 17);
+    assert_eq!(STILL_PIECES, 17);
 }
 
 /// A full circle inside a bore of radius 10, entered and left on the tangent.

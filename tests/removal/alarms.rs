@@ -4,14 +4,14 @@ use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::finding::Grade;
 use rodete::gcode::control::{Speed, Spindle};
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::{Stock, Support};
-use rodete::lathe::tool::{Cutter, Holder, Shape, Tool};
 use rodete::number::trig::{sin_cos, tan};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::{Stock, Support};
+use rodete::removal::turning::tool::{Cutter, Holder, Shape, TurningTool};
 
 #[track_caller]
-fn raised(run: &Run, number: u16) -> rodete::lathe::alarm::Alarm {
+fn raised(run: &Run, number: u16) -> rodete::removal::turning::alarm::Alarm {
     let alarms = run.raised();
     let found = alarms.iter().find(|alarm| alarm.cause.number() == number);
     *found.unwrap_or_else(|| panic!("{number} is not among {alarms:?}"))
@@ -226,7 +226,7 @@ fn a_spindle_that_does_not_serve_the_tool_is_told_once() {
     assert_eq!(still.rapid(46.0, 2.0).cut(46.0, -20.0).alarms(), [153], "S0 is no speed");
     // A left-hand tool that feeds towards the chuck wants the other way; a stopped spindle out of the cut is fine.
     let mut setup = Setup::new(Lathe::default(), bar(), turret());
-    setup.turret.tools.get_mut(&1).unwrap().hand = rodete::lathe::tool::Hand::Left;
+    setup.turret.tools.get_mut(&1).unwrap().hand = rodete::removal::turning::tool::Hand::Left;
     let mut left = Run::on(setup);
     left.control.spindle = Spindle::CounterClockwise;
     silent(&left.rapid(46.0, 2.0).cut(46.0, -20.0));
@@ -257,7 +257,7 @@ fn beyond_the_axis_the_spindle_has_to_turn_the_other_way() {
 #[test]
 fn a_cut_this_side_of_the_axis_with_the_programmed_point_beyond_it_is_judged_as_one_this_side() {
     let (M3, M4) = (Spindle::Clockwise, Spindle::CounterClockwise);
-    let wrong = |spindle: Spindle, run: fn(Run) -> Run, tool: Tool, bore: f64| {
+    let wrong = |spindle: Spindle, run: fn(Run) -> Run, tool: TurningTool, bore: f64| {
         let mut setup = Setup::new(Lathe::default(), Stock { bore, ..bar() }, turret());
         setup.turret.tools.insert(1, tool);
         let mut start = Run::on(setup);
@@ -271,7 +271,7 @@ fn a_cut_this_side_of_the_axis_with_the_programmed_point_beyond_it_is_judged_as_
     // A round insert of 8 mm plunges with its centre on the axis, and 0.1 mm beyond.
     let round = || {
         let cutter = Cutter::Insert { shape: Shape::R, circle: 8.0, main: 0.0, auxiliary: 0.0, nose: 4.0 };
-        Tool { cutter, ..tools::rougher() }
+        TurningTool { cutter, ..tools::rougher() }
     };
     let plunged: fn(Run) -> Run = |run| run.rapid(-8.0, 5.0).cut(-8.0, -2.0);
     let past: fn(Run) -> Run = |run| run.rapid(-8.2, 5.0).cut(-8.2, -2.0);

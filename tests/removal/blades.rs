@@ -5,11 +5,11 @@
 use super::lathe::{Run, bar};
 use super::tools;
 use rodete::gcode::control::Spindle;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
-use rodete::lathe::turret::Turret;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 const M3: Option<Spindle> = Some(Spindle::Clockwise);
 const M4: Option<Spindle> = Some(Spindle::CounterClockwise);
@@ -21,25 +21,25 @@ const FRONT: bool = false;
 const REAR: bool = true;
 
 /// A blade of 3 mm, 10 mm deep, on a shank of 25 mm.
-fn blade(hand: Hand, tip: Tip, turns: Option<Spindle>, face: bool) -> Tool {
+fn blade(hand: Hand, tip: Tip, turns: Option<Spindle>, face: bool) -> TurningTool {
     let cutter = Cutter::Groover { width: 3.0, depth: 10.0, corner: 0.2, face };
-    Tool { cutter, hand, tip, turns, ..tools::parter() }
+    TurningTool { cutter, hand, tip, turns, ..tools::parter() }
 }
 
-fn threader(hand: Hand, turns: Option<Spindle>) -> Tool {
+fn threader(hand: Hand, turns: Option<Spindle>) -> TurningTool {
     // Its flank stands out 1.5 tan 30° at the bottom of the profile.
     let cutter = Cutter::Threader { angle: 60.0, nose: 0.0, depth: 1.5, leads: [0.5, 2.0] };
-    Tool { cutter, hand, turns, ..tools::threader() }
+    TurningTool { cutter, hand, turns, ..tools::threader() }
 }
 
-fn setup(tool: Tool, behind: bool, stock: Stock) -> Setup {
+fn setup(tool: TurningTool, behind: bool, stock: Stock) -> Setup {
     let lathe = Lathe { turret_behind: behind, ..Lathe::default() };
     Setup::new(lathe, stock, Turret { tools: [(1, tool)].into(), body: None })
 }
 
 /// From where to where the holder is, along z (0) or r (1).
 #[track_caller]
-fn shank(tool: &Tool, behind: bool, axis: usize) -> [f64; 2] {
+fn shank(tool: &TurningTool, behind: bool, axis: usize) -> [f64; 2] {
     let outline = tool.outline(0.0002, behind).unwrap();
     let (low, high) = outline.holder[0].extent();
     [low.mm()[axis], high.mm()[axis]]
@@ -53,7 +53,7 @@ fn near(found: [f64; 2], wanted: [f64; 2], row: &str) {
 /// One way of the spindle cuts in silence, and the other is told, or both do where there is none; on a cut that `cut`
 /// makes.
 #[track_caller]
-fn only_way(tool: &Tool, behind: bool, stock: Stock, right: Option<Spindle>, cut: fn(Run) -> Run, row: &str) {
+fn only_way(tool: &TurningTool, behind: bool, stock: Stock, right: Option<Spindle>, cut: fn(Run) -> Run, row: &str) {
     for spindle in [M3, M4] {
         let mut run = Run::on(setup(tool.clone(), behind, stock));
         run.control.spindle = spindle.unwrap();
@@ -157,11 +157,11 @@ fn a_blade_for_faces_has_its_edge_outside_where_another_has_it_at_the_chuck() {
 }
 
 /// A blade on a bar of 16 mm whose surface is 3 mm behind the tip.
-fn inside(cutter: Cutter, tip: Tip) -> Tool {
-    Tool { cutter, tip, ..tools::borer() }
+fn inside(cutter: Cutter, tip: Tip) -> TurningTool {
+    TurningTool { cutter, tip, ..tools::borer() }
 }
 
-fn groover(tip: Tip) -> Tool {
+fn groover(tip: Tip) -> TurningTool {
     inside(Cutter::Groover { width: 2.0, depth: 2.0, corner: 0.1, face: false }, tip)
 }
 
@@ -183,7 +183,7 @@ fn a_blade_on_a_bar_has_its_edge_at_the_chucks_end() {
             (R, FRONT, M4, M4),
             (L, FRONT, M3, M3),
         ] {
-            let tool = Tool { hand, turns: cell, ..groover(tip) };
+            let tool = TurningTool { hand, turns: cell, ..groover(tip) };
             only_way(&tool, behind, bored(24.0), right, cut, &format!("{tip:?} {hand:?} rear {behind} {cell:?}"));
             // The bar always comes from the right.
             assert!(shank(&tool, behind, 0)[1] > 70.0, "{tip:?}");
@@ -193,11 +193,11 @@ fn a_blade_on_a_bar_has_its_edge_at_the_chucks_end() {
 
 #[test]
 fn what_is_said_of_an_insert_or_a_drill_stands_above_its_hand() {
-    let left = |turns| Tool { hand: L, turns, ..tools::rougher() };
+    let left = |turns| TurningTool { hand: L, turns, ..tools::rougher() };
     let turn = |run: Run| run.rapid(46.0, 2.0).cut(46.0, -20.0);
     only_way(&left(None), FRONT, bar(), M4, turn, "left-hand, tip 3");
     only_way(&left(M3), FRONT, bar(), M3, turn, "left-hand, tip 3, M3");
-    let drill = |turns| Tool { turns, ..tools::drill(20.0, 90.0) };
+    let drill = |turns| TurningTool { turns, ..tools::drill(20.0, 90.0) };
     let bore = |run: Run| run.rapid(0.0, 3.0).cut(0.0, -10.0);
     only_way(&drill(None), REAR, bar(), M3, bore, "drill");
     only_way(&drill(M4), REAR, bar(), M4, bore, "left-hand drill");
@@ -220,7 +220,8 @@ fn a_groove_in_a_bore_is_no_deeper_than_the_blade() {
     let hole = Setup { part: Some(vec![ring]), ..setup(groover(Tip::InsideLeft), FRONT, bar()) };
     Run::on(hole).rapid(22.0, 3.0).rapid(22.0, -20.0).cut(28.0, -20.0).rapid(22.0, -20.0).silent();
     // Where the bar reaches as far as the blade it has no head; the bar itself is what touches first.
-    let thick = Tool { holder: Holder::Bar { diameter: 16.0, length: 80.0, reach: 10.0 }, ..groover(Tip::InsideLeft) };
+    let thick =
+        TurningTool { holder: Holder::Bar { diameter: 16.0, length: 80.0, reach: 10.0 }, ..groover(Tip::InsideLeft) };
     assert_eq!(thick.outline(0.0002, false).unwrap().holder.len(), 1);
 }
 
@@ -239,7 +240,7 @@ fn a_thread_in_a_bore_is_no_deeper_than_its_profile() {
 #[test]
 fn a_groove_in_a_face_is_no_deeper_than_the_blade() {
     let face = |holder: Holder, hand: Hand, z: f64| {
-        let tool = Tool { holder, ..blade(hand, Tip::OutsideLeft, None, true) };
+        let tool = TurningTool { holder, ..blade(hand, Tip::OutsideLeft, None, true) };
         Run::on(setup(tool, FRONT, bar())).rapid(30.0, 2.0).cut(30.0, z)
     };
     let shank = Holder::Shank { width: 25.0, length: 60.0 };
@@ -255,7 +256,7 @@ fn a_groove_in_a_face_is_no_deeper_than_the_blade() {
 #[test]
 fn a_boring_bar_that_cuts_away_from_the_chuck_comes_from_the_right_too() {
     let cutter = Cutter::Insert { shape: Shape::D, circle: 9.525, main: 93.0, auxiliary: 32.0, nose: 0.4 };
-    let tool = Tool { hand: L, ..inside(cutter, Tip::InsideRight) };
+    let tool = TurningTool { hand: L, ..inside(cutter, Tip::InsideRight) };
     let [left, right] = shank(&tool, FRONT, 0);
     assert!(left < -5.0 && left > -15.0 && (right - 80.0).abs() < 1e-6, "{left} {right}");
     let back =

@@ -2,11 +2,11 @@
 
 use super::lathe::{Run, bar, turret};
 use super::tools;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::{Cutter, Hand, Holder, Tool};
-use rodete::lathe::turret::Turret;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 /// With the usual tools, and a body about the reference point, `[[z, r], [z, r]]`.
 fn with(body: [[f64; 2]; 2], stock: Stock) -> Run {
@@ -49,7 +49,7 @@ fn a_body_that_covers_a_drill_or_a_bar_begins_behind_its_length() {
         let cutter = Cutter::Groover { width: 3.0, depth: 40.0, corner: 0.2, face: true };
         let holder = Holder::Shank { width: 25.0, length };
         let mut setup = Setup::new(Lathe::default(), bar(), Turret { body: Some(body), ..turret() });
-        let tool = Tool { cutter, hand: Hand::Left, holder, overhang: [0.0, 60.0], ..tools::parter() };
+        let tool = TurningTool { cutter, hand: Hand::Left, holder, overhang: [0.0, 60.0], ..tools::parter() };
         setup.turret.tools.insert(1, tool);
         Run::on(setup).rapid(30.0, 3.0).cut(30.0, z)
     };

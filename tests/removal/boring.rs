@@ -3,11 +3,11 @@
 use super::lathe::{Run, bar, turret};
 use rodete::finding::Grade;
 use rodete::geometry::exact::region::Ring;
-use rodete::lathe::alarm::Cause;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::Stock;
 use rodete::number::trig::sin_cos;
+use rodete::removal::turning::alarm::Cause;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::Stock;
 
 /// Diameter of the hole and the least, of the one alarm that the last motion alone raises.
 #[track_caller]

@@ -9,11 +9,11 @@
 
 use super::lathe::{Run, bar};
 use rodete::finding::Grade;
-use rodete::lathe::machine::{Chuck, Lathe};
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::{Stock, Support};
-use rodete::lathe::tool::{Cutter, Hand, Holder, Tip, Tool};
-use rodete::lathe::turret::Turret;
+use rodete::removal::turning::machine::{Chuck, Lathe};
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::{Stock, Support};
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 use rodete::text::Text;
 
 #[derive(Clone, Copy)]
@@ -26,7 +26,7 @@ enum Stands {
 }
 
 fn setup(stands: Stands) -> Setup {
-    let tool = Tool {
+    let tool = TurningTool {
         name: Text::same("T1"),
         cutter: Cutter::Groover { width: 3.0, depth: 26.0, corner: 0.2, face: false },
         hand: Hand::Neutral,

@@ -9,7 +9,7 @@ use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, Ring, twice_area};
-use rodete::lathe::tool::Tool;
+use rodete::removal::turning::tool::TurningTool;
 
 use super::tools;
 
@@ -49,7 +49,7 @@ fn way() -> impl Strategy<Value = Vec<[f64; 2]>> {
     prop::collection::vec(prop_oneof![3 => coarse, 1 => fine], 2..40)
 }
 
-fn swept(tool: &Tool, way: &[[f64; 2]]) -> Vec<Convex> {
+fn swept(tool: &TurningTool, way: &[[f64; 2]]) -> Vec<Convex> {
     let outline = tool.outline(0.0002, false).unwrap();
     let mut polygons = Vec::new();
     for ends in way.windows(2) {

@@ -1,15 +1,15 @@
 //! A program of motions on a lathe, as the interpreter would give them.
 
-use rodete::gcode::control::{Control, Speed, Spindle};
-use rodete::gcode::motion::{Arc, Feed, FeedMode, Kind, Motion, Plane, Thread};
-use rodete::lathe::alarm::Alarm;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::{Setup, Simulation};
-use rodete::lathe::step::Step;
-use rodete::lathe::stock::Stock;
-use rodete::lathe::tool::{Cutter, Shape, Tool};
-use rodete::lathe::turret::Turret;
+use rodete::gcode::control::{InForce, Speed, Spindle};
+use rodete::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane, Thread};
 use rodete::machine::axis::{Axis, Pose};
+use rodete::removal::turning::alarm::Alarm;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::{Setup, Simulation};
+use rodete::removal::turning::step::Step;
+use rodete::removal::turning::stock::Stock;
+use rodete::removal::turning::tool::{Cutter, Shape, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 use super::tools;
 
@@ -19,9 +19,9 @@ pub fn bar() -> Stock {
 }
 
 /// A turning tool with a sharp tip.
-pub fn sharp() -> Tool {
+pub fn sharp() -> TurningTool {
     let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 93.0, auxiliary: 52.0, nose: 0.0 };
-    Tool { cutter, ..tools::copier() }
+    TurningTool { cutter, ..tools::copier() }
 }
 
 /// The usual turret with the tools at hand in front: T9 has a sharp tip.
@@ -33,7 +33,7 @@ pub fn turret() -> Turret {
 
 pub struct Run {
     pub simulation: Simulation,
-    pub control: Control,
+    pub control: InForce,
     pub steps: Vec<Step>,
     /// Program coordinates, X as a radius.
     pub at: [f64; 2],
@@ -42,14 +42,14 @@ pub struct Run {
 
 impl Run {
     pub fn on(setup: Setup) -> Self {
-        let control = Control {
+        let control = InForce {
             tool: 1,
             offset: 1,
             spindle: Spindle::Clockwise,
             speed: Speed::Revolutions(1000.0),
             coolant: true,
             system: 1,
-            ..Control::default()
+            ..InForce::default()
         };
         let simulation = Simulation::new(setup).unwrap();
         Self { simulation, control, steps: Vec::new(), at: [100.0, 50.0], feed: 0.2 }
@@ -68,7 +68,7 @@ impl Run {
         self
     }
 
-    fn go(mut self, kind: Kind, [x, z]: [f64; 2]) -> Self {
+    fn go(mut self, kind: MotionKind, [x, z]: [f64; 2]) -> Self {
         let to = [x / 2.0, z];
         let pose = |[x, z]: [f64; 2]| {
             let mut pose = Pose::default();
@@ -94,13 +94,13 @@ impl Run {
 
     /// To X (diameter) and Z at rapid.
     pub fn rapid(self, x: f64, z: f64) -> Self {
-        self.go(Kind::Rapid, [x, z])
+        self.go(MotionKind::Rapid, [x, z])
     }
 
     /// At feed.
     pub fn cut(self, x: f64, z: f64) -> Self {
         let feed = self.feed();
-        self.go(Kind::Feed(feed), [x, z])
+        self.go(MotionKind::Feed(feed), [x, z])
     }
 
     /// Along an arc about a centre (X as a diameter), by an angle from +Z towards +X in degrees.
@@ -110,7 +110,7 @@ impl Run {
         let radius = rodete::number::trig::hypot(self.at[1] - centre[0], self.at[0] - centre[1]);
         let turns = if sweep < 0.0 { -1 } else { 1 };
         let arc = Arc { plane: Plane::ZX, centre, turns, radius, sweep: sweep.to_radians(), rotation: 0.0 };
-        self.go(Kind::Arc(arc, feed), [x, z])
+        self.go(MotionKind::Arc(arc, feed), [x, z])
     }
 
     pub fn thread(self, x: f64, z: f64, lead: f64) -> Self {
@@ -119,7 +119,7 @@ impl Run {
 
     /// A pass that begins at an angle of the spindle, degrees.
     pub fn thread_from(self, x: f64, z: f64, lead: f64, angle: f64) -> Self {
-        self.go(Kind::Thread(Thread { lead, change: 0.0, angle }), [x, z])
+        self.go(MotionKind::Thread(Thread { lead, change: 0.0, angle }), [x, z])
     }
 
     pub fn last(&self) -> &Step {

@@ -2,12 +2,12 @@
 
 use super::lathe::{Run, bar};
 use super::tools;
-use rodete::lathe::alarm::Alarm;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::turned_about;
-use rodete::lathe::tool::{Hand, Tip, Tool};
 use rodete::number::trig::{hypot, sin_cos, tan};
+use rodete::removal::turning::alarm::Alarm;
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::turned_about;
+use rodete::removal::turning::tool::{Hand, Tip, TurningTool};
 
 /// Goes along a path: places at feed `X, Z`, those behind `G0` at rapid, and `T` changes the tool.
 fn run(mut run: Run, path: &str) -> Run {
@@ -26,7 +26,7 @@ fn run(mut run: Run, path: &str) -> Run {
     run
 }
 
-fn with(tool: Tool, path: &str) -> Vec<Alarm> {
+fn with(tool: TurningTool, path: &str) -> Vec<Alarm> {
     let mut turret = super::lathe::turret();
     turret.tools.insert(1, tool);
     run(Run::on(Setup::new(Lathe::default(), bar(), turret)), path).raised()
@@ -172,7 +172,7 @@ fn what_made_the_surfaces_is_known_in_the_second_set_up_as_in_one() {
     let shift = -2.0;
     let about = bar().ends()[0] + bar().ends()[1] + shift;
     let mut setup = Setup::new(Lathe::default(), bar(), super::lathe::turret());
-    setup.turret.tools.insert(11, Tool { tip: Tip::OutsideRight, hand: Hand::Left, ..tools::rougher() });
+    setup.turret.tools.insert(11, TurningTool { tip: Tip::OutsideRight, hand: Hand::Left, ..tools::rougher() });
     let lying = Setup { part: Some(turned_about(&[bar().contour()], &bar(), shift)), ..setup.clone() };
     let collar = "G0 60,5 48,5 G1 48,-6 46.6,-7.5 46.6,-25 52,-25";
     let rough = "G0 60,5 46.5,5 G1 47,-12 45,-14.5 45,-29.5 52,-29.5";

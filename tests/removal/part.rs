@@ -6,11 +6,11 @@ use std::f64::consts::PI;
 use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::geometry::revolution::volume;
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::mesh::{sectors, write_stl};
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::{Stock, turned_about};
-use rodete::lathe::tool::{Cutter, Hand, Shape, Tip, Tool};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::mesh::{sectors, write_stl};
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::{Stock, turned_about};
+use rodete::removal::turning::tool::{Cutter, Hand, Shape, Tip, TurningTool};
 
 #[test]
 fn what_is_parted_off_falls_and_is_counted() {
@@ -33,7 +33,7 @@ fn a_nib_of_a_face_is_chips_and_the_part_is_what_stays() {
     let cutter = Cutter::Insert { shape: Shape::V, circle: 9.525, main: 107.0, auxiliary: 38.0, nose: 0.8 };
     let setup = |stock: Stock| {
         let mut setup = Setup::new(Lathe::default(), stock, turret());
-        setup.turret.tools.insert(1, Tool { cutter, ..tools::copier() });
+        setup.turret.tools.insert(1, TurningTool { cutter, ..tools::copier() });
         Run::on(setup)
     };
     // To the axis, in one block and in two, and of a tube to its bore.
@@ -71,9 +71,9 @@ fn what_is_cut_loose_beside_the_cut_is_the_part_and_a_core_inside_a_face_groove_
     let cored = {
         let mut setup = Setup::new(Lathe::default(), tube, turret());
         let groover = Cutter::Groover { width: 2.0, depth: 6.0, corner: 0.1, face: false };
-        setup.turret.tools.insert(1, Tool { cutter: groover, tip: Tip::InsideLeft, ..tools::borer() });
+        setup.turret.tools.insert(1, TurningTool { cutter: groover, tip: Tip::InsideLeft, ..tools::borer() });
         let face = Cutter::Groover { width: 3.0, depth: 20.0, corner: 0.1, face: true };
-        let tool = Tool { cutter: face, hand: Hand::Right, ..tools::parter() };
+        let tool = TurningTool { cutter: face, hand: Hand::Right, ..tools::parter() };
         setup.turret.tools.insert(3, tool);
         let run = Run::on(setup).rapid(28.0, 3.0).rapid(28.0, -10.0).cut(36.0, -10.0).rapid(28.0, -10.0);
         run.rapid(28.0, 5.0).tool(3).rapid(35.0, 5.0).cut(35.0, -9.0)

@@ -6,13 +6,13 @@ use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::finding::Grade;
 use rodete::gcode::control::{Speed, Spindle};
-use rodete::lathe::alarm::{Alarm, Cause};
-use rodete::lathe::machine::Lathe;
-use rodete::lathe::simulation::Setup;
-use rodete::lathe::stock::{Stock, turned_about};
-use rodete::lathe::tool::{Cutter, Hand, Holder, Shape, Tip, Tool};
-use rodete::lathe::turret::Turret;
 use rodete::number::trig::{hypot, sin_cos, tan};
+use rodete::removal::turning::alarm::{Alarm, Cause};
+use rodete::removal::turning::machine::Lathe;
+use rodete::removal::turning::simulation::Setup;
+use rodete::removal::turning::stock::{Stock, turned_about};
+use rodete::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
+use rodete::removal::turning::turret::Turret;
 
 #[track_caller]
 fn near(value: f64, wanted: f64, within: f64) {
@@ -33,17 +33,17 @@ fn cos(degrees: f64) -> f64 {
 }
 
 /// The roughing tool with a sharp corner: 80°, its main edge at 95°, its auxiliary edge at 5°.
-fn rougher() -> Tool {
+fn rougher() -> TurningTool {
     let cutter = Cutter::Insert { shape: Shape::C, circle: 12.7, main: 95.0, auxiliary: 5.0, nose: 0.0 };
-    Tool { cutter, ..tools::rougher() }
+    TurningTool { cutter, ..tools::rougher() }
 }
 
 /// Its image, which cuts away from the chuck.
-fn leftward() -> Tool {
-    Tool { hand: Hand::Left, tip: Tip::OutsideRight, ..rougher() }
+fn leftward() -> TurningTool {
+    TurningTool { hand: Hand::Left, tip: Tip::OutsideRight, ..rougher() }
 }
 
-fn with(tool: Tool) -> Setup {
+fn with(tool: TurningTool) -> Setup {
     Setup::new(Lathe::default(), bar(), Turret { tools: [(1, tool)].into(), body: None })
 }
 
@@ -106,7 +106,7 @@ fn a_retraction_that_scrapes_the_wedge_of_its_own_edge_is_a_caution() {
     // A boring bar with its edge at 93°, 2 mm deep in the wall, taken off it towards the axis.
     let cutter = Cutter::Insert { shape: Shape::D, circle: 9.525, main: 93.0, auxiliary: 32.0, nose: 0.0 };
     let bore = |x: f64| {
-        let setup = Setup { stock: Stock { bore: 30.0, ..bar() }, ..with(Tool { cutter, ..tools::borer() }) };
+        let setup = Setup { stock: Stock { bore: 30.0, ..bar() }, ..with(TurningTool { cutter, ..tools::borer() }) };
         Run::on(setup).rapid(34.0, 3.0).cut(34.0, -20.0).rapid(x, -20.0)
     };
     let alarm = bore(29.0).only(101);
@@ -138,7 +138,7 @@ fn the_back_of_a_tool_of_either_hand() {
     let deep = f64::midpoint(r, 2.0) * cos(5.0);
     let ring = [[-150.0, 0.0], [0.0, 0.0], [0.0, 25.0], [-20.0, 25.0], [-20.0, 23.0], [-40.0, 23.0], [-40.0, 25.0]];
     let part = || Some(vec![ring.into_iter().chain([[-150.0, 25.0]]).collect()]);
-    let grooved = |tool: Tool| Run::on(Setup { part: part(), ..with(tool) });
+    let grooved = |tool: TurningTool| Run::on(Setup { part: part(), ..with(tool) });
     let right = |to: f64| grooved(rougher()).rapid(60.0, -39.0).rapid(46.0, -39.0).cut(46.0, to);
     let alarm = right(-20.0).only(102);
     near(alarm.depth.unwrap(), deep, 1e-5);
@@ -172,7 +172,7 @@ fn the_auxiliary_edge_that_the_profile_runs_under() {
     // Inside, with an edge of 32° behind the corner: 31° outwards is within, 60° is not.
     let cutter = Cutter::Insert { shape: Shape::D, circle: 9.525, main: 93.0, auxiliary: 32.0, nose: 0.0 };
     let holder = Holder::Bar { diameter: 8.0, length: 80.0, reach: 20.0 };
-    let borer = || Tool { cutter, holder, ..tools::borer() };
+    let borer = || TurningTool { cutter, holder, ..tools::borer() };
     let bore = |angle: f64| {
         let setup = Setup { stock: Stock { bore: 30.0, ..bar() }, ..with(borer()) };
         let by = 8.0 / tan(angle.to_radians());
@@ -218,7 +218,7 @@ fn a_holder_in_metal() {
     // While it parts, the piece is still there beside the shank, until the cut comes through.
     let part = |depth: f64| {
         let cutter = Cutter::Groover { width: 3.0, depth, corner: 0.2, face: false };
-        Run::on(with(Tool { cutter, ..tools::parter() })).rapid(54.0, -10.0).cut(-0.5, -10.0)
+        Run::on(with(TurningTool { cutter, ..tools::parter() })).rapid(54.0, -10.0).cut(-0.5, -10.0)
     };
     assert_eq!(part(26.0).alarms(), [191]);
     let alarms = part(20.0).raised();
@@ -308,10 +308,10 @@ fn the_way_of_the_spindle_by_hand_and_by_the_side_of_the_turret() {
         Spindle::Clockwise => Spindle::CounterClockwise,
         _ => Spindle::Clockwise,
     };
-    let neutral = || Tool { hand: Hand::Neutral, ..rougher() };
+    let neutral = || TurningTool { hand: Hand::Neutral, ..rougher() };
     let (m3, m4) = (Spindle::Clockwise, Spindle::CounterClockwise);
-    let left = || Tool { hand: Hand::Left, ..rougher() };
-    let given = |spindle| Tool { turns: Some(spindle), ..neutral() };
+    let left = || TurningTool { hand: Hand::Left, ..rougher() };
+    let given = |spindle| TurningTool { turns: Some(spindle), ..neutral() };
     for (tool, behind, right) in [
         (rougher(), false, Some(m3)),
         (rougher(), true, Some(m3)),

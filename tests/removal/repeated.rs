@@ -4,8 +4,8 @@ use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, Ring};
-use rodete::lathe::repeat::{AGREE, Repeat};
 use rodete::number::trig::sin;
+use rodete::removal::turning::second_removal::{AGREE, Repeat};
 
 const BAR: [[f64; 2]; 4] = [[-100.0, 0.0], [0.0, 0.0], [0.0, 20.0], [-100.0, 20.0]];
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::lathe::{Run, bar};
-use rodete::lathe::stock::Stock;
+use rodete::removal::turning::stock::Stock;
 
 fn near(value: f64, right: f64) {
     assert!((value / right - 1.0).abs() < 1e-6, "{value} is not {right}");
@@ -60,9 +60,10 @@ fn a_ball_turned_by_arcs_has_the_volume_of_a_ball() {
 
 #[test]
 fn a_groove_is_as_wide_as_the_insert() {
-    let mut setup = rodete::lathe::simulation::Setup::new(Default::default(), bar(), super::lathe::turret());
+    let mut setup = rodete::removal::turning::simulation::Setup::new(Default::default(), bar(), super::lathe::turret());
     let parter = setup.turret.tools.get_mut(&3).unwrap();
-    parter.cutter = rodete::lathe::tool::Cutter::Groover { width: 3.0, depth: 20.0, corner: 0.0, face: false };
+    parter.cutter =
+        rodete::removal::turning::tool::Cutter::Groover { width: 3.0, depth: 20.0, corner: 0.0, face: false };
     let run = Run::on(setup).tool(3).rapid(54.0, -20.0).cut(40.0, -20.0).rapid(54.0, -20.0);
     near(run.simulation.totals().all.volume, PI * (625.0 - 400.0) * 3.0);
     assert!((run.steps[1].depth - 3.0).abs() < 1e-9);

@@ -1,8 +1,8 @@
 //! What the blocks of a contour say beside their motions: roughing passes it over, finishing obeys it in its place.
 
-use rodete::gcode::control::{Compensation, Control, Speed, Spindle};
+use rodete::gcode::control::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::interpreter::Interpreter;
-use rodete::gcode::motion::{FeedMode, Kind};
+use rodete::gcode::motion::{FeedMode, MotionKind};
 
 use crate::lines::{line, read, remarked, setting};
 
@@ -21,7 +21,7 @@ fn roughing_makes_the_same_motions_whatever_else_the_contour_s_blocks_say() {
         assert!(found.len() > 10);
         assert_eq!(found, wanted, "no block without motion is a point of the contour");
         assert!(full.controls.iter().skip(1).all(|control| {
-            *control == Control { feed_mode: FeedMode::PerRevolution, ..plain.controls[1] }
+            *control == InForce { feed_mode: FeedMode::PerRevolution, ..plain.controls[1] }
                 && control.speed == Speed::Revolutions(1000.0)
                 && control.spindle == Spindle::Clockwise
                 && !control.coolant
@@ -80,7 +80,9 @@ fn revolutions_without_s_keep_the_speed_of_the_place_in_the_contour() {
 fn a_feed_from_before_the_contour_is_told_where_the_contour_changes_its_meaning() {
     let read = read(&format!("{HEAD}G70 P10 Q20\nM30\nN10 G0 X30. G98\nG1 Z-10.\nN20 X50.\n"));
     assert!(remarked(&read, "feed per minute or per revolution has changed"));
-    assert!(matches!(read.motions[2].kind, Kind::Feed(feed) if feed.mode == FeedMode::PerMinute && feed.value == 0.2));
+    assert!(
+        matches!(read.motions[2].kind, MotionKind::Feed(feed) if feed.mode == FeedMode::PerMinute && feed.value == 0.2)
+    );
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn bad_programs_are_refused_at_their_place() {
         };
         let column = fault.columns.first().map(|column| format!(":{column}")).unwrap_or_default();
         let said = format!("{}; {}", fault.what.en, fault.remedy.en);
-        let said = said.replacen(fault.what.en.as_ref(), &fault.told().en, 1);
+        let said = said.replacen(fault.what.en.as_ref(), &fault.message().en, 1);
         if format!("{}{column}", fault.line) != place || !said.contains(message) {
             faults.push(format!("{name}: {}{column} {said}", fault.line));
         }

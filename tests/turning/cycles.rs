@@ -1,7 +1,7 @@
 //! G70 to G76: from their words to motions, and the contour that they name.
 
 use rodete::gcode::control::Speed;
-use rodete::gcode::motion::Kind;
+use rodete::gcode::motion::MotionKind;
 
 use crate::lines::{line, moves, read, read_with, refusal, remarked, setting};
 
@@ -271,8 +271,12 @@ fn a_cones_r_holds_from_one_single_cycle_to_another_until_a_one_shot_code() {
     let read =
         |between: &str| read(&format!("S1000 M3 F.2\nG0 X50. Z5.\nG90 X46. Z-20. R-3.\n{between}\nG90 X44. Z-20."));
     for (between, start) in [("G50 S2000", "G0 X44 Z5"), ("G4 X1.", "G0 X38 Z5"), ("", "G0 X38 Z5")] {
-        let lines: Vec<_> =
-            read(between).motions.iter().filter(|motion| !matches!(motion.kind, Kind::Dwell(_))).map(line).collect();
+        let lines: Vec<_> = read(between)
+            .motions
+            .iter()
+            .filter(|motion| !matches!(motion.kind, MotionKind::Dwell(_)))
+            .map(line)
+            .collect();
         assert_eq!(lines[5], start, "{between}");
         assert_eq!(lines[6..], cylinder[1..], "{between}");
     }

@@ -15,14 +15,14 @@ use crate::lines::read;
 /// move to where the tool is.
 fn same(ours: &[Motion], theirs: &[rs274::Motion]) -> Result<(), String> {
     let place = |motion: &Motion| [motion.to.get(Axis::X), motion.to.get(Axis::Z)];
-    let ours: Vec<_> = ours.iter().filter(|motion| !matches!(motion.kind, motion::Kind::Dwell(_))).collect();
+    let ours: Vec<_> = ours.iter().filter(|motion| !matches!(motion.kind, motion::MotionKind::Dwell(_))).collect();
     let moves = |from: [f64; 2], to: [f64; 2]| hypot(from[0] - to[0], from[1] - to[1]) > 1e-9;
     let mut at = [0.0; 2];
     let ours: Vec<_> = ours
         .into_iter()
         .filter(|motion| {
             let from = std::mem::replace(&mut at, place(motion));
-            matches!(motion.kind, motion::Kind::Arc(..)) || moves(from, at)
+            matches!(motion.kind, motion::MotionKind::Arc(..)) || moves(from, at)
         })
         .collect();
     let mut at = [0.0; 2];
@@ -42,9 +42,9 @@ fn same(ours: &[Motion], theirs: &[rs274::Motion]) -> Result<(), String> {
         let near = |a: f64, b: f64| (a - b).abs() < 4.0 * HALF;
         let mut fits = near(our.to.get(Axis::X), their.program[0]) && near(our.to.get(Axis::Z), their.program[2]);
         fits &= match (our.kind, their.kind) {
-            (motion::Kind::Rapid, Kind::Rapid) => true,
-            (motion::Kind::Feed(_) | motion::Kind::Thread(_), Kind::Feed(_)) => true,
-            (motion::Kind::Arc(arc, _), Kind::Arc { centre, turns, plane, .. }) => {
+            (motion::MotionKind::Rapid, Kind::Rapid) => true,
+            (motion::MotionKind::Feed(_) | motion::MotionKind::Thread(_), Kind::Feed(_)) => true,
+            (motion::MotionKind::Arc(arc, _), Kind::Arc { centre, turns, plane, .. }) => {
                 let centres = near(arc.centre[0], centre[0]) && near(arc.centre[1], centre[1]);
                 centres && arc.turns == turns && arc.plane == plane
             }
@@ -63,16 +63,16 @@ fn plain(motions: &[Motion]) -> String {
     for motion in motions {
         let [x, z] = [motion.to.get(Axis::X), motion.to.get(Axis::Z)];
         match motion.kind {
-            motion::Kind::Rapid => writeln!(text, "G0 X{x:.6} Z{z:.6}"),
-            motion::Kind::Feed(_) => writeln!(text, "G1 X{x:.6} Z{z:.6}"),
-            motion::Kind::Thread(thread) => writeln!(text, "G33 X{x:.6} Z{z:.6} K{:.6}", thread.lead),
-            motion::Kind::Arc(arc, _) => {
+            motion::MotionKind::Rapid => writeln!(text, "G0 X{x:.6} Z{z:.6}"),
+            motion::MotionKind::Feed(_) => writeln!(text, "G1 X{x:.6} Z{z:.6}"),
+            motion::MotionKind::Thread(thread) => writeln!(text, "G33 X{x:.6} Z{z:.6} K{:.6}", thread.lead),
+            motion::MotionKind::Arc(arc, _) => {
                 let code = if arc.sweep < 0.0 { 2 } else { 3 };
                 let i = arc.centre[1] - motion.from.get(Axis::X);
                 let k = arc.centre[0] - motion.from.get(Axis::Z);
                 writeln!(text, "G{code} X{x:.6} Z{z:.6} I{i:.6} K{k:.6}")
             }
-            motion::Kind::Dwell(seconds) => writeln!(text, "G4 P{seconds:.6}"),
+            motion::MotionKind::Dwell(seconds) => writeln!(text, "G4 P{seconds:.6}"),
         }
         .unwrap();
     }

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use rodete::finding::Finding;
-use rodete::gcode::control::Control;
+use rodete::gcode::control::InForce;
 use rodete::gcode::dialect::FANUC_LATHE_A;
-use rodete::gcode::interpreter::{Fault, Files, Interpreter, Setting, Tool, Tools};
-use rodete::gcode::motion::{Kind, Motion};
+use rodete::gcode::interpreter::{Fault, Files, Interpreter, Setting, ToolOffset, Tools};
+use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::var_file::VarFile;
 use rodete::number::shown;
@@ -22,7 +22,7 @@ pub fn pose(x: f64, z: f64) -> Pose {
 /// Six turret places; offset 1 is nothing, 2 lies 10 mm further in X (diameter) and −5 in Z.
 pub fn tools() -> Tools {
     let offset = |number| if number == 2 { pose(10.0, -5.0) } else { Pose::default() };
-    (1..=6).map(|number| (number, Tool { offset: offset(number), ..Tool::default() })).collect()
+    (1..=6).map(|number| (number, ToolOffset { offset: offset(number), ..ToolOffset::default() })).collect()
 }
 
 /// G54 at the machine's zero, G55 at X 20 (diameter) Z 100, the reference points at X 300 Z 400 and X 200 Z 250.
@@ -58,7 +58,7 @@ pub fn setting() -> Setting {
 /// What came of a program.
 pub struct Read {
     pub motions: Vec<Motion>,
-    pub controls: Vec<Control>,
+    pub controls: Vec<InForce>,
     pub faults: Vec<Fault>,
     pub remarks: Vec<Finding>,
 }
@@ -91,19 +91,19 @@ pub fn line(motion: &Motion) -> String {
     let number = |value: f64| shown(value, 4);
     let to = format!("X{} Z{}", number(2.0 * motion.to.get(Axis::X)), number(motion.to.get(Axis::Z)));
     match motion.kind {
-        Kind::Rapid => format!("G0 {to}"),
-        Kind::Feed(feed) => format!("G1 {to} F{}", number(feed.value)),
-        Kind::Arc(arc, feed) => {
+        MotionKind::Rapid => format!("G0 {to}"),
+        MotionKind::Feed(feed) => format!("G1 {to} F{}", number(feed.value)),
+        MotionKind::Arc(arc, feed) => {
             let code = if arc.sweep < 0.0 { 2 } else { 3 };
             let [z, x] = arc.centre;
             format!("G{code} {to} C{},{} F{}", number(2.0 * x), number(z), number(feed.value))
         }
-        Kind::Thread(thread) if thread.angle != 0.0 => {
+        MotionKind::Thread(thread) if thread.angle != 0.0 => {
             format!("G32 {to} F{} Q{}", number(thread.lead), number(thread.angle))
         }
-        Kind::Thread(thread) if thread.change == 0.0 => format!("G32 {to} F{}", number(thread.lead)),
-        Kind::Thread(thread) => format!("G34 {to} F{} K{}", number(thread.lead), number(thread.change)),
-        Kind::Dwell(seconds) => format!("G4 {}", number(seconds)),
+        MotionKind::Thread(thread) if thread.change == 0.0 => format!("G32 {to} F{}", number(thread.lead)),
+        MotionKind::Thread(thread) => format!("G34 {to} F{} K{}", number(thread.lead), number(thread.change)),
+        MotionKind::Dwell(seconds) => format!("G4 {}", number(seconds)),
     }
 }
 
@@ -130,7 +130,7 @@ pub fn refusal_with(program: &str, setting: Setting) -> String {
     let read = read_with(program, setting);
     let Some(fault) = read.faults.first() else { panic!("taken: {program}") };
     let column = fault.columns.first().map(|column| format!(":{column}")).unwrap_or_default();
-    format!("{}{column} {}; {}", fault.line, fault.told().en, fault.remedy.en)
+    format!("{}{column} {}; {}", fault.line, fault.message().en, fault.remedy.en)
 }
 
 /// Whether a remark holds a text.

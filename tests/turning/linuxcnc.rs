@@ -95,16 +95,16 @@ pub fn ours(program: &str) -> Vec<Cut> {
 }
 
 pub fn of_motions(motions: &[motion::Motion]) -> Vec<Cut> {
-    motions.iter().filter(|motion| !matches!(motion.kind, motion::Kind::Dwell(_))).map(of_motion).collect()
+    motions.iter().filter(|motion| !matches!(motion.kind, motion::MotionKind::Dwell(_))).map(of_motion).collect()
 }
 
 pub fn of_motion(motion: &motion::Motion) -> Cut {
     let point = |pose: rodete::machine::axis::Pose| [pose.get(Axis::X), pose.get(Axis::Z)];
     let arc = match motion.kind {
-        motion::Kind::Arc(arc, _) => Some(([arc.centre[1], arc.centre[0]], arc.sweep > 0.0)),
+        motion::MotionKind::Arc(arc, _) => Some(([arc.centre[1], arc.centre[0]], arc.sweep > 0.0)),
         _ => None,
     };
-    Cut { rapid: matches!(motion.kind, motion::Kind::Rapid), from: point(motion.from), to: point(motion.to), arc }
+    Cut { rapid: matches!(motion.kind, motion::MotionKind::Rapid), from: point(motion.from), to: point(motion.to), arc }
 }
 
 /// The motions of a LinuxCNC program.

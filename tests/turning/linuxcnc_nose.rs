@@ -4,7 +4,7 @@
 //! direction or tangent: there both controls end the entry at the same point. LinuxCNC has the figures in mm, in which rs274
 //! prints finer.
 
-use rodete::gcode::interpreter::{Tool, Tools};
+use rodete::gcode::interpreter::{ToolOffset, Tools};
 use rodete::gcode::turning::nose::{Nose, Tip};
 
 use crate::common::rs274;
@@ -77,7 +77,8 @@ fn the_tip_runs_where_theirs_does_along_their_contours() {
         let [linuxcnc, fanuc] = both(tool, side, start, contour, end);
         let mut with = setting();
         with.tools = Some(Tools::from_iter(
-            [(2, 3), (6, 8), (7, 7)].map(|(number, at)| (number, Tool { nose: tip(at), ..Tool::default() })),
+            [(2, 3), (6, 8), (7, 7)]
+                .map(|(number, at)| (number, ToolOffset { nose: tip(at), ..ToolOffset::default() })),
         ));
         let read = read_with(&fanuc, with);
         assert!(read.faults.is_empty(), "{fanuc}\n{:?}", read.faults);

@@ -17,7 +17,7 @@
 
 use std::fmt::Write;
 
-use rodete::gcode::motion::Kind;
+use rodete::gcode::motion::MotionKind;
 use rodete::number::trig::{hypot, tan};
 
 use crate::common::rs274;
@@ -125,10 +125,10 @@ fn pairs(cuts: &[Cut]) -> Vec<[Cut; 2]> {
 /// Holds ours against theirs; answers how many passes there are.
 fn hold(thread: &Thread, diameters: bool) -> usize {
     let read = read(&thread.fanuc());
-    let synchronized = read.motions.iter().filter(|motion| matches!(motion.kind, Kind::Thread(_)));
+    let synchronized = read.motions.iter().filter(|motion| matches!(motion.kind, MotionKind::Thread(_)));
     let ours = pairs(&synchronized.map(of_motion).collect::<Vec<_>>());
     for motion in &read.motions {
-        if let Kind::Thread(thread_of) = motion.kind {
+        if let MotionKind::Thread(thread_of) = motion.kind {
             assert!((thread_of.lead - thread.lead * INCH).abs() < 1e-9 && thread_of.change == 0.0);
         }
     }
@@ -232,7 +232,7 @@ fn g32_turns_the_spindle_as_often_as_their_g33() {
         assert_eq!(synchronized, motions.len());
         for ((motion, their), &(_, k)) in read.motions[1..].iter().zip(&theirs[1..]).zip(motions) {
             let our = of_motion(motion);
-            assert!(matches!(motion.kind, Kind::Thread(_)) && near(our.to, their.to, NEAR), "{our:?} {their:?}");
+            assert!(matches!(motion.kind, MotionKind::Thread(_)) && near(our.to, their.to, NEAR), "{our:?} {their:?}");
             let revolutions = motion.seconds.unwrap() * speed / 60.0;
             assert!((revolutions - their.length() / (k * INCH)).abs() < 1e-4, "{revolutions} {our:?}");
         }

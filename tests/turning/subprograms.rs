@@ -79,7 +79,7 @@ fn a_block_that_m99_does_not_find_is_refused_in_its_own_file() {
         let read = with_files(program, &[("O0002", "G0 X10.\n\nM99 P50\n")]);
         let [fault] = read.faults.as_slice() else { panic!("{:?}", read.faults) };
         assert_eq!((fault.file.as_deref(), fault.line, fault.columns.as_slice()), (Some("O0002"), 3, [5].as_slice()));
-        assert_eq!(fault.told().en, said);
+        assert_eq!(fault.message().en, said);
     }
     assert!(refusal("M98 P2\nM30\nO2\nM99 P50\n").starts_with("4:5 PS0078: there is no block N50;"));
 }

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use proptest::prelude::*;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::word::NumberFormat;
-use rodete::impeller::design::Design;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::proof::blank::{judge, setting};
 use rodete::parameter::Value;
-use rodete::verify::blank::{judge, setting};
-use rodete::verify::check::{Check, Verdict};
+use rodete::proof::check::{Check, Verdict};
 
 use super::common;
 

@@ -6,15 +6,15 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 use rodete::finding::Grade;
 use rodete::geometry::torus::Torus;
-use rodete::impeller::blade::Blade;
-use rodete::impeller::clearance::{Bounds, CLOSE, Stand, Until, WORK, Walls};
-use rodete::impeller::part::Part;
-use rodete::impeller::tool_path::tool_path;
-use rodete::impeller::track::Track;
+use rodete::kinds::impeller::blade::Blade;
+use rodete::kinds::impeller::clearance::{Bounds, CLOSE, Stand, Until, WORK, Walls};
+use rodete::kinds::impeller::part::Part;
+use rodete::kinds::impeller::proof::flanks::{Clearance, Clearances, checks};
+use rodete::kinds::impeller::tool_path::tool_path;
 use rodete::machine::rotary::Rotary;
 use rodete::parameter::Value;
-use rodete::verify::check::{At, Verdict};
-use rodete::verify::flanks::{Clearance, Clearances, checks};
+use rodete::proof::check::{At, Verdict};
+use rodete::proof::track::Track;
 
 use crate::{common, published as design, real};
 

@@ -6,11 +6,11 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use rodete::geometry::torus::Torus;
-use rodete::impeller::clearance::Stand;
-use rodete::impeller::outside::{CLOSE, Outside, WORK};
-use rodete::impeller::solids::Stock;
+use rodete::kinds::impeller::clearance::Stand;
+use rodete::kinds::impeller::outside::{CLOSE, Outside, WORK};
+use rodete::kinds::impeller::solids::Stock;
 use rodete::number::trig::{hypot, sin_cos};
-use rodete::verify::check::Verdict;
+use rodete::proof::check::Verdict;
 
 use crate::{common, verdicts, with};
 

@@ -3,18 +3,18 @@
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use rodete::geometry::torus::Torus;
-use rodete::impeller::design::Design;
-use rodete::impeller::ideal::Ideal;
-use rodete::impeller::programs::Tracks;
-use rodete::impeller::splitter::Splitter;
-use rodete::impeller::tables::Passes;
-use rodete::impeller::track::Track;
+use rodete::kinds::impeller::design::Design;
+use rodete::kinds::impeller::ideal::Ideal;
+use rodete::kinds::impeller::programs::Tracks;
+use rodete::kinds::impeller::proof::cutting::limits;
+use rodete::kinds::impeller::proof::tip_path::{Along, between, deviation, grid_bound};
+use rodete::kinds::impeller::splitter::Splitter;
+use rodete::kinds::impeller::tables::ToolPaths;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::rotary::Rotary;
 use rodete::number::grid::Milli;
-use rodete::verify::agreement::tip;
-use rodete::verify::cutting::limits;
-use rodete::verify::tip_path::{Along, between, deviation, grid_bound};
+use rodete::proof::agreement::tip;
+use rodete::proof::track::Track;
 
 use crate::{common, published};
 
@@ -22,7 +22,7 @@ use crate::{common, published};
 fn over(design: &Design, parts: &[f64]) -> [[f64; 2]; 2] {
     let blade = common::blade(design);
     let splitter = Splitter::new(design, &blade).ok();
-    let tracks = Tracks::new(&blade, &Passes::new(design, &blade), splitter.as_ref()).unwrap();
+    let tracks = Tracks::new(&blade, &ToolPaths::new(design, &blade), splitter.as_ref()).unwrap();
     let (mut most, mut seen) = ([0.0_f64; 2], [0.0_f64; 2]);
     for track in Track::ALL {
         let Some(ideal) = Ideal::new(design, splitter.as_ref(), track) else { continue };

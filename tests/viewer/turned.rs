@@ -2,11 +2,14 @@
 
 use rodete::gcode::dialect::FANUC_LATHE_A;
 use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::Kind;
+use rodete::gcode::motion::MotionKind;
 use rodete::machine::axis::Axis;
+use rodete::machine::chain::Chain;
 use rodete::number::trig::sin_cos;
+use rodete::scene::program::Program;
+use rodete::scene::turning::{Contour, Fixture, ShownTurning};
+use rodete::scene::{Remark, Scene, Shape, ShownTool};
 use rodete::text::{Language, Text};
-use rodete::view::{Contour, Fixture, Frame, Program, Remark, Scene, Shape, Tool, Turning};
 
 /// Bar of 50 mm, turned down in passes to 30 mm over 40 mm and 20 mm over 18 mm, a round shoulder, a groove, parted off.
 pub const PROGRAM: &str = "\
@@ -77,14 +80,14 @@ fn outlines() -> Vec<Vec<Contour>> {
 
 /// The scene of a program, each of whose cutting motions leaves the next outlines; `repeat`: the program so many times over.
 pub fn scene(repeat: usize) -> Scene {
-    let mut shown = Program::new(Text::fixed("Torneado", "Turning"), &FANUC_LATHE_A, Frame::Turning, PROGRAM);
-    let mut turning = Turning::new(vec![bar(&[[0.0, 25.0]])]);
+    let mut shown = Program::new(Text::fixed("Torneado", "Turning"), &FANUC_LATHE_A, Chain::Turning, PROGRAM);
+    let mut turning = ShownTurning::new(vec![bar(&[[0.0, 25.0]])]);
     for _ in 0..repeat {
         let mut after = outlines().into_iter();
         let mut interpreter = Interpreter::over(PROGRAM.as_bytes(), Setting::new(&FANUC_LATHE_A));
         while let Some(motion) = interpreter.next() {
             let motion = motion.expect("a motion");
-            if matches!(motion.kind, Kind::Feed(_) | Kind::Arc(..)) {
+            if matches!(motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
                 turning.cut(shown.motions(), after.next().expect("outlines of each cut"));
             }
             shown.push(&motion, interpreter.control());
@@ -102,7 +105,7 @@ pub fn scene(repeat: usize) -> Scene {
         turning.part_off(PARTED, last.into_iter().take(1).collect());
     }
     shown.turning = Some(turning);
-    shown.tools = vec![Tool {
+    shown.tools = vec![ShownTool {
         number: 0,
         name: Text::fixed("cuchilla", "turning tool"),
         shape: Shape::Flat {

@@ -5,7 +5,7 @@
 //! CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive.
 //! For the 8055 T and the 8070 no such page was at hand.
 
-use crate::gcode::code::{G, Group, M, Name, Turning};
+use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::Compensation;
 use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
@@ -192,15 +192,15 @@ const OWN_8055_T: [(usize, G); 34] = [
     (690, G::Refused(Group::Motion, &TURNING_CYCLE)),
     (750, G::Refused(Group::NonModal, &PROBE)),
     (760, G::Refused(Group::NonModal, &PROBE)),
-    (810, G::Turning(Turning::Fagor(81))),
-    (820, G::Turning(Turning::Fagor(82))),
-    (830, G::Turning(Turning::Fagor(83))),
-    (840, G::Turning(Turning::Fagor(84))),
-    (850, G::Turning(Turning::Fagor(85))),
-    (860, G::Turning(Turning::Fagor(86))),
-    (870, G::Turning(Turning::Fagor(87))),
-    (880, G::Turning(Turning::Fagor(88))),
-    (890, G::Turning(Turning::Fagor(89))),
+    (810, G::Turning(TurningCycle::Fagor(81))),
+    (820, G::Turning(TurningCycle::Fagor(82))),
+    (830, G::Turning(TurningCycle::Fagor(83))),
+    (840, G::Turning(TurningCycle::Fagor(84))),
+    (850, G::Turning(TurningCycle::Fagor(85))),
+    (860, G::Turning(TurningCycle::Fagor(86))),
+    (870, G::Turning(TurningCycle::Fagor(87))),
+    (880, G::Turning(TurningCycle::Fagor(88))),
+    (890, G::Turning(TurningCycle::Fagor(89))),
     (920, G::SetPositionOrSpeed),
     (930, G::Refused(Group::Other, &POLAR)),
     (950, G::Feed(FeedMode::PerRevolution)),

@@ -10,7 +10,7 @@
 //! The lathe simulator's list of codes: these are followed. Fanuc Series 0i-T operator's manual, G-code system A: the others are
 //! refused by their names. Letters that only options of the control take (C, A, B and others) are refused.
 
-use crate::gcode::code::{Cycle, G, Group, M, Name, Pass, Turning};
+use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle};
 use crate::gcode::control::Compensation;
 use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
 use crate::gcode::motion::{FeedMode, Plane};
@@ -79,22 +79,22 @@ static CODES: Codes = Codes::new(&[
     (580, G::WorkOffset(5)),
     (590, G::WorkOffset(6)),
     (650, G::Refused(Group::NonModal, &MACRO)),
-    (700, G::Turning(Turning::Finish)),
-    (710, G::Turning(Turning::Axial)),
-    (720, G::Turning(Turning::Radial)),
-    (730, G::Turning(Turning::Repeat)),
-    (740, G::Turning(Turning::GrooveFace)),
-    (750, G::Turning(Turning::GrooveOutside)),
-    (760, G::Turning(Turning::Thread)),
+    (700, G::Turning(TurningCycle::Finish)),
+    (710, G::Turning(TurningCycle::Axial)),
+    (720, G::Turning(TurningCycle::Radial)),
+    (730, G::Turning(TurningCycle::Repeat)),
+    (740, G::Turning(TurningCycle::GrooveFace)),
+    (750, G::Turning(TurningCycle::GrooveOutside)),
+    (760, G::Turning(TurningCycle::Thread)),
     (800, G::Cancel),
     (810, G::Cycle(Cycle::Drill)),
     (820, G::Cycle(Cycle::DrillDwell)),
     (830, G::Cycle(Cycle::Peck)),
-    (900, G::Pass(Pass::Axial)),
+    (900, G::Pass(SinglePassCycle::Axial)),
     // No code of the system; alone in a block it is passed over.
     (910, G::Incremental),
-    (920, G::Pass(Pass::Thread)),
-    (940, G::Pass(Pass::Radial)),
+    (920, G::Pass(SinglePassCycle::Thread)),
+    (940, G::Pass(SinglePassCycle::Radial)),
     (960, G::ConstantSurfaceSpeed),
     (970, G::Rpm),
     (980, G::Feed(FeedMode::PerMinute)),

@@ -9,14 +9,14 @@
 
 mod fagor;
 mod fanuc;
+pub mod guess;
 mod linuxcnc;
 pub mod reading;
-pub mod told;
 
 use crate::gcode::code::M;
 use crate::gcode::dialect::reading::Reading;
-use crate::gcode::feed_word;
 use crate::gcode::word::Word;
+use crate::limits::FEED_WORD;
 
 /// How the control takes the F word of a move that linear and rotary axes make together. In each form the move takes
 /// the time that the tool tip needs over the part at the wanted feed.
@@ -60,9 +60,9 @@ impl FeedLaw {
     #[must_use]
     pub fn least_seconds(self, resultant: f64) -> f64 {
         match self {
-            Self::Resultant => resultant * 60.0 / feed_word::MOST,
+            Self::Resultant => resultant * 60.0 / FEED_WORD,
             Self::Seconds => 1e-4,
-            Self::InverseTime => 60.0 / feed_word::MOST,
+            Self::InverseTime => 60.0 / FEED_WORD,
         }
     }
 

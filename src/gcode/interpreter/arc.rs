@@ -14,7 +14,7 @@ use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, doubt};
-use crate::gcode::motion::{Arc, Kind, Plane};
+use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::{shown, trig};
@@ -64,7 +64,7 @@ impl Interpreter<'_> {
         } else {
             self.seconds(arc.length(to.get(c) - self.current.get(c)), feed)
         };
-        self.emit(Kind::Arc(arc, feed), to, seconds);
+        self.emit(MotionKind::Arc(arc, feed), to, seconds);
         Ok(())
     }
 

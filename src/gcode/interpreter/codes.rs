@@ -1,12 +1,12 @@
 //! Codes beside the motion: feed, speed, spindle, coolant, dwell, units.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, M, Turning};
-use crate::gcode::control::{Control, Spindle};
+use crate::gcode::code::{G, Group, M, TurningCycle};
+use crate::gcode::control::{InForce, Spindle};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, NO_SPEED_LIMIT, Outcome};
-use crate::gcode::motion::{FeedMode, Kind};
+use crate::gcode::motion::{FeedMode, MotionKind};
 use crate::gcode::turning::pace::Pace;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
@@ -37,7 +37,7 @@ impl Interpreter<'_> {
             Some(G::Rpm) => {
                 if self.reading.diameter && self.modal.constant_surface_speed {
                     // Without S the spindle keeps the speed that it has.
-                    let pace = Pace::of(&Control { spindle: Spindle::Clockwise, ..self.modal.control() });
+                    let pace = Pace::of(&InForce { spindle: Spindle::Clockwise, ..self.modal.control() });
                     self.modal.speed = pace.and_then(|pace| pace.speed(self.current.get(Axis::X))).unwrap_or(0.0);
                 }
                 self.modal.constant_surface_speed = false;
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
 
     pub(super) fn take_feed_and_speed(&mut self) -> Outcome<()> {
         // They are parameters of the cycle.
-        if let Some(G::Turning(Turning::Fagor(_))) = self.block.g(Group::NonModal) {
+        if let Some(G::Turning(TurningCycle::Fagor(_))) = self.block.g(Group::NonModal) {
             return Ok(());
         }
         if let Some(F) = self.block.get(letter::F) {
@@ -137,7 +137,7 @@ impl Interpreter<'_> {
         if letter != super::block::letter::P || self.reading.dwell.len() > 1 {
             self.block.take(letter);
         }
-        self.emit(Kind::Dwell(seconds), self.current, Some(seconds));
+        self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds));
         Ok(())
     }
 

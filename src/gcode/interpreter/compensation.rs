@@ -20,14 +20,15 @@
 use std::f64::consts::PI;
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, Pass};
-use crate::gcode::control::{Compensation, Control};
+use crate::gcode::code::{G, Group, SinglePassCycle};
+use crate::gcode::control::{Compensation, InForce};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::motion::{Arc, FeedMode, Kind, Motion, Plane};
-use crate::gcode::turning::nose::{Element, MOST_STILL, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
+use crate::gcode::motion::{Arc, FeedMode, Motion, MotionKind, Plane};
+use crate::gcode::turning::nose::{Element, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
 use crate::gcode::turning::pace::Pace;
+use crate::limits::STILL_PIECES;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::text::Text;
@@ -39,7 +40,7 @@ const FAGOR_STRAIGHT: f64 = PI * 2.0 / 3.0;
 #[derive(Clone)]
 struct Carried {
     motion: Motion,
-    control: Control,
+    control: InForce,
     file: Option<String>,
     /// Its number among the motions that the program has made.
     number: u64,
@@ -128,13 +129,13 @@ impl Interpreter<'_> {
     ///
     /// # Errors
     /// For a tip that lies neither before nor behind the cut, and without a nose in the table.
-    pub(super) fn pass_aside(&mut self, pass: Pass, slope: f64) -> Outcome<f64> {
-        if self.modal.compensation == Compensation::Off || self.modal.offset == 0 || pass == Pass::Thread {
+    pub(super) fn pass_aside(&mut self, pass: SinglePassCycle, slope: f64) -> Outcome<f64> {
+        if self.modal.compensation == Compensation::Off || self.modal.offset == 0 || pass == SinglePassCycle::Thread {
             return Ok(0.0);
         }
         let nose = self.known_nose()?;
         let [z, x] = nose.tip.vector();
-        let (along, across) = if pass == Pass::Radial { (x, z) } else { (z, x) };
+        let (along, across) = if pass == SinglePassCycle::Radial { (x, z) } else { (z, x) };
         if across == 0.0 && nose.radius > 0.0 {
             let (number, tip) = (pass.number(), nose.tip.number());
             return Err(Fault::at(
@@ -152,7 +153,7 @@ impl Interpreter<'_> {
 
     /// Says that the passes of a cycle are made as they are, where its block or its contour asks for compensation.
     pub(super) fn remark_uncompensated(&mut self, blocks: &[ContourBlock]) {
-        let pass = matches!(self.modal.motion, G::Pass(Pass::Axial | Pass::Radial));
+        let pass = matches!(self.modal.motion, G::Pass(SinglePassCycle::Axial | SinglePassCycle::Radial));
         let asked = blocks.iter().any(|block| block.side != Compensation::Off);
         if (self.modal.compensation == Compensation::Off && !asked) || pass {
             return;
@@ -175,7 +176,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = Control { file: self.at, ..self.modal.control() };
+        let mut control = InForce { file: self.at, ..self.modal.control() };
         let number = self.made();
         let side = self.side(&motion);
         control.compensation = side;
@@ -207,14 +208,14 @@ impl Interpreter<'_> {
         let shift = [0, 1].map(|axis| to[axis] - point(&motion.to)[axis]);
         let from = [0, 1].map(|axis| point(&motion.from)[axis] + shift[axis]);
         let path = match motion.kind {
-            Kind::Dwell(_) => Path::Still,
-            Kind::Arc(arc, _) => {
+            MotionKind::Dwell(_) => Path::Still,
+            MotionKind::Arc(arc, _) => {
                 Path::Arc { centre: [0, 1].map(|axis| arc.centre[axis] + shift[axis]), sweep: arc.sweep }
             }
             _ => Path::Line,
         };
         let tag = Carried { motion, control, file: self.source().file.clone(), number };
-        let rapid = motion.kind == Kind::Rapid;
+        let rapid = motion.kind == MotionKind::Rapid;
         let mut placed = Vec::new();
         let step = Step { element: Element { from, to, path }, side, nose, rapid, tag };
         let result = self.compensator.stage.push(step, &mut placed);
@@ -232,7 +233,7 @@ impl Interpreter<'_> {
     fn side(&mut self, motion: &Motion) -> Compensation {
         let at_once = self.block.groups & (1 << Group::NonModal as u16) != 0
             && matches!(self.block.g(Group::NonModal), Some(G::Reference(_) | G::MachineCoordinates));
-        let dwell = matches!(motion.kind, Kind::Dwell(_));
+        let dwell = matches!(motion.kind, MotionKind::Dwell(_));
         if at_once && !dwell && !self.reading.system_a && self.modal.compensation != Compensation::Off {
             self.modal.compensation = Compensation::Off;
             self.remarks.add(
@@ -254,13 +255,13 @@ impl Interpreter<'_> {
         if side == Compensation::Off {
             return Ok(Nose::default());
         }
-        if let Kind::Thread(_) = motion.kind {
+        if let MotionKind::Thread(_) = motion.kind {
             return Err(Fault::block(
                 Text::fixed("rosca con G41 o G42 en vigor", "thread with G41 or G42 in force"),
                 Text::fixed("programe G40 antes de la rosca", "program G40 before the thread"),
             ));
         }
-        if matches!(motion.kind, Kind::Arc(arc, _) if arc.plane != Plane::ZX) {
+        if matches!(motion.kind, MotionKind::Arc(arc, _) if arc.plane != Plane::ZX) {
             return Err(Fault::block(
                 Text::fixed(
                     "arco de otro plano con G41 o G42 en vigor",
@@ -361,14 +362,14 @@ impl Interpreter<'_> {
         place(&mut motion.to, element_in_program.to);
         place(&mut motion.machine, element.to);
         motion.kind = match (programmed.kind, element_in_program.path) {
-            (Kind::Arc(arc, feed), Path::Arc { centre, sweep }) => {
-                Kind::Arc(Arc { centre, sweep, radius: radius(&motion.from, centre), ..arc }, feed)
+            (MotionKind::Arc(arc, feed), Path::Arc { centre, sweep }) => {
+                MotionKind::Arc(Arc { centre, sweep, radius: radius(&motion.from, centre), ..arc }, feed)
             }
-            (Kind::Arc(_, feed), _) => Kind::Feed(feed),
-            (Kind::Feed(feed), Path::Arc { centre, sweep }) => {
+            (MotionKind::Arc(_, feed), _) => MotionKind::Feed(feed),
+            (MotionKind::Feed(feed), Path::Arc { centre, sweep }) => {
                 let turns = if sweep < 0.0 { -1 } else { 1 };
                 let radius = radius(&motion.from, centre);
-                Kind::Arc(Arc { plane: Plane::ZX, centre, turns, radius, sweep, rotation: 0.0 }, feed)
+                MotionKind::Arc(Arc { plane: Plane::ZX, centre, turns, radius, sweep, rotation: 0.0 }, feed)
             }
             (kind, _) => kind,
         };
@@ -382,15 +383,15 @@ fn radius(from: &Pose, centre: Point) -> f64 {
 }
 
 /// The time of a motion under a control.
-fn time(motion: &Motion, control: &Control) -> Option<f64> {
+fn time(motion: &Motion, control: &InForce) -> Option<f64> {
     let by = motion.to.differences(&motion.from);
     let straight = by.iter().map(|share| share * share).sum::<f64>().sqrt();
     let (feed, length) = match motion.kind {
-        Kind::Rapid => return None,
-        Kind::Dwell(seconds) => return Some(seconds),
-        Kind::Thread(_) => return motion.seconds,
-        Kind::Feed(feed) => (feed, straight),
-        Kind::Arc(arc, feed) => (feed, arc.length(by[Axis::Y as usize])),
+        MotionKind::Rapid => return None,
+        MotionKind::Dwell(seconds) => return Some(seconds),
+        MotionKind::Thread(_) => return motion.seconds,
+        MotionKind::Feed(feed) => (feed, straight),
+        MotionKind::Arc(arc, feed) => (feed, arc.length(by[Axis::Y as usize])),
     };
     let seconds = match feed.mode {
         FeedMode::PerMinute => length * 60.0 / feed.value,
@@ -400,7 +401,7 @@ fn time(motion: &Motion, control: &Control) -> Option<f64> {
             let pace = Pace::of(control)?;
             let [from, to] = [&motion.from, &motion.to].map(|pose| pose.get(Axis::X));
             match motion.kind {
-                Kind::Arc(arc, _) => pace.arc(&arc, [from, motion.from.get(Axis::Z)], feed.value)?,
+                MotionKind::Arc(arc, _) => pace.arc(&arc, [from, motion.from.get(Axis::Z)], feed.value)?,
                 _ => pace.straight([from, to], length, feed.value)?,
             }
         }
@@ -486,8 +487,8 @@ fn refusal(misfit: &Misfit) -> Box<Fault> {
         ),
         Misfit::Still => (
             Text::new(
-                format!("más de {MOST_STILL} bloques sin movimiento en el plano con G41 o G42 en vigor"),
-                format!("more than {MOST_STILL} blocks without motion in the plane with G41 or G42 in force"),
+                format!("más de {STILL_PIECES} bloques sin movimiento en el plano con G41 o G42 en vigor"),
+                format!("more than {STILL_PIECES} blocks without motion in the plane with G41 or G42 in force"),
             ),
             Text::fixed(
                 "el control no ve el movimiento siguiente: quite bloques o programe G40",

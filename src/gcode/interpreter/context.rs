@@ -12,7 +12,7 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
-use crate::machine::work_offset::Frame;
+use crate::machine::work_offset::ActiveOffsets;
 use crate::text::Text;
 
 /// The modal state as it was kept.
@@ -145,7 +145,7 @@ impl Interpreter<'_> {
         let (none, now) = (Pose::default(), self.frame.tool);
         if (state.tool == none) != (now == none) {
             let tool = if state.tool == none { none } else { self.offset_of(self.modal.tool) };
-            self.reframe(Frame { tool, ..self.frame });
+            self.reframe(ActiveOffsets { tool, ..self.frame });
         }
         if self.frame.tool != state.tool {
             self.remark_context(Text::fixed(
@@ -176,12 +176,12 @@ impl Interpreter<'_> {
 mod tests {
     use super::*;
     use crate::gcode::dialect::LINUXCNC;
-    use crate::gcode::interpreter::{Setting, Tool, Tools};
+    use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
     use crate::machine::axis::Axis;
 
     fn cautions(program: &str) -> Vec<String> {
         let tool = |length: f64| {
-            let mut tool = Tool::default();
+            let mut tool = ToolOffset::default();
             tool.offset.set(Axis::Z, length);
             tool
         };

@@ -24,11 +24,10 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::turning::profile::{Element, Profile};
+use crate::limits::CONTOUR_BLOCKS;
 use crate::machine::axis::Axis;
 use crate::text::Text;
 
-/// Most blocks of a contour.
-const MOST: usize = 10_000;
 /// Letters that a block of a contour may have.
 const LETTERS: Letters = Letters::of("FIKRSTUWXZ");
 const MOVES: Letters = Letters::of("IKRUWXZ");
@@ -175,11 +174,11 @@ impl Interpreter<'_> {
             }
             self.read_words(&mut cursor)?;
             self.contour_block(cycle, &mut contour)?;
-            if contour.blocks.len() > MOST {
+            if contour.blocks.len() > CONTOUR_BLOCKS {
                 return Err(Fault::block(
                     Text::new(
-                        format!("el contorno de G{cycle} tiene más de {MOST} bloques"),
-                        format!("the contour of G{cycle} has more than {MOST} blocks"),
+                        format!("el contorno de G{cycle} tiene más de {CONTOUR_BLOCKS} bloques"),
+                        format!("the contour of G{cycle} has more than {CONTOUR_BLOCKS} blocks"),
                     ),
                     Text::fixed("compruebe P y Q", "check P and Q"),
                 ));

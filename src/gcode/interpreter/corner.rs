@@ -59,7 +59,7 @@ impl EdgeWord {
 
     /// The refusal of a corner that cannot be broken.
     pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Fault> {
-        let (name, told) = (self.name, trouble.told());
+        let (name, told) = (self.name, trouble.message());
         let what = Text::new(format!("{} ({name})", told.es), format!("{} ({name})", told.en));
         self.refusal(line, what, trouble.remedy.clone())
     }

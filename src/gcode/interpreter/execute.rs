@@ -4,7 +4,7 @@
 //! LinuxCNC, G-code overview, "G-code order of execution".
 
 use crate::finding::Grade;
-use crate::gcode::code::{Cycle, G, Group, M, Pass};
+use crate::gcode::code::{Cycle, G, Group, M, SinglePassCycle};
 use crate::gcode::control::Compensation;
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::dialect::{FeedLaw, Rotary};
@@ -12,7 +12,7 @@ use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
 use crate::gcode::interpreter::{Interpreter, doubt};
-use crate::gcode::motion::{Feed, FeedMode, Kind, Motion};
+use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::machine::axis::{Axis, Pose};
 use crate::text::Text;
 
@@ -260,7 +260,7 @@ impl Interpreter<'_> {
             Some(G::Arc(_)) => Letters::of("IJKRP").mask(),
             Some(G::Cycle(cycle)) if self.reading.system_a => hole_words(cycle),
             Some(G::Cycle(cycle)) => Letters::of("RL").mask() | cycle_words(cycle),
-            Some(G::Pass(Pass::Thread)) => Letters::of("QR").mask(),
+            Some(G::Pass(SinglePassCycle::Thread)) => Letters::of("QR").mask(),
             Some(G::Pass(_)) => Letters::of("R").mask(),
             Some(G::Thread(false)) => Letters::of("Q").mask(),
             Some(G::Thread(true)) => Letters::of("K").mask(),
@@ -377,7 +377,7 @@ impl Interpreter<'_> {
                 self.modal.motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
                 if self.block.present & AXIS_WORDS != 0 {
                     let to = self.end_point();
-                    self.emit(Kind::Rapid, to, None);
+                    self.emit(MotionKind::Rapid, to, None);
                 }
                 Ok(())
             }
@@ -389,11 +389,11 @@ impl Interpreter<'_> {
                 }
                 let to = self.end_point();
                 match feed {
-                    None => self.emit(Kind::Rapid, to, None),
+                    None => self.emit(MotionKind::Rapid, to, None),
                     Some(feed) if self.reading.system_a => return self.line_at_feed(to, feed),
                     Some(feed) => {
                         let seconds = self.straight_seconds(&to, feed);
-                        self.emit(Kind::Feed(feed), to, seconds);
+                        self.emit(MotionKind::Feed(feed), to, seconds);
                     }
                 }
                 Ok(())
@@ -532,7 +532,7 @@ impl Interpreter<'_> {
     }
 
     /// Hands a motion out and stands at its end.
-    pub(super) fn emit(&mut self, kind: Kind, to: Pose, seconds: Option<f64>) {
+    pub(super) fn emit(&mut self, kind: MotionKind, to: Pose, seconds: Option<f64>) {
         self.see_turn(kind, &to);
         let motion = Motion {
             line: self.line,

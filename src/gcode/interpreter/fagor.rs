@@ -74,7 +74,7 @@ impl Interpreter<'_> {
                     remedy,
                 ));
             }
-            let parameter = crate::gcode::code::Turning::Fagor(number).letters().has(index);
+            let parameter = crate::gcode::code::TurningCycle::Fagor(number).letters().has(index);
             if parameter && self.block.has(at) && !needed.has(index) && !may.has(index) {
                 let letter = name(index);
                 return Err(Fault::at(

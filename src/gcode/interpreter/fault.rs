@@ -1,6 +1,7 @@
 //! What the interpreter refuses, and what it remarks.
 
 use crate::finding::{Exit, Finding, Grade, Place};
+use crate::limits::REMARKS;
 use crate::number::shown;
 use crate::text::Text;
 
@@ -63,7 +64,7 @@ impl Fault {
 
     /// What is wrong, with the other lines at fault.
     #[must_use]
-    pub fn told(&self) -> Text {
+    pub fn message(&self) -> Text {
         let Some(((file, last), lines)) = self.others.split_last() else { return self.what.clone() };
         let lines = lines.iter().map(|(_, line)| line.to_string()).collect::<Vec<_>>().join(", ");
         let of = match file {
@@ -87,7 +88,7 @@ impl Fault {
 
 impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
-        let told = fault.told();
+        let told = fault.message();
         Self::stop(place(fault.file.as_deref(), fault.line, fault.columns), told, fault.remedy)
     }
 }
@@ -114,9 +115,6 @@ pub const NO_SPEED_LIMIT: Text = Text::fixed(
     "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
     "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
 );
-
-/// Most remarks that are kept.
-const MOST: usize = 100;
 
 /// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
 /// often it was seen.
@@ -149,7 +147,7 @@ impl Remarks {
     pub(super) fn add(&mut self, grade: Grade, line: usize, column: Option<usize>, what: Text, remedy: Text) {
         if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| finding.what == what) {
             *count += 1;
-        } else if self.list.len() < MOST {
+        } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
             self.list.push((1, Finding::new(grade, place(self.file.as_deref(), line, columns), what, remedy)));
         }

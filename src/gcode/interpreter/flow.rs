@@ -8,14 +8,13 @@ use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::parameters::LOCAL;
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::structure::{Mark, Structure, Word, label, shown, word};
+use crate::limits::CALL_REPEATS;
 use crate::text::Text;
 
 /// Most bytes of a subprogram's own file.
 pub(super) const LARGEST_FILE: usize = 16 << 20;
-/// Most times that M98 repeats a call.
-pub(super) const MOST_REPEATS: i64 = 9_999;
 
 /// A call that has not returned.
 #[derive(Debug)]
@@ -400,7 +399,7 @@ impl Interpreter<'_> {
                         Text::fixed("divídalo", "split it"),
                     ));
                 }
-                self.sources.push(Source::new(Box::new(std::io::Cursor::new(bytes)), Some(name.to_owned())));
+                self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name.to_owned())));
                 self.structures.push(None);
                 self.sources.len() - 1
             }
@@ -470,11 +469,11 @@ impl Interpreter<'_> {
         };
         let repeats = match self.block.get(letter::L) {
             None => 1,
-            Some(L) => whole(L).filter(|repeats| (0..=MOST_REPEATS).contains(repeats)).ok_or_else(|| {
+            Some(L) => whole(L).filter(|repeats| (0..=CALL_REPEATS).contains(repeats)).ok_or_else(|| {
                 Fault::at(
                     &[self.block.column(letter::L)],
                     Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
-                    Text::new(format!("L va de 0 a {MOST_REPEATS}"), format!("L goes from 0 to {MOST_REPEATS}")),
+                    Text::new(format!("L va de 0 a {CALL_REPEATS}"), format!("L goes from 0 to {CALL_REPEATS}")),
                 )
             })?,
         };

@@ -14,11 +14,11 @@ use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::motion::{Arc, Feed, FeedMode, Kind, Thread};
+use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
 use crate::gcode::turning::pace::Pace;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
-use crate::machine::work_offset::{ACTIVE, Frame, G28_FIRST, G30_FIRST, WorkOffset};
+use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, WorkOffset};
 use crate::text::Text;
 
 /// The axes of a lathe with the letters of their absolute and their incremental words.
@@ -128,7 +128,7 @@ impl Interpreter<'_> {
         self.modal.system = system;
         self.modal.shifted = true;
         self.parameters.set(ACTIVE as usize, f64::from(system));
-        self.reframe(Frame { work: WorkOffset { origin, rotation: 0.0 }, ..self.frame });
+        self.reframe(ActiveOffsets { work: WorkOffset { origin, rotation: 0.0 }, ..self.frame });
     }
 
     /// G50 with axis words: this position gets the coordinates X and Z, or its own and U and W more.
@@ -188,14 +188,14 @@ impl Interpreter<'_> {
         }
         let over = self.end_point();
         if over != self.current {
-            self.emit(Kind::Rapid, over, None);
+            self.emit(MotionKind::Rapid, over, None);
         }
         let reference = self.frame.to_program(&self.pose_of(first));
         let mut to = self.current;
         for axis in named {
             to.set(axis, reference.get(axis));
         }
-        self.emit(Kind::Rapid, to, None);
+        self.emit(MotionKind::Rapid, to, None);
         Ok(())
     }
 

@@ -10,13 +10,14 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::{Compensation, Control};
-use crate::gcode::cutter::{MOST_STILL, Misfit, Placed, Stage, Step};
+use crate::gcode::control::{Compensation, InForce};
+use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::motion::{Arc, Feed, FeedMode, Kind, Motion, Plane};
+use crate::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::turning::nose::{Element, Path, Point};
+use crate::limits::HELD_PIECES;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::{shown, trig};
 use crate::text::Text;
@@ -25,7 +26,7 @@ use crate::text::Text;
 #[derive(Clone)]
 struct Carried {
     motion: Motion,
-    control: Control,
+    control: InForce,
     /// Its number among the motions that the program has made.
     number: u64,
 }
@@ -254,7 +255,7 @@ impl Interpreter<'_> {
     pub(super) fn mill(&mut self, motion: Motion) {
         let (control, number) = (self.modal.control(), self.made());
         let carried = Carried { motion, control, number };
-        let dwell = matches!(motion.kind, Kind::Dwell(_));
+        let dwell = matches!(motion.kind, MotionKind::Dwell(_));
         let Some(mut stage) = self.milling.stage.take() else { return self.lead_back(carried) };
         if dwell && stage.aside().is_none() {
             self.milling.stage = Some(stage);
@@ -262,8 +263,8 @@ impl Interpreter<'_> {
         }
         let by = motion.to.differences(&motion.from);
         let path = match motion.kind {
-            Kind::Dwell(_) => Path::Still,
-            Kind::Arc(Arc { centre, sweep, .. }, _) => Path::Arc { centre, sweep },
+            MotionKind::Dwell(_) => Path::Still,
+            MotionKind::Arc(Arc { centre, sweep, .. }, _) => Path::Arc { centre, sweep },
             _ => Path::Line,
         };
         let element = Element { from: point(&motion.from), to: point(&motion.to), path };
@@ -273,7 +274,7 @@ impl Interpreter<'_> {
             Err(None)
         } else {
             stage
-                .push(Step { element, rapid: motion.kind == Kind::Rapid, tag: carried.clone() }, &mut out)
+                .push(Step { element, rapid: motion.kind == MotionKind::Rapid, tag: carried.clone() }, &mut out)
                 .map_err(Some)
         };
         self.hand_placed(out);
@@ -302,12 +303,12 @@ impl Interpreter<'_> {
         if let Some(machine) = self.milling.left {
             let tip = point(&self.frame.to_program(&machine));
             match motion.kind {
-                Kind::Dwell(_) => {
+                MotionKind::Dwell(_) => {
                     place(&mut motion.from, tip);
                     place(&mut motion.to, tip);
                     motion.machine = self.frame.to_machine(&motion.to);
                 }
-                Kind::Arc(..) => {
+                MotionKind::Arc(..) => {
                     self.milling.left = None;
                     self.refuse_here(
                         motion.line,
@@ -339,14 +340,14 @@ impl Interpreter<'_> {
             place(&mut motion.to, element.to);
             motion.machine = self.frame.to_machine(&motion.to);
             motion.kind = match (programmed.kind, element.path) {
-                (Kind::Arc(arc, feed), Path::Arc { centre, sweep }) if !corner => {
-                    Kind::Arc(turned(&arc, element, centre, sweep), feed)
+                (MotionKind::Arc(arc, feed), Path::Arc { centre, sweep }) if !corner => {
+                    MotionKind::Arc(turned(&arc, element, centre, sweep), feed)
                 }
-                (Kind::Arc(_, feed) | Kind::Feed(feed), Path::Arc { centre, sweep }) => {
+                (MotionKind::Arc(_, feed) | MotionKind::Feed(feed), Path::Arc { centre, sweep }) => {
                     let turns = if sweep < 0.0 { -1 } else { 1 };
                     let rotation = self.frame.work.rotation;
                     let arc = Arc { plane: Plane::XY, centre, turns, radius: 0.0, sweep, rotation };
-                    Kind::Arc(turned(&arc, element, centre, sweep), feed)
+                    MotionKind::Arc(turned(&arc, element, centre, sweep), feed)
                 }
                 (kind, _) => kind,
             };
@@ -362,10 +363,10 @@ impl Interpreter<'_> {
         let (was, made) = (length(programmed), length(motion));
         motion.seconds = match programmed.kind {
             _ if was > 0.0 => programmed.seconds.map(|seconds| seconds * made / was),
-            Kind::Feed(feed) => self.seconds(made, feed),
+            MotionKind::Feed(feed) => self.seconds(made, feed),
             _ => programmed.seconds,
         };
-        if let (Kind::Feed(feed) | Kind::Arc(_, feed), Some(seconds)) = (&mut motion.kind, motion.seconds)
+        if let (MotionKind::Feed(feed) | MotionKind::Arc(_, feed), Some(seconds)) = (&mut motion.kind, motion.seconds)
             && feed.mode == FeedMode::InverseTime
         {
             *feed = Feed { value: 60.0 / seconds, ..*feed };
@@ -424,8 +425,8 @@ impl Interpreter<'_> {
             ),
             Misfit::Still => (
                 Text::new(
-                    format!("más de {MOST_STILL} bloques sin movimiento en el plano con G41 o G42 en vigor"),
-                    format!("more than {MOST_STILL} blocks without motion in the plane with G41 or G42 in force"),
+                    format!("más de {HELD_PIECES} bloques sin movimiento en el plano con G41 o G42 en vigor"),
+                    format!("more than {HELD_PIECES} blocks without motion in the plane with G41 or G42 in force"),
                 ),
                 Text::fixed("programe antes G40", "program G40 before them"),
             ),
@@ -457,7 +458,7 @@ fn turned(arc: &Arc, element: Element, centre: Point, sweep: f64) -> Arc {
 fn length(motion: &Motion) -> f64 {
     let by = motion.to.differences(&motion.from);
     match motion.kind {
-        Kind::Arc(arc, _) => arc.length(by[Axis::Z as usize]),
+        MotionKind::Arc(arc, _) => arc.length(by[Axis::Z as usize]),
         _ => (by[0] * by[0] + by[1] * by[1] + by[2] * by[2]).sqrt(),
     }
 }

@@ -40,17 +40,15 @@ mod expression;
 mod fagor;
 mod fault;
 mod flow;
-mod hole;
 mod inputs;
 mod lathe;
 mod line;
 mod milling;
 mod modal;
-mod moves;
 mod numbers;
 mod offsets;
+mod out;
 mod parameters;
-mod pass;
 mod point;
 mod polar;
 mod read;
@@ -58,10 +56,10 @@ mod rollover;
 mod round;
 mod setting;
 mod source;
-mod stood;
+mod standstill;
 mod structure;
 mod subprogram;
-mod system;
+mod system_parameters;
 mod tape;
 mod tool;
 pub mod tool_table;
@@ -84,24 +82,24 @@ pub use self::fault::{Fault, NO_FEED, NO_SPEED_LIMIT};
 use self::flow::Flow;
 use self::milling::Milling;
 use self::modal::Modal;
-use self::moves::Run;
 use self::numbers::Numbers;
+use self::out::Pending;
 use self::parameters::Parameters;
 use self::round::Rounds;
-pub use self::setting::{Budget, DecimalPoint, Files, HolePlane, NoFiles, Setting, Start, Tool, Tools};
-use self::source::Source;
+pub use self::setting::{Budget, DecimalPoint, Files, HolePlane, NoFiles, Setting, Start, ToolOffset, Tools};
+use self::source::SourceText;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, WIDE, decoded, line_feeds, wide};
-use self::stood::Standing;
-pub use self::stood::Stood;
+use self::standstill::Standing;
+pub use self::standstill::Standstill;
 use self::structure::Structure;
 use crate::finding::{Exit, Finding, Grade, Place};
-use crate::gcode::control::Control;
+use crate::gcode::control::InForce;
 pub use crate::gcode::dialect::Rotary;
 use crate::gcode::dialect::reading::Reading;
 use crate::gcode::motion::Motion;
 use crate::machine::axis::Pose;
 use crate::machine::var_file::{VarFile, required};
-use crate::machine::work_offset::{ACTIVE, Frame, G92_FIRST, G92_SWITCH, Offsets};
+use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G92_FIRST, G92_SWITCH, Offsets};
 use crate::text::Text;
 
 /// How far the reading has come.
@@ -119,7 +117,7 @@ enum Stage {
 pub struct Interpreter<'a> {
     reading: &'static Reading,
     setting: Setting,
-    sources: Vec<Source<'a>>,
+    sources: Vec<SourceText<'a>>,
     structures: Vec<Option<Structure>>,
     /// The block numbers of the sources by whose number something has been sought.
     numbers: BTreeMap<usize, Numbers>,
@@ -129,16 +127,16 @@ pub struct Interpreter<'a> {
     line: usize,
     block: Block,
     modal: Modal,
-    control: Control,
-    frame: Frame,
+    control: InForce,
+    frame: ActiveOffsets,
     current: Pose,
     parameters: Parameters,
     tools: Tools,
     /// Motions with what was in force, and their numbers among those that the program has made.
-    queue: VecDeque<Result<(Motion, Control, u64), Box<Fault>>>,
+    queue: VecDeque<Result<(Motion, InForce, u64), Box<Fault>>>,
     compensator: Compensator,
     milling: Milling,
-    run: Option<Run>,
+    run: Option<Pending>,
     /// The line whose end is to be broken once the next block says how the path goes on.
     corner: Option<Corner>,
     standing: Standing,
@@ -200,7 +198,7 @@ impl<'a> Interpreter<'a> {
         let system = offsets.active.number() as u8;
         Self {
             reading,
-            sources: vec![Source::new(bytes, None)],
+            sources: vec![SourceText::new(bytes, None)],
             structures: vec![None],
             numbers: BTreeMap::new(),
             at: 0,
@@ -212,7 +210,7 @@ impl<'a> Interpreter<'a> {
                 offset: setting.start.offset,
                 ..Modal::new(reading, setting.unit, system)
             },
-            control: Control::default(),
+            control: InForce::default(),
             current: frame.to_program(&setting.start.machine),
             frame,
             parameters,
@@ -247,11 +245,11 @@ impl<'a> Interpreter<'a> {
 
     /// What was in force when the motion last handed out was made.
     #[must_use]
-    pub const fn control(&self) -> &Control {
+    pub const fn control(&self) -> &InForce {
         &self.control
     }
 
-    /// The name of a subprogram's own file by its number in [`Control::file`]; `None` for the program itself.
+    /// The name of a subprogram's own file by its number in [`InForce::file`]; `None` for the program itself.
     #[must_use]
     pub fn file(&self, number: usize) -> Option<&str> {
         self.sources.get(number)?.file.as_deref()
@@ -310,7 +308,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    fn source(&mut self) -> &mut Source<'a> {
+    fn source(&mut self) -> &mut SourceText<'a> {
         // There is always the program itself, and `at` is only set to a source that was pushed.
         let last = self.sources.len() - 1;
         &mut self.sources[self.at.min(last)]

@@ -1,7 +1,7 @@
 //! The modal state: what codes of earlier blocks leave in force.
 
-use crate::gcode::code::{Cycle, G, Turning};
-use crate::gcode::control::{Compensation, Control, Speed, Spindle};
+use crate::gcode::code::{Cycle, G, TurningCycle};
+use crate::gcode::control::{Compensation, InForce, Speed, Spindle};
 use crate::gcode::dialect::reading::Reading;
 use crate::gcode::interpreter::turning::First;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -65,7 +65,7 @@ pub(super) struct Modal {
     /// The work offset in force is shifted by its own block.
     pub(super) shifted: bool,
     /// The first blocks of turning cycles of two blocks.
-    pub(super) first: Vec<(Turning, First)>,
+    pub(super) first: Vec<(TurningCycle, First)>,
     /// The work offset in force, 1 to 9.
     pub(super) system: u8,
     /// The sources and the lines where contours begin whose cycle was refused.
@@ -108,8 +108,8 @@ impl Modal {
     }
 
     /// What is in force, for those who follow the motions.
-    pub(super) const fn control(&self) -> Control {
-        Control {
+    pub(super) const fn control(&self) -> InForce {
+        InForce {
             tool: self.tool,
             offset: self.offset,
             spindle: self.spindle,

@@ -5,13 +5,11 @@ use std::collections::BTreeMap;
 use crate::gcode::dialect::reading::Comments;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{Interpreter, block_number};
+use crate::limits::BLOCK_NUMBERS;
 use crate::text::Text;
-
-/// Most block numbers of a file that calls its blocks by number.
-const MOST: usize = 1_000_000;
 
 /// A block that has a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +38,7 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Looks through a file up to the second `%` and goes back to where it was.
-    fn of(source: &mut Source<'_>, comments: Comments) -> Outcome<Self> {
+    fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
         let back = source.position();
         let mut numbers = Self::default();
         let mut tape = Tape::new(comments);
@@ -69,11 +67,11 @@ impl Numbers {
                         block.again.get_or_insert(at.lines + 1);
                     })
                     .or_insert(Numbered { at, again: None });
-                if numbers.blocks.len() > MOST {
+                if numbers.blocks.len() > BLOCK_NUMBERS {
                     return Err(Fault::limit(
                         Text::new(
-                            format!("más de {MOST} números de bloque"),
-                            format!("more than {MOST} block numbers"),
+                            format!("más de {BLOCK_NUMBERS} números de bloque"),
+                            format!("more than {BLOCK_NUMBERS} block numbers"),
                         ),
                         Text::fixed("divida el programa", "split the program"),
                     ));

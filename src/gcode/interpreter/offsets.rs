@@ -11,9 +11,11 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::motion::Kind;
+use crate::gcode::motion::MotionKind;
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::work_offset::{ACTIVE, Frame, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset};
+use crate::machine::work_offset::{
+    ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset,
+};
 use crate::text::Text;
 
 impl Interpreter<'_> {
@@ -27,7 +29,7 @@ impl Interpreter<'_> {
     }
 
     /// Puts another frame into force; the machine does not move.
-    pub(super) fn reframe(&mut self, frame: Frame) {
+    pub(super) fn reframe(&mut self, frame: ActiveOffsets) {
         let machine = self.frame.to_machine(&self.current);
         self.frame = frame;
         self.current = frame.to_program(&machine);
@@ -39,7 +41,7 @@ impl Interpreter<'_> {
             self.modal.system = system;
             self.modal.shifted = false;
             self.parameters.set(ACTIVE as usize, f64::from(system));
-            self.reframe(Frame { work: self.system(system), ..self.frame });
+            self.reframe(ActiveOffsets { work: self.system(system), ..self.frame });
         }
     }
 
@@ -133,7 +135,7 @@ impl Interpreter<'_> {
         if from_here {
             // machine = Rz(p + g92) + origin + tool: the origin goes where p reads what is wanted.
             let machine = self.frame.to_machine(&self.current);
-            let frame = Frame { work, ..self.frame };
+            let frame = ActiveOffsets { work, ..self.frame };
             let mut wanted = frame.to_program(&machine);
             for axis in Axis::ALL {
                 if let Some(value) = self.axis_word(axis) {
@@ -173,7 +175,7 @@ impl Interpreter<'_> {
         self.keep_pose(system.first_parameter(), &work.origin);
         self.parameters.set(system.rotation_parameter() as usize, work.rotation);
         if number == self.modal.system {
-            self.reframe(Frame { work, ..self.frame });
+            self.reframe(ActiveOffsets { work, ..self.frame });
         }
     }
 
@@ -181,7 +183,7 @@ impl Interpreter<'_> {
     pub(super) fn without_tool(&self, system: u8) -> (Pose, f64) {
         let work = self.system(system);
         let machine = self.frame.to_machine(&self.current);
-        let frame = Frame { work, tool: Pose::default(), ..self.frame };
+        let frame = ActiveOffsets { work, tool: Pose::default(), ..self.frame };
         (frame.to_program(&machine), work.rotation)
     }
 
@@ -191,7 +193,7 @@ impl Interpreter<'_> {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|&axis| self.block.has(AXES[axis as usize])).collect();
         if !named.is_empty() {
             let over = self.end_point();
-            self.emit(Kind::Rapid, over, None);
+            self.emit(MotionKind::Rapid, over, None);
         }
         let reference = self.frame.to_program(&self.pose_of(if second { G30_FIRST } else { G28_FIRST }));
         let mut to = self.current;
@@ -200,7 +202,7 @@ impl Interpreter<'_> {
                 to.set(axis, reference.get(axis));
             }
         }
-        self.emit(Kind::Rapid, to, None);
+        self.emit(MotionKind::Rapid, to, None);
         Ok(())
     }
 
@@ -279,7 +281,7 @@ impl Interpreter<'_> {
             _ => (true, registers, None),
         };
         self.keep_g92(on, kept);
-        self.reframe(Frame { g92: in_force, ..self.frame });
+        self.reframe(ActiveOffsets { g92: in_force, ..self.frame });
     }
 
     /// The end of a program: G54, G17, G90, G94, spindle off; G92 stays unless the control does not keep it.
@@ -288,7 +290,7 @@ impl Interpreter<'_> {
         let left = on && registers != Pose::default();
         if !self.setting.keep_g92 {
             self.keep_g92(false, Some(Pose::default()));
-            self.reframe(Frame { g92: Pose::default(), ..self.frame });
+            self.reframe(ActiveOffsets { g92: Pose::default(), ..self.frame });
         } else if left {
             let line = self.line;
             let (what, remedy) = if self.reading.system_a {

@@ -5,7 +5,7 @@
 //! decimal point are lengths, times and feeds; P, Q, L and others take none.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, Pass, Turning};
+use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
@@ -48,7 +48,7 @@ impl Interpreter<'_> {
     /// Gives the numbers of the block that have no decimal point their value.
     #[inline(never)]
     pub(super) fn settle_points(&mut self) -> Outcome<()> {
-        if self.block.g(Group::NonModal) == Some(G::Turning(Turning::Repeat)) && !self.block.has(letter::P) {
+        if self.block.g(Group::NonModal) == Some(G::Turning(TurningCycle::Repeat)) && !self.block.has(letter::P) {
             // How many times.
             self.block.pointless &= !(1 << letter::R);
         }
@@ -149,12 +149,16 @@ impl Interpreter<'_> {
 
     /// True where the block's F is a length: a feed per revolution, or a lead.
     fn feed_by_revolution(&self) -> bool {
-        let thread =
-            matches!(self.block.g(Group::Motion).unwrap_or(self.modal.motion), G::Thread(_) | G::Pass(Pass::Thread));
+        let thread = matches!(
+            self.block.g(Group::Motion).unwrap_or(self.modal.motion),
+            G::Thread(_) | G::Pass(SinglePassCycle::Thread)
+        );
         let mode = match self.block.g(Group::Feed) {
             Some(G::Feed(mode)) => mode,
             _ => self.modal.feed_mode,
         };
-        thread || mode == FeedMode::PerRevolution || self.block.g(Group::NonModal) == Some(G::Turning(Turning::Thread))
+        thread
+            || mode == FeedMode::PerRevolution
+            || self.block.g(Group::NonModal) == Some(G::Turning(TurningCycle::Thread))
     }
 }

@@ -1,7 +1,7 @@
 //! From a line to a block.
 
 use crate::finding::Grade;
-use crate::gcode::code::{G, Group, M, Turning};
+use crate::gcode::code::{G, Group, M, TurningCycle};
 use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
@@ -9,6 +9,7 @@ use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::FeedMode;
+use crate::limits::COUNT;
 use crate::number::grid::LIMIT;
 use crate::text::Text;
 
@@ -16,8 +17,6 @@ use crate::text::Text;
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
 /// The letter E, counted from A = 0.
 const E: u8 = b'E' - b'A';
-/// What no count, tool, time or inverse time may exceed, whatever the code that it belongs to allows.
-const MOST: f64 = 9_999_999_999.0;
 
 fn unverifiable() -> Text {
     Text::fixed(
@@ -133,7 +132,7 @@ impl Interpreter<'_> {
 
     /// True behind the code of a turning cycle of Fagor's: M, S, L and others are its parameters.
     fn fagor_cycle(&self) -> bool {
-        matches!(self.block.g(Group::NonModal), Some(G::Turning(Turning::Fagor(_))))
+        matches!(self.block.g(Group::NonModal), Some(G::Turning(TurningCycle::Fagor(_))))
     }
 
     fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
@@ -291,7 +290,7 @@ impl Interpreter<'_> {
         let column = cursor.column();
         let index = letter - b'a';
         let known = self.reading.letters.has(index);
-        if !(known || (self.fagor_cycle() && Turning::Fagor(0).letters().has(index))) {
+        if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }
         cursor.pass();
@@ -314,7 +313,7 @@ impl Interpreter<'_> {
                     Text::fixed("compruebe el número", "check the number"),
                 ));
             }
-        } else if value.abs() > MOST {
+        } else if value.abs() > COUNT {
             return Err(Fault::at(
                 &[number_column],
                 Text::new(

@@ -13,7 +13,7 @@ use crate::gcode::dialect::reading::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::motion::Kind;
+use crate::gcode::motion::MotionKind;
 use crate::machine::axis::{Axis, Pose};
 use crate::text::Text;
 
@@ -142,8 +142,8 @@ impl Interpreter<'_> {
     }
 
     /// Points out a motion at feed that turns a rotary axis by more than half a turn.
-    pub(super) fn see_turn(&mut self, kind: Kind, to: &Pose) {
-        if !matches!(kind, Kind::Feed(_) | Kind::Arc(..)) {
+    pub(super) fn see_turn(&mut self, kind: MotionKind, to: &Pose) {
+        if !matches!(kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
             return;
         }
         for (axis, _) in ROTARY {

@@ -2,17 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::gcode::control::Control;
+use crate::gcode::control::InForce;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, Stage};
+use crate::limits::{BLOCK_REFUSALS, IDLE_ROUNDS, REFUSED_LINES};
 use crate::text::Text;
-
-/// How often one block may be refused.
-const MOST_REFUSALS: u32 = 100;
-/// Rounds of a loop one after another in which nothing moves and no parameter changes.
-const MOST_IDLE: u32 = 1_000;
-/// Most refused lines that are remembered.
-const MOST_LINES: usize = 10_000;
 
 /// What is watched of the rounds of loops.
 #[derive(Debug, Default)]
@@ -20,7 +14,7 @@ pub(super) struct Rounds {
     /// How often the blocks of a source and line were refused.
     refusals: BTreeMap<(usize, usize), u32>,
     /// Motions made, parameters changed and what was in force at the end of the last round.
-    last: Option<(u64, u64, Control)>,
+    last: Option<(u64, u64, InForce)>,
     idle: u32,
     /// Motions that cycles have made.
     cycled: u64,
@@ -34,19 +28,19 @@ impl Interpreter<'_> {
             return Some(fault);
         }
         let follows = self.follows(&fault);
-        if self.rounds.refusals.len() >= MOST_LINES && !self.rounds.refusals.contains_key(&key) {
+        if self.rounds.refusals.len() >= REFUSED_LINES && !self.rounds.refusals.contains_key(&key) {
             return (!follows).then_some(fault);
         }
         let times = self.rounds.refusals.entry(key).or_insert(0);
         *times += 1;
         match *times {
             1 => (!follows).then_some(fault),
-            MOST_REFUSALS => {
+            BLOCK_REFUSALS => {
                 self.stage = Stage::Ended;
                 let mut limit = Fault::limit(
                     Text::new(
-                        format!("el bloque se ha rehusado {MOST_REFUSALS} veces en un bucle; no se lee más"),
-                        format!("the block was refused {MOST_REFUSALS} times in a loop; nothing more is read"),
+                        format!("el bloque se ha rehusado {BLOCK_REFUSALS} veces en un bucle; no se lee más"),
+                        format!("the block was refused {BLOCK_REFUSALS} times in a loop; nothing more is read"),
                     ),
                     Text::fixed("corrija el bloque", "correct the block"),
                 );
@@ -62,13 +56,13 @@ impl Interpreter<'_> {
         let now = (self.made(), self.parameters.changes(), self.modal.control());
         let rounds = &mut self.rounds;
         rounds.idle = if rounds.last.replace(now) == Some(now) { rounds.idle + 1 } else { 0 };
-        if rounds.idle < MOST_IDLE {
+        if rounds.idle < IDLE_ROUNDS {
             return Ok(());
         }
         Err(Fault::limit(
             Text::new(
-                format!("bucle sin fin: {MOST_IDLE} vueltas sin que nada se mueva ni cambie ningún parámetro"),
-                format!("endless loop: {MOST_IDLE} rounds in which nothing moves and no parameter changes"),
+                format!("bucle sin fin: {IDLE_ROUNDS} vueltas sin que nada se mueva ni cambie ningún parámetro"),
+                format!("endless loop: {IDLE_ROUNDS} rounds in which nothing moves and no parameter changes"),
             ),
             Text::fixed(
                 "cambie dentro del bucle lo que su condición compara; las entradas de la máquina no se conocen",

@@ -10,7 +10,7 @@ use crate::machine::var_file::VarFile;
 
 /// A tool of the tool table; lengths in mm, angles in degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Tool {
+pub struct ToolOffset {
     /// The offset that G43 puts into force.
     pub offset: Pose,
     /// The diameter.
@@ -20,7 +20,7 @@ pub struct Tool {
 }
 
 /// The tools by their number.
-pub type Tools = BTreeMap<u32, Tool>;
+pub type Tools = BTreeMap<u32, ToolOffset>;
 
 /// Finds the files of subprograms that stand in files of their own.
 pub trait Files {

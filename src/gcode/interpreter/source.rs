@@ -33,7 +33,7 @@ impl Position {
 }
 
 /// A program's text.
-pub(super) struct Source<'a> {
+pub(super) struct SourceText<'a> {
     bytes: Box<dyn Bytes + 'a>,
     at: Position,
     /// Lines read so far, counted once.
@@ -42,7 +42,7 @@ pub(super) struct Source<'a> {
     pub(super) file: Option<String>,
 }
 
-impl<'a> Source<'a> {
+impl<'a> SourceText<'a> {
     pub(super) fn new(bytes: Box<dyn Bytes + 'a>, file: Option<String>) -> Self {
         Self { bytes, at: Position::START, furthest: 0, file }
     }

@@ -10,12 +10,10 @@ use crate::gcode::dialect::reading::Comments;
 use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
+use crate::limits::O_WORDS;
 use crate::text::Text;
-
-/// Most O-words of a file.
-const MOST: usize = 100_000;
 
 /// What an O-word does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -204,7 +202,7 @@ impl Structure {
     ///
     /// # Errors
     /// For words that do not belong together, two subprograms of one label, and too many words.
-    pub(super) fn of(source: &mut Source<'_>, comments: Comments) -> Outcome<Self> {
+    pub(super) fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
         let back = source.position();
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
@@ -231,9 +229,9 @@ impl Structure {
             let Some(word) = word(&mut cursor) else { continue };
             let mark = Mark { word, label, at, after: source.position(), next: None, opens: None };
             structure.add(mark, &mut open)?;
-            if structure.marks.len() > MOST {
+            if structure.marks.len() > O_WORDS {
                 return Err(Fault::limit(
-                    Text::new(format!("más de {MOST} palabras O"), format!("more than {MOST} O-words")),
+                    Text::new(format!("más de {O_WORDS} palabras O"), format!("more than {O_WORDS} O-words")),
                     Text::fixed("divida el programa", "split the program"),
                 ));
             }

@@ -13,8 +13,9 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::flow::{Call, LARGEST_FILE, MOST_REPEATS};
-use crate::gcode::interpreter::source::{Position, Source};
+use crate::gcode::interpreter::flow::{Call, LARGEST_FILE};
+use crate::gcode::interpreter::source::{Position, SourceText};
+use crate::limits::CALL_REPEATS;
 use crate::text::Text;
 
 impl Interpreter<'_> {
@@ -52,12 +53,12 @@ impl Interpreter<'_> {
     /// L of a call.
     fn repeats(&self) -> Outcome<Option<i64>> {
         let Some(L) = self.block.get(letter::L) else { return Ok(None) };
-        let repeats = whole(L).filter(|repeats| (0..=MOST_REPEATS).contains(repeats));
+        let repeats = whole(L).filter(|repeats| (0..=CALL_REPEATS).contains(repeats));
         repeats.map(Some).ok_or_else(|| {
             Fault::at(
                 &[self.block.column(letter::L)],
                 Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
-                Text::new(format!("L va de 0 a {MOST_REPEATS}"), format!("L goes from 0 to {MOST_REPEATS}")),
+                Text::new(format!("L va de 0 a {CALL_REPEATS}"), format!("L goes from 0 to {CALL_REPEATS}")),
             )
         })
     }
@@ -92,11 +93,11 @@ impl Interpreter<'_> {
                 ));
             }
         };
-        if !(0..=MOST_REPEATS).contains(&repeats) {
+        if !(0..=CALL_REPEATS).contains(&repeats) {
             return Err(Fault::at(
                 &[self.block.column(letter::P)],
                 Text::new(format!("P{P}: {repeats} repeticiones"), format!("P{P}: {repeats} repeats")),
-                Text::new(format!("como mucho {MOST_REPEATS}"), format!("at most {MOST_REPEATS}")),
+                Text::new(format!("como mucho {CALL_REPEATS}"), format!("at most {CALL_REPEATS}")),
             ));
         }
         let (back, source) = (self.source().position(), self.at);
@@ -187,7 +188,7 @@ impl Interpreter<'_> {
                 Text::fixed("divídalo", "split it"),
             ));
         }
-        self.sources.push(Source::new(Box::new(std::io::Cursor::new(bytes)), Some(name)));
+        self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name)));
         self.structures.push(None);
         let into = self.sources.len() - 1;
         Ok((into, self.beginning(into, number)?))

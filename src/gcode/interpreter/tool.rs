@@ -7,10 +7,10 @@ use crate::gcode::dialect::reading::Turret;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::setting::Tool;
+use crate::gcode::interpreter::setting::ToolOffset;
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::machine::axis::{Axis, Pose};
-use crate::machine::work_offset::{Frame, G92_FIRST, G92_SWITCH};
+use crate::machine::work_offset::{ActiveOffsets, G92_FIRST, G92_SWITCH};
 use crate::number::trig::sin_cos;
 use crate::text::Text;
 
@@ -156,7 +156,7 @@ impl Interpreter<'_> {
             }
         };
         let machine = self.frame.to_machine(&self.current);
-        self.frame = Frame { tool, ..self.frame };
+        self.frame = ActiveOffsets { tool, ..self.frame };
         self.current = self.frame.to_program(&machine);
         Ok(())
     }
@@ -211,7 +211,7 @@ impl Interpreter<'_> {
                 Text::fixed("Q va de 0 a 9", "Q goes from 0 to 9"),
             ));
         }
-        let mut tool: Tool = old;
+        let mut tool: ToolOffset = old;
         match system {
             None => self.each_axis_word(|axis, value| tool.offset.set(axis, value)),
             Some(system) => self.offsets_from_here(&mut tool, system),
@@ -223,7 +223,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    fn offsets_from_here(&self, tool: &mut Tool, system: u8) {
+    fn offsets_from_here(&self, tool: &mut ToolOffset, system: u8) {
         let (mut here, rotation) = self.without_tool(system);
         if system == 9 && self.parameters.get(G92_SWITCH as usize) != 0.0 {
             let g92 = self.pose_of(G92_FIRST);

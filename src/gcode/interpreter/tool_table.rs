@@ -7,7 +7,7 @@
 
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::gcode::interpreter::setting::{Tool, Tools};
+use crate::gcode::interpreter::setting::{ToolOffset, Tools};
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
@@ -59,9 +59,9 @@ fn refused(line: usize, column: usize, word: &str, twice: bool) -> Finding {
 }
 
 /// One tool, or the column and the word that is wrong.
-fn tool(words: &str, unit: LengthUnit) -> Result<(u32, Tool), (usize, String)> {
+fn tool(words: &str, unit: LengthUnit) -> Result<(u32, ToolOffset), (usize, String)> {
     let mut number = None;
-    let mut tool = Tool::default();
+    let mut tool = ToolOffset::default();
     let (mut orientation, mut below) = (None, None);
     for word in words.split_whitespace() {
         let column = word.as_ptr() as usize - words.as_ptr() as usize + 1;

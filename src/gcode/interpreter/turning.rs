@@ -7,7 +7,7 @@
 //!
 //! What the first block does not give is a parameter of the control, which is not known here: it is refused.
 
-use crate::gcode::code::{G, Group, Turning};
+use crate::gcode::code::{G, Group, TurningCycle};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
@@ -16,7 +16,7 @@ use crate::gcode::motion::Feed;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::finish::finish;
 use crate::gcode::turning::groove::{self, Groove};
-use crate::gcode::turning::repeat::{Repeat, repeat};
+use crate::gcode::turning::pattern_repeating::{Repeat, repeat};
 use crate::gcode::turning::rough::{self, Rough};
 use crate::gcode::turning::thread_cycle::{Threading, thread};
 use crate::gcode::turning::trouble::Trouble;
@@ -31,16 +31,16 @@ const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W
 
 impl Interpreter<'_> {
     /// The turning cycle of the block in hand.
-    pub(super) fn turning(&mut self, cycle: Turning) -> Outcome<()> {
+    pub(super) fn turning(&mut self, cycle: TurningCycle) -> Outcome<()> {
         self.turn(cycle).map_err(|mut fault| {
             fault.uncut = true;
             fault
         })
     }
 
-    fn turn(&mut self, cycle: Turning) -> Outcome<()> {
+    fn turn(&mut self, cycle: TurningCycle) -> Outcome<()> {
         match cycle {
-            Turning::Finish => {
+            TurningCycle::Finish => {
                 let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
                 // What was refused once is not refused again, nor finished where it was not roughed.
                 if self.modal.refused.contains(&(self.at, ends.first_line())) {
@@ -51,31 +51,31 @@ impl Interpreter<'_> {
                 self.finish_contour(moves, contour.blocks);
                 Ok(())
             }
-            Turning::Axial | Turning::Radial | Turning::Repeat => {
+            TurningCycle::Axial | TurningCycle::Radial | TurningCycle::Repeat => {
                 let result = self.roughing(cycle);
                 if result.is_err() {
                     self.pass_over_contour(cycle.number())?;
                 }
                 result
             }
-            Turning::GrooveFace | Turning::GrooveOutside => self.grooving(cycle),
-            Turning::Thread => self.threading(cycle),
-            Turning::Fagor(number) => self.fagor(number),
+            TurningCycle::GrooveFace | TurningCycle::GrooveOutside => self.grooving(cycle),
+            TurningCycle::Thread => self.threading(cycle),
+            TurningCycle::Fagor(number) => self.fagor(number),
         }
     }
 
     /// G71, G72, G73.
-    fn roughing(&mut self, cycle: Turning) -> Outcome<()> {
+    fn roughing(&mut self, cycle: TurningCycle) -> Outcome<()> {
         if !self.block.has(letter::P) && !self.block.has(letter::Q) {
             self.keep_first(cycle);
             return Ok(());
         }
         let unit = self.modal.unit;
         let length = |word: Option<f64>| word.map(|word| unit.to_mm(word));
-        let depth = if cycle == Turning::Radial { letter::W } else { letter::U };
+        let depth = if cycle == TurningCycle::Radial { letter::W } else { letter::U };
         let depth = unit.to_mm(self.first(cycle, depth)?);
         let retract = self.first(cycle, letter::R)?;
-        let axial = if cycle == Turning::Repeat { unit.to_mm(self.first(cycle, letter::W)?) } else { 0.0 };
+        let axial = if cycle == TurningCycle::Repeat { unit.to_mm(self.first(cycle, letter::W)?) } else { 0.0 };
         let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
         let contour = self.contour(cycle.number(), ends)?;
         self.go_behind(cycle.number(), &contour)?;
@@ -85,8 +85,8 @@ impl Interpreter<'_> {
         let W = length(self.block.get(letter::W)).unwrap_or(0.0);
         let rough = Rough { depth, retract: unit.to_mm(retract), U, W, feed: None, both_axes: Some(contour.both_axes) };
         let moves = match cycle {
-            Turning::Axial => rough::axial(&contour.profile, &rough),
-            Turning::Radial => rough::radial(&contour.profile, &rough),
+            TurningCycle::Axial => rough::axial(&contour.profile, &rough),
+            TurningCycle::Radial => rough::radial(&contour.profile, &rough),
             _ => {
                 let passes = whole(retract).ok_or_else(|| {
                     Fault::at(
@@ -108,7 +108,7 @@ impl Interpreter<'_> {
     }
 
     /// G74 and G75.
-    fn grooving(&mut self, cycle: Turning) -> Outcome<()> {
+    fn grooving(&mut self, cycle: TurningCycle) -> Outcome<()> {
         if !self.has_axes() {
             self.keep_first(cycle);
             return Ok(());
@@ -121,7 +121,7 @@ impl Interpreter<'_> {
         let groove = Groove { retract, to: self.corner(), step, relief, feed: None };
         let start = self.here();
         let moves = match cycle {
-            Turning::GrooveFace => groove::face(start, &groove),
+            TurningCycle::GrooveFace => groove::face(start, &groove),
             _ => groove::radial(start, &groove),
         };
         let moves = self.told(moves)?;
@@ -130,7 +130,7 @@ impl Interpreter<'_> {
     }
 
     /// G76.
-    fn threading(&mut self, cycle: Turning) -> Outcome<()> {
+    fn threading(&mut self, cycle: TurningCycle) -> Outcome<()> {
         if !self.has_axes() {
             self.keep_first(cycle);
             return Ok(());
@@ -201,7 +201,8 @@ impl Interpreter<'_> {
     /// The moves of a cycle, or its trouble as a refusal at its place.
     pub(super) fn told(&self, moves: Result<Vec<Move>, Trouble>) -> Outcome<Vec<Move>> {
         moves.map_err(|trouble| {
-            let mut fault = Fault::at(&[self.block.g_column(Group::NonModal)], trouble.told(), trouble.remedy.clone());
+            let mut fault =
+                Fault::at(&[self.block.g_column(Group::NonModal)], trouble.message(), trouble.remedy.clone());
             fault.exit = trouble.exit;
             if let Some(line) = trouble.line {
                 (fault.line, fault.columns) = (line, Vec::new());
@@ -211,7 +212,7 @@ impl Interpreter<'_> {
     }
 
     /// Keeps the words of the first block of a cycle; those that it does not give stay.
-    fn keep_first(&mut self, cycle: Turning) {
+    fn keep_first(&mut self, cycle: TurningCycle) {
         let given = FIRST.map(|letter| self.block.get(letter));
         match self.modal.first.iter_mut().find(|(of, _)| *of == cycle) {
             Some((_, kept)) => {
@@ -224,7 +225,7 @@ impl Interpreter<'_> {
     }
 
     /// A word of the first block of a cycle.
-    fn first(&self, cycle: Turning, letter: usize) -> Outcome<f64> {
+    fn first(&self, cycle: TurningCycle, letter: usize) -> Outcome<f64> {
         let number = cycle.number();
         let kept = self.modal.first.iter().find(|(of, _)| *of == cycle).map(|(_, first)| first);
         let at = FIRST.iter().position(|one| *one == letter);

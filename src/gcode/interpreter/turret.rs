@@ -14,7 +14,7 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::machine::axis::Pose;
-use crate::machine::work_offset::Frame;
+use crate::machine::work_offset::ActiveOffsets;
 use crate::text::Text;
 
 impl Interpreter<'_> {
@@ -113,6 +113,6 @@ impl Interpreter<'_> {
     fn put_in(&mut self, place: u32, offset: u32) {
         (self.modal.selected, self.modal.tool, self.modal.offset) = (Some(place), place, offset);
         let tool = if offset == 0 { Pose::default() } else { self.offset_of(offset) };
-        self.reframe(Frame { tool, ..self.frame });
+        self.reframe(ActiveOffsets { tool, ..self.frame });
     }
 }

@@ -167,7 +167,7 @@ mod tests {
         let whole = broken(lines, Edge::Round(5.0), None).unwrap().unwrap();
         assert_eq!(whole.to, [20.0, -5.0]);
         let trouble = broken(lines, Edge::Chamfer(5.001), None).unwrap_err();
-        assert_eq!(trouble.told().en, "PS0055: the corner takes 5.001 mm of either line, and the shorter is 5 long");
+        assert_eq!(trouble.message().en, "PS0055: the corner takes 5.001 mm of either line, and the shorter is 5 long");
         assert_eq!(broken([[0.0; 2], [0.0; 2], [1.0, 0.0]], Edge::Chamfer(0.5), None).unwrap_err().alarm, Some(51));
     }
 
@@ -201,7 +201,7 @@ mod tests {
             assert_eq!(broken(lines, Edge::Round(0.0), None).unwrap(), None);
             for edge in [Edge::Round(2.0), Edge::Chamfer(2.0)] {
                 let trouble = broken(lines, edge, None).unwrap_err();
-                assert_eq!(trouble.told().en, "the two lines run back along each other: there is no corner");
+                assert_eq!(trouble.message().en, "the two lines run back along each other: there is no corner");
             }
         }
     }

@@ -14,13 +14,11 @@
 
 use crate::gcode::turning::Move;
 use crate::gcode::turning::rough::finite;
-use crate::gcode::turning::scan::{EPS, Frame};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::scan::{EPS, PassFrame};
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::GROOVE_STEPS;
 use crate::text::Text;
-
-/// Most steps of a cycle, all places together.
-const MOST_STEPS: f64 = 100_000.0;
 
 /// The parameters of G74 and G75. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +66,7 @@ fn step_end(from: f64, to: f64, step: f64, n: usize, count: usize) -> f64 {
 fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move>, Trouble> {
     let Groove { retract, to, step, relief, feed } = *groove;
     finite(&[start[0], start[1], retract, to[0], to[1], step[0], step[1], relief, feed.unwrap_or(0.0)])?;
-    let frame = Frame { axes, signs: [1.0; 2] };
+    let frame = PassFrame { axes, signs: [1.0; 2] };
     let [from, to, step] = [start, to, step].map(|p| frame.inward(p));
     if step.iter().any(|&step| step < 0.0) {
         return Err(Trouble::ps(320));
@@ -98,13 +96,13 @@ fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move
     }
     let [across, down] = [steps(way[0], step[0]), steps(way[1], step[1])];
     let total = (across + 1.0) * down;
-    if total > MOST_STEPS {
-        return Err(Trouble::too_many(total, MOST_STEPS, Text::fixed("aumente P o Q", "make P or Q greater")));
+    if total > GROOVE_STEPS {
+        return Err(Trouble::too_many(total, GROOVE_STEPS, Text::fixed("aumente P o Q", "make P or Q greater")));
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 100,000")]
     let [across, down] = [across as usize, down as usize];
     let aside = if stepping { -way[0].signum() * relief } else { relief };
-    let mut tool = Tool::new(frame, start);
+    let mut tool = CycleMoves::new(frame, start);
     for place in 0..=across {
         let u = step_end(from[0], to[0], step[0], place, across.max(1));
         let u = if place == 0 { from[0] } else { u };

@@ -18,7 +18,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::gcode::control::{Control, Speed, Spindle};
+use crate::gcode::control::{InForce, Speed, Spindle};
 use crate::gcode::motion::{Arc, Thread};
 use crate::number::trig;
 
@@ -35,7 +35,7 @@ pub struct Pace {
 impl Pace {
     /// The pace under a control; `None` where the spindle stands still.
     #[must_use]
-    pub fn of(control: &Control) -> Option<Self> {
+    pub fn of(control: &InForce) -> Option<Self> {
         if control.spindle == Spindle::Stopped || control.greatest_speed == Some(0.0) {
             return None;
         }
@@ -173,8 +173,8 @@ mod tests {
     use super::*;
     use crate::gcode::motion::Plane;
 
-    const fn control(speed: Speed, greatest_speed: Option<f64>) -> Control {
-        Control {
+    const fn control(speed: Speed, greatest_speed: Option<f64>) -> InForce {
+        InForce {
             tool: 0,
             offset: 0,
             spindle: Spindle::Clockwise,
@@ -190,7 +190,7 @@ mod tests {
     }
 
     /// The same integral by two million steps of the definition.
-    fn stepped(control: &Control, radius: impl Fn(f64) -> f64, steps: u32) -> f64 {
+    fn stepped(control: &InForce, radius: impl Fn(f64) -> f64, steps: u32) -> f64 {
         let speed = |r: f64| match control.speed {
             Speed::Revolutions(n) => n,
             Speed::Surface(V) => (1000.0 * V / (TAU * r.abs())).min(control.greatest_speed.unwrap_or(f64::INFINITY)),

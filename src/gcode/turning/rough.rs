@@ -19,15 +19,12 @@
 
 use crate::gcode::turning::Move;
 use crate::gcode::turning::profile::Profile;
-use crate::gcode::turning::scan::{EPS, Frame, Path, Span, moved};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::scan::{EPS, PassFrame, Path, Span, moved};
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::{ROUGHING_PASSES, ROUGHING_WORK};
 use crate::text::Text;
 
-/// Most passes of a cycle.
-pub const MOST_PASSES: usize = 10_000;
-/// Most work for finding them: passes by parts of the contour.
-const MOST_WORK: f64 = 5e7;
 /// The least input increment of a control, mm: by so much a contour may go back, and no pass is shorter.
 const TOLERANCE: f64 = 0.001;
 
@@ -53,7 +50,7 @@ pub struct Rough {
 /// # Errors
 /// PS0062 for a depth of cut that is not above 0, PS0065 for a contour that begins with an arc, PS0322 for one that reaches
 /// beyond the starting point, PS0064 and PS0329 for one that goes back along Z or X (X: type I alone), and refusals without a
-/// number for allowances towards the metal, for a contour without extent and for more than [`MOST_PASSES`] passes.
+/// number for allowances towards the metal, for a contour without extent and for more than [`ROUGHING_PASSES`] passes.
 pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
     expand(profile, rough, [1, 0])
 }
@@ -72,8 +69,8 @@ fn goes_back(axis: usize) -> Trouble {
 }
 
 /// The drawing of a cycle: the axis of the passes and the axis of the depth as given, the signs from where the contour lies.
-fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Frame, Trouble> {
-    let plain = Frame { axes, signs: [1.0; 2] };
+fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<PassFrame, Trouble> {
+    let plain = PassFrame { axes, signs: [1.0; 2] };
     let (Some(first), Some(last)) = (profile.elements.first(), profile.elements.last()) else {
         return Err(Trouble::ps(63));
     };
@@ -102,11 +99,11 @@ fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Frame, Tr
     } else {
         return Err(Trouble::ps(322).at(beyond(profile, plain, start[1], from[1] <= start[1])));
     };
-    Ok(Frame { axes, signs: [if along < 0.0 { 1.0 } else { -1.0 }, height] })
+    Ok(PassFrame { axes, signs: [if along < 0.0 { 1.0 } else { -1.0 }, height] })
 }
 
 /// The line of the first element that passes the starting point across the passes.
-fn beyond(profile: &Profile, frame: Frame, start: f64, below: bool) -> usize {
+fn beyond(profile: &Profile, frame: PassFrame, start: f64, below: bool) -> usize {
     let past = |p: [f64; 2]| if below { frame.inward(p)[1] > start } else { frame.inward(p)[1] < start };
     let last = profile.elements.last().map_or(0, |element| element.line);
     profile.elements.iter().find(|element| past(element.to)).map_or(last, |element| element.line)
@@ -124,7 +121,7 @@ pub(super) fn finite(values: &[f64]) -> Result<(), Trouble> {
 }
 
 /// A way that is to be cut: at which level, under which one, between which places.
-struct Pass {
+struct RoughingPass {
     span: Span,
     level: f64,
     above: f64,
@@ -181,7 +178,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
     let (walls, parts) = (path.crests() as f64 + 1.0, path.parts.len() as f64);
     let passes = ((top[1] - bottom) / rough.depth - EPS).ceil().max(0.0) * walls;
     #[expect(clippy::cast_precision_loss, reason = "a small constant")]
-    let most = (MOST_WORK / parts).min(MOST_PASSES as f64).floor();
+    let most = (ROUGHING_WORK / parts).min(ROUGHING_PASSES as f64).floor();
     if passes > most {
         return Err(Trouble::too_many(
             passes,
@@ -189,7 +186,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
             Text::fixed("aumente la profundidad de pasada", "make the depth of cut greater"),
         ));
     }
-    let mut tool = Tool::new(frame, profile.start);
+    let mut tool = CycleMoves::new(frame, profile.start);
     tool.rapid(top);
     passes_over(&path, profile, rough, pockets, top, &mut tool);
     // To the start, and once along the contour.
@@ -218,24 +215,24 @@ pub(super) fn check(profile: &Profile) -> Result<(), Trouble> {
 }
 
 /// All passes, each pocket to its bottom before the next.
-fn passes_over(path: &Path, profile: &Profile, rough: &Rough, pockets: bool, top: [f64; 2], tool: &mut Tool) {
+fn passes_over(path: &Path, profile: &Profile, rough: &Rough, pockets: bool, top: [f64; 2], tool: &mut CycleMoves) {
     let Some(last) = path.parts.len().checked_sub(1) else { return };
-    let below = |range: std::ops::RangeInclusive<usize>, above: f64| -> Vec<Pass> {
+    let below = |range: std::ops::RangeInclusive<usize>, above: f64| -> Vec<RoughingPass> {
         let bottom = path.bottom(range.clone());
         if above - bottom < EPS {
             return Vec::new();
         }
         let level = (above - rough.depth).max(bottom);
         let level = if level - bottom < EPS { bottom } else { level };
-        let mut passes: Vec<Pass> =
-            path.spans(level, range).into_iter().map(|span| Pass { span, level, above }).collect();
+        let mut passes: Vec<RoughingPass> =
+            path.spans(level, range).into_iter().map(|span| RoughingPass { span, level, above }).collect();
         passes.reverse();
         passes
     };
     let lines = &profile.elements;
     let lead_at_rapid = lines.first().is_some_and(|first| first.rapid);
     let mut left = below(0..=last, top[1]);
-    while let Some(Pass { span, level, above }) = left.pop() {
+    while let Some(RoughingPass { span, level, above }) = left.pop() {
         let from = span.open.map_or(top[0], |open| open.at[0]);
         let to = span.close.map_or_else(|| path.end().map_or(from, |end| end[0]), |close| close.at[0]);
         if from - to < TOLERANCE {

@@ -17,14 +17,14 @@ pub(super) const EPS: f64 = 1e-9;
 
 /// The mirrors between program coordinates and the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct PassFrame {
     /// Which of `[X, Z]` u and v are.
     pub axes: [usize; 2],
     /// Their signs.
     pub signs: [f64; 2],
 }
 
-impl Frame {
+impl PassFrame {
     /// From `[X, Z]` to `[u, v]`.
     pub fn inward(self, p: [f64; 2]) -> [f64; 2] {
         std::array::from_fn(|at| self.signs[at] * p[self.axes[at]] + 0.0)
@@ -151,7 +151,7 @@ pub(super) struct Path {
 
 impl Path {
     /// The contour of a profile (all but its first element, which leads to it), moved by `shift` (in the drawing).
-    pub fn of(profile: &Profile, frame: Frame, shift: [f64; 2]) -> Self {
+    pub fn of(profile: &Profile, frame: PassFrame, shift: [f64; 2]) -> Self {
         let place = |p: [f64; 2]| {
             let [u, v] = frame.inward(p);
             [u + shift[0], v + shift[1]]

@@ -19,11 +19,10 @@ use crate::gcode::turning::rough::finite;
 use crate::gcode::turning::scan::EPS;
 use crate::gcode::turning::trouble::Trouble;
 use crate::gcode::turning::{Move, Way};
+use crate::limits::THREAD_PASSES;
 use crate::number::trig;
 use crate::text::Text;
 
-/// Most passes of a thread.
-pub const MOST_PASSES: usize = 10_000;
 /// The angles of the tool tip that a control takes, degrees.
 const ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
 
@@ -57,19 +56,19 @@ impl Threading {
     ///
     /// # Errors
     /// PS0313, PS0315, PS0316 and PS0317 for a lead, an angle, a least cut, a height or a first cut that a control does not
-    /// take; refusals for the other parameters; a limit for more than [`MOST_PASSES`] passes.
+    /// take; refusals for the other parameters; a limit for more than [`THREAD_PASSES`] passes.
     pub fn depths(&self) -> Result<Vec<f64>, Trouble> {
         self.check()?;
         let target = self.height - self.allowance;
         // Without a least cut it takes (target/Δd)² passes.
         let mut depths: Vec<f64> = Vec::new();
         let mut last = 0.0;
-        let most = MOST_PASSES.saturating_sub(usize::try_from(self.finishing).unwrap_or(MOST_PASSES));
+        let most = THREAD_PASSES.saturating_sub(usize::try_from(self.finishing).unwrap_or(THREAD_PASSES));
         while last < target - EPS {
             if depths.len() >= most {
                 let passes = trig::pow(target / self.first, 2.0).ceil();
                 #[expect(clippy::cast_precision_loss, reason = "a small constant")]
-                let most = MOST_PASSES as f64;
+                let most = THREAD_PASSES as f64;
                 return Err(Trouble::too_many(
                     passes,
                     most,

@@ -1,21 +1,21 @@
 //! The moves of a cycle as they are made, one after another.
 
 use crate::gcode::turning::profile::Element;
-use crate::gcode::turning::scan::{Frame, Leg, same};
+use crate::gcode::turning::scan::{Leg, PassFrame, same};
 use crate::gcode::turning::{Move, Way};
 
 /// The tool of a cycle in its drawing: where it stands, and the moves that brought it there.
-pub(super) struct Tool {
-    frame: Frame,
+pub(super) struct CycleMoves {
+    frame: PassFrame,
     /// Where it stands, `[u, v]`.
     pub at: [f64; 2],
     /// The moves, in program coordinates.
     pub moves: Vec<Move>,
 }
 
-impl Tool {
+impl CycleMoves {
     /// A tool that stands at a point, `[X, Z]`.
-    pub fn new(frame: Frame, at: [f64; 2]) -> Self {
+    pub fn new(frame: PassFrame, at: [f64; 2]) -> Self {
         Self { frame, at: frame.inward(at), moves: Vec::new() }
     }
 

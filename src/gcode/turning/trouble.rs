@@ -60,7 +60,7 @@ impl Trouble {
 
     /// What is wrong, with the alarm's number before it.
     #[must_use]
-    pub fn told(&self) -> Text {
+    pub fn message(&self) -> Text {
         match self.alarm {
             None => self.what.clone(),
             Some(number) => {

@@ -14,7 +14,7 @@
 //!   simplification with a tolerance is needed: there is nothing that could grow from pass to pass.
 //!
 //! A library of polygons that is robust, as `i_overlay`, rounds each new corner onto a grid. It takes every program's polygons
-//! away beside, and a program stops where what it leaves is another contour ([`crate::lathe::repeat`]); what is handed out are
+//! away beside, and a program stops where what it leaves is another contour ([`crate::removal::turning::second_removal`]); what is handed out are
 //! the corners of the lines, which nothing has rounded.
 //!
 //! The only errors are those of the polygons themselves: their corners are at most half a nanometre off in each

@@ -16,13 +16,11 @@
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::sign;
 use crate::gcode::turning::rough::finite;
-use crate::gcode::turning::scan::{EPS, Frame};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::scan::{EPS, PassFrame};
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::DRILL_STEPS;
 use crate::text::Text;
-
-/// Most steps of a hole.
-const MOST_STEPS: usize = 10_000;
 
 /// The parameters of G83. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,16 +73,16 @@ pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
         ));
     }
     // v counts out of the hole.
-    let frame = Frame { axes: [0, 1], signs: [1.0, sign(depth)] };
+    let frame = PassFrame { axes: [0, 1], signs: [1.0, sign(depth)] };
     let [u, face] = frame.inward(at);
     let bottom = face - depth.abs();
     let approach = [u, face + safety];
     let mut reached = Vec::new();
     let (mut v, mut next) = (face, if step > 0.0 { step } else { depth.abs() });
     while v - bottom > EPS {
-        if reached.len() >= MOST_STEPS || next < EPS {
+        if reached.len() >= DRILL_STEPS || next < EPS {
             #[expect(clippy::cast_precision_loss, reason = "a small constant")]
-            let most = MOST_STEPS as f64;
+            let most = DRILL_STEPS as f64;
             return Err(Trouble::too_many(most + 1.0, most, Text::fixed("aumente B, R o L", "make B, R or L greater")));
         }
         v = (v - next).max(bottom);
@@ -94,7 +92,7 @@ pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
         reached.push(v);
         next = (next * factor).max(least);
     }
-    let mut tool = Tool::new(frame, start);
+    let mut tool = CycleMoves::new(frame, start);
     tool.rapid(approach);
     for (at, &v) in reached.iter().enumerate() {
         if let Some(before) = at.checked_sub(1).and_then(|at| reached.get(at)) {

@@ -16,12 +16,10 @@ use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::{Along, no_step, sign, wrong_start};
 use crate::gcode::turning::rough::finite;
 use crate::gcode::turning::scan::EPS;
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::GROOVE_PLACES;
 use crate::text::Text;
-
-/// Most places of a groove.
-const MOST_PLACES: f64 = 10_000.0;
 
 /// The parameters of G88 and G89. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,10 +66,10 @@ pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move
         return Err(wrong_start());
     }
     let places = ((A[0] - B[0]) / step - EPS).ceil().max(0.0);
-    if places >= MOST_PLACES {
-        return Err(Trouble::too_many(places + 1.0, MOST_PLACES, Text::fixed("aumente C", "make C greater")));
+    if places >= GROOVE_PLACES {
+        return Err(Trouble::too_many(places + 1.0, GROOVE_PLACES, Text::fixed("aumente C", "make C greater")));
     }
-    let mut tool = Tool::new(frame, start);
+    let mut tool = CycleMoves::new(frame, start);
     tool.rapid([A[0], S[1]]);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 10,000")]
     for place in 0..=places as usize {

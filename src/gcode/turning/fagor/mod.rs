@@ -10,7 +10,7 @@ pub mod groove;
 pub mod section;
 pub mod thread;
 
-use crate::gcode::turning::scan::Frame;
+use crate::gcode::turning::scan::PassFrame;
 use crate::gcode::turning::trouble::Trouble;
 use crate::text::Text;
 
@@ -33,8 +33,8 @@ impl Along {
     }
 
     /// The drawing in which the surface runs towards −u and the metal lies at small v.
-    const fn frame(self, signs: [f64; 2]) -> Frame {
-        Frame { axes: self.axes(), signs }
+    const fn frame(self, signs: [f64; 2]) -> PassFrame {
+        PassFrame { axes: self.axes(), signs }
     }
 }
 

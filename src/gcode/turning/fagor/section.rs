@@ -19,10 +19,11 @@
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::{Along, no_step, sign, wrong_start};
 use crate::gcode::turning::profile::{Element, Profile};
-use crate::gcode::turning::rough::{MOST_PASSES, finite};
+use crate::gcode::turning::rough::finite;
 use crate::gcode::turning::scan::{EPS, Path, same};
-use crate::gcode::turning::tool::Tool;
+use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
+use crate::limits::ROUGHING_PASSES;
 use crate::number::trig;
 use crate::text::Text;
 
@@ -146,12 +147,12 @@ pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<M
     let depth = S[1] - A[1] - stock[1];
     let passes = (depth / section.step - EPS).ceil().max(0.0);
     #[expect(clippy::cast_precision_loss, reason = "a small constant")]
-    let most = MOST_PASSES as f64;
+    let most = ROUGHING_PASSES as f64;
     if passes > most {
         return Err(Trouble::too_many(passes, most, Text::fixed("aumente C", "make C greater")));
     }
     let path = moved.clone().with_lead(S[0]).with_wall(S[1]);
-    let mut tool = Tool::new(frame, start);
+    let mut tool = CycleMoves::new(frame, start);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 10,000")]
     for n in 1..=passes as usize {
         #[expect(clippy::cast_precision_loss, reason = "0 to 10,000")]

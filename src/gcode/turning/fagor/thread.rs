@@ -20,9 +20,9 @@ use crate::gcode::motion::Thread;
 use crate::gcode::turning::fagor::{Along, no_step, sign};
 use crate::gcode::turning::rough::finite;
 use crate::gcode::turning::scan::EPS;
-use crate::gcode::turning::thread_cycle::MOST_PASSES;
 use crate::gcode::turning::trouble::Trouble;
 use crate::gcode::turning::{Move, Way};
+use crate::limits::THREAD_PASSES;
 use crate::number::trig;
 use crate::text::Text;
 
@@ -82,11 +82,11 @@ impl Threading {
         let mut depths: Vec<f64> = Vec::new();
         let mut last = 0.0;
         while last < target - EPS {
-            if depths.len() >= MOST_PASSES - 1 {
+            if depths.len() >= THREAD_PASSES - 1 {
                 let part = target / step.abs();
                 let passes = if step > 0.0 { part * part } else { part };
                 #[expect(clippy::cast_precision_loss, reason = "a small constant")]
-                let most = MOST_PASSES as f64;
+                let most = THREAD_PASSES as f64;
                 return Err(Trouble::too_many(
                     passes.ceil(),
                     most,

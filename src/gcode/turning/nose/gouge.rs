@@ -8,15 +8,13 @@ use std::f64::consts::TAU;
 
 use crate::gcode::turning::nose::ROUNDING;
 use crate::gcode::turning::nose::element::{Element, Path, Point, cross, distance, dot, plus};
+use crate::limits::GOUGE_PIECES;
 use crate::number::trig;
-
-/// How many pieces back the nose is watched.
-const MOST: usize = 8;
 
 /// The nose cuts into a piece of the programmed path that is not a neighbour of the one it follows, which a control's check
 /// of neighbouring pieces does not see.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cut<T> {
+pub struct Gouge<T> {
     /// How deep, mm.
     pub depth: f64,
     /// The nose radius, mm.
@@ -30,7 +28,7 @@ pub struct Cut<T> {
 /// The last pieces, each with the ways of the nose's centre along it.
 pub(super) struct Trail<T> {
     pieces: VecDeque<(Element, Vec<Element>, T)>,
-    pub(super) cuts: Vec<Cut<T>>,
+    pub(super) cuts: Vec<Gouge<T>>,
 }
 
 impl<T: Clone> Trail<T> {
@@ -54,9 +52,9 @@ impl<T: Clone> Trail<T> {
                 continue;
             }
             let (along, into) = if now >= then { (tag, of) } else { (of, tag) };
-            self.cuts.push(Cut { depth: now.max(then), radius, along: along.clone(), into: into.clone() });
+            self.cuts.push(Gouge { depth: now.max(then), radius, along: along.clone(), into: into.clone() });
         }
-        if self.pieces.len() == MOST {
+        if self.pieces.len() == GOUGE_PIECES {
             self.pieces.pop_front();
         }
         self.pieces.push_back((piece, ways, tag.clone()));

@@ -36,19 +36,17 @@ pub mod tip;
 use std::f64::consts::PI;
 
 pub use self::element::{Element, Path, Point};
-pub use self::gouge::Cut;
+pub use self::gouge::Gouge;
 pub use self::tip::{Nose, Tip};
 use crate::gcode::control::Compensation;
 use crate::gcode::turning::nose::corner::{Corner, corner, offset_radius};
 use crate::gcode::turning::nose::element::{distance, plus};
 use crate::gcode::turning::nose::gouge::Trail;
+use crate::limits::STILL_PIECES;
 
 /// By how much the nose may be larger than an arc or a piece allows: the least increment of a program's coordinates, whose
 /// rounding does not make a contour wrong; mm.
 pub const ROUNDING: f64 = 0.001;
-
-/// Most pieces without way between two with way. Fagor 8055: at most 17 blocks without motion in a row.
-pub const MOST_STILL: usize = 17;
 
 /// What keeps the nose from following the path. Lengths in mm, angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +80,7 @@ pub enum Misfit {
     },
     /// The nose changes under compensation.
     Changed,
-    /// More than [`MOST_STILL`] pieces without way in a row.
+    /// More than [`STILL_PIECES`] pieces without way in a row.
     Still,
 }
 
@@ -140,7 +138,7 @@ impl<T: Clone> Stage<T> {
     }
 
     /// The cuts into pieces that are no neighbours, found since the last time they were asked for.
-    pub fn cuts(&mut self) -> Vec<Cut<T>> {
+    pub fn cuts(&mut self) -> Vec<Gouge<T>> {
         std::mem::take(&mut self.trail.cuts)
     }
 
@@ -199,7 +197,7 @@ impl<T: Clone> Stage<T> {
     /// The piece after one that is held back.
     fn follow(&mut self, mut held: Held<T>, step: Step<T>, out: &mut Vec<(Element, T)>) -> Result<(), (Misfit, T)> {
         let Some(start) = step.element.start() else {
-            if held.stills.len() < MOST_STILL {
+            if held.stills.len() < STILL_PIECES {
                 held.stills.push(step);
                 self.state = State::Held(Box::new(held));
                 return Ok(());

@@ -1,0 +1,164 @@
+//! Drilling cycles of a lathe (G80 to G83).
+//!
+//! # Path of a hole
+//! At rapid along X over the hole, at rapid along Z to R, at feed to the bottom, the dwell, at rapid back to R, where the tool
+//! stays. G83 pecks by Q: after each peck at rapid back to R and down again to [`PECK_CLEARANCE`] above the depth reached, which
+//! is a parameter of the control; without Q it goes to the bottom at one go, and that is told. Blocks with X or Z alone make further holes; G80 ends the cycle and leaves the motion code in
+//! force that was so before it.
+//!
+//! # References
+//! The lathe simulator's figure of G81 to G83: R is the absolute Z of the plane of retraction, P in ms, Q in µm. On other controls
+//! R counts from where the tool stands: [`HolePlane`] says which.
+
+use crate::finding::Grade;
+use crate::gcode::code::{Cycle, G};
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::cycle::{PECK_CLEARANCE, missing};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::setting::HolePlane;
+use crate::gcode::turning::{Move, Way};
+use crate::limits::PECKS;
+use crate::machine::axis::Axis;
+use crate::machine::length_unit::LengthUnit;
+use crate::number::shown;
+use crate::text::Text;
+
+impl Interpreter<'_> {
+    /// A drilling cycle of the block in hand.
+    pub(in crate::gcode::interpreter) fn hole(&mut self, cycle: Cycle) -> Outcome<()> {
+        let feed = self.feed()?;
+        let again = matches!(self.modal.motion, G::Cycle(_));
+        let (unit, sticky) = (self.modal.unit, self.modal.sticky);
+        let r = match self.block.get(letter::R) {
+            Some(R) => match self.setting.plane {
+                Some(HolePlane::Incremental) => self.current.get(Axis::Z) + unit.to_mm(R),
+                Some(HolePlane::Absolute) => unit.to_mm(R),
+                None => {
+                    let column = self.block.column(letter::R);
+                    self.remarks.add(
+                        Grade::Note,
+                        self.line,
+                        Some(column),
+                        Text::fixed(
+                            "nada dice qué es R en G81 a G83: se lee como la Z absoluta del plano",
+                            "nothing says what R is in G81 to G83: it is read as the absolute Z of the plane",
+                        ),
+                        Text::fixed(
+                            "rellene hole_R en el libro (hoja DATOS), o dé --hole-r",
+                            "fill in hole_R in the workbook (sheet DATA), or give --hole-r",
+                        ),
+                    );
+                    unit.to_mm(R)
+                }
+            },
+            None if again => sticky.r,
+            None => return Err(missing('R', cycle)),
+        };
+        let to = self.end_point();
+        let bottom = if self.block.has(letter::Z) || self.block.has(letter::W) {
+            to.get(Axis::Z)
+        } else if again {
+            sticky.bottom
+        } else {
+            return Err(missing('Z', cycle));
+        };
+        let q = match self.block.get(letter::Q) {
+            Some(Q) => self.increments(Q),
+            None if again => sticky.q,
+            None => 0.0,
+        };
+        let p = match self.block.get(letter::P) {
+            Some(P) => P / 1_000.0,
+            None if again => sticky.p,
+            None if cycle == Cycle::DrillDwell => return Err(missing('P', cycle)),
+            None => 0.0,
+        };
+        if p < 0.0 {
+            return Err(Fault::at(
+                &[self.block.column(letter::P)],
+                Text::fixed("tiempo de espera negativo", "negative dwell time"),
+                Text::fixed("dé un tiempo positivo", "give a positive time"),
+            ));
+        }
+        if r < bottom {
+            return Err(Fault::block(
+                Text::new(
+                    format!("R ({}) está por debajo del fondo ({})", shown(r, 3), shown(bottom, 3)),
+                    format!("R ({}) lies below the bottom ({})", shown(r, 3), shown(bottom, 3)),
+                ),
+                Text::fixed("R va por encima del fondo del agujero", "R goes above the bottom of the hole"),
+            ));
+        }
+        if cycle == Cycle::Peck && q <= 0.0 && self.block.has(letter::Q) {
+            return Err(Fault::at(
+                &[self.block.column(letter::Q)],
+                Text::fixed("Q debe ser mayor que 0", "Q must be greater than 0"),
+                Text::fixed("dé la profundidad de cada pasada en µm", "give the depth of each peck in µm"),
+            ));
+        }
+        // Without Q the control drills to the bottom at one go.
+        let pecks = cycle == Cycle::Peck && q > 0.0;
+        if cycle == Cycle::Peck && !pecks {
+            let deep = shown(r - bottom, 3);
+            let what = Text::new(
+                format!("G83 sin Q: taladra {deep} mm de una vez, sin sacar la viruta"),
+                format!("G83 without Q: drills {deep} mm at one go, without clearing the chips"),
+            );
+            let remedy = Text::fixed(
+                "dé con Q la profundidad de cada pasada, en µm, o use G81",
+                "give the depth of each peck with Q, in µm, or use G81",
+            );
+            self.remarks.add(Grade::Caution, self.line, None, what, remedy);
+        }
+        if pecks && (r - bottom) / q > PECKS {
+            return Err(Fault::at(
+                &[self.block.column(letter::Q)],
+                Text::new(
+                    format!("más de {PECKS} pasadas en un agujero"),
+                    format!("more than {PECKS} pecks in one hole"),
+                ),
+                Text::fixed("aumente Q, que va en µm", "make Q, which is in µm, greater"),
+            ));
+        }
+        let sticky = &mut self.modal.sticky;
+        (sticky.r, sticky.bottom, sticky.p, sticky.q) = (r, bottom, p, q);
+        self.modal.motion = G::Cycle(cycle);
+        let x = to.get(Axis::X);
+        let mut at = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        let mut moves = Vec::new();
+        let mut go = |way: Way, to: [f64; 2]| {
+            if to != at {
+                moves.push(Move { way, to, line: None });
+            }
+            at = to;
+        };
+        go(Way::Rapid, [x, self.current.get(Axis::Z)]);
+        go(Way::Rapid, [x, r]);
+        let mut depth = r - q;
+        // What rounding alone has left is no peck.
+        while pecks && depth > bottom + 1e-9 {
+            go(Way::Feed(None), [x, depth]);
+            go(Way::Rapid, [x, r]);
+            go(Way::Rapid, [x, (depth + PECK_CLEARANCE).min(r)]);
+            depth -= q;
+        }
+        go(Way::Feed(None), [x, bottom]);
+        if p > 0.0 && cycle != Cycle::Drill {
+            moves.push(Move { way: Way::Dwell(p), to: [x, bottom], line: None });
+        }
+        if bottom < r {
+            moves.push(Move { way: Way::Rapid, to: [x, r], line: None });
+        }
+        self.make_moves(moves, feed);
+        Ok(())
+    }
+
+    /// A number of least input increments, as P and Q of cycles are; mm.
+    pub(in crate::gcode::interpreter) fn increments(&self, number: f64) -> f64 {
+        match self.modal.unit {
+            LengthUnit::Millimetre => number / 1_000.0,
+            LengthUnit::Inch => self.modal.unit.to_mm(number / 10_000.0),
+        }
+    }
+}

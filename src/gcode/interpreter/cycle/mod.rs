@@ -1,0 +1,395 @@
+//! Drilling cycles, hole by hole.
+//!
+//! # References
+//! LinuxCNC, canned cycles G73, G74 and G81 to G89, G98 and G99.
+
+mod drilling;
+pub(super) mod single_pass;
+
+use crate::finding::Grade;
+use crate::gcode::code::{Cycle, G};
+use crate::gcode::control::Spindle;
+use crate::gcode::interpreter::block::{AXES, letter};
+use crate::gcode::interpreter::expression::whole;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::out;
+use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
+use crate::limits::{BLOCK_HOLES, PECKS};
+use crate::machine::axis::Pose;
+use crate::text::Text;
+
+/// How far above the last depth a peck begins again; mm (0.010 inch).
+pub(super) const PECK_CLEARANCE: f64 = 0.254;
+
+/// The holes of a block that are still to be made.
+#[derive(Clone, Debug)]
+pub(super) struct Holes {
+    cycle: Cycle,
+    left: i64,
+    first: bool,
+    step: [f64; 2],
+    at: [f64; 2],
+    r: f64,
+    bottom: f64,
+    clear: f64,
+    p: f64,
+    q: f64,
+    /// G87: the offset in the plane, and the height of the upper face.
+    offset: [f64; 2],
+    middle: f64,
+    feed: Feed,
+}
+
+pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
+    let number = cycle.number();
+    Fault::block(
+        Text::new(format!("falta {letter} en G{number}"), format!("{letter} is missing in G{number}")),
+        Text::new(format!("dé {letter} en el bloque"), format!("give {letter} in the block")),
+    )
+    .hanging_on(doubt::MOTION)
+}
+
+impl Interpreter<'_> {
+    /// A canned cycle of the block in hand.
+    pub(super) fn cycle(&mut self, cycle: Cycle) -> Outcome<()> {
+        let feed = self.feed()?;
+        if matches!(feed.mode, FeedMode::InverseTime | FeedMode::Seconds) {
+            return Err(Fault::block(
+                Text::fixed("ciclo fijo con avance por tiempo (G93)", "canned cycle under inverse time feed (G93)"),
+                Text::fixed("programe G94", "program G94"),
+            ));
+        }
+        let again = self.modal.is_cycle(cycle);
+        let [first, second, across] = self.modal.plane.axes();
+        for axis in AXES.into_iter().skip(3) {
+            if self.block.has(axis) {
+                return Err(Fault::at(
+                    &[self.block.column(axis)],
+                    Text::fixed("un ciclo fijo solo mueve X, Y y Z", "a canned cycle moves X, Y and Z alone"),
+                    Text::fixed("coloque los otros ejes antes", "position the other axes before"),
+                ));
+            }
+        }
+        let unit = self.modal.unit;
+        let sticky = self.modal.sticky;
+        let r_word = match self.block.get(letter::R) {
+            Some(R) => unit.to_mm(R),
+            None if again => sticky.r,
+            None => return Err(missing('R', cycle)),
+        };
+        let bottom_word = match self.block.get(AXES[across as usize]) {
+            Some(Z) => unit.to_mm(Z),
+            None if again => sticky.bottom,
+            None => return Err(missing(across.letter(), cycle)),
+        };
+        let holes = match self.block.get(letter::L) {
+            None => 1,
+            Some(L) => whole(L).filter(|holes| (1..=BLOCK_HOLES).contains(holes)).ok_or_else(|| {
+                Fault::at(
+                    &[self.block.column(letter::L)],
+                    Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
+                    Text::new(format!("L va de 1 a {BLOCK_HOLES}"), format!("L goes from 1 to {BLOCK_HOLES}")),
+                )
+            })?,
+        };
+        let current = self.current.get(across);
+        let initial = *self.modal.sticky.initial.get_or_insert(current);
+        let plane_word =
+            |axis: crate::machine::axis::Axis| self.block.get(AXES[axis as usize]).map(|word| unit.to_mm(word));
+        let start = [self.current.get(first), self.current.get(second)];
+        let (r, bottom, at, step) = if self.modal.incremental {
+            let r = r_word + initial;
+            (r, r + bottom_word, start, [plane_word(first).unwrap_or(0.0), plane_word(second).unwrap_or(0.0)])
+        } else {
+            let at = [plane_word(first).unwrap_or(start[0]), plane_word(second).unwrap_or(start[1])];
+            (r_word, bottom_word, at, [0.0; 2])
+        };
+        if r < bottom {
+            return Err(Fault::block(
+                Text::new(
+                    format!("R ({r}) está por debajo del fondo ({bottom})"),
+                    format!("R ({r}) lies below the bottom ({bottom})"),
+                ),
+                Text::fixed("R va por encima del fondo del agujero", "R goes above the bottom of the hole"),
+            ));
+        }
+        let mut run = Holes {
+            cycle,
+            left: holes,
+            first: true,
+            step,
+            at,
+            r,
+            bottom,
+            clear: r,
+            p: 0.0,
+            q: 0.0,
+            offset: [0.0; 2],
+            middle: 0.0,
+            feed,
+        };
+        self.cycle_words(&mut run, again)?;
+        // Below R the tool goes straight up first.
+        let old = if initial < r {
+            let mut up = self.current;
+            up.set(across, r);
+            self.emit(MotionKind::Rapid, up, None);
+            r
+        } else {
+            initial
+        };
+        if self.returns_initial() {
+            run.clear = old;
+        }
+        if self.modal.return_initial.is_none() && !self.reading.return_initial && old > r {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                None,
+                Text::fixed(
+                    "ciclo fijo sin G98 ni G99 antes: la herramienta vuelve a R, o como lo dejó el programa anterior",
+                    "canned cycle with neither G98 nor G99 before it: the tool returns to R, or as the last program left it",
+                ),
+                Text::fixed("programe G98 o G99", "program G98 or G99"),
+            );
+        }
+        let sticky = &mut self.modal.sticky;
+        (sticky.r, sticky.bottom) = (r_word, bottom_word);
+        self.modal.motion = G::Cycle(cycle);
+        self.run = Some(out::Pending::Holes(run));
+        Ok(())
+    }
+
+    /// Whether cycles return to the height that they started from.
+    pub(super) fn returns_initial(&self) -> bool {
+        self.modal.return_initial.unwrap_or(self.reading.return_initial)
+    }
+
+    /// P, Q, I, J and K of the cycle.
+    fn cycle_words(&mut self, run: &mut Holes, again: bool) -> Outcome<()> {
+        let (cycle, unit) = (run.cycle, self.modal.unit);
+        match cycle {
+            Cycle::ChipBreak | Cycle::Peck => {
+                run.q = match self.block.get(letter::Q) {
+                    Some(Q) => unit.to_mm(Q),
+                    None if again => self.modal.sticky.q,
+                    None => return Err(missing('Q', cycle)),
+                };
+                self.modal.sticky.q = run.q;
+                if run.q <= 0.0 {
+                    return Err(Fault::at(
+                        &[self.block.column(letter::Q)],
+                        Text::fixed("Q debe ser mayor que 0", "Q must be greater than 0"),
+                        Text::fixed("dé la profundidad de cada pasada", "give the depth of each peck"),
+                    ));
+                }
+                if (run.r - run.bottom) / run.q > PECKS {
+                    let mut fault = Fault::limit(
+                        Text::new(
+                            format!("más de {PECKS} pasadas en un agujero"),
+                            format!("more than {PECKS} pecks in one hole"),
+                        ),
+                        Text::fixed("aumente Q", "make Q greater"),
+                    );
+                    fault.fatal = false;
+                    return Err(fault);
+                }
+            }
+            Cycle::DrillDwell
+            | Cycle::BoreStop
+            | Cycle::BoreManual
+            | Cycle::BoreDwell
+            | Cycle::TapLeft
+            | Cycle::TapRight => {
+                let tap = matches!(cycle, Cycle::TapLeft | Cycle::TapRight);
+                run.p = match self.block.get(letter::P) {
+                    Some(P) => P,
+                    None if again || tap => self.modal.sticky.p,
+                    None => return Err(missing('P', cycle)),
+                };
+                if run.p < 0.0 {
+                    return Err(Fault::at(
+                        &[self.block.column(letter::P)],
+                        Text::fixed("tiempo de espera negativo", "negative dwell time"),
+                        Text::fixed("dé un tiempo positivo", "give a positive time"),
+                    ));
+                }
+                self.modal.sticky.p = run.p;
+            }
+            Cycle::BackBore => {
+                for (at, (letter, name)) in
+                    [(letter::I, 'I'), (letter::J, 'J'), (letter::K, 'K')].into_iter().enumerate()
+                {
+                    let value = match self.block.get(letter) {
+                        Some(word) => unit.to_mm(word),
+                        None if again => self.modal.sticky.ijk[at],
+                        None => return Err(missing(name, cycle)),
+                    };
+                    self.modal.sticky.ijk[at] = value;
+                }
+                let [i, j, k] = self.modal.sticky.ijk;
+                // I, J, K belong to X, Y, Z in every plane.
+                let of = |axis: crate::machine::axis::Axis| [i, j, k].get(axis as usize).copied().unwrap_or(0.0);
+                let [first, second, across] = self.modal.plane.axes();
+                run.offset = [of(first), of(second)];
+                run.middle = if self.modal.incremental { run.bottom + of(across) } else { of(across) };
+            }
+            Cycle::Drill | Cycle::Bore => {}
+        }
+        let wanted = match cycle {
+            Cycle::TapRight => Some(Spindle::Clockwise),
+            Cycle::TapLeft => Some(Spindle::CounterClockwise),
+            _ => None,
+        };
+        let turns = self.modal.spindle;
+        let needs = matches!(cycle, Cycle::BoreStop | Cycle::BackBore | Cycle::BoreManual);
+        if wanted.is_some_and(|wanted| wanted != turns) || (needs && turns == Spindle::Stopped) {
+            return Err(Fault::block(
+                Text::new(
+                    format!("G{}: el husillo está parado o gira al revés", cycle.number()),
+                    format!("G{}: the spindle stands still or turns the wrong way", cycle.number()),
+                ),
+                Text::fixed("programe M3 o M4 antes", "program M3 or M4 before"),
+            )
+            .hanging_on(doubt::SPINDLE));
+        }
+        if wanted.is_some() && self.modal.plane != Plane::XY && self.reading.expressions {
+            self.remarks.add(
+                Grade::Caution,
+                self.line,
+                None,
+                Text::new(
+                    format!(
+                        "G{} fuera de G17: LinuxCNC 2.9 cambia los ejes entre sí y rosca hacia un lado",
+                        cycle.number()
+                    ),
+                    format!(
+                        "G{} outside G17: LinuxCNC 2.9 takes the axes for one another and taps sideways",
+                        cycle.number()
+                    ),
+                ),
+                Text::fixed(
+                    "leído como lo dice el plano; en ese control, rosque en G17",
+                    "read as the plane says; on that control tap in G17",
+                ),
+            );
+        }
+        if cycle == Cycle::BoreManual {
+            let line = self.line;
+            self.remarks.add(
+                Grade::Caution,
+                line,
+                None,
+                Text::fixed(
+                    "G88: el operario saca la herramienta a mano",
+                    "G88: the operator takes the tool out by hand",
+                ),
+                Text::fixed("", ""),
+            );
+        }
+        Ok(())
+    }
+
+    /// Makes the next hole of a run.
+    pub(super) fn next_hole(&mut self, mut run: Holes) -> Outcome<()> {
+        let [first, second, across] = self.modal.plane.axes();
+        run.at[0] += run.step[0];
+        run.at[1] += run.step[1];
+        let base = self.current;
+        let point = |at: [f64; 2], height: f64| -> Pose {
+            let mut pose = base;
+            pose.set(first, at[0]);
+            pose.set(second, at[1]);
+            pose.set(across, height);
+            pose
+        };
+        let height = self.current.get(across);
+        if run.first && height > run.r {
+            self.emit(MotionKind::Rapid, point(run.at, height), None);
+            self.emit(MotionKind::Rapid, point(run.at, run.r), None);
+        } else {
+            self.emit(MotionKind::Rapid, point(run.at, run.clear), None);
+            if run.clear > run.r {
+                self.emit(MotionKind::Rapid, point(run.at, run.r), None);
+            }
+        }
+        run.first = false;
+        let at = |height: f64| point(run.at, height);
+        match run.cycle {
+            Cycle::Drill => {
+                self.cut(at(run.bottom), run.feed);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
+            }
+            Cycle::DrillDwell | Cycle::BoreStop => {
+                self.cut(at(run.bottom), run.feed);
+                self.wait(run.p);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
+            }
+            Cycle::Peck | Cycle::ChipBreak => {
+                let mut depth = run.r - run.q;
+                // What rounding alone has left is no peck.
+                while depth > run.bottom + 1e-9 {
+                    self.cut(at(depth), run.feed);
+                    if run.cycle == Cycle::Peck {
+                        self.emit(MotionKind::Rapid, at(run.r), None);
+                    }
+                    self.emit(MotionKind::Rapid, at(depth + PECK_CLEARANCE), None);
+                    depth -= run.q;
+                }
+                self.cut(at(run.bottom), run.feed);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
+            }
+            Cycle::TapLeft | Cycle::TapRight => {
+                self.cut(at(run.bottom), run.feed);
+                self.wait(run.p);
+                self.cut(at(run.clear), run.feed);
+            }
+            Cycle::Bore => {
+                self.cut(at(run.bottom), run.feed);
+                self.cut(at(run.r), run.feed);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
+            }
+            Cycle::BackBore => {
+                let aside = [run.at[0] + run.offset[0], run.at[1] + run.offset[1]];
+                self.emit(MotionKind::Rapid, point(aside, run.r), None);
+                self.emit(MotionKind::Rapid, point(aside, run.bottom), None);
+                self.emit(MotionKind::Rapid, at(run.bottom), None);
+                self.cut(at(run.middle), run.feed);
+                self.cut(at(run.bottom), run.feed);
+                self.emit(MotionKind::Rapid, point(aside, run.bottom), None);
+                self.emit(MotionKind::Rapid, point(aside, run.clear), None);
+                self.emit(MotionKind::Rapid, at(run.clear), None);
+            }
+            Cycle::BoreManual => {
+                self.cut(at(run.bottom), run.feed);
+                self.wait(run.p);
+                // The operator takes the tool out; the next motion starts from where it then stands.
+                self.current = at(run.clear);
+            }
+            Cycle::BoreDwell => {
+                self.cut(at(run.bottom), run.feed);
+                self.wait(run.p);
+                // At feed all the way, unlike G85.
+                self.cut(at(run.clear), run.feed);
+            }
+        }
+        run.left -= 1;
+        if run.left > 0 {
+            self.run = Some(out::Pending::Holes(run));
+        }
+        Ok(())
+    }
+
+    fn cut(&mut self, to: Pose, feed: Feed) {
+        let seconds = self.straight_seconds(&to, feed);
+        self.emit(MotionKind::Feed(feed), to, seconds);
+    }
+
+    fn wait(&mut self, seconds: f64) {
+        if seconds > 0.0 {
+            self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds));
+        }
+    }
+}

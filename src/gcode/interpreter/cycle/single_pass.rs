@@ -1,0 +1,250 @@
+//! Threads along a line (G32, G34), and the turning cycles of one pass (G90, G92, G94).
+//!
+//! # Path of a pass
+//! From the start S to the end E `(X, Z)`, with R the change of the cone along the pass: G90 and G92 at rapid to the radius of
+//! the cut's start, E's and R, along the cut to E, out to S's radius (G90 at feed, G92 at rapid), at rapid back along Z; G94 the
+//! same with X and Z exchanged, its R along Z. A block with X, Z or R alone makes another pass; what it does not give stays,
+//! from one of the three codes to another too, until another motion code or a one-shot code other than G4.
+//!
+//! # References
+//! The lathe simulator's figures of G90, G92 and G94; Fanuc Series 0i-T operator's manual, single cycles (R against the direction
+//! of the infeed may not exceed it), G32 (the lead counts along the axis that moves more) and G34 (K the change of the lead in
+//! one revolution), and the start angle Q of G32 and G92 (thousandths of a degree, not modal, 0 where it is not given). How far
+//! a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
+
+use crate::finding::Grade;
+use crate::gcode::code::{G, Group, SinglePassCycle};
+use crate::gcode::interpreter::block::letter;
+use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::motion::{Feed, MotionKind, Thread};
+use crate::gcode::turning::pace::revolutions;
+use crate::gcode::turning::{Move, Way};
+use crate::machine::axis::Axis;
+use crate::number::shown;
+use crate::text::Text;
+
+impl Interpreter<'_> {
+    /// The lead of a thread: F of this block, or of an earlier block of a thread; mm.
+    pub(in crate::gcode::interpreter) fn lead(&mut self) -> Outcome<f64> {
+        if let Some(F) = self.block.get(letter::F) {
+            self.modal.lead = Some(self.modal.unit.to_mm(F));
+        }
+        match self.modal.lead {
+            Some(lead) if lead > 0.0 => Ok(lead),
+            Some(_) => Err(Fault::at(
+                &[self.block.column(letter::F)],
+                Text::fixed("rosca de paso 0", "thread with lead 0"),
+                Text::fixed("dé el paso con F", "give the lead with F"),
+            )),
+            None => Err(Fault::block(
+                Text::fixed("rosca sin F, su paso", "thread without F, its lead"),
+                Text::fixed("dé el paso con F", "give the lead with F"),
+            )),
+        }
+    }
+
+    /// The spindle's angle at which a pass of a thread begins: Q in thousandths of a degree, of this block alone; degrees.
+    fn start_angle(&self) -> Outcome<f64> {
+        const TURN: f64 = 360_000.0;
+        let Some(Q) = self.block.get(letter::Q) else { return Ok(0.0) };
+        if !(0.0..=TURN).contains(&Q) {
+            return Err(Fault::at(
+                &[self.block.column(letter::Q)],
+                Text::new(
+                    format!("Q{Q} no es el ángulo inicial de una rosca"),
+                    format!("Q{Q} is no start angle of a thread"),
+                ),
+                Text::fixed(
+                    "Q va de 0 a 360000, en milésimas de grado: Q180000 es media vuelta",
+                    "Q goes from 0 to 360000, in thousandths of a degree: Q180000 is half a turn",
+                ),
+            ));
+        }
+        Ok(if Q == TURN { 0.0 } else { Q / 1000.0 })
+    }
+
+    /// Tells a pass of G92 that begins at 0 for want of a Q, where the passes before it began at another angle: Q is not modal.
+    /// At the depth of a pass that had a Q it may well be another start.
+    fn remark_start_angle(&mut self, first: bool, x: f64, angle: f64) {
+        if first {
+            self.modal.angled = Some(Vec::new());
+        }
+        let line = self.line;
+        match &mut self.modal.angled {
+            Some(depths) if angle != 0.0 => depths.push(x),
+            Some(depths) if !depths.is_empty() && !self.block.has(letter::Q) && !depths.contains(&x) => {
+                self.modal.angled = None;
+                self.remarks.add(
+                    Grade::Caution,
+                    line,
+                    None,
+                    Text::fixed(
+                        "la pasada de la rosca empieza a 0°: Q solo vale en su bloque, y las anteriores empezaron en otro ángulo",
+                        "the pass of the thread begins at 0°: Q holds in its block alone, and those before began at another angle",
+                    ),
+                    Text::fixed("repita Q en cada pasada", "give Q again in each pass"),
+                );
+            }
+            _ => self.modal.angled = None,
+        }
+    }
+
+    /// G32 and G34.
+    pub(in crate::gcode::interpreter) fn thread(&mut self, changing: bool) -> Outcome<()> {
+        let lead = self.lead()?;
+        let change = match self.block.get(letter::K) {
+            Some(K) if changing => self.modal.unit.to_mm(K),
+            None if changing && self.modal.motion != G::Thread(true) => {
+                return Err(Fault::at(
+                    &[self.block.g_column(Group::Motion)],
+                    Text::fixed(
+                        "falta K en G34: cuánto cambia el paso por vuelta",
+                        "K is missing in G34: the change of the lead",
+                    ),
+                    Text::fixed("dé K en el bloque, o use G32", "give K in the block, or use G32"),
+                ));
+            }
+            None if changing => self.modal.lead_change,
+            _ => 0.0,
+        };
+        self.modal.lead_change = change;
+        self.modal.motion = G::Thread(changing);
+        if !self.has_axes() {
+            return Ok(());
+        }
+        let to = self.end_point();
+        let by = |axis: Axis| (to.get(axis) - self.current.get(axis)).abs();
+        let distance = by(Axis::X).max(by(Axis::Z));
+        if distance == 0.0 {
+            return Ok(());
+        }
+        let thread = Thread { lead, change, angle: self.start_angle()? };
+        if revolutions(distance, &thread).is_none() {
+            let most = shown(-lead * lead / (2.0 * change), 3);
+            return Err(Fault::at(
+                &[self.block.column(letter::K)],
+                Text::new(
+                    format!("el paso llega a 0 a los {most} mm, antes del final"),
+                    format!("the lead comes to 0 after {most} mm, before the end"),
+                ),
+                Text::fixed("disminuya K o acorte la rosca", "make K smaller, or the thread shorter"),
+            ));
+        }
+        let seconds = self.thread_seconds(&to, &thread);
+        self.emit(MotionKind::Thread(thread), to, seconds);
+        Ok(())
+    }
+
+    /// G90 alone: the turning cycle is in force and makes nothing yet.
+    fn bare_axial_pass(&mut self) {
+        self.modal.motion = G::Pass(SinglePassCycle::Axial);
+        self.remarks.add(
+            Grade::Caution,
+            self.line,
+            Some(self.block.g_column(Group::Motion)),
+            Text::fixed(
+                "G90 sin X ni Z: en el sistema A es el ciclo de torneado; leído como que no mueve nada y queda en vigor \
+                 hasta G0 o G1",
+                "G90 without X and Z: in system A it is the turning cycle; read as moving nothing and in force until G0 or \
+                 G1",
+            ),
+            Text::fixed(
+                "quítelo: X y Z son siempre absolutas, U y W incrementales",
+                "take it out: X and Z are always absolute, U and W increments",
+            ),
+        );
+    }
+
+    /// G90, G92 and G94.
+    pub(in crate::gcode::interpreter) fn pass(&mut self, pass: SinglePassCycle) -> Outcome<()> {
+        let number = pass.number();
+        let before = self.modal.pass;
+        let named = [
+            self.block.has(letter::X) || self.block.has(letter::U),
+            self.block.has(letter::Z) || self.block.has(letter::W),
+        ];
+        let bare = self.block.present & !self.reading.free.mask() == 0;
+        if pass == SinglePassCycle::Axial && before.is_none() && bare {
+            self.bare_axial_pass();
+            return Ok(());
+        }
+        let (mut end, taper) = before.unwrap_or_default();
+        let missing = match (before, named) {
+            (None, [false, false]) => Some("X y Z|X and Z"),
+            (None, [false, true]) => Some("X|X"),
+            (None, [true, false]) => Some("Z|Z"),
+            (Some(_), [false, false]) if !self.block.has(letter::R) => Some("X, Z o R|X, Z or R"),
+            _ => None,
+        };
+        if let Some((es, en)) = missing.and_then(|missing| missing.split_once('|')) {
+            return Err(Fault::at(
+                &[self.block.g_column(Group::Motion)],
+                Text::new(
+                    format!("falta {es} en G{number}, que aquí es un ciclo de torneado"),
+                    format!("{en} missing in G{number}, which is a turning cycle here"),
+                ),
+                Text::fixed(
+                    "dé el final de la pasada; las cotas absolutas son X y Z, las incrementales U y W",
+                    "give the end of the pass; X and Z are absolute, U and W are increments",
+                ),
+            )
+            .hanging_on(doubt::MOTION));
+        }
+        let to = self.end_point();
+        let at = [to.get(Axis::X), to.get(Axis::Z)];
+        for ((end, named), at) in end.iter_mut().zip(named).zip(at) {
+            if named {
+                *end = at;
+            }
+        }
+        let taper = self.block.get(letter::R).map_or(taper, |R| self.modal.unit.to_mm(R));
+        let start = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        let across = usize::from(pass == SinglePassCycle::Radial);
+        let infeed = end[across] - start[across];
+        if infeed * (infeed + taper) < 0.0 {
+            return Err(Fault::at(
+                &[self.block.column(letter::R)],
+                Text::new(
+                    format!("R{} de G{number} empieza la pasada más allá del punto de partida", shown(taper, 3)),
+                    format!("R{} of G{number} begins the pass beyond the start point", shown(taper, 3)),
+                ),
+                Text::new(
+                    format!("R contra la entrada, de {} mm, no puede ser mayor que ella", shown(infeed.abs(), 3)),
+                    format!("R against the infeed, of {} mm, may not be greater than it", shown(infeed.abs(), 3)),
+                ),
+            )
+            .hanging_on(doubt::LATHE));
+        }
+        let (cut, out, feed) = if pass == SinglePassCycle::Thread {
+            let thread = Thread { lead: self.lead()?, change: 0.0, angle: self.start_angle()? };
+            let first = before.is_none() || self.modal.motion != G::Pass(pass);
+            self.remark_start_angle(first, end[0], thread.angle);
+            (Way::Thread(thread), Way::Rapid, Feed { mode: self.modal.feed_mode, value: self.modal.feed })
+        } else {
+            (Way::Feed(None), Way::Feed(None), self.feed()?)
+        };
+        let mut points = if pass == SinglePassCycle::Radial {
+            [[start[0], end[1] + taper], end, [end[0], start[1]], start]
+        } else {
+            [[end[0] + taper, start[1]], end, [start[0], end[1]], start]
+        };
+        let aside = self.pass_aside(pass, taper / (start[1 - across] - end[1 - across]))?;
+        // The moves across end on the cone, which the nose touches aside of what is programmed.
+        let [first, last, ..] = &mut points;
+        first[across] += aside;
+        last[across] += aside;
+        self.modal.motion = G::Pass(pass);
+        self.modal.pass = Some((end, taper));
+        let mut moves = Vec::with_capacity(4);
+        let mut from = start;
+        for (way, to) in [Way::Rapid, cut, out, Way::Rapid].into_iter().zip(points) {
+            if to != from {
+                moves.push(Move { way, to, line: None });
+            }
+            from = to;
+        }
+        self.make_moves(moves, feed);
+        Ok(())
+    }
+}

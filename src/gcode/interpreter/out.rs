@@ -1,0 +1,224 @@
+//! Motions that one block makes many of: the holes of a canned cycle, the moves of a turning cycle.
+
+use crate::gcode::code::{G, Group};
+use crate::gcode::control::Compensation;
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::block::Block;
+use crate::gcode::interpreter::contour::ContourBlock;
+use crate::gcode::interpreter::cycle;
+use crate::gcode::interpreter::fault::Outcome;
+use crate::gcode::motion::{Arc, Feed, MotionKind, Plane};
+use crate::gcode::turning::{Move, Way};
+use crate::machine::axis::{Axis, Pose};
+use crate::number::trig;
+
+/// What the block in hand has still to do.
+#[derive(Debug)]
+pub(super) enum Pending {
+    /// Holes of a canned cycle.
+    Holes(cycle::Holes),
+    /// Moves of a turning cycle.
+    Moves(Moves),
+}
+
+/// The moves of a turning cycle that are still to be made.
+#[derive(Debug)]
+pub(super) struct Moves {
+    moves: std::vec::IntoIter<Move>,
+    /// The feed of those that do not say their own; `None` for finishing, which goes at what is in force.
+    feed: Option<Feed>,
+    /// The blocks of the contour that the moves may name, in the order of their lines.
+    blocks: Vec<ContourBlock>,
+    /// How many of them have been obeyed.
+    obeyed: usize,
+    /// The next of them has been obeyed up to its motions, of which one is made.
+    begun: bool,
+}
+
+impl Interpreter<'_> {
+    /// Turns the moves of a cycle into motions, one after another as they are asked for.
+    pub(super) fn make_moves(&mut self, moves: Vec<Move>, feed: Feed) {
+        self.make_contour_moves(moves, feed, Vec::new());
+    }
+
+    /// The same for moves that name blocks of a contour, whose words are passed over.
+    pub(super) fn make_contour_moves(&mut self, moves: Vec<Move>, feed: Feed, blocks: Vec<ContourBlock>) {
+        self.remark_uncompensated(&blocks);
+        self.run =
+            Some(Pending::Moves(Moves { moves: moves.into_iter(), feed: Some(feed), blocks, obeyed: 0, begun: false }));
+    }
+
+    /// The same for moves along a contour whose blocks are obeyed on the way.
+    pub(super) fn finish_contour(&mut self, moves: Vec<Move>, blocks: Vec<ContourBlock>) {
+        self.run =
+            Some(Pending::Moves(Moves { moves: moves.into_iter(), feed: None, blocks, obeyed: 0, begun: false }));
+    }
+
+    /// The feed of the moves that do not say their own: it need not be given where there are none.
+    pub(super) fn feed_of(&mut self, moves: &[Move]) -> Outcome<Feed> {
+        if moves.iter().any(|one| matches!(one.way, Way::Feed(None) | Way::Arc { feed: None, .. })) {
+            return self.feed();
+        }
+        Ok(Feed { mode: self.modal.feed_mode, value: self.modal.feed })
+    }
+
+    /// Makes the next motions of the run in hand.
+    pub(super) fn go_on(&mut self) -> Outcome<()> {
+        match self.run.take() {
+            None => Ok(()),
+            Some(Pending::Holes(run)) => self.next_hole(run),
+            Some(Pending::Moves(mut run)) => {
+                let Some(next) = run.moves.next() else { return Ok(()) };
+                match run.feed {
+                    Some(feed) => self.make_move(&next, feed, &run.blocks)?,
+                    None => self.finish_move(&next, &mut run)?,
+                }
+                self.run = Some(Pending::Moves(run));
+                Ok(())
+            }
+        }
+    }
+
+    /// Makes all that is left of the run in hand.
+    pub(super) fn finish_run(&mut self) -> Outcome<()> {
+        while self.run.is_some() {
+            self.go_on()?;
+        }
+        Ok(())
+    }
+
+    /// A move at the cycle's feed, and as it is: only finishing follows a contour with the nose.
+    fn make_move(&mut self, next: &Move, feed: Feed, blocks: &[ContourBlock]) -> Outcome<()> {
+        let (line, n) = (self.line, self.block.n);
+        if let Some(of) = next.line {
+            self.line = of;
+            let block = blocks.binary_search_by_key(&of, |block| block.line).ok();
+            self.block.n = block.and_then(|at| blocks.get(at)).and_then(|block| block.words.n);
+        }
+        self.compensator.cycle = Some(Compensation::Off);
+        let made = self.make_way(next, Some(feed));
+        self.compensator.cycle = None;
+        (self.line, self.block.n) = (line, n);
+        made
+    }
+
+    /// A move along the contour: the blocks up to its own are obeyed first. The last move is the cycle's own and goes back.
+    fn finish_move(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
+        let line = self.line;
+        let block = std::mem::replace(&mut self.block, Block::new());
+        let mut made = self.obey_contour(next, run).map_err(|mut fault| {
+            fault.line = if fault.line == 0 { self.line } else { fault.line };
+            fault.file = fault.file.or_else(|| self.source().file.clone());
+            fault.uncut = true;
+            fault
+        });
+        (self.line, self.block) = (line, block);
+        if next.line.is_none() && made.is_ok() {
+            self.compensator.cycle = Some(Compensation::Off);
+            made = self.make_way(next, None);
+        }
+        self.compensator.cycle = None;
+        made
+    }
+
+    /// Obeys the blocks of a contour up to the one of a move, and makes the move.
+    fn obey_contour(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
+        let until = next.line.unwrap_or(usize::MAX);
+        while let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line < until) {
+            self.take_contour_block(block);
+            self.obey_before()?;
+            self.obey_after()?;
+            run.obeyed += 1;
+        }
+        let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line == until) else { return Ok(()) };
+        self.take_contour_block(block);
+        if !run.begun {
+            self.obey_before()?;
+        }
+        self.make_way(next, None)?;
+        // A corner makes more than one motion of a block.
+        run.begun = run.moves.as_slice().first().is_some_and(|more| more.line == next.line);
+        if run.begun {
+            return Ok(());
+        }
+        run.obeyed += 1;
+        self.obey_after()
+    }
+
+    /// A block of a contour is the block in hand.
+    fn take_contour_block(&mut self, block: &ContourBlock) {
+        self.line = block.line;
+        self.block.clone_from(&block.words);
+        self.compensator.cycle = Some(block.side);
+    }
+
+    /// What a block of a contour puts into force before its motion, in the order of a block of the program.
+    fn obey_before(&mut self) -> Outcome<()> {
+        self.begin_codes()?;
+        if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
+            self.set_compensation(side)?;
+        }
+        Ok(())
+    }
+
+    /// What it puts out of force behind its motion.
+    fn obey_after(&mut self) -> Outcome<()> {
+        self.machine_codes_after()?;
+        self.executed();
+        Ok(())
+    }
+
+    /// The motion of a move, at a feed or at the one in force.
+    pub(super) fn make_way(&mut self, next: &Move, feed: Option<Feed>) -> Outcome<()> {
+        let mut to = self.current;
+        to.set(Axis::X, next.to[0]);
+        to.set(Axis::Z, next.to[1]);
+        match next.way {
+            Way::Rapid => self.emit(MotionKind::Rapid, to, None),
+            Way::Feed(own) => {
+                let feed = self.feed_of_move(feed, own)?;
+                let seconds = self.straight_seconds(&to, feed);
+                self.emit(MotionKind::Feed(feed), to, seconds);
+            }
+            Way::Arc { centre, clockwise, feed: own } => {
+                let feed = self.feed_of_move(feed, own)?;
+                let arc = self.arc_to(&to, centre, clockwise);
+                let seconds = if self.by_revolution(feed) {
+                    self.turned_arc_seconds(&arc, feed)
+                } else {
+                    self.seconds(arc.length(0.0), feed)
+                };
+                self.emit(MotionKind::Arc(arc, feed), to, seconds);
+            }
+            Way::Thread(thread) => {
+                let seconds = self.thread_seconds(&to, &thread);
+                self.emit(MotionKind::Thread(thread), to, seconds);
+            }
+            Way::Dwell(seconds) => self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds)),
+        }
+        Ok(())
+    }
+
+    /// The feed of a move: its own in the meaning of the cycle's, the cycle's, or the one in force.
+    fn feed_of_move(&mut self, feed: Option<Feed>, own: Option<f64>) -> Outcome<Feed> {
+        let feed = feed.map_or_else(|| self.feed(), Ok)?;
+        Ok(Feed { value: own.unwrap_or(feed.value), ..feed })
+    }
+
+    /// The arc in the plane ZX from here to a pose about a centre `[X, Z]`.
+    fn arc_to(&self, to: &Pose, centre: [f64; 2], clockwise: bool) -> Arc {
+        let centre = [centre[1], centre[0]];
+        let of = |pose: &Pose| [pose.get(Axis::Z) - centre[0], pose.get(Axis::X) - centre[1]];
+        let ([a, b], [c, d]) = (of(&self.current), of(to));
+        let between = trig::atan2(a * d - b * c, a * c + b * d);
+        let turns = if clockwise { -1 } else { 1 };
+        Arc {
+            plane: Plane::ZX,
+            centre,
+            turns,
+            radius: trig::hypot(a, b),
+            sweep: super::arc::sweep(turns, between),
+            rotation: self.frame.work.rotation,
+        }
+    }
+}

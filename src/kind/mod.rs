@@ -1,0 +1,192 @@
+//! What every workbook kind comes to: tables, programs, charts, drawings and findings in one outcome.
+
+pub mod checks;
+
+use std::sync::LazyLock;
+
+use crate::figure::{Arc, Figure, Paper};
+use crate::finding::{Exit, Finding, Grade, Place};
+use crate::gcode::program::Program;
+use crate::number::grid::OutOfFormat;
+use crate::parameter::{Form, Values};
+use crate::proof::account::Account;
+use crate::removal::turning::alarm::Alarm;
+use crate::table::{Quantity, Table};
+use crate::text::Text;
+
+/// Where an outcome comes from, for headers and reports. All of it is input: nothing below the edge reads a clock or a
+/// file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Provenance {
+    /// The workbook's file name, cleaned for print.
+    pub workbook: String,
+    /// SHA-256 of the workbook's bytes, in lower-case hexadecimal.
+    pub sha256: String,
+    /// The version of rodete.
+    pub version: &'static str,
+}
+
+/// A curve of a chart: two columns of tables.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The curve's name.
+    pub name: Text,
+    /// Table key and column symbol of the abscissa; an empty symbol means the point index.
+    pub x: (&'static str, &'static str),
+    /// Table key and column symbol of the ordinate.
+    pub y: (&'static str, &'static str),
+}
+
+/// A chart on the sheet of a table.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// The key of the table on whose sheet it stands.
+    pub table: &'static str,
+    /// The title.
+    pub title: Text,
+    /// Titles of the x and y axes, with units.
+    pub axes: [Text; 2],
+    /// Both axes have one scale (a drawing of shapes).
+    pub equal: bool,
+    /// The curves.
+    pub series: Vec<Series>,
+}
+
+/// Drawings made when they are first looked at: a build without a report needs none.
+pub type Figures = LazyLock<Vec<Figure>, Box<dyn FnOnce() -> Vec<Figure> + Send + Sync>>;
+
+/// A drawing at 1:1 that is delivered on its own, as DXF and SVG and, where it is to be printed, as PDF.
+#[derive(Clone, Debug)]
+pub struct Template {
+    /// One of [`Form::templates`]: what its files are called, as `<stem>-<key>.dxf`.
+    pub key: &'static str,
+    /// What it is.
+    pub title: Text,
+    /// The drawing, in millimetres.
+    pub figure: Figure,
+    /// What of it is arcs of circles, drawn as such in DXF and SVG; a drawing that is printed has none.
+    pub arcs: Vec<Arc>,
+    /// The paper that it is printed on at 1:1, over as many sheets as it takes; `None`: it is not printed.
+    pub paper: Option<Paper>,
+}
+
+/// A turning program that was followed to its end.
+#[derive(Clone, Debug)]
+pub struct FollowedProgram {
+    /// The program's key.
+    pub key: &'static str,
+    /// How far it reaches and how long its path is, from where the turret stands at the start.
+    pub account: Account,
+    /// How long it takes, rapid moves included, s.
+    pub seconds: f64,
+    /// How many of its motions have no known time, and are not in `seconds`.
+    pub timeless: usize,
+}
+
+/// An alarm and where its block stands.
+#[derive(Clone, Debug)]
+pub struct Raised {
+    /// The alarm.
+    pub alarm: Alarm,
+    /// Its block: a cell, or a line of a file.
+    pub place: Place,
+    /// The tool's place and the offset in force, where it is not the tool's own.
+    pub other_offset: Option<(u32, u32)>,
+}
+
+/// A part turned on a lathe.
+#[derive(Clone, Debug)]
+pub struct Turned {
+    /// What the programs came to, in their order.
+    pub runs: Vec<FollowedProgram>,
+    /// The tailstock supports the stock.
+    pub supported: bool,
+    /// How far the part is shifted once it is turned about, Z_s in mm, where there is a second set-up.
+    pub second: Option<f64>,
+    /// The contours of its half section, `[z, r]` in mm, counter-clockwise, holes clockwise.
+    pub contours: Vec<Vec<[f64; 2]>>,
+    /// How far the facets of its solid may be from it, mm.
+    pub tolerance: f64,
+    /// Every alarm of its programs, in their order.
+    pub alarms: Vec<Raised>,
+}
+
+/// What came of a design.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The workbook kind.
+    pub form: &'static Form,
+    /// The values it was computed from.
+    pub values: Values,
+    /// Where they come from.
+    pub source: Provenance,
+    /// Derived limits, angles and lengths.
+    pub quantities: Vec<Quantity>,
+    /// The tables, in the order of their sheets.
+    pub tables: Vec<Table>,
+    /// The programs; empty where a finding stops the work.
+    pub programs: Vec<Program>,
+    /// Charts for the sheets.
+    pub charts: Vec<Chart>,
+    /// Drawings for the report.
+    pub figures: Figures,
+    /// Drawings at 1:1 with files of their own.
+    pub templates: Vec<Template>,
+    /// The turned part, of a turning.
+    pub turned: Option<Turned>,
+    /// All findings, passed checks among them, gravest first.
+    pub findings: Vec<Finding>,
+    /// A program was not read to its end, for it has none: a budget ended.
+    pub endless: bool,
+}
+
+impl Outcome {
+    /// True where a finding stops the work: no program may be written.
+    #[must_use]
+    pub fn stopped(&self) -> bool {
+        self.findings.iter().any(|finding| finding.grade == Grade::Stop)
+    }
+
+    /// How the work ends, once what there is has been delivered. Where one of the stops is a fault of rodete's own, the
+    /// input is not to blame.
+    #[must_use]
+    pub fn exit(&self) -> Exit {
+        match (self.stopped(), self.endless) {
+            (false, _) => Exit::Done,
+            _ if self.findings.iter().any(Finding::is_fault) => Exit::Fault,
+            (true, false) => Exit::Refused,
+            (true, true) => Exit::Limit,
+        }
+    }
+
+    /// The table with a key.
+    #[must_use]
+    pub fn table(&self, key: &str) -> Option<&Table> {
+        self.tables.iter().find(|table| table.key == key)
+    }
+}
+
+/// The fault of a table with a value that is no number.
+pub(crate) fn not_finite(table: &Table, row: usize) -> Finding {
+    Finding::fault(
+        Place::Point { table: table.key, index: row },
+        Text::fixed("un valor calculado no es finito", "a computed value is not finite"),
+    )
+}
+
+/// The stop for a position that no program may carry, at the parameters that make it.
+pub(crate) fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Finding {
+    let list = |and: &str| match keys.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} {and} {last}", rest.join(", ")),
+        _ => keys.join(""),
+    };
+    let remedy = Text::new(format!("compruebe {}", list("y")), format!("check {}", list("and")));
+    Finding::stop(
+        Place::Parameters(keys),
+        Text::new(
+            format!("la posición {} no cabe en un programa (cinco cifras y tres decimales)", error.0),
+            format!("position {} does not fit into a program (five digits and three decimals)", error.0),
+        ),
+        remedy,
+    )
+}

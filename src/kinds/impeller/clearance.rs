@@ -1,0 +1,544 @@
+//! How near a tool that moves comes to the faces of blades: a lower and an upper bound, never a sample.
+//!
+//! The tool is a cylinder with a flat end that reaches on for ever. Of a face only what lies above the plane of its end
+//! counts; the clearance is the distance of that from the tool's axis, less the radius: exact in its sign, and where it is
+//! negative the radial overlap. Motions are straight in X, Y, Z, B and C, as a control makes them without following the
+//! tip.
+//!
+//! # The bound
+//! Distance D to a closed set is semiconcave: along a path of speed ≤ V and acceleration ≤ W its second derivative is at
+//! most V²/D + W. So over an interval it is nowhere below the straight line between its end values by more than
+//! (V²/D + W)·s(1 − s)/2, D being any lower bound. This is used over time, for a point of the face seen from the tool, and
+//! over v, for the rulings: a cell is a piece of time and a piece of a face, and four distances of a ruling from the axis,
+//! each in closed form, bound it. The rulings are clipped to what is above the end and in the blank, by limits of h that
+//! are straight between the corners of the cell and that the same lemma moves outwards until nothing that counts is beyond.
+//!
+//! The cell with the least bound is halved first, in time or in v; cells above the least distance that was seen are
+//! dropped. Long runs of short blocks are first taken as one straight motion and the most that they leave it by. When the
+//! work is done before the bounds have met, the lower one still holds.
+//!
+//! # References
+//! Semiconcavity of the distance: P. Cannarsa and C. Sinestrari, "Semiconcave Functions, Hamilton–Jacobi Equations, and
+//! Optimal Control", 2004, proposition 2.2.2. The use of it: derived here.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use std::collections::{BTreeMap, BinaryHeap};
+
+use nalgebra::{Vector2, Vector3};
+
+use crate::kinds::impeller::part::{Face, HUB, Part, Piece, RIM, Ruling};
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::rotary::Rotary;
+use crate::number::trig::hypot;
+
+/// How close the bounds are brought to each other, mm.
+pub const CLOSE: f64 = 2e-5;
+/// Cells that are evaluated at most for a pass; a usual one takes some hundreds.
+pub const WORK: usize = 200_000;
+/// Below this part of the radius the distance from the axis is known well enough to this part of it.
+const DEEP: f64 = 0.2;
+const COARSE: f64 = 0.01;
+/// What the arithmetic may lose, mm.
+const ARITHMETIC: f64 = 1e-9;
+/// A ruling steeper than this against the end's plane is not clipped by a limit of h.
+const STEEP: f64 = 0.02;
+/// How far limits of h may run beyond the rulings, in parts of their length.
+const BEYOND: f64 = 0.25;
+
+/// Where all axes stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stand {
+    /// X, Y and Z.
+    pub at: Vector3<f64>,
+    /// B, radians.
+    pub B: f64,
+    /// C, radians.
+    pub C: f64,
+}
+
+impl From<&Pose> for Stand {
+    fn from(pose: &Pose) -> Self {
+        let at = Vector3::new(pose.get(Axis::X), pose.get(Axis::Y), pose.get(Axis::Z));
+        Self { at, B: pose.get(Axis::B).to_radians(), C: pose.get(Axis::C).to_radians() }
+    }
+}
+
+impl Stand {
+    /// The position at a part of the way to another.
+    #[must_use]
+    pub fn towards(&self, to: &Self, part: f64) -> Self {
+        let linear = |from: f64, to: f64| from + (to - from) * part;
+        Self { at: self.at + (to.at - self.at) * part, B: linear(self.B, to.B), C: linear(self.C, to.C) }
+    }
+}
+
+/// Where a tool is nearest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The position along the way: the block, and the part of it.
+    pub along: f64,
+    /// v on the face.
+    pub v: f64,
+}
+
+/// What is known of a clearance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// It is nowhere less; infinite where no face is ever above the tool's end.
+    pub lower: f64,
+    /// Somewhere it is no more.
+    pub upper: f64,
+    /// Where that is.
+    pub place: Option<Place>,
+    /// How many cells were evaluated.
+    pub work: usize,
+}
+
+/// When a search may end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Until {
+    /// The bounds are closer than this.
+    Within(f64),
+    /// It is known whether the clearance is at least this.
+    Decided(f64),
+}
+
+/// The faces that a tool must keep clear of.
+#[derive(Clone, Debug)]
+pub struct Walls {
+    part: Part,
+    machine: Rotary,
+    radius: f64,
+    pieces: Vec<Piece>,
+    turns: Vec<f64>,
+}
+
+/// Which motion: blocks of the way and, of a single one, the part of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Time {
+    first: usize,
+    last: usize,
+    part: [f64; 2],
+}
+
+/// A piece of time and a piece of a face of one blade.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    time: Time,
+    turn: usize,
+    piece: usize,
+    v: [f64; 2],
+}
+
+/// A cell that waits, with the lower bound of the distance from the axis.
+#[derive(Clone, Copy, Debug)]
+struct Waiting {
+    bound: f64,
+    order: usize,
+    cell: Cell,
+    in_time: bool,
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Waiting {}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Waiting {
+    // The least bound is the greatest, so that the heap gives it first; the older of equal ones.
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        other.bound.total_cmp(&self.bound).then(other.order.cmp(&self.order))
+    }
+}
+
+/// The least of the straight line from `one` to `other` less k·s(1 − s)/2.
+fn sagging(one: f64, other: f64, k: f64) -> f64 {
+    let rise = (other - one).abs();
+    if 2.0 * rise >= k { one.min(other) } else { (one + other) / 2.0 - k / 8.0 - rise * rise / (2.0 * k) }
+}
+
+/// The least distance of the points from − h·along, h between two limits, from the origin of a plane; and the h.
+fn from_axis(from: Vector2<f64>, along: Vector2<f64>, limits: [f64; 2]) -> (f64, f64) {
+    let square = along.norm_squared();
+    let free = if square > 0.0 { from.dot(&along) / square } else { limits[0] };
+    let h = free.max(limits[0].min(limits[1])).min(limits[0].max(limits[1]));
+    ((from - along * h).norm(), h)
+}
+
+/// Limits of h at the corners of a cell, by time and v, and how much they change along each.
+#[derive(Clone, Copy, Debug)]
+struct Limit {
+    h: [[f64; 2]; 2],
+    changes: [f64; 2],
+}
+
+impl Limit {
+    const fn level(h: f64) -> Self {
+        Self { h: [[h; 2]; 2], changes: [0.0; 2] }
+    }
+
+    /// Straight between four values.
+    fn through(h: [[f64; 2]; 2]) -> Self {
+        let in_time = (h[1][0] - h[0][0]).abs().max((h[1][1] - h[0][1]).abs());
+        let in_v = (h[0][1] - h[0][0]).abs().max((h[1][1] - h[1][0]).abs());
+        Self { h, changes: [in_time, in_v] }
+    }
+
+    fn moved(mut self, by: f64) -> Self {
+        self.h.iter_mut().flatten().for_each(|h| *h += by);
+        self
+    }
+
+    fn within(&self, depths: [f64; 2]) -> bool {
+        self.h.iter().flatten().all(|h| (depths[0]..=depths[1]).contains(h))
+    }
+
+    fn sum(&self) -> f64 {
+        self.h.iter().flatten().sum()
+    }
+}
+
+/// The work on one way.
+struct Search<'a> {
+    walls: &'a Walls,
+    way: &'a [Stand],
+    /// By how much runs of blocks leave the straight motion.
+    runs: BTreeMap<(usize, usize), f64>,
+    /// The least distance from the axis that was seen, and where.
+    seen: (f64, Option<Place>),
+    work: usize,
+}
+
+impl Walls {
+    /// The faces of blades that stand turned by some angles about the axis of the part, each from some v on.
+    #[must_use]
+    pub fn new(part: Part, machine: Rotary, radius: f64, turns: Vec<f64>, from: f64) -> Self {
+        let pieces = Face::ALL.into_iter().flat_map(|face| part.pieces(face)).filter_map(|piece| {
+            let v = [piece.v[0].max(from), piece.v[1]];
+            (v[0] < v[1]).then_some(Piece { v, ..piece })
+        });
+        Self { part, machine, radius, pieces: pieces.collect(), turns }
+    }
+
+    /// The clearance of the tool along a way.
+    #[must_use]
+    pub fn clearance(&self, way: &[Stand], until: Until, budget: usize) -> Bounds {
+        let mut search = Search { walls: self, way, runs: BTreeMap::new(), seen: (f64::INFINITY, None), work: 0 };
+        let lower = search.run(until, budget);
+        let (upper, place) = search.seen;
+        let lower = lower.min(upper) - self.radius - ARITHMETIC;
+        Bounds { lower, upper: upper - self.radius, place, work: search.work }
+    }
+}
+
+impl Search<'_> {
+    /// Halves the worst cell until the end; the least bound that is left.
+    fn run(&mut self, until: Until, budget: usize) -> f64 {
+        let Some(last) = self.way.len().checked_sub(1) else { return f64::INFINITY };
+        let mut heap = BinaryHeap::new();
+        let mut order = 0;
+        let radius = self.walls.radius;
+        let enough = |seen: f64| match until {
+            // Of a face that reaches nearly to the axis only that is worth knowing.
+            Until::Within(tolerance) if seen < radius * DEEP => seen - tolerance.max(radius * COARSE),
+            Until::Within(tolerance) => seen - tolerance,
+            Until::Decided(asked) => asked + radius + ARITHMETIC,
+        };
+        let whole = Time { first: 0, last, part: [0.0, 1.0] };
+        // A way of one place is a block of no length.
+        let whole = if last == 0 { Time { last: 0, ..whole } } else { whole };
+        for turn in 0..self.walls.turns.len() {
+            for (piece, of) in self.walls.pieces.iter().enumerate() {
+                let cell = Cell { time: whole, turn, piece, v: of.v };
+                if let Some((bound, in_time)) = self.evaluate(&cell) {
+                    order += 1;
+                    heap.push(Waiting { bound, order, cell, in_time });
+                }
+            }
+        }
+        while let Some(Waiting { bound, cell, in_time, .. }) = heap.pop() {
+            let lost = matches!(until, Until::Decided(asked) if self.seen.0 - radius < asked);
+            if bound >= enough(self.seen.0) || lost || self.work >= budget {
+                return bound;
+            }
+            for cell in halves(&cell, in_time) {
+                if let Some((bound, in_time)) = self.evaluate(&cell)
+                    && bound < self.seen.0
+                {
+                    order += 1;
+                    heap.push(Waiting { bound, order, cell, in_time });
+                }
+            }
+        }
+        f64::INFINITY
+    }
+
+    /// The most by which a run of blocks moves a point of the part otherwise than straight from its beginning to its end.
+    fn strays(&mut self, first: usize, last: usize) -> f64 {
+        if last <= first + 1 {
+            return 0.0;
+        }
+        if let Some(known) = self.runs.get(&(first, last)) {
+            return *known;
+        }
+        let R = self.walls.part.circle.torus.R;
+        let L = self.walls.machine.L.abs();
+        let reach = hypot(R, L.max(2.0 * R));
+        #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+        let strays = (first + 1..last)
+            .map(|at| {
+                let part = (at - first) as f64 / (last - first) as f64;
+                let (straight, here) = (self.way[first].towards(&self.way[last], part), &self.way[at]);
+                (here.at - straight.at).norm() + (here.B - straight.B).abs() * reach + (here.C - straight.C).abs() * R
+            })
+            .fold(0.0, f64::max);
+        self.runs.insert((first, last), strays);
+        strays
+    }
+
+    /// The lower bound of a cell, and whether to halve it in time; `None` where nothing of it counts.
+    ///
+    /// Of a point of the part, seen from the tip, y' = ΔB·J(y + Q) + ΔC·U − Δp and
+    /// y'' = ΔB²·J²(y + Q) + 2ΔBΔC·JU + ΔC²·U₂, Q being the tip seen from the pivot, J the quarter turn about the B axis,
+    /// |U| = |U₂| the distance ρ from the part's axis.
+    fn evaluate(&mut self, cell: &Cell) -> Option<(f64, bool)> {
+        self.work += 1;
+        let Cell { time: Time { first, last, part }, turn, piece, v } = *cell;
+        let walls = self.walls;
+        let strays = self.strays(first, last);
+        let (from, to) = (&self.way[first], &self.way[last]);
+        let ends = if last == first + 1 { part.map(|part| from.towards(to, part)) } else { [*from, *to] };
+        let (by, turned) = (ends[1].at - ends[0].at, [ends[1].B - ends[0].B, ends[1].C - ends[0].C].map(f64::abs));
+        let [B, C] = turned;
+        if B >= 1.0 {
+            return Some((0.0, true));
+        }
+        let rulings = v.map(|v| walls.part.ruling(walls.pieces[piece].face, v));
+        let tops = v.map(|v| walls.part.top(v));
+        // h_0 does not grow with v.
+        let (top, bottom) = (tops[1], walls.pieces[piece].bottom);
+        let span = v[1] - v[0];
+        // Limits of h may run a little beyond the rulings; what follows holds for that too.
+        let beyond = [top - (bottom - top) * BEYOND, bottom + (bottom - top) * BEYOND];
+        let change = walls.part.change(v, beyond[1].max(-beyond[0]));
+        let (v_speed, v_bend, v_turn) = (change.speed * span, change.acceleration * span * span, change.turn * span);
+
+        let pivot = Vector3::new(0.0, 0.0, walls.machine.L);
+        let Q = ends.map(|end| end.at + pivot);
+        // Feet and directions seen from the tip, by time and v.
+        let seen = [0, 1].map(|time: usize| {
+            let end = &ends[time];
+            let C = end.C - walls.turns[turn];
+            rulings.map(|ruling| Ruling {
+                foot: Rotary::direction_to_machine(&(ruling.foot + pivot), end.B, C) - Q[time],
+                N: Rotary::direction_to_machine(&ruling.N, end.B, C),
+            })
+        });
+        let corners = || seen.iter().flatten();
+        let far = corners().flat_map(|ruling| beyond.map(|h| ruling.at(h).norm())).fold(0.0, f64::max);
+        let rho = rulings
+            .iter()
+            .flat_map(|ruling| beyond.map(|h| ruling.at(h)))
+            .map(|point| point.x * point.x + point.y * point.y)
+            .fold(0.0, f64::max)
+            .sqrt()
+            + v_speed / 2.0;
+        let step = ends[1].B - ends[0].B;
+        let slide = Q.map(|Q| (Vector3::new(-Q.z, 0.0, Q.x) * step - by).norm());
+        let slide = slide[0].max(slide[1]);
+        let far = (far + v_speed / 2.0 + (slide + C * rho) / 2.0) / (1.0 - B / 2.0);
+        let speed = slide + C * rho + B * far;
+        let bend = |axis: usize| B * B * (Q[0][axis].abs().max(Q[1][axis].abs()) + far) + (2.0 * B + C) * C * rho;
+        let (bend, rise_bend) = (bend(0), bend(2));
+
+        // Nothing of it above the plane of the tool's end, or nothing in the blank.
+        let highest = corners().flat_map(|ruling| [top, bottom].map(|h| ruling.at(h).z)).fold(f64::MIN, f64::max);
+        if highest + (rise_bend + v_bend) / 8.0 + strays < 0.0 {
+            return None;
+        }
+        let trim = Trim::of(walls, &walls.pieces[piece], &rulings, (top + bottom) / 2.0);
+        if let Some(trim) = &trim
+            && trim.greatest([top, bottom]) + v_bend / 8.0 < 0.0
+        {
+            return None;
+        }
+
+        let floors = Limit::through([walls.part.floors(&walls.pieces[piece], v, &rulings, &change); 2]);
+        let (mut low, mut high) = (Limit::level(top), floors);
+        let slopes = seen.map(|at| at.map(|ruling| ruling.N.z));
+        let least =
+            slopes.iter().flatten().copied().map(f64::abs).fold(f64::INFINITY, f64::min) - (v_turn + B + C) / 2.0;
+        let upright = slopes[0][0] > 0.0;
+        if least > STEEP && slopes.iter().flatten().all(|slope| (*slope > 0.0) == upright) {
+            let limit = Limit::through(seen.map(|at| at.map(|ruling| ruling.foot.z / ruling.N.z)));
+            let [in_time, in_v] = limit.changes;
+            let out = (rise_bend + 2.0 * (B + C) * in_time + v_bend + 2.0 * v_turn * in_v) / 8.0 + strays;
+            if upright {
+                let limit = limit.moved(out / least);
+                high = if limit.sum() < high.sum() && limit.within(beyond) { limit } else { high };
+            } else {
+                let limit = limit.moved(-out / least);
+                low = if limit.sum() > low.sum() && limit.within(beyond) { limit } else { low };
+            }
+        }
+        if let Some(limit) = trim.as_ref().and_then(|trim| trim.limit(v_bend, v_turn))
+            && limit.sum() > low.sum()
+            && limit.within(beyond)
+        {
+            low = limit;
+        }
+        let limits = |time: usize, v: usize| [low.h[time][v], high.h[time][v]];
+        let d: [[f64; 2]; 2] = [0, 1].map(|time: usize| {
+            [0, 1].map(|v: usize| {
+                let Ruling { foot, N } = seen[time][v];
+                from_axis(foot.xy(), N.xy(), limits(time, v)).0
+            })
+        });
+        for time in 0..2 {
+            for at in 0..2 {
+                if d[time][at] < self.seen.0 {
+                    let along = if last == first + 1 { part[time] } else { [0.0, 1.0][time] };
+                    self.look(
+                        &walls.pieces[piece],
+                        &rulings[at],
+                        &seen[time][at],
+                        tops[at],
+                        Place { along: along_way(first, last, along), v: v[at] },
+                    );
+                }
+            }
+        }
+
+        let [in_time, in_v] = [0, 1].map(|along: usize| low.changes[along].max(high.changes[along]));
+        let (speed, v_speed) = (speed + in_time, v_speed + in_v);
+        let (bend, v_bend) = (bend + 2.0 * (B + C) * in_time, v_bend + 2.0 * v_turn * in_v);
+        let nearest = d.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        let mut bound = (nearest - (speed + v_speed) / 2.0).max(0.0);
+        let mut k = [0.0; 2];
+        for _ in 0..3 {
+            if bound > 0.0 {
+                k = [speed * speed / bound + bend, v_speed * v_speed / bound + v_bend];
+                let first = sagging(sagging(d[0][0], d[0][1], k[1]), sagging(d[1][0], d[1][1], k[1]), k[0]);
+                let other = sagging(sagging(d[0][0], d[1][0], k[0]), sagging(d[0][1], d[1][1], k[0]), k[1]);
+                bound = bound.max(first).max(other);
+            }
+        }
+        let in_time =
+            if k[1] > 0.0 { k[0] + rise_bend + 16.0 * strays > k[1] + v_bend } else { speed + 2.0 * strays > v_speed };
+        Some(((bound - strays).max(0.0), in_time))
+    }
+
+    /// Takes a ruling's distance from the axis, of what truly counts of it.
+    fn look(&mut self, piece: &Piece, ruling: &Ruling, seen: &Ruling, top: f64, place: Place) {
+        let (mut low, mut high) = (top, self.walls.part.floor(ruling, top));
+        if seen.N.z > 0.0 {
+            high = high.min(seen.foot.z / seen.N.z);
+        } else if seen.N.z < 0.0 {
+            low = low.max(seen.foot.z / seen.N.z);
+        } else if seen.foot.z < 0.0 {
+            return;
+        }
+        let R = self.walls.part.circle.torus.R;
+        if inner(piece) {
+            let inside = |h: f64| self.walls.part.trimmed(&ruling.at(h));
+            if !inside(low) {
+                // Where the ruling comes into the blank: through the hub plane, or through the rim.
+                let (plan, N) = (ruling.foot.xy(), ruling.N.xy());
+                let (square, along) = (N.norm_squared(), plan.dot(&N));
+                let rest = (along * along - square * (plan.norm_squared() - R * R)).max(0.0).sqrt();
+                let entry =
+                    if piece.face == Face::Reverse { ruling.foot.z / ruling.N.z } else { (along - rest) / square };
+                low = low.max(entry + ARITHMETIC);
+                if !inside(low) {
+                    return;
+                }
+            }
+        }
+        if low <= high {
+            let (distance, _) = from_axis(seen.foot.xy(), seen.N.xy(), [low, high]);
+            if distance < self.seen.0 {
+                self.seen = (distance, Some(place));
+            }
+        }
+    }
+}
+
+/// True for the piece between the ends, where the blank cuts rulings short.
+fn inner(piece: &Piece) -> bool {
+    piece.v[0] >= HUB && piece.v[1] <= RIM
+}
+
+#[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+fn along_way(first: usize, last: usize, part: f64) -> f64 {
+    first as f64 + (last - first) as f64 * part
+}
+
+/// The two halves of a cell.
+fn halves(cell: &Cell, in_time: bool) -> [Cell; 2] {
+    let Cell { time: Time { first, last, part }, v, .. } = *cell;
+    if !in_time || first == last {
+        let middle = (v[0] + v[1]) / 2.0;
+        return [[v[0], middle], [middle, v[1]]].map(|v| Cell { v, ..*cell });
+    }
+    let times = if last > first + 1 {
+        let middle = first + (last - first) / 2;
+        [[first, middle], [middle, last]].map(|[first, last]| Time { first, last, part })
+    } else {
+        let middle = (part[0] + part[1]) / 2.0;
+        [[part[0], middle], [middle, part[1]]].map(|part| Time { first, last, part })
+    };
+    times.map(|time| Cell { time, ..*cell })
+}
+
+/// What the blank takes from the rulings of a cell: a + h·along must not be negative, at both of its v. Of the rim
+/// cylinder this is the plane that touches it nearby, beyond which nothing of the blank lies.
+struct Trim {
+    a: [f64; 2],
+    along: [f64; 2],
+}
+
+impl Trim {
+    fn of(walls: &Walls, piece: &Piece, rulings: &[Ruling; 2], depth: f64) -> Option<Self> {
+        if !inner(piece) {
+            return None;
+        }
+        Some(match piece.face {
+            Face::Reverse => Self { a: rulings.map(|ruling| -ruling.foot.z), along: rulings.map(|ruling| ruling.N.z) },
+            Face::Obverse => {
+                let out = (rulings[0].at(depth) + rulings[1].at(depth)).xy().try_normalize(0.0)?;
+                let R = walls.part.circle.torus.R;
+                Self {
+                    a: rulings.map(|ruling| R - ruling.foot.xy().dot(&out)),
+                    along: rulings.map(|ruling| ruling.N.xy().dot(&out)),
+                }
+            }
+        })
+    }
+
+    fn greatest(&self, depths: [f64; 2]) -> f64 {
+        let at = |side: usize| depths.map(|h| self.a[side] + h * self.along[side]);
+        at(0).into_iter().chain(at(1)).fold(f64::MIN, f64::max)
+    }
+
+    /// Above which h nothing lies in the blank.
+    fn limit(&self, bend: f64, turn: f64) -> Option<Limit> {
+        let least = self.along[0].min(self.along[1]) - turn / 2.0;
+        if least <= STEEP {
+            return None;
+        }
+        let h = [0, 1].map(|side: usize| -self.a[side] / self.along[side]);
+        let limit = Limit::through([h; 2]);
+        Some(limit.moved(-(bend + 2.0 * turn * limit.changes[1]) / 8.0 / least))
+    }
+}

@@ -1,0 +1,87 @@
+//! The drawings of an impeller for the report: the part, its geometry, the machine's positions and the tool paths.
+//!
+//! Everything is drawn from the same geometry that the tables show; nothing is traced by hand.
+
+mod geometry;
+mod graphs;
+mod machine;
+mod solid;
+
+pub use solid::{blade_halves, sections, splitter_halves};
+
+use crate::figure::{Figure, Ink, Label, Stroke};
+use crate::kinds::impeller::blade::Blade;
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::splitter::Splitter;
+use crate::kinds::impeller::tables::ToolPaths;
+use crate::proof::track::Track;
+use crate::text::Text;
+
+/// Points of a curve that a drawing needs at most: finer is not seen on paper.
+const FINE: usize = 240;
+
+/// How far the tip goes into the metal along a track, to be drawn.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// The track.
+    pub track: Track,
+    /// Point index and depth in mm, positive into the metal.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// All figures, by the keys that the report's templates know.
+#[must_use]
+pub fn figures(
+    design: &Design,
+    blade: &Blade,
+    passes: &ToolPaths,
+    splitter: Option<&Splitter>,
+    deviation: &[Curve],
+) -> Vec<Figure> {
+    let mut figures = vec![
+        solid::cover(design, blade, splitter),
+        geometry::villarceau(blade),
+        geometry::plan(design, blade, splitter),
+        geometry::frame(blade),
+        graphs::angles(blade),
+        machine::positions(design, blade),
+        geometry::tool_paths(design, blade),
+        machine::safe_points(passes),
+        machine::safe_ends(design, blade, passes),
+        machine::blank(design),
+        graphs::deviation(deviation),
+    ];
+    if let Some(splitter) = splitter {
+        figures.push(geometry::crossing(design, blade, splitter));
+        figures.push(graphs::fraction(splitter));
+    }
+    figures
+}
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+fn line(ink: Ink, points: Vec<[f64; 2]>) -> Stroke {
+    Stroke::line(ink, points)
+}
+
+fn arrow(ink: Ink, from: [f64; 2], to: [f64; 2]) -> Stroke {
+    Stroke { ink, points: vec![from, to], filled: false, arrow: true }
+}
+
+fn label(at: [f64; 2], text: Text) -> Label {
+    Label { at, text }
+}
+
+/// Indices of at most about `most` points of `count`, first and last among them.
+fn sampled(count: usize, most: usize) -> impl Iterator<Item = usize> {
+    let step = (count / most.max(1)).max(1);
+    let last = count.saturating_sub(1);
+    (0..last).step_by(step).chain((count > 0).then_some(last))
+}
+
+/// `count` + 1 equal steps from `from` to `to`.
+fn steps(from: f64, to: f64, count: u16) -> impl Iterator<Item = f64> + Clone {
+    (0..=count).map(move |at| from + (to - from) * f64::from(at) / f64::from(count.max(1)))
+}

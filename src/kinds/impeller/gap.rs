@@ -1,0 +1,375 @@
+//! The true gap between two blades: the largest tool that passes between them, and the limits that follow from it.
+//!
+//! The published limits take the arc along the parallel at the hub for the gap. That is not how a tool passes: it stands in
+//! the channel with its axis through the circle in the middle of the tube, blades cross the parallels at a slant, and they
+//! are twisted. So the gap is
+//!
+//! > gap = 2·min over the stations of max over ψ of min(D_o, D_r),
+//!
+//! with D the least distance of the axis, from the tip to 0.3 mm above the blank, from the obverse of one blade and from
+//! the reverse of the next. The tip stands as deep as the floor lets the tool whose radius is half the gap:
+//! t* = √(r_f² − a²) − r with r_f = r + a_p. A station is a part of the way from the hub to the rim, or, where it is
+//! negative, a run-out of the tool out of the hub plane in radii of the design's tool; while its end still reaches into the
+//! blank, the tip sinks with the floor. Faces go straight on beyond their ends and are not cut off there.
+//!
+//! One blade alone is taken for one of two, which leave less.
+//!
+//! Limits are those of the design's own tool: it is a gap at the depth of its tip that must be a third wider than it.
+//!
+//! Stations are close to each other at the hub, where the gap is the least; between them it is less by some thousandths
+//! of a millimetre at most.
+//!
+//! # Units
+//! Millimetres and radians.
+//!
+//! # References
+//! Derived here; held against a dense search.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::blade_count::{N_max, e_max, least_gap};
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::part::{Face, HUB, Part, RIM};
+use crate::number::root::golden;
+use crate::number::trig::sin_cos;
+
+/// Where the gap is looked at, from the hub (0) to the rim (1); negative: run out of the hub plane, in radii of the tool.
+const STATIONS: [f64; 15] = [-0.4, -0.2, 0.0, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.75, 1.0];
+
+/// How far above the blank the axis is looked at, mm.
+const ABOVE: f64 = 0.3;
+
+/// Lines of a face that are looked at first.
+const LINES: u8 = 40;
+
+/// Steps of a golden section about the nearest of them.
+const STEPS: u32 = 16;
+
+/// Most rounds in which the depth of the tip follows the tool. Each takes the difference to about a tenth.
+const ROUNDS: usize = 8;
+
+/// The gap, and where it is the least.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// The diameter of the largest tool that passes, mm; 0 where none does.
+    pub width: f64,
+    /// Where: the part of the way from the hub to the rim.
+    pub station: f64,
+}
+
+/// What the true gap leaves room for, by the rule that it must be a third wider than the tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The gap of the design: the largest tool that passes.
+    pub gap: Gap,
+    /// What it must be: 4/3·d_t.
+    pub least: f64,
+    /// It is, at the depth of the design's tool.
+    pub kept: bool,
+    /// The greatest number of blades of this thickness; `None` where not even one has its gap.
+    pub N_max: Option<u32>,
+    /// The greatest thickness of this many blades; `None` where even blades without thickness leave too little.
+    pub e_max: Option<f64>,
+}
+
+impl Limits {
+    /// The limits of a design.
+    #[must_use]
+    pub fn new(design: &Design) -> Self {
+        let (torus, a_p, d_t) = (design.torus, design.a_p, design.d_t);
+        let least = least_gap(d_t);
+        let part = Part::new(design);
+        let mut near = STATIONS.to_vec();
+        let beside = Channel::new(&part, design.N, d_t).least(&mut near);
+        // Thickness changes the widths of all stations alike.
+        let spare = |e: f64| {
+            let part = Part::with(torus, e, a_p);
+            Channel::new(&part, design.N, d_t).least(&mut near.clone()).width - least
+        };
+        let fits = |N: u32| {
+            let channel = Channel::new(&part, N, d_t);
+            STATIONS.iter().skip(2).chain(STATIONS.iter().take(2)).all(|&q| channel.width(q) >= least)
+        };
+        // The gap is narrower than the arc on the parallel, so that the published limits are upper bounds.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held within the form's limits")]
+        let most = N_max(torus, a_p, design.e, d_t).clamp(0.0, 1e6) as u32;
+        Self {
+            gap: gap(&part, design.N, d_t),
+            least,
+            kept: beside.width >= least,
+            N_max: greatest(most, fits),
+            e_max: thickest(e_max(torus, a_p, design.N, d_t), spare),
+        }
+    }
+}
+
+/// The greatest whole number from 1 to `most` for which something holds that holds for all smaller ones.
+fn greatest(most: u32, holds: impl Fn(u32) -> bool) -> Option<u32> {
+    let (mut low, mut high) = (0, most);
+    while low < high {
+        let middle = low + (high - low).div_ceil(2);
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
+    }
+    (low > 0).then_some(low)
+}
+
+/// The greatest thickness up to `most` that leaves `spare` not negative, rounded down to 10⁻⁵ mm or less.
+fn thickest(most: f64, spare: impl Fn(f64) -> f64) -> Option<f64> {
+    if most <= 0.0 || spare(0.0) < 0.0 {
+        return None;
+    }
+    let mut low = (0.0, spare(0.0));
+    let mut high = (most, spare(most));
+    if high.1 >= 0.0 {
+        return Some(most);
+    }
+    for _ in 0..30 {
+        if high.0 - low.0 < 1e-5 {
+            break;
+        }
+        // The gap falls nearly evenly with e: a little to both sides of the chord's root brackets it closely.
+        let root = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
+        let aside = (high.0 - low.0) * 1e-3;
+        for e in [root - aside, root + aside] {
+            if e > low.0 && e < high.0 {
+                let spare = spare(e);
+                if spare >= 0.0 {
+                    low = (e, spare);
+                } else {
+                    high = (e, spare);
+                }
+            }
+        }
+    }
+    Some(low.0)
+}
+
+/// The gap between neighbouring ones of N blades: the largest tool that passes, sought from the diameter d_t on.
+#[must_use]
+pub fn gap(part: &Part, N: u32, d_t: f64) -> Gap {
+    let mut channel = Channel::new(part, N, d_t);
+    let mut stations = STATIONS.to_vec();
+    let mut least = channel.least(&mut stations);
+    for _ in 1..ROUNDS {
+        let next = least.width / 2.0;
+        if (next - channel.a).abs() < 1e-7 {
+            break;
+        }
+        channel.a = next;
+        least = channel.least(&mut stations);
+    }
+    least
+}
+
+/// A channel between the obverse of a blade and the reverse of the next, with the tool that is to pass.
+struct Channel<'a> {
+    part: &'a Part,
+    pitch: f64,
+    /// The tool's radius.
+    a: f64,
+    /// The unit of run-outs.
+    run_out: f64,
+    /// h_1.
+    bottom: f64,
+}
+
+/// The least of a function about a place that is near to it, by parabolas through three points each; `None` where it is
+/// not near. The first parabola has points `width` apart, the last ones a 256th of that.
+fn bottom(guess: f64, mut width: f64, value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
+    let (mut at, mut closer) = (guess, 0);
+    for _ in 0..6 {
+        let [before, here, after] = [-width, 0.0, width].map(|aside| value(at + aside));
+        let bend = before - 2.0 * here + after;
+        let shift = width * (before - after) / (2.0 * bend);
+        // NaN counts as far.
+        let near = bend > 0.0 && shift.abs() <= 4.0 * width;
+        if !near {
+            return None;
+        }
+        at += shift;
+        if shift.abs() <= width {
+            closer += 1;
+            if closer == 3 {
+                return Some((value(at), at));
+            }
+            width /= 16.0;
+        }
+    }
+    None
+}
+
+/// A stretch of a tool's axis.
+struct Axis {
+    /// Where it passes the tops.
+    foot: Vector3<f64>,
+    /// Out of the metal.
+    along: Vector3<f64>,
+    /// From and to, above the foot.
+    range: [f64; 2],
+}
+
+impl<'a> Channel<'a> {
+    fn new(part: &'a Part, N: u32, d_t: f64) -> Self {
+        // One blade alone leaves more than two do, but its face, gone on straight past the hub, comes round to its own back.
+        let (torus, a_p) = (part.circle.torus, part.a_p);
+        let bottom = a_p + part.e * part.e / 4.0 / (2.0 * (torus.R - torus.r - a_p));
+        Self { part, pitch: TAU / f64::from(N.max(2)), a: d_t / 2.0, run_out: d_t / 2.0, bottom }
+    }
+
+    /// The least width over stations. Those that are far above it are left out: what is not the least for one depth of the
+    /// tip is not for another.
+    fn least(&self, stations: &mut Vec<f64>) -> Gap {
+        let widths: Vec<Gap> = stations.iter().map(|&q| Gap { width: self.width(q), station: q.max(0.0) }).collect();
+        let least = widths.iter().copied().min_by(|one, other| one.width.total_cmp(&other.width));
+        let least = least.unwrap_or(Gap { width: 0.0, station: 0.0 });
+        let mut widths = widths.iter();
+        stations.retain(|_| widths.next().is_some_and(|one| one.width <= 1.2 * least.width + 0.1));
+        least
+    }
+
+    /// The diameter of the tool that fits at a station.
+    fn width(&self, q: f64) -> f64 {
+        let torus = self.part.circle.torus;
+        let out = (-q).max(0.0) * self.run_out;
+        let v = HUB + q.max(0.0) * FRAC_PI_2;
+        let rho = torus.rho(v);
+        let sin_alpha = torus.r / torus.R;
+        let u = self.part.circle.u(v);
+        let within = self.part.e / (2.0 * rho * sin_alpha);
+        let (mut low, mut high) = (u - self.pitch + within, u - within);
+        if low >= high {
+            return 0.0;
+        }
+        // From the reverse of the next blade, where D_o − D_r is positive, to the obverse.
+        let mut guess = [None, None];
+        let mut both = |psi: f64| {
+            let [(obverse, at_obverse), (reverse, at_reverse)] = [
+                self.nearest(Face::Obverse, &self.axis(v, psi, out), guess[0]),
+                self.nearest(Face::Reverse, &self.axis(v, psi + self.pitch, out), guess[1]),
+            ];
+            guess = [Some(at_obverse), Some(at_reverse)];
+            [obverse, reverse]
+        };
+        let difference = |[obverse, reverse]: [f64; 2]| obverse - reverse;
+        let (mut at_low, mut at_high) = (difference(both(low)), difference(both(high)));
+        let mut found: f64 = 0.0;
+        for _ in 0..60 {
+            let part = at_low / (at_low - at_high);
+            let psi = low + (high - low) * if part.is_finite() { part.clamp(0.001, 0.999) } else { 0.5 };
+            let here = both(psi);
+            found = found.max(here[0].min(here[1]));
+            let off = difference(here);
+            if off.abs() < 1e-8 || high - low < 1e-12 {
+                break;
+            }
+            // Illinois: an end that stays counts half.
+            if off > 0.0 {
+                (low, at_low) = (psi, off);
+                at_high *= 0.5;
+            } else {
+                (high, at_high) = (psi, off);
+                at_low *= 0.5;
+            }
+        }
+        2.0 * found
+    }
+
+    /// The axis of the tool at v and ψ, run out of the hub plane.
+    fn axis(&self, v: f64, psi: f64, out: f64) -> Axis {
+        let torus = self.part.circle.torus;
+        let ((sin_v, cos_v), (sin, cos)) = (sin_cos(v), sin_cos(psi));
+        let rho = torus.R + torus.r * cos_v;
+        let (r_f, reach) = (torus.r + self.part.a_p, (self.a - out).max(0.0));
+        let depth = (r_f * r_f - reach * reach).max(0.0).sqrt() - torus.r;
+        Axis {
+            foot: Vector3::new(rho * cos, rho * sin, torus.r * sin_v + out),
+            along: -Vector3::new(cos_v * cos, cos_v * sin, sin_v),
+            // The end of a tool too wide for the tube stands above the blank altogether.
+            range: [(-depth).min(ABOVE), ABOVE],
+        }
+    }
+
+    /// The least distance of an axis from a face, and the v where it is.
+    fn nearest(&self, face: Face, axis: &Axis, guess: Option<f64>) -> (f64, f64) {
+        let torus = self.part.circle.torus;
+        let (sin, cos) = (torus.r / torus.R, self.part.circle.k / torus.R);
+        // Beyond its ends a face is as long as a tool that runs out beside it needs.
+        let beyond = ((self.part.e / 2.0 + self.a) * cos / sin + self.a / sin + 0.5) / torus.R;
+        let (begin, end) = (HUB - beyond, RIM + beyond);
+        let step = (end - begin) / f64::from(LINES);
+        let at = |v: f64| self.apart(face, v, axis);
+        if let Some(found) = guess.and_then(|guess| bottom(guess, step / 8.0, at))
+            && (begin..=end).contains(&found.1)
+        {
+            return found;
+        }
+        let (_, about) = (0..=LINES)
+            .map(|line| begin + step * f64::from(line))
+            .map(|v| (at(v), v))
+            .fold((f64::INFINITY, begin), |least, here| if here.0 < least.0 { here } else { least });
+        golden([(about - step).max(begin), (about + step).min(end)], STEPS, at)
+    }
+
+    /// The distance of an axis from the line of a face at v.
+    fn apart(&self, face: Face, v: f64, axis: &Axis) -> f64 {
+        let ruling = self.part.ruling(face, v);
+        let (from, down) = (ruling.foot - axis.foot, -ruling.N);
+        let ([low, high], [near, far]) = ([self.part.top(v), self.bottom], axis.range);
+        let (b, down_from, along_from) = (down.dot(&axis.along), down.dot(&from), axis.along.dot(&from));
+        let slant = 1.0 - b * b;
+        let h = if slant > 1e-14 { ((b * along_from - down_from) / slant).clamp(low, high) } else { low };
+        let l = (along_from + b * h).clamp(near, far);
+        let h = (b * l - down_from).clamp(low, high);
+        (from + down * h - axis.along * l).norm()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::geometry::torus::Torus;
+    use crate::kinds::impeller::gap::*;
+
+    /// Check designs: R, r, N, e, a_p, d_t.
+    const DESIGNS: [(f64, f64, u32, f64, f64, f64); 3] =
+        [(25.0, 15.0, 4, 2.0, 2.0, 6.0), (25.0, 17.0, 2, 1.0, 4.0, 6.0), (50.0, 30.0, 5, 2.0, 3.0, 6.0)];
+
+    #[test]
+    fn gaps_are_those_of_the_check_values() {
+        // The check values were found on rulings some tenths of a millimetre apart.
+        for ((R, r, N, e, a_p, d_t), check) in DESIGNS.into_iter().zip([6.900_679, 10.043_482, 12.418_203]) {
+            let found = gap(&Part::with(Torus { R, r }, e, a_p), N, d_t);
+            assert!((found.width - check).abs() < 0.0015, "{found:?} {check}");
+        }
+    }
+
+    #[test]
+    fn the_bottom_of_a_valley_is_found_from_near_it_only() {
+        let valley = |x: f64| {
+            let off = x - 1.25;
+            off * off * (1.0 + 0.1 * off) + 2.0
+        };
+        let (value, at) = bottom(1.1, 0.05, valley).unwrap();
+        assert!((value - 2.0).abs() < 1e-9 && (at - 1.25).abs() < 1e-4, "{value} {at}");
+        assert_eq!(bottom(0.0, 0.05, |x| (x - 1.25) * (x - 1.25)), None);
+        assert_eq!(bottom(0.0, 0.05, |x| -x * x), None);
+        assert_eq!(bottom(0.0, 0.05, |_| f64::NAN), None);
+    }
+
+    #[test]
+    fn where_even_blades_without_thickness_are_too_near_there_is_no_greatest_thickness() {
+        assert_eq!(thickest(-2.415, |_| 1.0), None);
+        assert_eq!(thickest(2.0, |e| -0.5 - e), None);
+        assert_eq!(thickest(2.0, |e| 3.0 - e), Some(2.0));
+        assert!((thickest(2.0, |e| 1.25 - e).unwrap() - 1.25).abs() < 1e-4);
+        let part = Part::with(Torus { R: 25.0, r: 17.0 }, 1.0, 4.0);
+        assert_eq!(gap(&part, 1, 6.0), gap(&part, 2, 6.0));
+        assert_eq!(greatest(5, |_| false), None);
+        assert_eq!(greatest(0, |_| true), None);
+    }
+}

@@ -1,0 +1,126 @@
+//! The comments at the head of a complete program: what a machinist must know before the start.
+//!
+//! Without tool-centre-point control a program is true for one pivot length and one position of the part, so both are
+//! stated.
+
+use crate::gcode::dialect::FeedLaw;
+use crate::gcode::header::{Header, Origin, Work};
+use crate::gcode::program::{Part, Program};
+use crate::gcode::word::Distance;
+use crate::kinds::impeller::design::{Design, Style};
+use crate::number::grid::Milli;
+use crate::number::shown;
+
+fn fixed(value: f64) -> String {
+    format!("{value:.3}")
+}
+
+fn identity(design: &Design, program: &Program, origin: &Origin<'_>) -> Header {
+    let work = Work { part: &design.part, material: &design.material, number: design.program };
+    Header::new(program.dialect, program.key, &program.title, work, origin)
+}
+
+fn extents(header: &mut Header, program: &Program) {
+    let shown = |value: Milli| fixed(value.value());
+    for (letter, low, high) in program.extents() {
+        let (low, high) = (shown(low), shown(high));
+        header.line(&format!("RECORRIDO {letter} DE {low} A {high}"), &format!("EXTENT {letter} FROM {low} TO {high}"));
+    }
+}
+
+/// The header of a milling program, its opening line included. `full_from` are the points from which the ways out and
+/// back along the splitters that it cuts have their full offset, where these differ.
+#[must_use]
+pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>, origin: &Origin<'_>) -> Vec<Part> {
+    let mut comments = identity(design, program, origin);
+    let (T, D) = (design.T, design.D);
+    let diameter = fixed(design.d_t);
+    comments.line(
+        &format!("HERRAMIENTA T{T} D{D} FRESA FRONTAL DIAM. {diameter}"),
+        &format!("TOOL T{T} D{D} FLAT END MILL DIAM. {diameter}"),
+    );
+    if let Some([out, back]) = full_from {
+        comments.line(
+            &format!("INTERMEDIO ENTERO DESDE PUNTO {out} IDA Y {back} VUELTA"),
+            &format!("SPLITTER IN FULL FROM POINT {out} OUT AND {back} BACK"),
+        );
+    }
+    let (L, R_B, H) = (fixed(design.machine.L), fixed(design.R_B), fixed(design.H));
+    comments.line(
+        &format!("LONGITUD DE PIVOTE L {L} DEL EJE B AL CENTRO DEL TORO"),
+        &format!("PIVOT LENGTH L {L} FROM B AXIS TO TORUS CENTRE"),
+    );
+    comments.line(&format!("L ES R_B {R_B} MAS H {H}"), &format!("L IS R_B {R_B} PLUS H {H}"));
+    comments.line("R_B - NARIZ DEL HUSILLO PORTAPIEZA SOBRE EL EJE B", "R_B - WORK SPINDLE NOSE OVER THE B AXIS");
+    comments.line("H - CARA TORNEADA SOBRE ESA NARIZ", "H - TURNED FACE OVER THAT NOSE");
+    comments
+        .line("CERO G54 - PUNTA EN EL CENTRO DEL TORO CON B0 C0", "ZERO G54 - TOOL TIP IN THE TORUS CENTRE AT B0 C0");
+    comments.line(
+        "SIN CONTROL DE PUNTA RTCP - SOLO VALE CON ESTA L",
+        "NO TOOL CENTRE POINT CONTROL - TRUE FOR THIS L ONLY",
+    );
+    let by_increments = design.turns_by_increments();
+    let height = fixed(program.start.get(crate::machine::axis::Axis::Z).value());
+    comments.line(
+        &format!("EMPIEZA Y ACABA EN X0 Y0 Z{height} B0 Y C {}", if by_increments { "0" } else { "EN VUELTAS" }),
+        &format!("STARTS AND ENDS AT X0 Y0 Z{height} B0 AND C {}", if by_increments { "0" } else { "IN TURNS" }),
+    );
+    if by_increments {
+        comments.line("ANTES DE EMPEZAR - B Y C A 0 EN PANTALLA", "BEFORE THE START - B AND C SHOW 0");
+        comments.line(
+            "VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES",
+            "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES",
+        );
+    } else {
+        comments
+            .line("C ES EJE GIRATORIO CONTINUO - CUENTA MAS DE 360", "C IS A CONTINUOUS ROTARY AXIS - COUNTS PAST 360");
+    }
+    if design.style == Style::Full && design.distance == Distance::Absolute {
+        comments.line("SOLO VALE SI B Y C NO SON EJES ROLLOVER", "TRUE ONLY WHERE B AND C ARE NOT ROLLOVER AXES");
+    }
+    if design.retract.is_empty() {
+        comments.line(
+            "SIN BLOQUE DE RETIRADA - RETIRE LA HERRAMIENTA A MANO",
+            "NO BLOCK TAKES THE TOOL AWAY - DO SO BY HAND",
+        );
+    }
+    if design.distance == Distance::Incremental {
+        comments.line("COORDENADAS INCREMENTALES G91 TRAS EL INICIO", "INCREMENTAL G91 AFTER THE START");
+    }
+    extents(&mut comments, program);
+    if let (Some(F), Some(S)) = (design.F, design.S) {
+        let F = shown(F, 3);
+        comments.line(
+            &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),
+            &format!("FEED OF THE TIP {F} MM-MIN - SPINDLE {S} RPM"),
+        );
+        match design.dialect.feed {
+            FeedLaw::Resultant => comments.line(
+                "F EN CADA BLOQUE - RESULTANTE DE LOS EJES EN MM Y GRADOS",
+                "F IN EACH BLOCK - RESULTANT OF THE AXES IN MM AND DEG.",
+            ),
+            FeedLaw::Seconds => {
+                comments.line("G93 - F ES EL TIEMPO DEL BLOQUE EN S", "G93 - F IS THE TIME OF THE BLOCK IN S")
+            }
+            FeedLaw::InverseTime => {
+                comments.line("G93 - F ES LA INVERSA DEL TIEMPO EN MIN", "G93 - F IS THE INVERSE OF THE TIME IN MIN");
+            }
+        }
+    }
+    comments.parts
+}
+
+/// The header of the turning program, its opening line included.
+#[must_use]
+pub fn blank_header(design: &Design, program: &Program, origin: &Origin<'_>) -> Vec<Part> {
+    let mut comments = identity(design, program, origin);
+    let blank = &design.blank;
+    let (diameter, length) = (fixed(2.0 * design.torus.R), fixed(blank.L_b));
+    comments
+        .line(&format!("BRUTO DIAM. {diameter} LONG. {length}"), &format!("STOCK DIAM. {diameter} LENGTH {length}"));
+    comments
+        .line(&format!("HERRAMIENTA T{} D{}", blank.T_b, blank.D_b), &format!("TOOL T{} D{}", blank.T_b, blank.D_b));
+    comments.line("CERO EN EL EJE Y LA CARA - X EN DIAMETROS", "ZERO ON THE AXIS AND THE FACE - X ON DIAMETERS");
+    extents(&mut comments, program);
+    comments.parts
+}

@@ -1,0 +1,357 @@
+//! The impeller: blades along Villarceau circles of a torus, milled on five axes.
+//!
+//! Each file holds one family of formulas; [`blade::Blade`] is the whole geometry of one blade, [`splitter::Splitter`]
+//! that of the blade between two, [`tables`] shows both as the annexes set them and [`programs`](mod@programs) as ISO programs.
+
+pub mod assembly;
+pub mod blade;
+pub mod blade_count;
+pub mod blank;
+pub mod cases;
+mod charts;
+pub mod clearance;
+pub mod contradictions;
+pub mod design;
+pub mod discretisation;
+pub mod fade;
+pub mod figures;
+pub mod floor_depth;
+pub mod gap;
+pub mod header;
+pub mod ideal;
+pub mod outside;
+pub mod parameters;
+pub mod part;
+pub mod programs;
+pub mod proof;
+mod remarks;
+pub mod ribs;
+pub mod room;
+pub mod safety;
+pub mod scene;
+mod shortfalls;
+pub mod slips;
+pub mod solids;
+pub mod splitter;
+mod start;
+pub mod sweep;
+pub mod tables;
+pub mod tool_path;
+pub mod undercut;
+
+use std::sync::LazyLock;
+
+use crate::finding::{Exit, Finding, Grade, Refusal};
+use crate::gcode::header::Origin;
+use crate::gcode::program::Program;
+use crate::gcode::word::NumberFormat;
+use crate::kind::{Outcome, Provenance, not_finite, out_of_format};
+use crate::kinds::impeller::blade::Blade;
+use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::fade::Fade;
+use crate::kinds::impeller::figures::figures;
+use crate::kinds::impeller::gap::Limits;
+use crate::kinds::impeller::programs::{Tracks, programs};
+use crate::kinds::impeller::proof::{Geometry, SOURCE, verify};
+use crate::kinds::impeller::remarks::{no_calibration, no_splitter, remarks};
+use crate::kinds::impeller::shortfalls::{shortfalls, too_narrow};
+use crate::kinds::impeller::splitter::Splitter;
+use crate::kinds::impeller::tables::ToolPaths;
+use crate::machine::axis::Axis;
+use crate::parameter::{Form, Values};
+use crate::table::{Quantity, Unit};
+use crate::text::Text;
+
+/// Computes an impeller.
+///
+/// # Errors
+/// A refusal with every contradiction between values, or for a splitter or calibration that does not exist.
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+    let refused = |findings: Vec<Finding>| Refusal {
+        exit: Exit::Refused,
+        findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),
+    };
+    let design = Design::new(&values).map_err(refused)?;
+    let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
+    let passes = ToolPaths::new(&design, &blade);
+    let mut stops = Vec::new();
+    let splitter = if design.splitters {
+        Splitter::new(&design, &blade).map_err(|why| stops.push(no_splitter(why))).ok()
+    } else {
+        None
+    };
+    let calibration = design.calibration.as_ref().and_then(|slots| {
+        let found = tables::calibration(slots, design.R_B);
+        if found.is_none() {
+            stops.push(no_calibration());
+        }
+        found
+    });
+    if !stops.is_empty() {
+        return Err(refused(stops));
+    }
+
+    let mut tables = tables::annexes(&blade, &passes);
+    if let Some(splitter) = &splitter {
+        tables.extend(tables::splitter(&design, &blade, splitter));
+    }
+    tables.push(tables::blank(&design));
+    let (table, calibrated) = calibration.unzip();
+    tables.extend(table);
+    tables.push(tables::views(&blade));
+    for table in &tables {
+        if let Some((_, row)) = table.not_finite() {
+            return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+        }
+    }
+
+    let origin = Origin {
+        workbook: &source.workbook,
+        sha256: &source.sha256,
+        version: source.version,
+        language: values.language,
+    };
+    let (tracks, made) = Tracks::new(&blade, &passes, splitter.as_ref())
+        .and_then(|tracks| programs(&design, &tracks, &origin).map(|made| (tracks, made)))
+        .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_B", "H"])]))?;
+    let limits = Limits::new(&design);
+    let quantities = quantities(&design, &limits, &passes, splitter.as_ref(), &made.programs);
+    let mut findings = remarks(&design, &made, calibrated);
+    findings.extend(too_narrow(&design, &limits));
+    findings.extend(shortfalls(&design, &tracks));
+    let (verification, curves) =
+        verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
+    tables.push(verification.table(&made.programs, SOURCE));
+    findings.extend(verification.findings);
+    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    Ok(Outcome {
+        form,
+        quantities,
+        charts: charts::charts(splitter.is_some()),
+        figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref(), &curves))),
+        turned: None,
+        templates: Vec::new(),
+        tables,
+        programs: if stopped { Vec::new() } else { made.programs },
+        findings,
+        endless: false,
+        values,
+        source,
+    })
+}
+
+/// Derived limits, angles and lengths.
+fn quantities(
+    design: &Design,
+    limits: &Limits,
+    passes: &ToolPaths,
+    splitter: Option<&Splitter>,
+    programs: &[Program],
+) -> Vec<Quantity> {
+    let (torus, a_p, e, d_t) = (design.torus, design.a_p, design.e, design.d_t);
+    let mm = Unit::Millimetre;
+    let circle = crate::geometry::villarceau::Villarceau::new(torus);
+    let gap = hub_circumference(torus, a_p) / f64::from(design.N) - e;
+    let mut list = vec![
+        quantity(
+            "L",
+            "Longitud de pivote, del eje B al centro del toro",
+            "Pivot length, from the B axis to the torus centre",
+            design.machine.L,
+            mm,
+            ["R_B + H", "R_B + H"],
+        ),
+        quantity("k", "Semieje √(R² − r²)", "Semi-axis √(R² − r²)", circle.k, mm, ["ec. (6)", "eq. (6)"]),
+        quantity(
+            "alpha",
+            "Ángulo α del círculo de Villarceau",
+            "Angle α of the Villarceau circle",
+            circle.alpha().to_degrees(),
+            Unit::Degree,
+            ["sen α = r/R", "sin α = r/R"],
+        ),
+        quantity(
+            "length",
+            "Longitud de la fibra media",
+            "Length of the mean line",
+            torus.R * std::f64::consts::FRAC_PI_2,
+            mm,
+            ["|dX/dv| = R: R·π/2", "|dX/dv| = R: R·π/2"],
+        ),
+        quantity(
+            "w",
+            "Semiancho de álabe y herramienta",
+            "Half width of blade and tool",
+            design.w(),
+            mm,
+            ["(e + d_t)/2, ecs. (20) y (21)", "(e + d_t)/2, eqs (20) and (21)"],
+        ),
+        quantity(
+            "d",
+            "Separación mínima entre álabes",
+            "Least gap between blades",
+            least_gap(d_t),
+            mm,
+            ["4/3·d_t, sección 4.2.2", "4/3·d_t, section 4.2.2"],
+        ),
+        quantity(
+            "gap",
+            "Separación entre álabes en el cubo, medida por el paralelo",
+            "Gap between blades at the hub, along the parallel",
+            gap,
+            mm,
+            ["2π(R − r − a_p)/N − e", "2π(R − r − a_p)/N − e"],
+        ),
+        quantity(
+            "N_max",
+            "Número máximo de álabes, según lo publicado",
+            "Greatest number of blades, as published",
+            N_max(torus, a_p, e, d_t),
+            Unit::Count,
+            ["ec. (34)", "eq. (34)"],
+        ),
+        quantity(
+            "e_max",
+            "Espesor máximo del álabe, según lo publicado",
+            "Greatest blade thickness, as published",
+            e_max(torus, a_p, design.N, d_t),
+            mm,
+            ["ec. (35)", "eq. (35)"],
+        ),
+        quantity(
+            "gap_true",
+            "Separación real: mayor herramienta que pasa entre los álabes",
+            "True gap: largest tool that passes between the blades",
+            limits.gap.width,
+            mm,
+            ["2·mín máx mín(D_a, D_r); eje de la fresa a las caras", "2·min max min(D_o, D_r); tool axis to the faces"],
+        ),
+        quantity(
+            "beta",
+            "Inclinación β del extremo del álabe",
+            "Inclination β of the blade's end",
+            passes.entry.beta.to_degrees(),
+            Unit::Degree,
+            ["ec. (23) corregida", "eq. (23) corrected"],
+        ),
+        quantity(
+            "pitch",
+            "Giro entre álabes",
+            "Turn between blades",
+            360.0 / f64::from(design.N),
+            Unit::Degree,
+            ["ec. (22)", "eq. (22)"],
+        ),
+    ];
+    // A limit that does not exist is left out; the caution about the gap says so.
+    list.extend(limits.N_max.map(|N| {
+        quantity(
+            "N_max_true",
+            "Número máximo de álabes por la separación real",
+            "Greatest number of blades by the true gap",
+            f64::from(N),
+            Unit::Count,
+            ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
+        )
+    }));
+    list.extend(limits.e_max.map(|e| {
+        quantity(
+            "e_max_true",
+            "Espesor máximo del álabe por la separación real",
+            "Greatest blade thickness by the true gap",
+            e,
+            mm,
+            ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
+        )
+    }));
+    list.extend(splitter.map(crossings).into_iter().flatten());
+    if let Some(program) =
+        programs.iter().find(|program| program.format == NumberFormat::Fixed && program.key == "blade")
+    {
+        list.push(quantity(
+            "Z_r",
+            "Altura de retirada",
+            "Retract height",
+            program.start.get(Axis::Z).value(),
+            mm,
+            ["√(L² + R²) − L + d_s", "√(L² + R²) − L + d_s"],
+        ));
+    }
+    list
+}
+
+fn quantity(
+    symbol: &'static str,
+    es: &'static str,
+    en: &'static str,
+    value: f64,
+    unit: Unit,
+    source: [&'static str; 2],
+) -> Quantity {
+    Quantity { symbol, meaning: Text::fixed(es, en), value, unit, source: Text::fixed(source[0], source[1]) }
+}
+
+/// Where a splitter's paths cross its neighbours', and from where on its offset is full.
+#[expect(clippy::cast_precision_loss, reason = "counts of points")]
+fn crossings(splitter: &Splitter) -> Vec<Quantity> {
+    let Splitter { out, back, .. } = splitter;
+    let section = ["sección 4.3", "section 4.3"];
+    let room = ["donde la herramienta libra al vecino", "where the tool clears the neighbour"];
+    match splitter.fade {
+        Fade::Published => vec![
+            quantity(
+                "crossing",
+                "Índice del cruce con el álabe vecino",
+                "Index of the crossing with the neighbour",
+                back.crossing,
+                Unit::One,
+                section,
+            ),
+            quantity(
+                "m",
+                "Punto desde el que el intermedio tiene todo su espesor",
+                "Point from which the splitter has its full thickness",
+                back.m as f64,
+                Unit::Count,
+                section,
+            ),
+        ],
+        Fade::EachSide => vec![
+            quantity(
+                "crossing_1",
+                "Índice del cruce con el álabe vecino, a la ida",
+                "Index of the crossing with the neighbour, out",
+                out.crossing,
+                Unit::One,
+                section,
+            ),
+            quantity(
+                "m_1",
+                "Punto desde el que la ida lleva toda su separación",
+                "Point from which the way out has its full offset",
+                out.m as f64,
+                Unit::Count,
+                room,
+            ),
+            quantity(
+                "crossing_2",
+                "Índice del cruce con el álabe vecino, a la vuelta",
+                "Index of the crossing with the neighbour, back",
+                back.crossing,
+                Unit::One,
+                section,
+            ),
+            quantity(
+                "m_2",
+                "Punto desde el que la vuelta lleva toda su separación",
+                "Point from which the way back has its full offset",
+                back.m as f64,
+                Unit::Count,
+                room,
+            ),
+        ],
+    }
+}

@@ -1,0 +1,499 @@
+//! What the part is: faces, tops and floor of its blades, as they are judged. In one place, whatever asks.
+//!
+//! - A blade's mean surface is made of rulings P(v) − h·N(v); blade i stands 2π·i/N further about Z.
+//! - Faces: S±(v, h) = P(v) ± (e/2)·b(v) − h·N(v), obverse + and reverse −. The thickness is e, measured along b, at
+//!   every depth.
+//! - Ends: v runs over [π, 3π/2]; beyond, a face goes straight on along t with the frame of the end point. What is not in
+//!   the blank is cut off: z ≤ 0 at the hub, x² + y² ≤ R² at the rim. So the obverse goes on at the hub and the reverse at
+//!   the rim, about (e/2)·cot α each, and the other two begin inside.
+//! - Tops: the turned surface T = r, T being the distance from the circle in the middle of the tube. Floor: T = r + a_p.
+//! - A ruling runs from the depth h_0 = −(e/2)²·κ_b/2, since the torus rises above its tangent plane, to h_1, where it first
+//!   comes to the floor. Between the ends of the blade that is near a_p; on the straight ends, where the floor falls away
+//!   from the tangent plane, it is deeper, the thicker the blade the more.
+//!
+//! # Units
+//! Millimetres and radians, in the part frame.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use nalgebra::Vector3;
+
+use crate::geometry::darboux::Darboux;
+use crate::geometry::torus::Torus;
+use crate::geometry::villarceau::Villarceau;
+use crate::kinds::impeller::design::Design;
+use crate::number::root::quadratic;
+use crate::number::trig::sin_cos;
+
+/// v where a blade begins, at the hub.
+pub const HUB: f64 = PI;
+/// v where a blade ends, at the rim.
+pub const RIM: f64 = PI + FRAC_PI_2;
+
+/// A face of a blade.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Face {
+    /// On the side of +b.
+    Obverse,
+    /// On the side of −b.
+    Reverse,
+}
+
+impl Face {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::Obverse, Self::Reverse];
+
+    /// On which side of the mean surface it lies: 1 towards +b, −1 towards −b.
+    #[must_use]
+    pub const fn side(self) -> f64 {
+        match self {
+            Self::Obverse => 1.0,
+            Self::Reverse => -1.0,
+        }
+    }
+}
+
+/// A straight line of a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ruling {
+    /// Where it meets the tangent plane of the mean line: h = 0.
+    pub foot: Vector3<f64>,
+    /// N, out of the metal.
+    pub N: Vector3<f64>,
+}
+
+impl Ruling {
+    /// The point at the depth h.
+    #[must_use]
+    pub fn at(&self, h: f64) -> Vector3<f64> {
+        self.foot - self.N * h
+    }
+}
+
+/// A part of a face over which it is smooth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// The face that it belongs to.
+    pub face: Face,
+    /// Where it begins and ends: v, run on beyond the ends of the blade at R a radian.
+    pub v: [f64; 2],
+    /// No ruling of it ends deeper than here, mm.
+    pub bottom: f64,
+}
+
+/// How fast the rulings between two v change, for each radian of v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// No point of the face moves faster, mm.
+    pub speed: f64,
+    /// And none is accelerated more, mm.
+    pub acceleration: f64,
+    /// N turns no faster.
+    pub turn: f64,
+}
+
+/// The part of a design: one blade and the turned surfaces between which it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// The mean line's circle, with the torus.
+    pub circle: Villarceau,
+    /// e, the thickness.
+    pub e: f64,
+    /// a_p, how deep the floor lies.
+    pub a_p: f64,
+    /// The depth at which all rulings end instead of at the floor.
+    end: Option<f64>,
+}
+
+/// Steps in which the floor is looked for along a ruling.
+const STEPS: u8 = 100;
+/// How near to the floor a ruling has come to it, mm.
+const NEAR: f64 = 1e-11;
+/// What is left to the distance from the axis beside its bound, mm.
+const COARSE: f64 = 1e-6;
+/// How often a piece is halved at most to find how deep its rulings end.
+const HALVINGS: u8 = 8;
+
+impl Part {
+    /// The part of a design.
+    #[must_use]
+    pub fn new(design: &Design) -> Self {
+        Self::with(design.torus, design.e, design.a_p)
+    }
+
+    /// The part on a torus (0 < r < R) with blades of the thickness e, the floor a_p deep.
+    #[must_use]
+    pub fn with(torus: Torus, e: f64, a_p: f64) -> Self {
+        Self { circle: Villarceau::new(torus), e, a_p, end: None }
+    }
+
+    /// The same part, but its rulings all end at the depth h and not at the floor: what published figures with a limit of
+    /// h alike for all are held against. On the straight ends the floor may lie deeper.
+    #[must_use]
+    pub const fn ending_at(self, h: f64) -> Self {
+        Self { end: Some(h), ..self }
+    }
+
+    /// The frame at v, and the point of the mean line; straight on beyond the ends.
+    #[must_use]
+    pub fn frame(&self, v: f64) -> (Vector3<f64>, Darboux) {
+        let Torus { R, r } = self.circle.torus;
+        let end = v.clamp(HUB, RIM);
+        let (sin_v, cos_v) = sin_cos(end);
+        let (rho, k) = (R + r * cos_v, self.circle.k);
+        let (cos_u, sin_u) = (k * sin_v / rho, -(r + R * cos_v) / rho);
+        let N = -Vector3::new(cos_v * cos_u, cos_v * sin_u, sin_v);
+        // X_u·k/ρ + X_v, over R.
+        let along_v = Vector3::new(-sin_v * cos_u, -sin_v * sin_u, cos_v);
+        let t = (Vector3::new(-sin_u, cos_u, 0.0) * k + along_v * r) / R;
+        let P = Vector3::new(rho * cos_u, rho * sin_u, r * sin_v) + t * (R * (v - end));
+        (P, Darboux { N, t, b: t.cross(&N) })
+    }
+
+    /// The ruling of a face at v.
+    #[must_use]
+    pub fn ruling(&self, face: Face, v: f64) -> Ruling {
+        let (P, Darboux { N, b, .. }) = self.frame(v);
+        Ruling { foot: P + b * (face.side() * self.e / 2.0), N }
+    }
+
+    /// κ_b at v, the curvature of the torus across the mean line: cos²α/r + sin²α·cos v/ρ. It grows with v.
+    #[must_use]
+    pub fn across(&self, v: f64) -> f64 {
+        let Torus { R, r } = self.circle.torus;
+        let cos_v = sin_cos(v.clamp(HUB, RIM)).1;
+        let (sin2, cos2) = (r * r / (R * R), self.circle.k * self.circle.k / (R * R));
+        cos2 / r + sin2 * cos_v / (R + r * cos_v)
+    }
+
+    /// h_0, the depth at which the ruling at v begins. It does not grow with v.
+    #[must_use]
+    pub fn top(&self, v: f64) -> f64 {
+        -self.e * self.e / 8.0 * self.across(v)
+    }
+
+    /// h_1, the depth at which a ruling that begins at the depth `top` first comes to the floor.
+    ///
+    /// T changes no faster than a point moves, so that steps of what T still lacks never go past that depth. A ruling of a
+    /// blade so thick that it passes the axis of the part beside the floor goes on to where it leaves the blank on the
+    /// other side: as far beyond the point nearest to the axis as it begins before it.
+    #[must_use]
+    pub fn floor(&self, ruling: &Ruling, top: f64) -> f64 {
+        if let Some(end) = self.end {
+            return end;
+        }
+        let (foot, N) = (ruling.foot.xy(), ruling.N.xy());
+        let across = 2.0 * foot.dot(&N) / N.norm_squared() - top;
+        let far = if across > top { across.min(self.far()) } else { self.far() };
+        let mut h = top;
+        for _ in 0..STEPS {
+            let lacking = self.a_p - self.depth(&ruling.at(h));
+            if lacking <= NEAR {
+                return h;
+            }
+            h += lacking;
+            if h >= far {
+                break;
+            }
+        }
+        far
+    }
+
+    /// No ruling ends deeper than this: it leaves the blank before.
+    fn far(&self) -> f64 {
+        2.0 * self.circle.torus.R
+    }
+
+    /// Depths at two v of a piece such that on a straight line between them no ruling ends deeper; with the rulings at
+    /// both v, and how they change over the span between, down to the depth [`Piece::bottom`] at least.
+    #[must_use]
+    pub fn floors(&self, piece: &Piece, v: [f64; 2], rulings: &[Ruling; 2], change: &Change) -> [f64; 2] {
+        let found = self.floors_over(v, rulings, change).map(|(ends, out)| ends.map(|end| end + out));
+        found.filter(|ends| ends.iter().all(|&end| end <= piece.bottom)).unwrap_or([piece.bottom; 2])
+    }
+
+    /// Where the rulings at two v end, and by how much a straight line between must be deeper for none to end below it.
+    ///
+    /// T is bent by no less than −1/ρ along any line, ρ being the distance from the axis of the part. On the line it is
+    /// therefore below that of both ends by no more than (V²/ρ + W)/8. Where T exceeds r_f by as much at both ends of a
+    /// line twice that deeper, the line is nowhere above the floor; where it does not, nothing is known.
+    fn floors_over(&self, v: [f64; 2], rulings: &[Ruling; 2], change: &Change) -> Option<([f64; 2], f64)> {
+        let ends = [0, 1].map(|at: usize| self.floor(&rulings[at], self.top(v[at])));
+        if self.end.is_some() {
+            return Some((ends, 0.0));
+        }
+        let (span, slide) = (v[1] - v[0], (ends[1] - ends[0]).abs());
+        let (speed, turn) = (change.speed * span + slide, change.turn * span);
+        let rho = |at: usize, h: f64| {
+            let point = rulings[at].at(h);
+            (point.x * point.x + point.y * point.y).sqrt()
+        };
+        let nearest = rho(0, ends[0]).min(rho(1, ends[1])) - speed - COARSE;
+        if nearest <= 0.0 {
+            return None;
+        }
+        let sag = (speed * speed / nearest + change.acceleration * span * span + 2.0 * turn * slide) / 8.0;
+        let out = 2.0 * (sag + NEAR);
+        let clear = |at: usize| {
+            let h = ends[at] + out;
+            self.depth(&rulings[at].at(h)) - self.a_p >= sag && rho(at, h) - speed / 2.0 >= nearest
+        };
+        (clear(0) && clear(1)).then_some((ends, out))
+    }
+
+    /// A depth below which no ruling of a face between two v goes on, to a quarter of a_p.
+    fn bottom(&self, face: Face, v: [f64; 2], halvings: u8) -> f64 {
+        let rulings = v.map(|v| self.ruling(face, v));
+        let deep =
+            2.0 * rulings.iter().zip(v).map(|(ruling, v)| self.floor(ruling, self.top(v))).fold(self.a_p, f64::max);
+        let found = self
+            .floors_over(v, &rulings, &self.change(v, deep))
+            .filter(|(ends, out)| ends[0].max(ends[1]) + out <= deep);
+        match found {
+            Some(([one, other], out)) if out + (one - other).abs() <= self.a_p / 4.0 || halvings == 0 => {
+                one.max(other) + out
+            }
+            _ if halvings == 0 => self.far(),
+            _ => {
+                let middle = f64::midpoint(v[0], v[1]);
+                self.bottom(face, [v[0], middle], halvings - 1).max(self.bottom(face, [middle, v[1]], halvings - 1))
+            }
+        }
+    }
+
+    /// True for a point between the hub plane and the rim cylinder.
+    #[must_use]
+    pub fn trimmed(&self, point: &Vector3<f64>) -> bool {
+        let R = self.circle.torus.R;
+        point.z <= 0.0 && point.x * point.x + point.y * point.y <= R * R
+    }
+
+    /// How deep a point lies below the tops, T − r; the floor has the depth a_p.
+    #[must_use]
+    pub fn depth(&self, point: &Vector3<f64>) -> f64 {
+        let Torus { R, r } = self.circle.torus;
+        // Roots and not hypot: no square of a length of the part runs over, and this is where most of the time goes.
+        let beside = (point.x * point.x + point.y * point.y).sqrt() - R;
+        (beside * beside + point.z * point.z).sqrt() - r
+    }
+
+    /// The pieces of a face, from the hub to the rim.
+    ///
+    /// At the hub N is level, so that a whole ruling comes out of the blank at once: where z + x·t_z = 0. At the rim N is
+    /// upright, and one does where |foot + x·t| = R in plan.
+    #[must_use]
+    pub fn pieces(&self, face: Face) -> Vec<Piece> {
+        let R = self.circle.torus.R;
+        let piece =
+            |low: f64, high: f64| Piece { face, v: [low, high], bottom: self.bottom(face, [low, high], HALVINGS) };
+        let straight = |v: f64| {
+            let t = self.frame(v).1.t;
+            (self.ruling(face, v).foot, t)
+        };
+        let mut pieces = Vec::with_capacity(2);
+        let (foot, t) = straight(HUB);
+        if foot.z < 0.0 && t.z < 0.0 {
+            pieces.push(piece(HUB - foot.z / t.z / R, HUB));
+        }
+        pieces.push(piece(HUB, RIM));
+        let (foot, t) = straight(RIM);
+        let (square, along) = (t.x * t.x + t.y * t.y, foot.x * t.x + foot.y * t.y);
+        if let Some([_, x]) = quadratic(square, 2.0 * along, foot.x * foot.x + foot.y * foot.y - R * R)
+            && x > 0.0
+        {
+            pieces.push(piece(RIM, RIM + x / R));
+        }
+        pieces
+    }
+
+    /// Bounds of how the rulings between two v of one piece change, down to a depth.
+    ///
+    /// With S' = dS/ds, ds = R dv, on the face of the side σ: S' = t·(1 − σ(e/2)κ_g + h·κ_t) + τ·(σ(e/2)·N + h·b). Here
+    /// R·κ_t = r/R + (k²/R)·cos v/ρ grows with v, (R·κ_g)² = 1 − (R·κ_t)² and R·τ = k/ρ falls. N_v = −(e_v + c·e_u) with
+    /// c = k·cos v/ρ, so that N_vv = −(N − (k sin v/ρ + k R sin v/ρ²)·e_u − c(k/ρ)·e_ρ) in size at most
+    /// 1 + k|sin v|(1/ρ + R/ρ²) + |cos v|k²/ρ², and |b_vv| ≤ 1 + 2|N_v| + |N_vv|. |cos v| and 1/ρ are greatest at the
+    /// beginning, |sin v| at the end. Derived here.
+    #[must_use]
+    pub fn change(&self, [low, high]: [f64; 2], depth: f64) -> Change {
+        let Torus { R, r } = self.circle.torus;
+        if high <= HUB || low >= RIM {
+            return Change { speed: R, acceleration: 0.0, turn: 0.0 };
+        }
+        let (k, half) = (self.circle.k, self.e / 2.0);
+        let cos = [low, high].map(|v| sin_cos(v.clamp(HUB, RIM)).1);
+        let sin = sin_cos(high.clamp(HUB, RIM)).0.abs();
+        let rho = R + r * cos[0];
+        let along = cos.map(|cos| r / R + k * k / R * cos / (R + r * cos));
+        let least = if along[0] <= 0.0 && along[1] >= 0.0 { 0.0 } else { along[0].abs().min(along[1].abs()) };
+        let aside = (1.0 - least * least).max(0.0).sqrt();
+        let forward = R + half * aside + along.map(|along| (along * depth).abs()).into_iter().fold(0.0, f64::max);
+        let twist = k / rho;
+        let turn = (1.0 + (twist * cos[0]) * (twist * cos[0])).sqrt();
+        let turned = 1.0 + k * sin * (1.0 / rho + R / (rho * rho)) + cos[0].abs() * twist * twist;
+        Change {
+            speed: (forward * forward + twist * twist * (half * half + depth * depth)).sqrt(),
+            acceleration: R + half * (1.0 + 2.0 * turn + turned) + depth * turned,
+            turn,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::kinds::impeller::part::*;
+    use crate::number::trig::hypot;
+
+    const DESIGNS: [(f64, f64, f64, f64); 4] =
+        [(25.0, 15.0, 2.0, 2.0), (25.0, 15.0, 3.7, 2.0), (25.0, 17.0, 1.0, 4.0), (50.0, 30.0, 2.0, 3.0)];
+
+    fn parts() -> impl Iterator<Item = Part> {
+        DESIGNS.into_iter().map(|(R, r, e, a_p)| Part::with(Torus { R, r }, e, a_p))
+    }
+
+    #[test]
+    fn the_frame_is_that_of_the_tables_and_goes_straight_on_beyond_the_ends() {
+        for part in parts() {
+            for v in [HUB, 3.4, 4.0, RIM] {
+                let u = part.circle.u(v);
+                let (P, frame) = part.frame(v);
+                let table = Darboux::of(part.circle, u, v);
+                assert!((P - part.circle.torus.point(u, v)).norm() < 1e-12);
+                assert!((frame.t - table.t).norm() < 1e-12 && (frame.N - table.N).norm() < 1e-12);
+            }
+            let ((P, frame), (end, at_end)) = (part.frame(HUB - 0.1), part.frame(HUB));
+            assert_eq!(frame, at_end);
+            assert!((P - end + frame.t * (0.1 * part.circle.torus.R)).norm() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn faces_go_on_by_half_the_thickness_over_the_tangent_of_alpha_and_end_in_the_blank() {
+        for part in parts() {
+            let Torus { R, r } = part.circle.torus;
+            let straight = part.e / 2.0 * part.circle.k / r;
+            let [obverse, reverse] = Face::ALL.map(|face| part.pieces(face));
+            assert_eq!((obverse.len(), reverse.len()), (2, 2));
+            assert!(((HUB - obverse[0].v[0]) * R - straight).abs() < 1e-9, "the hub plane cuts it off there");
+            // The rim is round: there it is a little shorter.
+            let at_rim = (reverse[1].v[1] - RIM) * R;
+            assert!(at_rim <= straight && at_rim > 0.85 * straight, "{at_rim} {straight}");
+            let (deep, edge) = (obverse[0].bottom, part.ruling(Face::Obverse, obverse[0].v[0]));
+            assert!([0.0, deep].iter().all(|&h| edge.at(h).z.abs() < 1e-12));
+            let edge = part.ruling(Face::Reverse, reverse[1].v[1]);
+            assert!([0.0, deep].iter().all(|&h| (hypot(edge.at(h).x, edge.at(h).y) - R).abs() < 1e-12));
+            // The other two come out of the blank before their ends.
+            assert!(!part.trimmed(&part.ruling(Face::Reverse, HUB).foot));
+            assert!(!part.trimmed(&part.ruling(Face::Obverse, RIM).foot));
+        }
+    }
+
+    #[test]
+    fn rulings_run_from_the_tops_to_the_floor_that_is_there() {
+        for part in parts() {
+            for face in Face::ALL {
+                for piece in part.pieces(face) {
+                    for step in 0..=40 {
+                        let v = piece.v[0] + (piece.v[1] - piece.v[0]) * f64::from(step) / 40.0;
+                        let (ruling, top) = (part.ruling(face, v), part.top(v));
+                        if (HUB..=RIM).contains(&v) {
+                            // Of third order in e over r.
+                            assert!(part.depth(&ruling.at(top)).abs() < 0.01, "{v} {}", part.depth(&ruling.at(top)));
+                        }
+                        let end = part.floor(&ruling, top);
+                        assert!((part.depth(&ruling.at(end)) - part.a_p).abs() < 1e-9, "{v} {end}");
+                        assert!((0..200).all(|k| {
+                            let h = top + (end - top) * f64::from(k) / 200.0;
+                            part.depth(&ruling.at(h)) < part.a_p
+                        }));
+                        assert!(end <= piece.bottom && piece.bottom < end + part.a_p, "{v} {end} {piece:?}");
+                        assert_eq!(part.ending_at(1.5).floor(&ruling, top), 1.5);
+                    }
+                }
+            }
+        }
+        // The straight ends go on below a limit of h alike for all, a_p + (e/2)²/(2(R − r − a_p)).
+        for (e, deep, limit) in [(2.0, 2.176, 2.0625), (3.7, 2.618, 2.2139)] {
+            let part = Part::with(Torus { R: 25.0, r: 15.0 }, e, 2.0);
+            let edge = part.ruling(Face::Obverse, part.pieces(Face::Obverse)[0].v[0]);
+            let end = part.floor(&edge, part.top(HUB));
+            assert!((end - deep).abs() < 5e-4 && end > limit + 0.1, "{e} {end}");
+        }
+    }
+
+    #[test]
+    fn no_ruling_of_a_span_ends_below_the_line_between_its_floors() {
+        for part in parts() {
+            for face in Face::ALL {
+                for piece in part.pieces(face) {
+                    let span = (piece.v[1] - piece.v[0]) / 32.0;
+                    for step in 0..32_u8 {
+                        let low = piece.v[0] + span * f64::from(step);
+                        let (v, change) = ([low, low + span], part.change([low, low + span], piece.bottom));
+                        let rulings = v.map(|v| part.ruling(face, v));
+                        let line = part.floors(&piece, v, &rulings, &change);
+                        for k in 0..=20 {
+                            let at = f64::from(k) / 20.0;
+                            let v = low + span * at;
+                            let end = part.floor(&part.ruling(face, v), part.top(v));
+                            assert!(end <= line[0] + (line[1] - line[0]) * at, "{v} {end} {line:?}");
+                        }
+                        // With the span it closes up.
+                        let near = [low, low + span / 64.0];
+                        let rulings = near.map(|v| part.ruling(face, v));
+                        let line = part.floors(&piece, near, &rulings, &part.change(near, piece.bottom));
+                        let end = part.floor(&rulings[0], part.top(low));
+                        assert!(line[0] - end < 1e-4 * part.a_p, "{low} {end} {line:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_ruling_that_passes_the_axis_beside_the_floor_ends_on_the_far_side() {
+        // Blades thicker than the hub.
+        let part = Part::with(Torus { R: 25.0, r: 17.0 }, 7.0, 4.0);
+        let piece = part.pieces(Face::Obverse)[0];
+        let edge = part.ruling(Face::Obverse, piece.v[0]);
+        let end = part.floor(&edge, part.top(HUB));
+        let across = edge.at(end);
+        assert!((hypot(across.x, across.y) - hypot(edge.at(part.top(HUB)).x, edge.at(part.top(HUB)).y)).abs() < 1e-9);
+        assert!(across.xy().dot(&edge.foot.xy()) < 0.0 && piece.bottom >= end);
+    }
+
+    #[test]
+    fn the_curvature_across_the_mean_line_is_that_of_the_check_values() {
+        // Check values of κ_b for R 25, r 15: at the hub, in the middle, at the rim.
+        let part = Part::with(Torus { R: 25.0, r: 15.0 }, 2.0, 2.0);
+        let found = [HUB, HUB + FRAC_PI_2 / 2.0, RIM].map(|v| format!("{:.6}", part.across(v)));
+        assert_eq!(found, ["0.006667", "0.024981", "0.042667"]);
+    }
+
+    #[test]
+    fn nothing_of_a_face_changes_faster_than_its_bounds() {
+        for part in parts() {
+            let step = 1e-4;
+            for from in 0..16_u8 {
+                let low = HUB + f64::from(from) * FRAC_PI_2 / 16.0;
+                let deep = part.pieces(Face::Reverse)[0].bottom;
+                let bound = part.change([low, low + FRAC_PI_2 / 16.0], deep);
+                for (face, h, at) in [
+                    (Face::Obverse, 0.0, 0.1),
+                    (Face::Obverse, deep, 0.9),
+                    (Face::Reverse, 0.0, 0.9),
+                    (Face::Reverse, deep, 0.1),
+                    (Face::Reverse, deep, 0.5),
+                ] {
+                    let v = low + at * FRAC_PI_2 / 16.0;
+                    let [before, here, after] = [v - step, v, v + step].map(|v| part.ruling(face, v));
+                    let speed = (after.at(h) - before.at(h)).norm() / (2.0 * step);
+                    let bent = (after.at(h) - here.at(h) * 2.0 + before.at(h)).norm() / (step * step);
+                    let turn = (after.N - before.N).norm() / (2.0 * step);
+                    assert!(speed <= bound.speed + 1e-6 && speed > 0.6 * bound.speed, "{speed} {bound:?}");
+                    assert!(bent <= bound.acceleration + 1e-3, "{bent} {bound:?}");
+                    assert!(turn <= bound.turn + 1e-6, "{turn} {bound:?}");
+                }
+            }
+        }
+    }
+}

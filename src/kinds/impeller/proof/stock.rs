@@ -1,0 +1,175 @@
+//! Clearance to the stock where the tool does not cut: at the safe points, while it crosses from one side to the other,
+//! and in rapid moves.
+//!
+//! The tool is a cylinder of its diameter and as long as any part of it could reach the stock; its holder and what holds the
+//! part are not known here. The stock is the turned blank before anything is milled, whatever of it was cut by then. A lower
+//! and an upper bound of the distance hold over the whole of each move ([`outside`](crate::kinds::impeller::outside)); a pass is
+//! only taken as one where the lower bound says so.
+//!
+//! What a pass may lack of the safety distance is what rounding to the grid takes: safe points and retract height are made
+//! for d_s exactly, and 0.0005 mm in each of X, Y and Z and 0.0005° of B, at the distance of the stock's farthest point from
+//! the pivot, may bring the tool nearer. It is told beside the limit.
+//!
+//! # Units
+//! Millimetres and radians.
+
+use crate::gcode::program::Program;
+use crate::kinds::impeller::clearance::Stand;
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::outside::{Bounds, CLOSE, Outside, WORK};
+use crate::machine::axis::{Axis, Pose};
+use crate::number::shown;
+use crate::proof::check::{At, Check, Verdict, bounded, mm};
+use crate::proof::step::{Judge, Step};
+use crate::text::Text;
+
+/// Moves are judged as one whose axes stand this close, mm or degrees: above what sums of increments lose, far below the grid.
+const ALIKE: f64 = 1e-6;
+
+/// A move without C, and what is known of its distance.
+pub type Known = ([f64; 8], Bounds);
+
+/// Watches the moves outside the part. Moves that differ in C alone are judged once, over all programs.
+#[derive(Debug)]
+pub struct Clear<'a> {
+    outside: Outside,
+    d_s: f64,
+    known: &'a mut Vec<Known>,
+    safe: Option<(Bounds, At)>,
+    moves: Option<(Bounds, At)>,
+}
+
+impl<'a> Clear<'a> {
+    /// The judge of a design's programs, with what is known from other programs.
+    #[must_use]
+    pub const fn new(design: &Design, known: &'a mut Vec<Known>) -> Self {
+        Self { outside: Outside::new(design), d_s: design.d_s, known, safe: None, moves: None }
+    }
+
+    /// By how much axes that are all off by at most some mm or degrees bring the tool nearer to the stock.
+    fn nearer(&self, off: f64) -> f64 {
+        off * 3.0_f64.sqrt() + off.to_radians() * self.outside.stock.reach(self.outside.L)
+    }
+
+    fn distance(&mut self, from: &Pose, to: &Pose) -> Bounds {
+        let mut key = [0.0; 8];
+        let axes = [Axis::X, Axis::Y, Axis::Z, Axis::B];
+        for (place, value) in key.iter_mut().zip([from, to].iter().flat_map(|pose| axes.map(|axis| pose.get(axis)))) {
+            *place = (value / ALIKE).round();
+        }
+        if let Some((_, bounds)) = self.known.iter().find(|(known, _)| *known == key) {
+            return *bounds;
+        }
+        let found = self.outside.along(&Stand::from(from), &Stand::from(to), WORK);
+        let bounds = Bounds { lower: found.lower - self.nearer(ALIKE), ..found };
+        self.known.push((key, bounds));
+        bounds
+    }
+
+    /// The verdict on the least distance of a program.
+    fn judged(&self, check: Check, program: &Program, bounds: Bounds, line: usize) -> Check {
+        let Bounds { lower, upper, .. } = bounds;
+        if lower >= self.d_s - self.nearer(0.0005) {
+            return check;
+        }
+        let [es, en] = [&program.title.es, &program.title.en];
+        let down = |length: f64| shown((length * 1000.0 + 1e-6).floor() / 1000.0, 3);
+        let remedy = Text::fixed(
+            "una distancia de seguridad d_s mayor, o un retroceso eps_v menor",
+            "a greater safety distance d_s, or a smaller back-off eps_v",
+        );
+        let (verdict, what) = if upper < 0.0 {
+            let depth = down(-upper);
+            let what = Text::new(
+                format!(
+                    "la herramienta entra al menos {depth} mm en el bruto, fuera de las pasadas, en la línea {line} de «{es}»"
+                ),
+                format!(
+                    "the tool runs at least {depth} mm into the stock, outside the passes, at line {line} of \"{en}\""
+                ),
+            );
+            (Verdict::Stop, what)
+        } else if lower < 0.0 {
+            let what = Text::new(
+                format!("no está demostrado que la herramienta libre el bruto en la línea {line} de «{es}»"),
+                format!("it is not proved that the tool clears the stock at line {line} of \"{en}\""),
+            );
+            (Verdict::Stop, what)
+        } else {
+            let distance = down(lower);
+            let what = if upper - lower <= 2.0 * CLOSE {
+                Text::new(
+                    format!(
+                        "la herramienta pasa a {distance} mm del bruto, menos que d_s, en la línea {line} de «{es}»"
+                    ),
+                    format!("the tool passes the stock at {distance} mm, less than d_s, at line {line} of \"{en}\""),
+                )
+            } else {
+                Text::new(
+                    format!(
+                        "solo está demostrado que la herramienta pasa a {distance} mm del bruto o más, menos que d_s, en la línea {line} de «{es}»"
+                    ),
+                    format!(
+                        "it is only proved that the tool passes the stock at {distance} mm or more, less than d_s, at line {line} of \"{en}\""
+                    ),
+                )
+            };
+            (Verdict::Caution, what)
+        };
+        check.found(verdict, what, remedy)
+    }
+}
+
+fn lower(least: &mut Option<(Bounds, At)>, bounds: Bounds, at: At) {
+    if least.is_none_or(|(known, _)| bounds.lower < known.lower) {
+        *least = Some((bounds, at));
+    }
+}
+
+impl Judge for Clear<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        let (motion, at) = (&step.motion, At::motion(&step.motion));
+        if step.clear() {
+            let distance = self.distance(&motion.from, &motion.to);
+            lower(&mut self.moves, distance, at);
+        } else if let Some(cut) = step.cut() {
+            let safe = match cut.points {
+                [None, Some(_)] => &motion.from,
+                [None, None] => &motion.to,
+                _ => return,
+            };
+            let distance = self.distance(safe, safe);
+            lower(&mut self.safe, distance, at);
+        }
+    }
+
+    fn checks(&mut self, program: &Program) -> Vec<Check> {
+        let rows = [
+            (
+                "safe-points",
+                Text::fixed("Holgura al bruto en los puntos de seguridad", "Clearance to the stock at the safe points"),
+                self.safe,
+            ),
+            (
+                "clear-moves",
+                Text::fixed(
+                    "Holgura al bruto al cruzar y en rápido",
+                    "Clearance to the stock in crossing and rapid moves",
+                ),
+                self.moves,
+            ),
+        ];
+        let (d_s, rounding) = (mm(self.d_s), mm((self.nearer(0.0005) * 1e4).ceil() / 1e4));
+        let limit = Text::new(
+            format!("{d_s}, menos hasta {rounding} del redondeo"),
+            format!("{d_s}, less up to {rounding} of rounding"),
+        );
+        let found = rows.into_iter().filter_map(|(key, name, found)| Some((key, name, found?)));
+        let judged = |(key, name, (bounds, at)): (_, _, (Bounds, At))| {
+            let value = bounded(bounds.lower, bounds.upper);
+            let check = Check::passed(key, name, program, value, limit.clone()).at(Some(at));
+            self.judged(check, program, bounds, at.line)
+        };
+        found.map(judged).collect()
+    }
+}

@@ -1,0 +1,175 @@
+//! The way of the tool over the part, as the programs give it: X, Y, Z, B and C evenly from each point on the output grid to
+//! the next, from the safe point at one end to that at the other; with bounds of how it moves.
+//!
+//! Where blocks are short, several are taken as one. How far the tool then is from where they put it is its `slack`.
+//!
+//! # Units
+//! Millimetres and radians, in the part frame of the track's own blade.
+//!
+//! # References
+//! Derived here. With p = (X, Y, Z + h) a point of the axis at the height h above the tip, y = p + L·k̂ and j the B axis, the
+//! turned-back point is z(s) with z′ = Δp + ΔB·j×y and z″ = 2ΔB·j×Δp − ΔB²·(y_x, 0, y_z); both are linear in s, so that their
+//! sizes peak at the ends. In the part, C added, a point moves by no more than |ΔC|·ρ + |z′| and is accelerated by no more
+//! than ΔC²·ρ + 2|ΔC|·|z′| + |z″|.
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::programs::Tracks;
+use crate::machine::axis::{Axis, Position};
+use crate::machine::rotary::Rotary;
+use crate::proof::track::Track;
+
+/// Most slack of blocks taken as one, mm.
+const SLACK: f64 = 0.0005;
+
+/// Where all axes stand: X, Y, Z in mm, B and C in radians.
+type Stand = [f64; 5];
+
+/// A stretch of the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    from: Stand,
+    to: Stand,
+    machine: Rotary,
+    /// The point indices at its ends; −1 and n + 1 are the safe points.
+    pub x: [f64; 2],
+    /// How far any point of the axis up to the height [`Sweep::height`] is from where the blocks put it, at most.
+    pub slack: f64,
+}
+
+/// The way along one track.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// Which.
+    pub track: Track,
+    /// Its stretches, from the hub to the rim.
+    pub stretches: Vec<Stretch>,
+    /// The height above the tip up to which its bounds hold.
+    pub height: f64,
+}
+
+/// How fast the tool's axis moves over a stretch, for the whole of it as the unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// No point of the axis moves farther.
+    pub speed: f64,
+    /// None is accelerated more.
+    pub acceleration: f64,
+    /// The tool turns by no more, radians.
+    pub turn: f64,
+}
+
+fn stand(position: &Position) -> Stand {
+    let value = |axis: Axis| position.get(axis).value();
+    [value(Axis::X), value(Axis::Y), value(Axis::Z), value(Axis::B).to_radians(), value(Axis::C).to_radians()]
+}
+
+fn between(from: &Stand, to: &Stand, part: f64) -> Stand {
+    std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part)
+}
+
+/// Tip and axis of the tool where all axes stand somewhere.
+fn tool(machine: Rotary, [x, y, z, B, C]: &Stand) -> (Vector3<f64>, Vector3<f64>) {
+    (machine.to_part(&Vector3::new(*x, *y, *z), *B, *C), Rotary::direction_to_part(&Vector3::z(), *B, *C))
+}
+
+impl Stretch {
+    /// Tip and axis of the tool at a part of the stretch.
+    #[must_use]
+    pub fn tool(&self, part: f64) -> (Vector3<f64>, Vector3<f64>) {
+        tool(self.machine, &between(&self.from, &self.to, part))
+    }
+
+    /// Two directions across the axis at a part of the stretch, square to each other.
+    #[must_use]
+    pub fn across(&self, part: f64) -> [Vector3<f64>; 2] {
+        let [.., B, C] = between(&self.from, &self.to, part);
+        [Vector3::x(), Vector3::y()].map(|direction| Rotary::direction_to_part(&direction, B, C))
+    }
+
+    /// The point index at a part of the stretch.
+    #[must_use]
+    pub fn index(&self, part: f64) -> f64 {
+        self.x[0] + (self.x[1] - self.x[0]) * part
+    }
+
+    /// How fast the axis moves up to a height above the tip.
+    #[must_use]
+    pub fn pace(&self, height: f64) -> Pace {
+        let by: Stand = std::array::from_fn(|axis| self.to[axis] - self.from[axis]);
+        let [dx, dy, dz, dB, dC] = by;
+        let mut pace = Pace { speed: 0.0, acceleration: 0.0, turn: dB.abs() + dC.abs() };
+        for above in [0.0, height] {
+            let out = [&self.from, &self.to].map(|at| {
+                let (tip, axis) = tool(self.machine, at);
+                let point = tip + axis * above;
+                (point.x * point.x + point.y * point.y).sqrt()
+            });
+            let moved = [&self.from, &self.to].map(|at| {
+                let (y_x, y_z) = (at[0], at[2] + above + self.machine.L);
+                let first = Vector3::new(dx + dB * y_z, dy, dz - dB * y_x).norm();
+                let second = Vector3::new(2.0 * dB * dz - dB * dB * y_x, 0.0, -2.0 * dB * dx - dB * dB * y_z).norm();
+                (first, second)
+            });
+            let (first, second) = (moved[0].0.max(moved[1].0), moved[0].1.max(moved[1].1));
+            let rho = out[0].max(out[1]) + first / 2.0;
+            pace.speed = pace.speed.max(dC.abs() * rho + first);
+            pace.acceleration = pace.acceleration.max(dC * dC * rho + 2.0 * dC.abs() * first + second);
+        }
+        pace
+    }
+}
+
+impl Sweep {
+    /// The way along a track of a design; `None` for a splitter's where there is none. The bounds hold up to a height above
+    /// the tip.
+    #[must_use]
+    pub fn new(design: &Design, tracks: &Tracks, track: Track, height: f64) -> Option<Self> {
+        let points = tracks.positions(track)?;
+        let [entry, exit] = tracks.safe_points(track);
+        let at: Vec<Stand> = [entry].iter().chain(points).chain([exit].iter()).map(stand).collect();
+        let mut sweep = Self { track, stretches: Vec::new(), height };
+        // The ways in and out stand by themselves.
+        let last = at.len() - 1;
+        sweep.take(design.machine, &at, 0, 1);
+        sweep.take(design.machine, &at, 1, last - 1);
+        sweep.take(design.machine, &at, last - 1, last);
+        Some(sweep)
+    }
+
+    /// Takes the blocks from one point to another as one stretch, or as the two halves of them.
+    fn take(&mut self, machine: Rotary, at: &[Stand], low: usize, high: usize) {
+        let slack = self.slack(machine, &at[low..=high]);
+        if slack > SLACK {
+            let middle = low + (high - low) / 2;
+            self.take(machine, at, low, middle);
+            self.take(machine, at, middle, high);
+            return;
+        }
+        #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+        let x = [low as f64 - 1.0, high as f64 - 1.0];
+        self.stretches.push(Stretch { from: at[low], to: at[high], machine, x, slack });
+    }
+
+    /// How far the axis is from that of one block through all of these points. Between two of them both run evenly, so
+    /// that it is the farthest at one of them.
+    fn slack(&self, machine: Rotary, at: &[Stand]) -> f64 {
+        let (Some(from), Some(to)) = (at.first(), at.last()) else { return 0.0 };
+        let mut most = 0.0_f64;
+        #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+        for (k, here) in at.iter().enumerate() {
+            let even = between(from, to, k as f64 / (at.len() - 1) as f64);
+            let off: Stand = std::array::from_fn(|axis| here[axis] - even[axis]);
+            let way = Vector3::new(off[0], off[1], off[2]).norm();
+            let reach = |stand: &Stand| {
+                let (tip, _) = tool(machine, stand);
+                let out = (tip.x * tip.x + tip.y * tip.y).sqrt() + self.height;
+                (stand[0].abs() + (stand[2] + machine.L).abs() + self.height, out)
+            };
+            let ((one_B, one_C), (other_B, other_C)) = (reach(here), reach(&even));
+            most = most.max(way + off[3].abs() * one_B.max(other_B) + off[4].abs() * one_C.max(other_C));
+        }
+        most
+    }
+}

@@ -1,0 +1,353 @@
+//! The tables of the annexes, the splitter and the calibration, with their charts.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use crate::kinds::impeller::blade::{Blade, Vectors};
+use crate::kinds::impeller::design::Design;
+use crate::kinds::impeller::fade::Fade;
+use crate::kinds::impeller::safety::{End, SafeEnd, safe_end};
+use crate::kinds::impeller::splitter::{Side, Splitter};
+use crate::kinds::impeller::tool_path::tool_path;
+use crate::machine::calibration::{Axis, Slots, nearest};
+use crate::table::{Column, Index, Table, Unit};
+use crate::text::Text;
+
+const MM: Unit = Unit::Millimetre;
+const RAD: Unit = Unit::Radian;
+
+/// What the passes of one blade are made of.
+#[derive(Clone, Debug)]
+pub struct ToolPaths {
+    /// The path along the obverse, machine coordinates, mm.
+    pub obverse: Vectors,
+    /// The path along the reverse.
+    pub reverse: Vectors,
+    /// The safe points at B = 90°.
+    pub entry: SafeEnd,
+    /// The safe points at B = 0°.
+    pub exit: SafeEnd,
+}
+
+impl ToolPaths {
+    /// The passes of one blade with their safe points.
+    #[must_use]
+    pub fn new(design: &Design, blade: &Blade) -> Self {
+        let (w, a_p) = (design.w(), design.a_p);
+        let (obverse, reverse) = (tool_path(blade, w, a_p), tool_path(blade, -w, a_p));
+        let last = blade.points() - 1;
+        let safe = |end, i: usize| safe_end(end, &obverse[i], &reverse[i], design.d_s, design.d_t, w);
+        let (entry, exit) = (safe(End::Entry, 0), safe(End::Exit, last));
+        Self { obverse, reverse, entry, exit }
+    }
+}
+
+fn annex(key: &'static str, name: Text, title: Text, source: Text, columns: Vec<Column>) -> Table {
+    Table { key, name, title, source, index: Index::Point, columns }
+}
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// Annexes 1 to 8, in order.
+#[must_use]
+pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
+    let xyz = ["x", "y", "z"];
+    let path = |formula, points: &Vectors| -> Vec<Column> {
+        let mut columns: Vec<Column> = Column::vectors(xyz, MM, formula, points).into();
+        columns.push(Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)));
+        columns.push(Column::numbers("C", RAD, "C = u − 2π", Arc::clone(&blade.C)));
+        columns
+    };
+    let frame = [
+        Column::vectors(["N_x", "N_y", "N_z"], Unit::One, "N = −(cos v·cos u, cos v·sin u, sin v)", &blade.N),
+        Column::vectors(["t_x", "t_y", "t_z"], Unit::One, "t = (X_u·k/ρ + X_v)/R", &blade.t),
+        Column::vectors(["b_x", "b_y", "b_z"], Unit::One, "b = t × N", &blade.b),
+    ];
+    vec![
+        annex(
+            "annex-1",
+            t("Anexo 1", "Annex 1"),
+            t("Discretización de los ángulos v y u", "Discretisation of the angles v and u"),
+            t("Anexo 1, ecuación (6) corregida", "Annex 1, equation (6) corrected"),
+            vec![
+                Column::numbers("v", RAD, "v = π + i·h, h = (π/2)/n", Arc::clone(&blade.v)),
+                Column::numbers("u", RAD, "u = atan2(−(r + R·cos v), k·sin v), k = √(R² − r²)", Arc::clone(&blade.u)),
+            ],
+        ),
+        annex(
+            "annex-2",
+            t("Anexo 2", "Annex 2"),
+            t("Geometría de la fibra media de un álabe", "Mean line of a blade"),
+            t("Anexo 2, ecuación (4)", "Annex 2, equation (4)"),
+            Column::vectors(xyz, MM, "P = (ρ·cos u, ρ·sin u, r·sin v), ρ = R + r·cos v", &blade.P).into(),
+        ),
+        annex(
+            "annex-3",
+            t("Anexo 3", "Annex 3"),
+            t("Triedro de Darboux", "Darboux frame"),
+            t("Anexo 3, sección 2.2.3", "Annex 3, section 2.2.3"),
+            frame.into_iter().flatten().collect(),
+        ),
+        annex(
+            "annex-4",
+            t("Anexo 4", "Annex 4"),
+            t("Ángulos de giro C y B", "Rotary angles C and B"),
+            t("Anexo 4, ecuaciones (7) y (14) corregidas", "Annex 4, equations (7) and (14) corrected"),
+            vec![
+                Column::numbers("C", RAD, "C = u − 2π", Arc::clone(&blade.C)),
+                Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)),
+            ],
+        ),
+        annex(
+            "annex-5",
+            t("Anexo 5", "Annex 5"),
+            t("Geometría de un álabe transformada", "Blade in machine coordinates"),
+            t(
+                "Anexo 5, ecuación (16) corregida con la longitud de pivote",
+                "Annex 5, equation (16) corrected with the pivot length",
+            ),
+            Column::vectors(xyz, MM, "P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂", &blade.machine).into(),
+        ),
+        annex(
+            "annex-6",
+            t("Anexo 6", "Annex 6"),
+            t("Trayectoria de la herramienta, anverso", "Tool path along the obverse"),
+            t("Anexo 6, ecuación (20) corregida", "Annex 6, equation (20) corrected"),
+            path("P″ + w·b″ − a_p·N″, w = (e + d_t)/2", &passes.obverse),
+        ),
+        annex(
+            "annex-7",
+            t("Anexo 7", "Annex 7"),
+            t("Trayectoria de la herramienta, reverso", "Tool path along the reverse"),
+            t("Anexo 7, ecuación (21) corregida", "Annex 7, equation (21) corrected"),
+            path("P″ − w·b″ − a_p·N″, w = (e + d_t)/2", &passes.reverse),
+        ),
+        safety(passes),
+    ]
+}
+
+fn safety(passes: &ToolPaths) -> Table {
+    let rows: [(&SafeEnd, bool); 4] =
+        [(&passes.entry, true), (&passes.entry, false), (&passes.exit, true), (&passes.exit, false)];
+    let column = |symbol, unit, formula, value: fn(&SafeEnd, bool) -> f64| {
+        Column::numbers(
+            symbol,
+            unit,
+            formula,
+            rows.iter().map(|&(end, obverse)| value(end, obverse)).collect::<Vec<_>>(),
+        )
+    };
+    Table {
+        key: "annex-8",
+        name: t("Anexo 8", "Annex 8"),
+        title: t("Distancia de seguridad", "Safety distances"),
+        source: t("Anexo 8, ecuaciones (23) a (32) corregidas", "Annex 8, equations (23) to (32) corrected"),
+        index: Index::None,
+        columns: vec![
+            Column::texts(
+                t("extremo", "end"),
+                "",
+                vec![t("entrada", "entry"), t("entrada", "entry"), t("salida", "exit"), t("salida", "exit")],
+            ),
+            Column::texts(
+                t("pasada", "side"),
+                "",
+                vec![
+                    t("anverso", "obverse"),
+                    t("reverso", "reverse"),
+                    t("anverso", "obverse"),
+                    t("reverso", "reverse"),
+                ],
+            ),
+            column("β", Unit::Degree, "tan β = (y_r − y_a)/(x_a − x_r)", |end, _| end.beta.to_degrees()),
+            column("Δx", MM, "∓(d_s + d_t/2 ± w·cos β)", |end, obverse| {
+                if obverse { end.step_obverse[0] } else { end.step_reverse[0] }
+            }),
+            column(
+                "Δy",
+                MM,
+                "Δx/tan β",
+                |end, obverse| if obverse { end.step_obverse[1] } else { end.step_reverse[1] },
+            ),
+            column("x", MM, "x + Δx", |end, obverse| if obverse { end.obverse.x } else { end.reverse.x }),
+            column("y", MM, "y + Δy", |end, obverse| if obverse { end.obverse.y } else { end.reverse.y }),
+            column("z", MM, "z", |end, obverse| if obverse { end.obverse.z } else { end.reverse.z }),
+        ],
+    }
+}
+
+/// The paths in plan whose crossing limits the splitter, and the splitter's own paths.
+#[must_use]
+pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 2] {
+    let [own, neighbour] = crate::kinds::impeller::splitter::plan_paths(blade, design.N, design.w(), design.a_p);
+    let plan = |points: &[nalgebra::Vector2<f64>]| -> Vectors {
+        points.iter().map(|point| Vector3::new(point.x, point.y, 0.0)).collect()
+    };
+    let take_two = |symbols: [&'static str; 3], formula, points: &Vectors| {
+        Column::vectors(symbols, MM, formula, points).into_iter().take(2).collect::<Vec<_>>()
+    };
+    let mut columns = take_two(["x_own", "y_own", ""], "P + w·b − a_p·N", &plan(&own));
+    columns.extend(take_two(["x_neighbour", "y_neighbour", ""], "Rz(−π/N)·(P − w·b − a_p·N)", &plan(&neighbour)));
+    let intersection = Table {
+        key: "intersection",
+        name: t("Intersección", "Intersection"),
+        title: crossing_title(splitter),
+        source: t("Sección 4.3 y ecuación (36); en planta", "Section 4.3 and equation (36); in plan"),
+        index: Index::Point,
+        columns,
+    };
+    let fraction = |symbol, formula, side: &Side| Column::numbers(symbol, Unit::One, formula, side.fraction.clone());
+    let Splitter { out, back, .. } = splitter;
+    let (mut columns, paths) = match splitter.fade {
+        Fade::Published => {
+            (vec![fraction("f", "f_j = ((j+1)/(m+1))⁵, j ≤ m", out)], ["P″ − w·f·b″ − a_p·N″", "P″ + w·f·b″ − a_p·N″"])
+        }
+        Fade::EachSide => (
+            vec![
+                fraction("f_1", "f_1 = ((j+1)/(m_1+1))⁵, j ≤ m_1", out),
+                fraction("f_2", "f_2 = ((j+1)/(m_2+1))⁵, j ≤ m_2", back),
+            ],
+            ["P″ − w·f_1·b″ − a_p·N″", "P″ + w·f_2·b″ − a_p·N″"],
+        ),
+    };
+    columns.extend(Column::vectors(["x_1", "y_1", "z_1"], MM, paths[0], &out.path));
+    columns.extend(Column::vectors(["x_2", "y_2", "z_2"], MM, paths[1], &back.path));
+    columns.push(Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)));
+    columns.push(Column::numbers("C", RAD, "C = u − 2π", Arc::clone(&blade.C)));
+    let paths = Table {
+        key: "splitter",
+        name: t("Álabe intermedio", "Splitter"),
+        title: t(
+            "Trayectorias del álabe intermedio, ida (1) y vuelta (2)",
+            "Tool paths of the splitter blade, out (1) and back (2)",
+        ),
+        source: t("Anexo 10, sección 4.3", "Annex 10, section 4.3"),
+        index: Index::Point,
+        columns,
+    };
+    [intersection, paths]
+}
+
+/// Where the paths cross, and from which points on the offset is full.
+fn crossing_title(splitter: &Splitter) -> Text {
+    let Splitter { out, back, .. } = splitter;
+    let at = format!("({:.4}, {:.4}) mm", splitter.crossing.at.x, splitter.crossing.at.y);
+    match splitter.fade {
+        Fade::Published => Text::new(
+            format!("Intersección con el álabe vecino: índice {:.2}, en {at}; m = {}", back.crossing, back.m),
+            format!("Crossing with the neighbouring blade: index {:.2}, at {at}; m = {}", back.crossing, back.m),
+        ),
+        Fade::EachSide => Text::new(
+            format!(
+                "Intersección con los álabes vecinos: índices {:.2} (ida) y {:.2} (vuelta), en {at}; m_1 = {}, m_2 = {}",
+                out.crossing, back.crossing, out.m, back.m
+            ),
+            format!(
+                "Crossing with the neighbouring blades: indices {:.2} (out) and {:.2} (back), at {at}; m_1 = {}, m_2 = {}",
+                out.crossing, back.crossing, out.m, back.m
+            ),
+        ),
+    }
+}
+
+/// The turning of the blank: the cycle's parameters.
+#[must_use]
+pub fn blank(design: &Design) -> Table {
+    let (R, r) = (design.torus.R, design.torus.r);
+    let rows: [(&'static str, Text, f64); 8] = [
+        ("X", t("inicio del perfil, en diámetro: 2·R", "start of the profile, on the diameter: 2·R"), 2.0 * R),
+        ("Z", t("inicio del perfil: −r", "start of the profile: −r"), -r),
+        (
+            "Q",
+            t("final del perfil, en diámetro: 2·(R − r)", "end of the profile, on the diameter: 2·(R − r)"),
+            2.0 * (R - r),
+        ),
+        ("R", t("final del perfil en Z", "end of the profile in Z"), 0.0),
+        ("C", t("paso, en radios", "step, on the radius"), design.blank.C),
+        (
+            "I",
+            t("centro del arco en X desde el inicio, en radios", "arc centre in X from the start, on the radius"),
+            0.0,
+        ),
+        ("K", t("centro del arco en Z desde el inicio: r", "arc centre in Z from the start: r"), r),
+        ("L_b", t("longitud del bruto", "length of the stock"), design.blank.L_b),
+    ];
+    Table {
+        key: "blank",
+        name: t("Torno", "Blank"),
+        title: t("Torneado del bruto: ciclo fijo G85", "Turning of the blank: canned cycle G85"),
+        source: t("Sección 4.1 corregida (Z = −r)", "Section 4.1 corrected (Z = −r)"),
+        index: Index::None,
+        columns: vec![
+            Column::texts(t("parámetro", "parameter"), "", rows.iter().map(|row| Text::fixed(row.0, row.0)).collect()),
+            Column::texts(t("significado", "meaning"), "", rows.iter().map(|row| row.1.clone()).collect()),
+            Column::numbers("value", MM, "", rows.iter().map(|row| row.2).collect::<Vec<_>>())
+                .named(t("valor", "value")),
+        ],
+    }
+}
+
+/// The blade in plan and in the meridian plane, for the charts.
+#[must_use]
+pub fn views(blade: &Blade) -> Table {
+    let mut columns: Vec<Column> = Column::vectors(["x", "y", "z"], MM, "P", &blade.P).into();
+    let rho: Vec<f64> = blade.v.iter().map(|&v| blade.circle.torus.rho(v)).collect();
+    columns.insert(2, Column::numbers("ρ", MM, "ρ = R + r·cos v", rho));
+    Table {
+        key: "views",
+        name: t("Vistas", "Views"),
+        title: t("El álabe en planta y en el meridiano", "The blade in plan and in the meridian plane"),
+        source: t("De los Anexos 1 y 2", "From annexes 1 and 2"),
+        index: Index::Point,
+        columns,
+    }
+}
+
+/// The calibration: exact and small-angle R_B and B side by side, both roots of each.
+///
+/// `None` where the quadratic has no real root.
+#[must_use]
+pub fn calibration(slots: &Slots, nominal: f64) -> Option<(Table, Axis)> {
+    let exact = slots.exact()?;
+    let chosen = nearest(exact, nominal);
+    let mut rows: Vec<(Text, bool, Axis)> = Vec::new();
+    let mut add = |label: Text, solutions: [Axis; 2]| {
+        let best = nearest(solutions, nominal);
+        for solution in solutions {
+            rows.push((label.clone(), solution == best, solution));
+        }
+    };
+    add(t("exacta", "exact"), exact);
+    if let Some(small) = slots.small_angle() {
+        add(t("ángulo pequeño", "small angle"), small);
+    }
+    let number = |symbol, unit, formula, value: fn(&(Text, bool, Axis)) -> f64| {
+        Column::numbers(symbol, unit, formula, rows.iter().map(value).collect::<Vec<_>>())
+    };
+    let table = Table {
+        key: "calibration",
+        // Not "Calibration" in English: the form has a sheet of that name, and case does not part two sheets.
+        name: t("Calibración", "Calibration results"),
+        title: t(
+            "Calibración del eje B: forma exacta y de ángulo pequeño",
+            "Calibration of the B axis: exact and small-angle form",
+        ),
+        source: t("Sección 5.2, ecuaciones (37) a (39) corregidas", "Section 5.2, equations (37) to (39) corrected"),
+        index: Index::None,
+        columns: vec![
+            Column::texts(t("forma", "form"), "", rows.iter().map(|row| row.0.clone()).collect()),
+            number("R_B", MM, "2R_B² + 2(a+b)R_B + a² + b² − x0² − z0² = 0", |row| row.2.R_B),
+            number("B", RAD, "−x0 = D·cos B − E·sin B, −z0 = D·sin B + E·cos B", |row| row.2.B),
+            number("B", Unit::Degree, "", |row| row.2.B.to_degrees()).named(t("B (°)", "B (°)")),
+            Column::texts(
+                t("elegida", "chosen"),
+                "",
+                rows.iter().map(|row| if row.1 { t("sí", "yes") } else { t("no", "no") }).collect(),
+            ),
+        ],
+    };
+    Some((table, chosen))
+}

@@ -1,0 +1,208 @@
+//! The drawings of a turning: the part in space, its half section in the chuck, the path of the tools.
+
+use super::part_view::cover;
+use crate::figure::{Figure, Ink, Label, Stroke};
+use crate::parameter::t;
+use crate::text::Text;
+
+/// A closed contour in the half section, `[z, r]` from the work zero W1, mm; the last point is joined to the first.
+pub type Contour = Vec<[f64; 2]>;
+
+/// What is drawn, all in `[z, r]` from W1.
+#[derive(Clone, Debug, Default)]
+pub struct Drawn {
+    /// The metal as it is left.
+    pub part: Vec<Contour>,
+    /// The metal as it came.
+    pub stock: Vec<Contour>,
+    /// Chuck body, jaws and tailstock.
+    pub chuck: Vec<Contour>,
+    /// The wanted profile, if there is one.
+    pub wanted: Vec<[f64; 2]>,
+    /// Where the tools went at feed and at rapid, each motion with its chords.
+    pub feed: Vec<Vec<[f64; 2]>>,
+    /// The same at rapid.
+    pub rapid: Vec<Vec<[f64; 2]>>,
+}
+
+/// Most motions that are drawn.
+const MOTIONS: usize = 4_000;
+
+/// All figures, by the keys that the report's templates know: the part as it is left, and the path of each set-up.
+#[must_use]
+pub fn figures(drawn: &Drawn, setups: &[Drawn]) -> Vec<Figure> {
+    let mut figures = vec![cover(&drawn.part), half_section(drawn)];
+    figures.extend(setups.iter().zip(["path", "path-2"]).map(|(setup, key)| {
+        let set_up = match key {
+            _ if setups.len() < 2 => t("", ""),
+            "path" => t(", primera colocación", ", first set-up"),
+            _ => t(", segunda colocación", ", second set-up"),
+        };
+        path(setup, key, &set_up)
+    }));
+    figures
+}
+
+/// The contour of the part at 1:1: the whole section, the axis, and the straight lines of the wanted profile, whose arcs are
+/// drawn as such. Arcs of the contour are chords within the tolerance of the removal, as the metal was taken away.
+#[must_use]
+pub fn contour(part: &[Contour], wanted: Vec<Vec<[f64; 2]>>) -> Figure {
+    let mut strokes: Vec<Stroke> = Vec::new();
+    for contour in part {
+        strokes.extend(section(contour).into_iter().map(|points| Stroke::line(Ink::Cut, points)));
+    }
+    strokes.extend(wanted.into_iter().map(|points| Stroke::line(Ink::Profile, points)));
+    strokes.extend(axis(part));
+    Figure {
+        key: "contour",
+        caption: t("Contorno de la pieza torneada", "Contour of the turned part"),
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+/// The lines of a contour over the whole section, above and below the axis, each closed. What runs along the axis is no
+/// line of the part: there the two halves are one piece.
+fn section(contour: &Contour) -> Vec<Vec<[f64; 2]>> {
+    let bare = |point: &[f64; 2]| point[1] < 1e-7;
+    let count = contour.len();
+    let at = |index: usize| contour.get(index % count.max(1)).copied().unwrap_or_default();
+    let along: Vec<usize> = (0..count).filter(|&index| bare(&at(index)) && bare(&at(index + 1))).collect();
+    if along.is_empty() {
+        let lower = closed(contour).map(|[z, r]| [z, -r]).collect();
+        return vec![closed(contour).collect(), lower];
+    }
+    let ends = along.iter().skip(1).copied().chain(along.first().map(|first| first + count));
+    along
+        .iter()
+        .zip(ends)
+        .filter(|(from, to)| *to > *from + 2)
+        .map(|(from, to)| {
+            let upper: Vec<[f64; 2]> = (from + 1..=to).map(at).collect();
+            let lower = upper.iter().rev().skip(1).map(|&[z, r]| [z, -r]);
+            upper.iter().copied().chain(lower).collect()
+        })
+        .collect()
+}
+
+/// The points of a contour, the first one again at the end.
+fn closed(contour: &Contour) -> impl Iterator<Item = [f64; 2]> + '_ {
+    contour.iter().chain(contour.first()).copied()
+}
+
+/// The centre line of contours, a little longer than they are.
+fn axis(contours: &[Contour]) -> Option<Stroke> {
+    let [[least, greatest], _] = extent(contours)?;
+    let beyond = 0.06 * (greatest - least);
+    (greatest > least).then(|| Stroke::line(Ink::Centre, vec![[least - beyond, 0.0], [greatest + beyond, 0.0]]))
+}
+
+/// Least and greatest z and r of contours; `None` of none.
+fn extent(contours: &[Contour]) -> Option<[[f64; 2]; 2]> {
+    contours.iter().flatten().next()?;
+    Some([0, 1].map(|axis| {
+        let values = || contours.iter().flatten().map(|point| point[axis]);
+        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+    }))
+}
+
+/// The part in the chuck with the stock around it.
+fn half_section(drawn: &Drawn) -> Figure {
+    let mut strokes = Vec::new();
+    // Of the chuck only what stands near the part.
+    // Without a stock, as of a part of which the first set-up left nothing, there is nothing near.
+    let about = extent(&drawn.stock);
+    for (contour, [[left, right], [_, high]]) in drawn.chuck.iter().filter_map(|one| Some((one, about?))) {
+        let near = |&[z, r]: &[f64; 2]| [z.clamp(left - high, right + 2.0 * high), r.clamp(0.0, 2.0 * high)];
+        let contour: Contour = contour.iter().map(near).collect();
+        strokes.push(Stroke { ink: Ink::Thin, points: contour.clone(), filled: true, arrow: false });
+        strokes.push(Stroke::line(Ink::Thin, closed(&contour).collect()));
+    }
+    for contour in &drawn.part {
+        strokes.push(Stroke { ink: Ink::Blade, points: contour.clone(), filled: true, arrow: false });
+        strokes.push(Stroke::line(Ink::Blade, closed(contour).collect()));
+    }
+    for contour in &drawn.stock {
+        strokes.push(Stroke::line(Ink::Safe, closed(contour).collect()));
+    }
+    let mut legend = vec![
+        (Ink::Blade, t("pieza torneada", "turned part")),
+        (Ink::Safe, t("bruto", "stock")),
+        (Ink::Thin, t("plato, garras, contrapunto", "chuck, jaws, tailstock")),
+    ];
+    if !drawn.wanted.is_empty() {
+        strokes.push(Stroke::line(Ink::Obverse, drawn.wanted.clone()));
+        legend.push((Ink::Obverse, t("perfil deseado", "wanted profile")));
+    }
+    strokes.extend(axis(&drawn.stock));
+    Figure {
+        key: "half-section",
+        caption: t("Media sección en el plato", "Half section in the chuck"),
+        axes: None,
+        strokes,
+        labels: vec![Label { at: [0.0, -3.0], text: Text::same("W1") }],
+        legend,
+    }
+}
+
+/// The path of the tools over the part.
+fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
+    let mut strokes: Vec<Stroke> = drawn
+        .part
+        .iter()
+        .map(|contour| Stroke { ink: Ink::Outline, points: contour.clone(), filled: true, arrow: false })
+        .collect();
+    let some = |paths: &[Vec<[f64; 2]>], ink: Ink| {
+        let shown: Vec<Stroke> = paths.iter().take(MOTIONS).map(|points| Stroke::line(ink, points.clone())).collect();
+        shown
+    };
+    strokes.extend(some(&drawn.rapid, Ink::Safe));
+    strokes.extend(some(&drawn.feed, Ink::Obverse));
+    strokes.extend(axis(&drawn.part));
+    let all = drawn.feed.len() <= MOTIONS && drawn.rapid.len() <= MOTIONS;
+    let what = if all {
+        t("Recorrido de las herramientas", "Path of the tools")
+    } else {
+        t("Comienzo del recorrido de las herramientas", "Beginning of the path of the tools")
+    };
+    Figure {
+        key,
+        caption: Text::new(format!("{}{}", what.es, set_up.es), format!("{}{}", what.en, set_up.en)),
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "at rapid"))],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::kinds::lathe::figures::*;
+
+    #[test]
+    fn of_a_part_that_is_all_gone_there_is_a_figure_without_a_chuck() {
+        let chuck = vec![vec![[-9.0, -5.0], [0.0, -5.0], [0.0, 5.0]]];
+        let drawn = Drawn { chuck: chuck.clone(), ..Drawn::default() };
+        assert!(half_section(&drawn).strokes.is_empty());
+        let stock = vec![vec![[-9.0, 0.0], [0.0, 0.0], [0.0, 5.0], [-9.0, 5.0]]];
+        assert!(half_section(&Drawn { chuck, stock, ..Drawn::default() }).strokes.len() >= 3);
+    }
+
+    #[test]
+    fn the_axis_is_no_line_of_a_section() {
+        let solid = vec![[-9.0, 0.0], [-4.0, 0.0], [0.0, 0.0], [0.0, 5.0], [-9.0, 5.0]];
+        let whole = [[0.0, 0.0], [0.0, 5.0], [-9.0, 5.0], [-9.0, 0.0], [-9.0, -5.0], [0.0, -5.0], [0.0, 0.0]];
+        assert_eq!(section(&solid), [whole.to_vec()]);
+        // However the contour is begun.
+        let mut turned = solid;
+        turned.rotate_left(1);
+        assert_eq!(section(&turned), [whole.to_vec()]);
+        let tube = vec![[-9.0, 2.0], [0.0, 2.0], [0.0, 5.0], [-9.0, 5.0]];
+        let lines = section(&tube);
+        assert_eq!(lines.len(), 2);
+        assert!(lines.iter().all(|line| line.len() == 5 && line.first() == line.last()));
+        assert!(section(&Vec::new()).iter().all(Vec::is_empty));
+    }
+}

@@ -1,0 +1,208 @@
+//! What is said of a turning program: its alarms, and where following it ended.
+
+use std::collections::BTreeMap;
+
+use crate::finding::{Finding, Grade, Place};
+use crate::gcode::motion::{Motion, MotionKind};
+use crate::kind::Raised;
+use crate::kinds::lathe::setup::Given;
+use crate::limits::{FOLLOWED_MOTIONS, PROGRAM_FINDINGS};
+use crate::machine::axis::Axis;
+use crate::parameter::t;
+use crate::removal::turning::alarm::{Alarm, Cause};
+use crate::removal::turning::second_removal::AGREE;
+use crate::removal::turning::spindle::revolutions;
+use crate::text::Text;
+
+/// A line of the program, or of the file of a subprogram.
+pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {
+    match file {
+        None => Place::Line { line, columns: Vec::new() },
+        Some(file) => Place::Subprogram { file: file.to_owned(), line, columns: Vec::new() },
+    }
+}
+
+/// The note on where the judging of motions stopped; the file as a whole where that was before the program.
+pub(super) fn unjudged_from(place: Place) -> Finding {
+    let what = if place == Place::File {
+        t(
+            "no se juzgan los movimientos de este programa: la pieza no es la que se pide, o nada la sujeta",
+            "the motions of this program are not judged: the part is not what is meant, or nothing holds it",
+        )
+    } else {
+        t(
+            "desde este bloque no se juzgan los movimientos: sus alarmas serían consecuencia de él",
+            "from this block on motions are not judged: their alarms would follow from it",
+        )
+    };
+    Finding::note(place, what)
+}
+
+/// The stop of a program of more motions than a sheet has rows.
+pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
+    Finding::stop(
+        at_line(file, line),
+        Text::new(
+            format!("el programa hace más de {FOLLOWED_MOTIONS} movimientos"),
+            format!("the program makes more than {FOLLOWED_MOTIONS} motions"),
+        ),
+        t("divídalo, o repita menos los subprogramas", "split it, or repeat its subprograms less often"),
+    )
+}
+
+/// The stop of a program whose motions take more work than is done: what was made until there, and at which motion, with the
+/// turns of the thread where it is one.
+pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) -> Finding {
+    let stop = |what, remedy| Finding::stop(at_line(file, motion.line), what, remedy);
+    let shown = |value: f64| crate::number::shown(value, 6);
+    if let MotionKind::Thread(thread) = motion.kind {
+        let lead = shown(thread.lead);
+        let length = [Axis::X, Axis::Z].map(|axis| (motion.to.get(axis) - motion.from.get(axis)).abs());
+        let turns = revolutions(thread, length[0].max(length[1])).unwrap_or_default();
+        return stop(
+            Text::new(
+                format!("seguir esta rosca pide más trabajo del que se hace; movimientos hechos hasta ella: {made}"),
+                format!("to follow this thread takes more work than is done; motions made before it: {made}"),
+            ),
+            Text::new(
+                format!(
+                    "compruebe F: con un paso de {lead} mm el husillo da {} vueltas",
+                    crate::number::shown(turns, 0)
+                ),
+                format!("check F: at a lead of {lead} mm the spindle makes {} turns", crate::number::shown(turns, 0)),
+            ),
+        );
+    }
+    stop(
+        Text::new(
+            format!(
+                "seguir el programa pide más trabajo del que se hace; movimientos hechos hasta este bloque: {made}"
+            ),
+            format!("to follow the program takes more work than is done; motions made before this block: {made}"),
+        ),
+        t(
+            "divida el programa, o elija una tolerancia eps mayor, o pasadas y pasos mayores",
+            "split the program, or choose a greater tolerance eps, or greater passes and leads",
+        ),
+    )
+}
+
+/// What is assumed of the machine where the form does not say: the reference point of a program that goes there.
+pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
+    let program = program.to_uppercase();
+    let has = |code: &str| {
+        program
+            .match_indices(code)
+            .any(|(at, _)| !program[at + code.len()..].starts_with(|next: char| next.is_ascii_digit()))
+    };
+    let mut found = Vec::new();
+    let remedy = || t("rellene R_X y R_Z en el libro (hoja DATOS)", "fill in R_X and R_Z in the workbook (sheet DATA)");
+    if !given.referred && has("G53") {
+        found.push(Finding::caution(
+            Place::File,
+            t(
+                "G53 sin punto de referencia en el libro: se supone que cuenta desde M, la cara del husillo, y no desde el punto de referencia",
+                "G53 without a reference point in the workbook: it is taken to count from M, the face of the spindle, and not from the reference point",
+            ),
+            remedy(),
+        ));
+    }
+    if !given.referred && (has("G28") || has("G30")) {
+        let [X, Z] = given.reference();
+        let [X, Z] = [2.0 * X, Z].map(|at| crate::number::shown(at, 3));
+        found.push(Finding::new(
+            Grade::Note,
+            Place::File,
+            Text::new(
+                format!("el libro no da el punto de referencia: se supone en X{X} Z{Z} desde M"),
+                format!("the workbook gives no reference point: it is taken at X{X} Z{Z} from M"),
+            ),
+            remedy(),
+        ));
+    }
+    found
+}
+
+/// The alarms as findings: of one number and one grade on one line the deepest, the gravest first, at most so many. Where a tool
+/// works with another offset than its own, what hangs on where it is may follow from that: it is counted with that cause, which
+/// is then as grave as the gravest of them.
+pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
+    // A number may be a stop or a caution: a shallow stop is not hidden by a deeper caution.
+    let mut worst = BTreeMap::new();
+    let cause = |one: &Raised| one.other_offset.filter(|_| matches!(one.alarm.cause, Cause::OtherOffset { .. }));
+    let mut following: BTreeMap<(u32, u32), Vec<Grade>> =
+        alarms.iter().filter_map(cause).map(|pair| (pair, Vec::new())).collect();
+    for raised in alarms {
+        let Raised { alarm, place, other_offset } = raised;
+        if alarm.cause.hangs_on_offset()
+            && let Some(grades) = other_offset.as_ref().and_then(|pair| following.get_mut(pair))
+        {
+            grades.push(alarm.cause.grade());
+            continue;
+        }
+        let key = (alarm.file, alarm.line, alarm.cause.key(), alarm.cause.grade(), cause(raised));
+        let known: &mut (usize, &Alarm, &Place) = worst.entry(key).or_insert((0, alarm, place));
+        known.0 += 1;
+        if alarm.depth > known.1.depth {
+            (known.1, known.2) = (alarm, place);
+        }
+    }
+    let mut found: Vec<(bool, Finding)> = worst
+        .into_iter()
+        .map(|((.., pair), (count, alarm, place))| {
+            let mut finding = Finding { place: place.clone(), ..alarm.finding() };
+            let left_out = pair.and_then(|pair| following.get(&pair)).map_or(&[][..], Vec::as_slice);
+            if let Some(gravest) = left_out.iter().max() {
+                finding.grade = finding.grade.max(*gravest);
+                let Text { es, en } = &finding.what;
+                finding.what = match left_out.len() {
+                    1 => Text::new(
+                        format!("{es}; de ahí puede venir 1 alarma con este corrector, sin decir aquí"),
+                        format!("{en}; 1 alarm under this offset may follow from it and is not told here"),
+                    ),
+                    many => Text::new(
+                        format!("{es}; de ahí pueden venir {many} alarmas con este corrector, sin decir aquí"),
+                        format!("{en}; {many} alarms under this offset may follow from it and are not told here"),
+                    ),
+                };
+            }
+            if count > 1 {
+                let Text { es, en } = &finding.what;
+                finding.what = match count - 1 {
+                    1 => Text::new(format!("{es}, y otra vez en la línea"), format!("{en}, and once more on the line")),
+                    more => Text::new(
+                        format!("{es}, y otras {more} veces en la línea"),
+                        format!("{en}, and {more} more times on the line"),
+                    ),
+                };
+            }
+            (!left_out.is_empty(), finding)
+        })
+        .collect();
+    found.sort_by_key(|(cause, finding)| std::cmp::Reverse((finding.grade, *cause)));
+    let mut found: Vec<Finding> = found.into_iter().map(|(_, finding)| finding).collect();
+    let more = found.len().saturating_sub(PROGRAM_FINDINGS);
+    found.truncate(PROGRAM_FINDINGS);
+    if more > 0 {
+        found.push(Finding::note(
+            Place::File,
+            Text::new(
+                format!("y {more} alarmas más: rodete view las muestra en la pieza"),
+                format!("and {more} more alarms: rodete view shows them on the part"),
+            ),
+        ));
+    }
+    found
+}
+
+/// The stop of a removal that a library of polygons does not confirm.
+pub(super) fn not_repeated(apart: f64) -> Finding {
+    Finding::fault(
+        Place::File,
+        Text::fixed(
+            "otra biblioteca de polígonos deja otro contorno: el cálculo no es de fiar, no use los archivos",
+            "another library of polygons leaves another contour: the result cannot be trusted, do not use the files",
+        ),
+    )
+    .with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"))
+}

@@ -1,0 +1,553 @@
+//! The lathe: a turning program of a workbook followed as it removes material, judged and shown.
+//!
+//! # References
+//! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
+
+pub mod cases;
+pub mod catalogue;
+pub mod figures;
+mod findings;
+pub mod parameters;
+mod part_view;
+mod profile;
+pub mod scene;
+pub mod setup;
+pub(crate) mod tables;
+pub mod text;
+pub mod tool_sheet;
+
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::interpreter::Standstill;
+use crate::gcode::motion::MotionKind;
+use crate::gcode::program::Program;
+use crate::gcode::word::NumberFormat;
+use crate::geometry::revolution::volume;
+use crate::kind::Raised;
+use crate::kind::{FollowedProgram, Outcome, Provenance, Template, Turned};
+use crate::kinds::lathe::figures::Drawn;
+use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
+use crate::kinds::lathe::parameters::{PROGRAM_KEY, SECOND_KEY};
+use crate::kinds::lathe::profile::{compared, wanted};
+use crate::kinds::lathe::setup::Given;
+use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
+use crate::limits::FOLLOWED_MOTIONS;
+use crate::limits::PROGRAM_FINDINGS;
+use crate::machine::axis::Position;
+use crate::number::shown;
+use crate::parameter::{Form, Values, t};
+use crate::proof::account::Account;
+use crate::removal::turning::alarm::{Alarm, Cause};
+use crate::removal::turning::deviation::Profile;
+use crate::removal::turning::in_force::InForceWatch;
+use crate::removal::turning::second_removal::AGREE;
+use crate::removal::turning::simulation::{Setup, Simulation};
+use crate::removal::turning::step::Step;
+use crate::table::{Quantity, Unit};
+use crate::text::Text;
+
+/// How far the facets of the solid may be from the round part, mm.
+const TOLERANCE: f64 = 0.01;
+
+/// One thing seen while a program is followed.
+#[derive(Debug)]
+pub enum Seen<'a> {
+    /// A program begins, with its text and the part as it is.
+    Begin(&'a Program, &'a text::SheetProgram, &'a Simulation),
+    /// What is in force before the first block, or after one that changed it without a motion; with the name of the
+    /// subprogram's file that the block stands in.
+    Stood(&'a Standstill, &'a Simulation, Option<&'a str>),
+    /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
+    Step(&'a Step, &'a Simulation, Option<&'a str>),
+    /// An alarm that could be told only when all programs had ended, of a motion of the program of this number, from 0; with
+    /// the name of the subprogram's file that its block stands in.
+    Late(usize, &'a Alarm, Option<&'a str>),
+    /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
+    End(&'a [Finding], &'a Simulation),
+}
+
+/// A program followed to its end.
+struct Followed<'a> {
+    program: Program,
+    source: &'a text::SheetProgram,
+    /// The names of its subprograms' files, by their numbers from 1.
+    files: Vec<String>,
+    simulation: Simulation,
+    rows: Rows,
+    alarms: Vec<Raised>,
+    findings: Vec<Finding>,
+    /// A budget ended before the program did.
+    endless: bool,
+    /// A block of it was refused, or one of a program before it.
+    lost: bool,
+    /// A turning cycle was refused, and nothing after it was made.
+    uncut: bool,
+    /// How far a library of polygons is from the contours, mm.
+    repeated: f64,
+    drawn: Drawn,
+    account: Account,
+}
+
+impl Followed<'_> {
+    /// What the program came to.
+    fn run(&self) -> FollowedProgram {
+        let all = self.simulation.totals().all;
+        FollowedProgram {
+            key: self.program.key,
+            account: self.account.clone(),
+            seconds: all.seconds,
+            timeless: all.timeless,
+        }
+    }
+}
+
+/// Follows the programs of a filled-in form.
+///
+/// # Errors
+/// A refusal with every contradiction between values.
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+    watched(form, values, source, None, &mut |_| ())
+}
+
+/// The same; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
+///
+/// # Errors
+/// A refusal with every contradiction between values.
+pub fn watched(
+    form: &'static Form,
+    values: Values,
+    source: Provenance,
+    program: Option<text::SheetProgram>,
+    watch: &mut dyn FnMut(Seen<'_>),
+) -> Result<Outcome, Refusal> {
+    let mut wrong = Vec::new();
+    if program.is_none() {
+        wrong.extend(setup::without_rule(&values));
+        wrong.extend(text::twice(&values));
+    }
+    let profile = wanted(&values).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
+    let given = match Given::of(&values) {
+        Ok(given) if wrong.is_empty() => given,
+        Ok(_) => return Err(refused(wrong)),
+        Err(findings) => return Err(refused(findings.into_iter().chain(wrong).collect())),
+    };
+    let first = program.or_else(|| text::SheetProgram::of(&values, PROGRAM_KEY)).unwrap_or_default();
+    let title = t("Programa", "Program");
+    let begins = Begins::new(Simulation::new(given.setup.clone())?);
+    let one = follow("program", title, &first, &given, begins, watch);
+    let second = text::SheetProgram::of(&values, SECOND_KEY);
+    let two = if let Some(second) = &second {
+        let simulation = one.simulation.turned_about(given.second)?;
+        let title = t("Programa de la segunda colocación", "Program of the second set-up");
+        // How a part is held that is not the one meant says nothing.
+        let held = (!one.lost && !one.endless).then(|| values.locate(held(simulation.setup())));
+        let lost = one.lost || one.endless || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
+        // Of a program that was not followed to its end the part was not made.
+        let begins = Begins { simulation, lost, uncut: one.uncut || one.endless, held };
+        Some(follow("program-2", title, second, &given, begins, watch))
+    } else {
+        None
+    };
+    let mut followed: Vec<Followed> = std::iter::once(one).chain(two).collect();
+    late(&mut followed, watch);
+    Ok(outcome(form, values, source, &given, followed, profile))
+}
+
+fn refused(findings: Vec<Finding>) -> Refusal {
+    Refusal { exit: Exit::Refused, findings }
+}
+
+/// The least length along which a part is held at all, mm: less is a line.
+const HELD: f64 = 1.0;
+
+/// The least length along which a part is held well, mm, and as a share of the jaws'. The more of the two. Chosen here.
+const HELD_WELL: (f64, f64) = (5.0, 0.25);
+
+/// How the jaws hold the part that was turned about: a stop where they do not, a caution where they hardly do.
+fn held(setup: &Setup) -> Finding {
+    let Setup { lathe, stock, .. } = setup;
+    let place = Place::Parameters(vec!["Z_s", "L4"]);
+    let [left, right] = stock.held(lathe).map(|at| shown(at, 3));
+    let remedy = Text::new(
+        format!("cambie Z_s (o L4) hasta que entre Z{left} y Z{right}, donde están las garras, haya un cilindro"),
+        format!("change Z_s (or L4) until a cylinder lies between Z{left} and Z{right}, where the jaws are"),
+    );
+    let Some(grip) = setup.part.as_deref().and_then(|part| stock.grip(lathe, part)) else {
+        return Finding::stop(
+            place,
+            t(
+                "en la segunda colocación no hay material entre las garras: nada sujeta la pieza",
+                "in the second set-up there is no metal between the jaws: nothing holds the part",
+            ),
+            remedy,
+        );
+    };
+    let (X, long) = (shown(grip.diameter, 3), format!("{} mm", shown(grip.length, 3)));
+    let least = HELD_WELL.0.max(HELD_WELL.1 * lathe.chuck.jaws);
+    let short = Text::new(
+        format!("en la segunda colocación las garras, cerradas en X{X}, apenas sujetan la pieza a lo largo de Z"),
+        format!("in the second set-up the jaws, closed on X{X}, hardly hold the part along Z"),
+    );
+    if grip.length < HELD {
+        Finding::stop(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
+    } else if grip.length < least {
+        Finding::caution(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
+    } else {
+        Finding::note(
+            place,
+            Text::new(
+                format!("en la segunda colocación las garras se cierran en X{X} y sujetan {long}"),
+                format!("in the second set-up the jaws close on X{X} and hold {long}"),
+            ),
+        )
+    }
+}
+
+/// The program as it stands on its sheet; its subprograms are not known before it has been read.
+fn listed(key: &'static str, title: Text, source: &text::SheetProgram, given: &Given) -> Program {
+    Program {
+        key,
+        title,
+        dialect: given.dialect,
+        format: NumberFormat::Fixed,
+        block_step: None,
+        start: Position::default(),
+        parts: source.whole(std::iter::empty()),
+    }
+}
+
+/// What a program begins with.
+struct Begins {
+    simulation: Simulation,
+    /// The program before it went wrong, or nothing holds the part.
+    lost: bool,
+    /// The part that it needs was not made.
+    uncut: bool,
+    /// How the part is held.
+    held: Option<Finding>,
+}
+
+impl Begins {
+    const fn new(simulation: Simulation) -> Self {
+        Self { simulation, lost: false, uncut: false, held: None }
+    }
+}
+
+/// Follows one program over a set-up, of which it is said whether the program before it went wrong.
+///
+/// The motions behind a block that was refused are not those that the program means: they are followed for what the
+/// interpreter has to say about the blocks, and their alarms, which would follow from that block, are not raised.
+///
+/// Behind a cycle that was refused, and with `uncut` from the start, the program is read and not made, for the part that it
+/// needs was not.
+fn follow<'a>(
+    key: &'static str,
+    title: Text,
+    source: &'a text::SheetProgram,
+    given: &Given,
+    Begins { mut simulation, lost, uncut, held }: Begins,
+    watch: &mut dyn FnMut(Seen<'_>),
+) -> Followed<'a> {
+    let program = listed(key, title, source, given);
+    simulation.repeat();
+    watch(Seen::Begin(&program, source, &simulation));
+    let stock = simulation.contours();
+    let mut one = Followed {
+        program,
+        source,
+        files: Vec::new(),
+        simulation,
+        rows: Rows::default(),
+        alarms: Vec::new(),
+        findings: Vec::new(),
+        endless: false,
+        lost,
+        uncut,
+        repeated: 0.0,
+        drawn: Drawn { stock, ..Drawn::default() },
+        account: Account::default(),
+    };
+    let mut interpreter = source.read(given.setting());
+    let mut in_force = InForceWatch::new(given.own.clone());
+    let (mut faults, mut more) = (Vec::new(), 0);
+    // Refusals in more than one cell, as they are told of lines and as they are told of cells.
+    let mut together: Vec<(Finding, Finding)> = Vec::new();
+    let mut without_zero = BTreeSet::new();
+    // Where following stopped to be judged, and whether anything was still followed.
+    let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
+    let mut before = interpreter.position().1;
+    // The turret's place, and the block that has changed it without a motion.
+    let (mut place, mut turned) = (interpreter.control().tool, None);
+    interpreter.keep_stood();
+    watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
+    loop {
+        let item = interpreter.next();
+        for stood in interpreter.stood().into_iter().filter(|_| !one.uncut) {
+            if stood.control.tool != place {
+                (place, turned) = (stood.control.tool, Some((stood.control.file, stood.line)));
+            }
+            watch(Seen::Stood(&stood, &one.simulation, interpreter.file(stood.control.file)));
+        }
+        let Some(item) = item else { break };
+        match item {
+            Ok(motion) if one.rows.len() == FOLLOWED_MOTIONS => {
+                one.endless = true;
+                faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
+                break;
+            }
+            Ok(_) if one.uncut => unjudged = true,
+            Ok(motion) => {
+                let control = *interpreter.control();
+                let file = interpreter.file(control.file);
+                one.account.take(&motion, &before);
+                before = motion.machine;
+                if let Some(fault) = given.without_zero(&motion, &control)
+                    && without_zero.insert(control.system)
+                {
+                    let fault = Finding { place: at_line(file, motion.line), ..fault };
+                    last.get_or_insert_with(|| fault.place.clone());
+                    faults.push(fault);
+                }
+                let mut step = one.simulation.take(&motion, &control);
+                if one.simulation.is_spent() {
+                    one.endless = true;
+                    faults.insert(0, too_much_work(file, &motion, one.rows.len()));
+                    break;
+                }
+                in_force.judge(&mut step);
+                place = control.tool;
+                // A change of tool is told at its block.
+                if let Some((file, line)) = turned.take() {
+                    let changes = step.alarms.iter_mut().filter(|one| matches!(one.cause, Cause::ToolChange(_)));
+                    changes.for_each(|one| (one.file, one.line, one.n) = (file, line, None));
+                }
+                if last.is_some() {
+                    step.alarms.clear();
+                    unjudged = true;
+                }
+                let other_offset = in_force.other_offset(&control);
+                for alarm in &step.alarms {
+                    let place = source.place(interpreter.file(alarm.file), alarm.line, Vec::new());
+                    one.alarms.push(Raised { alarm: *alarm, place, other_offset });
+                }
+                let paths = if motion.kind == MotionKind::Rapid { &mut one.drawn.rapid } else { &mut one.drawn.feed };
+                if step.way.len() > 1 {
+                    paths.push(step.way.clone());
+                }
+                one.rows.push(&step, source.text(file).unwrap_or(&source.main));
+                watch(Seen::Step(&step, &one.simulation, file));
+            }
+            Err(fault) => {
+                one.endless |= fault.exit == Exit::Limit;
+                one.uncut |= fault.uncut;
+                let in_cells = source.refused_together(&fault);
+                let fault = Finding::from(*fault);
+                last.get_or_insert_with(|| fault.place.clone());
+                // A cycle reads the blocks of its contour, and they are read again where they stand.
+                if faults.contains(&fault) {
+                    continue;
+                }
+                if faults.len() < PROGRAM_FINDINGS {
+                    together.extend(in_cells.map(|in_cells| (fault.clone(), in_cells)));
+                    faults.push(fault);
+                } else {
+                    more += 1;
+                }
+            }
+        }
+    }
+    if more > 0 {
+        faults.push(Finding::note(
+            Place::File,
+            Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
+        ));
+    }
+    one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
+    one.program.parts = source.whole(one.files.iter().map(String::as_str));
+    faults.extend(interpreter.remarks());
+    faults.extend(assumed(given, &source.main.text));
+    if let Some(place) = last {
+        one.lost = true;
+        if unjudged {
+            faults.push(unjudged_from(place));
+        }
+    }
+    faults.extend(held);
+    one.repeated = one.simulation.repeated().unwrap_or_default();
+    faults.extend((one.repeated > AGREE).then(|| not_repeated(one.repeated)));
+    watch(Seen::End(&faults, &one.simulation));
+    one.findings = faults
+        .into_iter()
+        .map(|finding| match together.iter().find(|(told, _)| *told == finding) {
+            Some((_, in_cells)) => in_cells.clone(),
+            None => Finding { place: source.placed(finding.place), ..finding },
+        })
+        .collect();
+    one.drawn.part = one.simulation.product();
+    one
+}
+
+/// Tells the alarms that can be told only when all programs have ended, and makes all alarms findings.
+///
+/// What a refused block left undone, or what lies behind the end of a budget, may have been what takes a mark away: of such a
+/// program's marks, and of those on the part that it began with, none is told.
+fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
+    let whole = |one: &Followed| !one.lost && !one.endless;
+    for number in 0..followed.len() {
+        let Some((one, behind)) = followed[number..].split_first_mut() else { continue };
+        let lasting = match behind.first() {
+            _ if !whole(one) => Vec::new(),
+            None => one.simulation.lasting(),
+            Some(next) => one.simulation.lasting_in(whole(next).then_some(&next.simulation)),
+        };
+        for alarm in lasting {
+            let file = alarm.file.checked_sub(1).and_then(|at| one.files.get(at)).map(String::as_str);
+            one.rows.late(&alarm);
+            watch(Seen::Late(number, &alarm, file));
+            let place = one.source.place(file, alarm.line, Vec::new());
+            one.alarms.push(Raised { alarm, place, other_offset: None });
+        }
+        one.alarms.sort_by_key(|raised| raised.alarm.motion);
+        one.findings.extend(alarms(&one.alarms));
+    }
+}
+
+fn outcome(
+    form: &'static Form,
+    values: Values,
+    source: Provenance,
+    given: &Given,
+    mut followed: Vec<Followed>,
+    profile: Option<Profile>,
+) -> Outcome {
+    let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let mut quantities = quantities(given, &followed);
+    let mut tables = Rows::tables(followed.iter_mut().map(|one| std::mem::take(&mut one.rows)).collect());
+    tables.push(lines_table(&tables));
+    tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
+    tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
+    tables.push(turret_table(&given.setup.turret));
+    let mut drawn = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
+    tables.push(contour_table(&drawn.part));
+    let paths = followed.iter().map(|one| one.drawn.clone()).collect::<Vec<Drawn>>();
+    let standing = followed.last().map(|one| one.simulation.setup().fixtures()).unwrap_or_default();
+    drawn.chuck = standing.into_iter().map(|(_, ring)| ring).collect();
+    let (mut lines, mut arcs) = (Vec::new(), Vec::new());
+    let mut endless = followed.iter().any(|one| one.endless);
+    // Where a program was not followed to its end there is no part yet to be compared.
+    if let Some(profile) = profile.filter(|_| !endless) {
+        let left = followed.last().map_or(0, |one| one.simulation.work_left());
+        let (finding, undone) = compared(&drawn.part, &profile, left, &mut quantities);
+        findings.push(finding);
+        endless = undone;
+        drawn.wanted = profile.points().unwrap_or_default();
+        (lines, arcs) = profile.drawn();
+    }
+    let contour = figures::contour(&drawn.part, lines);
+    let alarms = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.alarms)).collect();
+    let turned = Some(Turned {
+        runs: followed.iter().map(Followed::run).collect(),
+        supported: given.setup.stock.supported(&given.setup.lathe),
+        second: (followed.len() > 1).then_some(given.second),
+        contours: drawn.part.clone(),
+        tolerance: TOLERANCE,
+        alarms,
+    });
+    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
+    Outcome {
+        form,
+        quantities,
+        tables,
+        charts: Vec::new(),
+        // Of a part of which nothing is left there is nothing to draw.
+        templates: (!drawn.part.is_empty())
+            .then(|| Template {
+                key: "contour",
+                title: t("Contorno de la pieza", "Contour of the part"),
+                figure: contour,
+                arcs,
+                paper: None,
+            })
+            .into_iter()
+            .collect(),
+        figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
+        programs: if stopped { Vec::new() } else { programs },
+        turned,
+        findings,
+        endless,
+        values,
+        source,
+    }
+}
+
+/// What the programs come to.
+fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let sum = |of: fn(&crate::removal::turning::step::Total) -> f64| {
+        followed.iter().map(|one| of(&one.simulation.totals().all)).sum::<f64>()
+    };
+    let most = |of: fn(&crate::removal::turning::step::Total) -> f64| {
+        followed.iter().map(|one| of(&one.simulation.totals().all)).fold(0.0, f64::max)
+    };
+    let count = |grade: Option<Grade>| {
+        let alarms = followed.iter().flat_map(|one| &one.alarms);
+        let counted = alarms.filter(|one| grade.is_none_or(|grade| one.alarm.cause.grade() == grade)).count();
+        f64::from(u32::try_from(counted).unwrap_or(u32::MAX))
+    };
+    let none = || t("", "");
+    let left = followed.last().map_or(0.0, |one| one.drawn.part.iter().map(|ring| volume(ring)).sum());
+    let mm3 = Unit::CubicMillimetre;
+    let mut quantities = vec![
+        quantity("L3", t("Voladizo", "Overhang"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
+        quantity(
+            "Z_W1",
+            t("Origen W1, desde M", "Zero W1, from M"),
+            given.setup.stock.zero(&given.setup.lathe),
+            Unit::Millimetre,
+            t("L1 + L2 + L3 − L5", "L1 + L2 + L3 − L5"),
+        ),
+        quantity("t", t("Duración", "Time"), sum(|all| all.seconds), Unit::Second, t("programa leído", "program read")),
+        quantity("t_c", t("de ella, cortando", "of it, cutting"), sum(|all| all.cutting_seconds), Unit::Second, none()),
+        quantity(
+            "t_G0",
+            t("de ella, en rápido", "of it, at rapid"),
+            sum(|all| all.rapid_seconds),
+            Unit::Second,
+            none(),
+        ),
+        quantity("V_r", t("Volumen arrancado", "Volume removed"), sum(|all| all.volume), mm3, none()),
+        quantity("V_t", t("Volumen tronzado", "Volume parted off"), sum(|all| all.parted), mm3, none()),
+        quantity("V", t("Volumen de la pieza", "Volume of the part"), left, mm3, none()),
+        quantity(
+            "a_p",
+            t("Mayor profundidad de corte", "Greatest depth of cut"),
+            most(|all| all.depth),
+            Unit::Millimetre,
+            none(),
+        ),
+        quantity(
+            "V_c",
+            t("Mayor velocidad de corte", "Greatest cutting speed"),
+            most(|all| all.cutting_speed),
+            Unit::MetrePerMinute,
+            none(),
+        ),
+        quantity(
+            "Q",
+            t("Mayor caudal de viruta", "Greatest removal rate"),
+            most(|all| all.rate),
+            Unit::CubicCentimetrePerMinute,
+            none(),
+        ),
+        quantity("alarms", t("Alarmas", "Alarms"), count(None), Unit::Count, none()),
+        quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
+    ];
+    let apart = followed.iter().map(|one| one.repeated).fold(0.0, f64::max);
+    let name = t("Contorno, frente a otra biblioteca de polígonos", "Contour, against another library of polygons");
+    quantities.push(quantity("δ_2", name, apart, Unit::Millimetre, t("distancia media", "mean distance")));
+    quantities
+}

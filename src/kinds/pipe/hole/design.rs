@@ -1,0 +1,308 @@
+//! The design of a bevelled hole: validated parameters with units settled, and the checks of one against another.
+
+use crate::figure::Paper;
+use crate::finding::{Finding, Place};
+use crate::gcode::dialect::Dialect;
+use crate::gcode::machine_codes::refused_codes;
+use crate::gcode::word::{Word, codes};
+use crate::geometry::pipe_pair::PipePair;
+use crate::kinds::pipe::hole::height::Torch;
+use crate::kinds::pipe::hole::station::Groove;
+use crate::kinds::pipe::insert::design::{BRANCH, HEADER, Pipe};
+use crate::number::shown;
+use crate::parameter::Values;
+use crate::text::Text;
+
+/// A design that may be computed. Lengths in mm, angles in degrees.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// The header.
+    pub header: Pipe,
+    /// The branch.
+    pub branch: Pipe,
+    /// θ, the angle between the axes.
+    pub theta: f64,
+    /// e, how far the axes pass each other.
+    pub e: f64,
+    /// γ, the groove angle.
+    pub gamma: f64,
+    /// b, the root gap.
+    pub b: f64,
+    /// h, the land.
+    pub h: f64,
+    /// N, places of the tables.
+    pub N: u32,
+    /// r_g, radius of the nozzle's tip.
+    pub r_g: f64,
+    /// R_g, radius of the torch's body.
+    pub R_g: f64,
+    /// Ψ, half angle of the nozzle's taper.
+    pub Psi: f64,
+    /// m, radius of the plasma beam.
+    pub m: f64,
+    /// d₀, the height that is wanted.
+    pub d0: f64,
+    /// g₀, the least distance to the pipe.
+    pub g0: f64,
+    /// The greatest height.
+    pub D_max: f64,
+    /// The kerf.
+    pub kerf: f64,
+    /// F, cutting speed at the root, mm/min.
+    pub F: f64,
+    /// F_max, greatest speed of an axis, mm/min or °/min.
+    pub F_max: Option<f64>,
+    /// The pierce delay, s.
+    pub pierce_delay: f64,
+    /// The way from the pierce to the curve.
+    pub lead_in: f64,
+    /// The way beyond the end of the curve.
+    pub overcut: f64,
+    /// How far the beam may leave the exact curve.
+    pub arc_tolerance: f64,
+    /// Height of rapid moves above the header.
+    pub Z_s: f64,
+    /// The paper that the template is printed on.
+    pub paper: Paper,
+    /// The part's name.
+    pub part: String,
+    /// The material.
+    pub material: String,
+    /// The program number.
+    pub program: u32,
+    /// The dialect.
+    pub dialect: &'static Dialect,
+    /// M codes that turn the torch on.
+    pub torch_on: Vec<Word>,
+    /// M codes that turn it off.
+    pub torch_off: Vec<Word>,
+    /// M codes that hold the torch height control; empty for those of the dialect.
+    pub hold_on: Vec<Word>,
+    /// M codes that let it go.
+    pub hold_off: Vec<Word>,
+    /// M codes at the end.
+    pub end_codes: Vec<Word>,
+    /// Step of the block numbers.
+    pub block_step: u32,
+}
+
+impl Design {
+    /// The design of checked values.
+    ///
+    /// # Errors
+    /// Every check of one value against another that fails, as findings on parameters (the caller turns them into cells).
+    pub fn new(values: &Values) -> Result<Self, Vec<Finding>> {
+        let pipes = [Pipe::from_values(values, BRANCH), Pipe::from_values(values, HEADER)];
+        let (branch, header) = match pipes {
+            [Ok(branch), Ok(header)] => (branch, header),
+            [one, other] => {
+                return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect());
+            }
+        };
+        let Some(design) = Self::from_values(values, branch, header) else {
+            return Err(vec![Finding::stop(
+                Place::File,
+                Text::fixed("faltan valores obligatorios", "required values are missing"),
+                Text::fixed("rellene las celdas obligatorias", "fill in the required cells"),
+            )]);
+        };
+        let findings = design.contradictions();
+        if findings.is_empty() { Ok(design) } else { Err(findings) }
+    }
+
+    fn from_values(values: &Values, branch: Pipe, header: Pipe) -> Option<Self> {
+        let real = |key| values.real(key);
+        let m = real("m")?;
+        Some(Self {
+            header,
+            branch,
+            theta: real("theta")?,
+            e: real("e")?,
+            gamma: real("gamma")?,
+            b: real("b")?,
+            h: real("h")?,
+            N: values.whole("N")?,
+            r_g: real("r_g")?,
+            R_g: real("R_g")?,
+            Psi: real("Psi")?,
+            m,
+            d0: real("d0")?,
+            g0: real("g0")?,
+            D_max: real("D_max")?,
+            kerf: real("kerf").unwrap_or(2.0 * m),
+            F: real("F")?,
+            F_max: real("F_max"),
+            pierce_delay: real("pierce_delay")?,
+            lead_in: real("lead_in")?,
+            overcut: real("overcut")?,
+            arc_tolerance: real("arc_tolerance")?,
+            Z_s: real("Z_s")?,
+            paper: values.choice("paper").and_then(Paper::of).unwrap_or(Paper::A4),
+            part: values.line("part").to_owned(),
+            material: values.line("material").to_owned(),
+            program: values.whole("program")?,
+            dialect: Dialect::milling(values.choice("dialect")?)?,
+            torch_on: codes(values.line("torch_on"))?,
+            torch_off: codes(values.line("torch_off"))?,
+            hold_on: codes(values.line("hold_on"))?,
+            hold_off: codes(values.line("hold_off"))?,
+            end_codes: codes(values.line("end_codes"))?,
+            block_step: values.whole("block_step")?,
+        })
+    }
+
+    /// R_o, the header's outside radius.
+    #[must_use]
+    pub fn R_o(&self) -> f64 {
+        self.header.D / 2.0
+    }
+
+    /// R_i, the header's bore.
+    #[must_use]
+    pub fn R_i(&self) -> f64 {
+        self.header.D / 2.0 - self.header.t
+    }
+
+    /// The branch's outside grown by the gap, and the header's bore grown by the land.
+    ///
+    /// With e > 0 the branch's axis passes in front of the header's for someone who sees the branch lean to the right, as it
+    /// does for a branch whose template of the same e is wrapped round it, printed face outwards (see
+    /// [`crate::kinds::pipe::insert`]): here at y = −e.
+    #[must_use]
+    pub fn pair(&self) -> PipePair {
+        PipePair::new(self.branch.D / 2.0 + self.b, self.R_i() + self.h, self.theta, -self.e)
+    }
+
+    /// The torch.
+    #[must_use]
+    pub fn torch(&self) -> Torch {
+        Torch { r_g: self.r_g, R_g: self.R_g, Psi: self.Psi.to_radians(), d0: self.d0, g0: self.g0 }
+    }
+
+    /// What the cut is made of.
+    #[must_use]
+    pub fn groove(&self) -> Groove {
+        Groove {
+            pair: self.pair(),
+            R_o: self.R_o(),
+            gamma: self.gamma.to_radians(),
+            beside: self.kerf / 2.0,
+            torch: self.torch(),
+        }
+    }
+
+    /// What is valid alone but not together. All findings are stops.
+    fn contradictions(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let mm = |value: f64| format!("{} mm", shown(value, 3));
+        let mut stop = |keys: &[&'static str], es: String, en: String, remedy: Text| {
+            findings.push(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy));
+        };
+        for (pipe, keys, es, en) in [
+            (self.branch, ["D_branch", "t_branch"], "del injerto", "of the branch"),
+            (self.header, ["D_header", "t_header"], "del tubo base", "of the header"),
+        ] {
+            let (t, radius) = (mm(pipe.t), mm(pipe.D / 2.0));
+            if pipe.t >= pipe.D / 2.0 {
+                stop(
+                    &keys,
+                    format!("la pared {es} es {t} y debe ser menor que su radio, {radius}"),
+                    format!("the wall {en} is {t}, must be below its radius, {radius}"),
+                    Text::fixed("compruebe diámetro y pared", "check diameter and wall"),
+                );
+            }
+        }
+        let pair = self.pair();
+        let (r, R, e) = (mm(pair.r), mm(pair.R), mm(self.e));
+        if self.h >= self.header.t {
+            let (h, t) = (mm(self.h), mm(self.header.t));
+            stop(
+                &["h", "t_header"],
+                format!("el talón h es {h} y debe ser menor que la pared, {t}"),
+                format!("the land h is {h}, must be below the wall, {t}"),
+                Text::fixed("un talón menor", "a smaller land"),
+            );
+        } else if pair.overhang() >= 0.0 {
+            stop(
+                &["D_branch", "b", "e", "D_header"],
+                format!(
+                    "el injerto con su holgura no cabe en el tubo base: le sobran {}: r + b = {r}, e = {e}, radio {R}",
+                    mm(pair.overhang())
+                ),
+                format!(
+                    "the branch with its gap does not go into the header, by {}: r + b = {r}, e = {e}, radius {R}",
+                    mm(pair.overhang())
+                ),
+                Text::fixed("un injerto menor o menos excentricidad", "a smaller branch or less eccentricity"),
+            );
+        }
+        if self.g0 >= self.d0 {
+            let (g0, d0) = (mm(self.g0), mm(self.d0));
+            stop(
+                &["g0", "d0"],
+                format!("la distancia mínima g0 es {g0} y debe ser menor que la altura d0, {d0}"),
+                format!("the least distance g0 is {g0}, must be below the height d0, {d0}"),
+                Text::fixed("menos g0, o más d0", "a smaller g0, or a greater d0"),
+            );
+        }
+        if self.R_g < self.r_g {
+            let (r_g, R_g) = (mm(self.r_g), mm(self.R_g));
+            stop(
+                &["R_g", "r_g"],
+                format!("el cuerpo R_g = {R_g} es más fino que la boquilla r_g = {r_g}"),
+                format!("the body R_g = {R_g} is thinner than the nozzle r_g = {r_g}"),
+                Text::fixed("compruebe los dos radios", "check both radii"),
+            );
+        }
+        if self.D_max < self.d0 {
+            let (D_max, d0) = (mm(self.D_max), mm(self.d0));
+            stop(
+                &["D_max", "d0"],
+                format!("la altura máxima D_max es {D_max}, menor que la deseada, {d0}"),
+                format!("the greatest height D_max is {D_max}, below the wanted one, {d0}"),
+                Text::fixed("más D_max, o menos d0", "a greater D_max, or a smaller d0"),
+            );
+        }
+        if self.kerf < 2.0 * self.m - 1e-9 {
+            let (kerf, beam) = (mm(self.kerf), mm(2.0 * self.m));
+            stop(
+                &["kerf", "m"],
+                format!("el corte de {kerf} es más fino que el chorro, {beam}"),
+                format!("the kerf of {kerf} is finer than the beam, {beam}"),
+                Text::fixed("deje kerf vacío para 2·m", "leave kerf empty for 2·m"),
+            );
+        }
+        if self.kerf / 2.0 + self.lead_in >= pair.r {
+            let (way, r) = (mm(self.kerf / 2.0 + self.lead_in), mm(pair.r));
+            stop(
+                &["lead_in", "kerf"],
+                format!("la entrada llega más allá del eje del agujero: {way} y su radio es {r}"),
+                format!("the lead-in reaches past the hole's axis: {way}, and its radius is {r}"),
+                Text::fixed("una entrada más corta", "a shorter lead-in"),
+            );
+        }
+        if self.hold_on.is_empty() != self.hold_off.is_empty() {
+            let (given, missing) =
+                if self.hold_on.is_empty() { ("hold_off", "hold_on") } else { ("hold_on", "hold_off") };
+            stop(
+                &[missing, given],
+                format!("{given} sin {missing}: el control de altura no se bloquearía y soltaría"),
+                format!("{given} without {missing}: the height control would not be held and let go"),
+                Text::new(
+                    format!("escriba {missing}, o deje vacíos los dos"),
+                    format!("fill in {missing}, or leave both empty"),
+                ),
+            );
+        }
+        for (key, codes) in [
+            ("torch_on", &self.torch_on),
+            ("torch_off", &self.torch_off),
+            ("hold_on", &self.hold_on),
+            ("hold_off", &self.hold_off),
+        ] {
+            findings.extend(refused_codes(self.dialect, key, codes, false));
+        }
+        findings.extend(refused_codes(self.dialect, "end_codes", &self.end_codes, true));
+        findings
+    }
+}

@@ -1,0 +1,266 @@
+//! The bevelled hole in the header, and the height of the torch that cuts it.
+//!
+//! # References
+//! Patent of Shandong University, published 2017: height control of a plasma torch cutting a header hole with a welding
+//! groove. Its displayed formulas are lost; the height is derived in [`height`], the curve in [`station`].
+
+pub mod bounds;
+pub mod cases;
+pub mod cut;
+pub mod design;
+pub mod figures;
+pub mod height;
+pub mod parameters;
+pub mod program;
+pub mod proof;
+pub mod station;
+pub mod tables;
+
+use std::sync::LazyLock;
+
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::header::Origin;
+use crate::gcode::word::Distance;
+use crate::kind::{Chart, Outcome, Provenance, Series, Template, not_finite, out_of_format};
+use crate::kinds::pipe::hole::bounds::too_high;
+use crate::kinds::pipe::hole::cut::{TooHigh, cut};
+use crate::kinds::pipe::hole::design::Design;
+use crate::kinds::pipe::hole::figures::{figures, template};
+use crate::kinds::pipe::hole::program::{distance, full, hold};
+use crate::kinds::pipe::hole::proof::verify;
+use crate::number::shown;
+use crate::parameter::{Form, Values};
+use crate::proof::account::Account;
+use crate::table::{Quantity, Table, Unit};
+use crate::text::Text;
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// Computes a bevelled hole.
+///
+/// # Errors
+/// A refusal with every contradiction between values, or for a torch that would have to be higher than it may.
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+    let refused = |findings: Vec<Finding>| Refusal {
+        exit: Exit::Refused,
+        findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),
+    };
+    let design = Design::new(&values).map_err(refused)?;
+    if let Some(place) = too_high(&design) {
+        return Err(refused(vec![height_refused(&design, &place)]));
+    }
+    let origin = Origin {
+        workbook: &source.workbook,
+        sha256: &source.sha256,
+        version: source.version,
+        language: values.language,
+    };
+    let made = cut(&design).and_then(|cut| {
+        let Some(cut) = cut else { return Ok(None) };
+        let program = full(&design, &cut, &origin)?;
+        Ok(Some((cut, program)))
+    });
+    let Some((cut, program)) = made.map_err(|error| refused(vec![out_of_format(error, vec!["D_header", "Z_s"])]))?
+    else {
+        let nowhere = TooHigh { alpha: 0.0, sigma_o: None, D: f64::INFINITY };
+        return Err(refused(vec![height_refused(&design, &nowhere)]));
+    };
+    let stations = tables::stations(&design);
+    let mut tables: Vec<Table> = vec![
+        tables::curve(&stations),
+        tables::height(&stations),
+        tables::pose(&stations, design.kerf / 2.0),
+        tables::way(&cut),
+    ];
+    for table in &tables {
+        if let Some((_, row)) = table.not_finite() {
+            return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+        }
+    }
+    let (verification, curve, account) = verify(&design, &cut, &program);
+    let programs = vec![program];
+    tables.push(verification.table(
+        &programs,
+        t(
+            "Leída del programa, postura a postura, contra la raíz exacta, el injerto y el tubo",
+            "Read back from the program, pose by pose, against the exact root, the branch and the pipe",
+        ),
+    ));
+    let quantities = quantities(&design, &stations, &account);
+    let mut findings = remarks(&design, cut.pierce_held || cut.legs.iter().any(|leg| leg.held));
+    findings.extend(verification.findings);
+    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    let series = |name, y| Series { name, x: ("height", "α"), y: ("height", y) };
+    Ok(Outcome {
+        form,
+        quantities,
+        charts: vec![
+            Chart {
+                table: "height",
+                title: t("Ángulo de la antorcha", "Angle of the torch"),
+                axes: [t("α (°)", "α (°)"), t("ángulo (°)", "angle (°)")],
+                equal: false,
+                series: vec![series(Text::same("σ"), "σ"), series(Text::same("σ_o"), "σ_o")],
+            },
+            Chart {
+                table: "height",
+                title: t("Altura y distancia", "Height and distance"),
+                axes: [t("α (°)", "α (°)"), t("mm", "mm")],
+                equal: false,
+                series: vec![series(Text::same("D"), "D"), series(Text::same("g"), "g")],
+            },
+        ],
+        turned: None,
+        endless: false,
+        templates: vec![Template {
+            key: "template",
+            title: t("Plantilla del agujero", "Template of the hole"),
+            figure: template(&design),
+            arcs: Vec::new(),
+            paper: Some(design.paper),
+        }],
+        figures: LazyLock::new(Box::new(move || figures(&design, &curve))),
+        tables,
+        programs: if stopped { Vec::new() } else { programs },
+        findings,
+        values,
+        source,
+    })
+}
+
+/// The refusal of a place where the torch would have to be too high.
+fn height_refused(design: &Design, place: &TooHigh) -> Finding {
+    let alpha = shown(place.alpha.to_degrees(), 2);
+    let keys = vec!["gamma", "D_max", "g0"];
+    let remedy = t(
+        "menos ángulo de bisel γ, una antorcha más fina, menos g0, o más D_max",
+        "a smaller groove angle γ, a finer torch, a smaller g0, or a greater D_max",
+    );
+    let limit = format!("{} mm", shown(design.D_max, 3));
+    match place.sigma_o {
+        Some(sigma) => {
+            let (sigma, D) = (shown(sigma.to_degrees(), 2), format!("{} mm", shown(place.D, 3)));
+            Finding::stop(
+                Place::Parameters(keys),
+                Text::new(
+                    format!("en α = {alpha}° la antorcha está a {sigma}° del tubo y necesita una altura de {D}; D_max es {limit}"),
+                    format!("at α = {alpha}° the torch stands at {sigma}° to the pipe and needs a height of {D}; D_max is {limit}"),
+                ),
+                remedy,
+            )
+            .with(D, limit)
+        }
+        None => Finding::stop(
+            Place::Parameters(keys),
+            Text::new(
+                format!("en α = {alpha}° la antorcha se tumba: su eje no sale por el exterior del tubo"),
+                format!("at α = {alpha}° the torch lies down: its axis does not leave the pipe's outside"),
+            ),
+            remedy,
+        ),
+    }
+}
+
+/// Derived lengths, angles and times.
+fn quantities(
+    design: &Design,
+    stations: &[crate::kinds::pipe::hole::station::Station],
+    account: &Account,
+) -> Vec<Quantity> {
+    let mm = Unit::Millimetre;
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let most =
+        |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MIN, f64::max);
+    let least =
+        |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MAX, f64::min);
+    let torch = design.torch();
+    let mut list = vec![
+        quantity("R_o", t("Radio exterior del tubo", "Outside radius of the header"), design.R_o(), mm, t("", "")),
+        quantity("R_i", t("Radio interior del tubo", "Bore of the header"), design.R_i(), mm, t("", "")),
+        quantity(
+            "r",
+            t("Radio del injerto con su holgura", "Radius of the branch with its gap"),
+            design.pair().r,
+            mm,
+            t("D_branch/2 + b", "D_branch/2 + b"),
+        ),
+        quantity(
+            "h_s",
+            t("De la punta al hombro de la antorcha", "From the torch's tip to its shoulder"),
+            torch.shoulder(),
+            mm,
+            t("(R_g − r_g)/tan Ψ", "(R_g − r_g)/tan Ψ"),
+        ),
+        quantity(
+            "sigma_0",
+            t("Ángulo desde el que manda la punta", "Angle below which the tip sets the height"),
+            torch.switch_angle().to_degrees(),
+            Unit::Degree,
+            t("asen(g0/√(d0² + r_g²)) + atan(r_g/d0)", "asin(g0/√(d0² + r_g²)) + atan(r_g/d0)"),
+        ),
+        quantity("sigma_min", t("Menor σ", "Least σ"), least(|one| one.sigma).to_degrees(), Unit::Degree, t("", "")),
+        quantity("D_most", t("Mayor altura D", "Greatest height D"), most(|one| one.D), mm, t("", "")),
+    ];
+    if !account.untimed && account.seconds > 0.0 {
+        let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
+        list.push(quantity("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")));
+    }
+    list
+}
+
+/// What a person should know of the design and its program.
+fn remarks(design: &Design, held: bool) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
+    if held && hold(design, true).is_none() {
+        findings.push(Finding::caution(
+            at(&["hold_on", "hold_off", "dialect"]),
+            t(
+                "la altura planeada no es siempre d0, y el programa no bloquea el control de altura: seguiría el arco y chocaría",
+                "the planned height is not d0 everywhere, and the program does not hold the height control: it would follow the arc and touch",
+            ),
+            t("escriba hold_on y hold_off, o desactive el control de altura", "fill in hold_on and hold_off, or switch the height control off"),
+        ));
+    }
+    if design.lead_in == 0.0 {
+        findings.push(Finding::caution(
+            at(&["lead_in"]),
+            t("sin entrada: la antorcha perfora sobre la curva", "no lead-in: the torch pierces on the curve"),
+            t("una entrada de unos milímetros", "a lead-in of some millimetres"),
+        ));
+    }
+    if design.h > 0.0 {
+        findings.push(Finding::note(
+            at(&["h"]),
+            t(
+                "el talón queda por debajo de la raíz del bisel y se corta aparte, con γ = 0",
+                "the land lies below the root of the groove and is cut apart, with γ = 0",
+            ),
+        ));
+    }
+    findings.push(Finding::note(
+        at(&["dialect"]),
+        match distance(design) {
+            Distance::Incremental => t(
+                "el programa vale con ejes rollover y con lineales: gira A, B y C sólo en G91; antes de empezar deben marcar 0, y ahí vuelven al acabar",
+                "the program is true for rollover axes and for linear ones: it turns A, B and C in G91 only; before the start they must show 0, and there they end",
+            ),
+            Distance::Absolute => t(
+                "el programa sólo vale donde A, B y C cuentan como ejes lineales: en un eje rollover el signo sería el sentido y el número el ángulo",
+                "the program is true only where A, B and C count as linear axes: on a rollover axis the sign would be the direction and the number the angle",
+            ),
+        },
+    ));
+    findings.push(Finding::note(
+        at(&["dialect"]),
+        t(
+            "B y C giran la antorcha sobre su punta: con un cabezal que no lo haga, el control debe mantenerla en su lugar",
+            "B and C turn the torch about its tip: with a head that does not, the control must keep it in its place",
+        ),
+    ));
+    findings
+}

@@ -1,0 +1,214 @@
+//! The program of the hole.
+
+use crate::gcode::dialect::{FeedLaw, Rotary};
+use crate::gcode::feed_word::FeedWord;
+use crate::gcode::header::{Header, Origin, Work};
+use crate::gcode::program::{Part, Program};
+use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place};
+use crate::kinds::pipe::hole::design::Design;
+use crate::kinds::pipe::insert::program::{TRUE_FOR_BOTH, dwell};
+use crate::machine::axis::{Axis, Position};
+use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::shown;
+use crate::text::Text;
+
+/// What the program is called.
+pub const TITLE: Text = Text::fixed("Agujero biselado", "Bevelled hole");
+
+/// The axes that the program moves, in the order of a [`Place`].
+pub const AXES: [Axis; 5] = [Axis::A, Axis::X, Axis::Z, Axis::B, Axis::C];
+
+/// Greatest height control input of a plasma table in LinuxCNC: its QtPlasmaC holds the height while output 2 is on.
+const HOLD_OUTPUT: u32 = 2;
+
+/// The block that holds the height control, or lets it go; `None` where neither workbook nor dialect has one.
+#[must_use]
+pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
+    let given = if on { &design.hold_on } else { &design.hold_off };
+    if !given.is_empty() {
+        return Some(given.clone());
+    }
+    let code = if on { 62 } else { 63 };
+    (design.dialect.name == "linuxcnc").then(|| vec![Word::whole('M', code), Word::whole('P', HOLD_OUTPUT)])
+}
+
+/// How the program turns A, B and C: where the dialect's rotary axes are rollover as delivered, the number of an absolute
+/// word would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
+#[must_use]
+pub fn distance(design: &Design) -> Distance {
+    match design.dialect.rotary {
+        Rotary::Rollover => Distance::Incremental,
+        Rotary::Linear => Distance::Absolute,
+    }
+}
+
+/// The words of a move between two places: all axes where it goes to, or those that move, and by how much.
+fn words(distance: Distance, from: Place, to: Place) -> Vec<Word> {
+    let axes = AXES.into_iter().zip(from.into_iter().zip(to));
+    match distance {
+        Distance::Absolute => axes.map(|(axis, (_, to))| Word::size(axis.letter(), to)).collect(),
+        Distance::Incremental => axes
+            .filter(|(_, (from, to))| from != to)
+            .map(|(axis, (from, to))| Word::size(axis.letter(), to - from))
+            .collect(),
+    }
+}
+
+/// The F word of a leg, so that it takes its time.
+fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<FeedWord, OutOfFormat> {
+    let by = (0..5).map(|axis| (leg.to[axis] - from[axis]).value());
+    let resultant = by.map(|by| by * by).sum::<f64>().sqrt();
+    FeedWord::lasting(law, leg.seconds, resultant)
+}
+
+/// The complete program.
+///
+/// By increments, A, B and C are taken to stand at 0, and are turned back there over the safe height: nothing else says on
+/// which turn they stand.
+///
+/// # Errors
+/// For a number that no program may carry.
+pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
+    let dialect = design.dialect;
+    let work = Work { part: &design.part, material: &design.material, number: design.program };
+    let mut header = Header::new(dialect, "hole", &TITLE, work, origin);
+    comments(design, &mut header);
+    let mut parts = header.parts;
+    let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
+    let law = dialect.feed;
+    let safe = Milli::round(design.R_o() + design.Z_s)?;
+    let rapid = |words: Vec<Word>| std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>();
+    let distance = distance(design);
+    let over = |[A, X, _, B, C]: Place| [A, X, safe, B, C];
+    let home = |[_, X, ..]: Place| [Milli::ZERO, X, safe, Milli::ZERO, Milli::ZERO];
+    block(dialect.safety_block());
+    block(rapid(vec![Word::size('Z', safe)]));
+    if distance == Distance::Incremental {
+        block(rapid(vec![Word::size('X', cut.pierce[1])]));
+        block(vec![Word::whole('G', 91)]);
+    }
+    let mut turns = words(distance, home(cut.pierce), over(cut.pierce));
+    turns.retain(|word| word.letter != 'Z');
+    let mut down = words(distance, over(cut.pierce), cut.pierce);
+    down.retain(|word| word.letter == 'Z');
+    for words in [turns, down] {
+        if !words.is_empty() {
+            block(rapid(words));
+        }
+    }
+    let mut held = false;
+    if cut.pierce_held
+        && let Some(words) = hold(design, true)
+    {
+        block(words);
+        held = true;
+    }
+    block(design.torch_on.clone());
+    if design.pierce_delay > 0.0 {
+        block(std::iter::once(Word::whole('G', 4)).chain(dwell(dialect, design.pierce_delay)?).collect());
+    }
+    if law.code() != 94 {
+        block(vec![Word::whole('G', law.code())]);
+    }
+    let (mut at, mut last) = (cut.pierce, None);
+    for leg in &cut.legs {
+        if leg.held != held
+            && let Some(words) = hold(design, leg.held)
+        {
+            block(words);
+            held = leg.held;
+        }
+        let F = feed(law, at, leg)?;
+        let mut line: Vec<Word> = std::iter::once(Word::whole('G', 1)).chain(words(distance, at, leg.to)).collect();
+        if law.in_every_block() || last != Some(F) {
+            line.push(Word::feed(F));
+            last = Some(F);
+        }
+        block(line);
+        at = leg.to;
+    }
+    block(design.torch_off.clone());
+    if held && let Some(words) = hold(design, false) {
+        block(words);
+    }
+    if law.code() != 94 {
+        block(vec![Word::whole('G', 94)]);
+    }
+    if distance == Distance::Incremental {
+        block(vec![Word::whole('G', 90)]);
+    }
+    block(rapid(vec![Word::size('Z', safe)]));
+    let back = words(Distance::Incremental, over(at), home(at));
+    if distance == Distance::Incremental && !back.is_empty() {
+        block(vec![Word::whole('G', 91)]);
+        block(rapid(back));
+        block(vec![Word::whole('G', 90)]);
+    }
+    block(design.end_codes.clone());
+    Ok(Program {
+        key: "hole",
+        title: TITLE,
+        dialect,
+        format: NumberFormat::Fixed,
+        block_step: Some(design.block_step),
+        start: Position::default(),
+        parts,
+    })
+}
+
+fn comments(design: &Design, header: &mut Header) {
+    let mm = |value: f64| format!("{value:.3}");
+    let (D, t) = (mm(design.header.D), mm(design.header.t));
+    header.line(&format!("TUBO BASE DIAM. {D} PARED {t}"), &format!("HEADER DIAM. {D} WALL {t}"));
+    let (D, theta, e) = (mm(design.branch.D), shown(design.theta, 3), mm(design.e));
+    header.line(
+        &format!("INJERTO DIAM. {D} ANGULO {theta} EXCENTR. {e}"),
+        &format!("BRANCH DIAM. {D} ANGLE {theta} ECCENTR. {e}"),
+    );
+    let (gamma, b, h) = (shown(design.gamma, 3), mm(design.b), mm(design.h));
+    header.line(&format!("BISEL {gamma} HOLGURA {b} TALON {h}"), &format!("GROOVE {gamma} ROOT GAP {b} LAND {h}"));
+    let (kerf, F) = (mm(design.kerf), shown(design.F, 3));
+    header.line(
+        &format!("CORTE DE {kerf} COMPENSADO - AVANCE {F} MM-MIN"),
+        &format!("KERF {kerf} COMPENSATED - FEED {F} MM-MIN"),
+    );
+    header.line(
+        "X0 EN EL EJE DEL INJERTO - Z0 EN EL EJE DEL TUBO",
+        "X0 ON THE AXIS OF THE BRANCH - Z0 ON THE AXIS OF THE PIPE",
+    );
+    header.line(
+        "A RODEA EL TUBO SEGUN ISO 841 - EL TUBO GIRA AL REVES",
+        "A GOES ROUND THE PIPE BY ISO 841 - PIPE TURNS BACKWARDS",
+    );
+    header.line("X Y Z DE LA PUNTA DE LA ANTORCHA - Y SIEMPRE 0", "X Y Z OF THE TORCH TIP - Y ALWAYS 0");
+    header.line("B INCLINA Y C GIRA LA ANTORCHA SOBRE SU PUNTA", "B TILTS AND C SWINGS THE TORCH ABOUT ITS TIP");
+    match distance(design) {
+        Distance::Incremental => {
+            header.line(TRUE_FOR_BOTH[0], TRUE_FOR_BOTH[1]);
+            header.line(
+                "A B C DEBEN MARCAR 0 ANTES - AHI VUELVEN AL ACABAR",
+                "A B C MUST SHOW 0 BEFORE - THERE THEY END",
+            );
+        }
+        Distance::Absolute => {
+            header.line("SOLO VALE SI A B C NO SON EJES ROLLOVER", "TRUE ONLY WHERE A B C ARE NOT ROLLOVER AXES");
+        }
+    }
+    let last = design.torch();
+    let shoulder = mm(last.shoulder());
+    let (r_g, R_g) = (mm(design.r_g), mm(design.R_g));
+    header.line(
+        &format!("ANTORCHA R {r_g} CUERPO R {R_g} A {shoulder} DE LA PUNTA"),
+        &format!("TORCH R {r_g} BODY R {R_g} AT {shoulder} FROM THE TIP"),
+    );
+}
+
+/// What a leg follows, in a word.
+#[must_use]
+pub const fn follows(follows: Follows) -> Text {
+    match follows {
+        Follows::WayIn => Text::fixed("entrada", "lead-in"),
+        Follows::Curve(_) => Text::fixed("curva", "curve"),
+    }
+}

@@ -1,0 +1,157 @@
+//! The tables of a hole: the curve, the torch's height, its pose and its axes.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
+use crate::kinds::pipe::hole::cut::{Cut, machine_axes};
+use crate::kinds::pipe::hole::design::Design;
+use crate::kinds::pipe::hole::height::Rule;
+use crate::kinds::pipe::hole::program::{AXES, follows};
+use crate::kinds::pipe::hole::station::Station;
+use crate::machine::torch::TorchAxes;
+use crate::table::{Column, Index, Table, Unit};
+use crate::text::Text;
+
+const MM: Unit = Unit::Millimetre;
+const DEGREE: Unit = Unit::Degree;
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// The places of the tables: N, once round; those where the torch's axis does not leave the header are left out.
+#[must_use]
+pub fn stations(design: &Design) -> Vec<Station> {
+    let groove = design.groove();
+    (0..=design.N).filter_map(|j| groove.at(TAU * f64::from(j) / f64::from(design.N))).collect()
+}
+
+fn numbers(symbol: &'static str, unit: Unit, formula: &'static str, values: impl Iterator<Item = f64>) -> Column {
+    Column::numbers(symbol, unit, formula, values.collect::<Vec<_>>())
+}
+
+fn rule(rule: Rule) -> Text {
+    match rule {
+        Rule::Wanted => t("d0", "d0"),
+        Rule::Tip => t("punta", "tip"),
+        Rule::Shoulder => t("hombro", "shoulder"),
+    }
+}
+
+/// The curve with the angle between the pipes.
+#[must_use]
+pub fn curve(stations: &[Station]) -> Table {
+    let points = |of: fn(&Station) -> Vector3<f64>, symbols, formula| {
+        let points: std::sync::Arc<[Vector3<f64>]> = stations.iter().map(of).collect();
+        Column::vectors(symbols, MM, formula, &points)
+    };
+    let mut columns = vec![numbers("α", DEGREE, "α = 360·j/N", stations.iter().map(|one| one.alpha.to_degrees()))];
+    columns.extend(points(|one| one.root, ["x", "y", "z"], "(r_b + b) ∩ (R_i + h)"));
+    columns.push(numbers("φ", DEGREE, "φ = π − ∠(n_b, n_h)", stations.iter().map(|one| one.phi.to_degrees())));
+    columns.extend(points(|one| one.face, ["x_o", "y_o", "z_o"], "Q = P + s·a, |Q| = R_o"));
+    Table {
+        key: "curve",
+        name: t("Curva", "Curve"),
+        title: t("Curva de la raíz y su salida por el exterior", "Curve of the root, and where it leaves the outside"),
+        source: t("Deducido aquí; φ como en la patente", "Derived here; φ as in the patent"),
+        index: Index::Point,
+        columns,
+    }
+}
+
+/// The torch's height.
+#[must_use]
+pub fn height(stations: &[Station]) -> Table {
+    Table {
+        key: "height",
+        name: t("Altura", "Height"),
+        title: t("Altura de la antorcha", "Height of the torch"),
+        source: t(
+            "σ = asen(sen(φ − γ)); D deducida aquí, en el plano tangente exterior, con el ángulo σ_o",
+            "σ = asin(sin(φ − γ)); D derived here, in the outer tangent plane, at the angle σ_o",
+        ),
+        index: Index::Point,
+        columns: vec![
+            numbers("α", DEGREE, "", stations.iter().map(|one| one.alpha.to_degrees())),
+            numbers("σ", DEGREE, "σ = asin(sin(φ − γ))", stations.iter().map(|one| one.sigma.to_degrees())),
+            numbers("σ_o", DEGREE, "", stations.iter().map(|one| one.sigma_o.to_degrees())),
+            numbers(
+                "D",
+                MM,
+                "max(d0, (g0 + r_g cos σ_o)/sin σ_o, (g0 + R_g cos σ_o)/sin σ_o − h_s)",
+                stations.iter().map(|one| one.D),
+            ),
+            numbers("g", MM, "", stations.iter().map(|one| one.gap)),
+            Column::texts(t("manda", "rule"), "", stations.iter().map(|one| rule(one.rule)).collect()),
+        ],
+    }
+}
+
+/// The torch's pose and the machine's axes.
+#[must_use]
+pub fn pose(stations: &[Station], beside: f64) -> Table {
+    let vectors = |of: fn(&Station) -> Vector3<f64>, symbols, unit, formula| {
+        let values: std::sync::Arc<[Vector3<f64>]> = stations.iter().map(of).collect();
+        Column::vectors(symbols, unit, formula, &values)
+    };
+    // Turns go on, as in the program.
+    let mut before: Option<TorchAxes> = None;
+    let axes: Vec<TorchAxes> = stations
+        .iter()
+        .map(|one| {
+            let axes = machine_axes(one, beside, before.as_ref());
+            before = Some(axes);
+            axes
+        })
+        .collect();
+    let mut columns = vec![numbers("α", DEGREE, "", stations.iter().map(|one| one.alpha.to_degrees()))];
+    columns.extend(vectors(|one| one.pose.tip, ["x_t", "y_t", "z_t"], MM, "T = Q + D·a"));
+    columns.extend(vectors(|one| one.pose.axis, ["a_x", "a_y", "a_z"], Unit::One, "a = m cos(φ − γ) + n sin(φ − γ)"));
+    columns.extend([
+        numbers("A", DEGREE, "A = atan2(−y_t, z_t)", axes.iter().map(|one| one.A.to_degrees())),
+        numbers("X", MM, "X = x_t", axes.iter().map(|one| one.X)),
+        numbers("Z", MM, "Z = √(y_t² + z_t²)", axes.iter().map(|one| one.Z)),
+        numbers("B", DEGREE, "B = ±acos(a′_z)", axes.iter().map(|one| one.B.to_degrees())),
+        numbers("C", DEGREE, "C = atan2(a′_y, a′_x)", axes.iter().map(|one| one.C.to_degrees())),
+    ]);
+    Table {
+        key: "pose",
+        name: t("Postura", "Pose"),
+        title: t("Postura de la antorcha y ejes de la máquina", "Pose of the torch, and axes of the machine"),
+        source: t("Deducido aquí; a′ es a girada con −A", "Derived here; a′ is a turned with −A"),
+        index: Index::Point,
+        columns,
+    }
+}
+
+/// The torch's way on the output grid.
+#[must_use]
+pub fn way(cut: &Cut) -> Table {
+    let places = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
+    let symbols = ["A", "X", "Z", "B", "C"];
+    let mut columns: Vec<Column> = AXES
+        .into_iter()
+        .enumerate()
+        .map(|(at, axis)| {
+            let unit = if axis.rotary() { DEGREE } else { MM };
+            numbers(symbols[at], unit, "", places.clone().map(move |place| place[at].value()))
+        })
+        .collect();
+    let held = std::iter::once(cut.pierce_held).chain(cut.legs.iter().map(|leg| leg.held));
+    columns.push(Column::texts(
+        t("altura", "height"),
+        "",
+        held.map(|held| if held { t("bloqueada", "held") } else { t("libre", "free") }).collect(),
+    ));
+    let words = std::iter::once(t("perforación", "pierce")).chain(cut.legs.iter().map(|leg| follows(leg.follows)));
+    columns.push(Column::texts(t("sigue", "follows"), "", words.collect()));
+    Table {
+        key: "way",
+        name: t("Corte", "Cut"),
+        title: t("Camino de la antorcha, compensado el corte", "The torch's way, the kerf compensated"),
+        source: t("Redondeado a 0.001; partido según su tolerancia", "Rounded to 0.001; parted by its tolerance"),
+        index: Index::Point,
+        columns,
+    }
+}

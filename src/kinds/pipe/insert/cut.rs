@@ -1,0 +1,277 @@
+//! The torch's way on the output grid: the pierce, the way in, the cut, and a little beyond it.
+//!
+//! On a flat sheet the cut is made of arcs through triples of points. Each starts from the rounded end of the one before
+//! and is the circle through that end, the exact point in the middle and its own rounded end, so that no control finds
+//! start, end and radius at odds. Where an arc bends less than the grid can show it is a straight line, and where no control
+//! takes its radius it is one within the tolerance, else one to each of its points.
+//!
+//! On the turning pipe an arc would be none, since one of its axes is an angle: there the curve is parted until no straight
+//! move of both axes leaves it by more than the tolerance.
+//!
+//! # Units
+//! Flat: X round the development, Y along the pipe, mm. Turning: A in degrees, X along the pipe in mm.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector2;
+
+use crate::geometry::pipe_pair::Side;
+use crate::kinds::pipe::insert::arcs::{arc_through, bow};
+use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::insert::outline::Outline;
+use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::trig::{acos, atan2, sin_cos};
+
+/// How a leg bends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bend {
+    /// To the right: G2.
+    pub clockwise: bool,
+    /// The radius.
+    pub radius: Milli,
+}
+
+/// What a leg follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Follows {
+    /// From the pierce to the curve.
+    WayIn,
+    /// The curve between two angles.
+    Curve([f64; 2]),
+    /// Round the corner of the curve at an angle.
+    Corner(f64),
+    /// Beyond the end of the curve, straight on.
+    Beyond,
+}
+
+/// One move of the torch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// Where it ends: X and Y, or A and X.
+    pub to: [Milli; 2],
+    /// An arc; `None` for a straight move.
+    pub bend: Option<Bend>,
+    /// What it follows.
+    pub follows: Follows,
+}
+
+/// The whole way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// Where the torch pierces.
+    pub pierce: [Milli; 2],
+    /// The moves from there on.
+    pub legs: Vec<Leg>,
+}
+
+/// Half the output grid: an arc that bends less is a line.
+const FLAT: f64 = 0.0005;
+
+/// The angles of the template's points, with the curve's corners between them, parted at the corners.
+#[must_use]
+pub fn pieces(outline: &Outline, N: u32) -> Vec<Vec<f64>> {
+    let mut angles: Vec<f64> = (0..=N).map(|j| TAU * f64::from(j) / f64::from(N)).collect();
+    let corners = outline.corners();
+    for &corner in &corners {
+        match angles.iter_mut().find(|angle| (**angle - corner).abs() < 1e-9) {
+            Some(angle) => *angle = corner,
+            None => angles.push(corner),
+        }
+    }
+    angles.sort_by(f64::total_cmp);
+    let mut pieces: Vec<Vec<f64>> = vec![Vec::new()];
+    for angle in angles {
+        if let Some(piece) = pieces.last_mut() {
+            piece.push(angle);
+        }
+        if corners.contains(&angle) {
+            pieces.push(vec![angle]);
+        }
+    }
+    pieces
+}
+
+/// The way on its grid, put together leg by leg.
+struct Way {
+    at: Vector2<f64>,
+    legs: Vec<Leg>,
+}
+
+fn on_grid(point: Vector2<f64>) -> Result<[Milli; 2], OutOfFormat> {
+    Ok([Milli::round(point.x)?, Milli::round(point.y)?])
+}
+
+fn point([x, y]: [Milli; 2]) -> Vector2<f64> {
+    Vector2::new(x.value(), y.value())
+}
+
+impl Way {
+    fn go(&mut self, to: [Milli; 2], bend: Option<Bend>, follows: Follows) {
+        if point(to) != self.at {
+            self.legs.push(Leg { to, bend, follows });
+            self.at = point(to);
+        }
+    }
+
+    fn straight(&mut self, to: Vector2<f64>, follows: Follows) -> Result<(), OutOfFormat> {
+        self.go(on_grid(to)?, None, follows);
+        Ok(())
+    }
+
+    /// An arc through a point, or straight moves where it is none.
+    fn arc(&mut self, by: Vector2<f64>, to: Vector2<f64>, angles: [f64; 3], tolerance: f64) -> Result<(), OutOfFormat> {
+        let end = on_grid(to)?;
+        let points = [self.at, by, point(end)];
+        let [from, middle, last] = angles;
+        let bows = bow(points);
+        let Some(circle) = arc_through(points).filter(|_| bows >= FLAT) else {
+            // The grid takes its part of the tolerance.
+            if bows > 0.7 * tolerance {
+                self.straight(by, Follows::Curve([from, middle]))?;
+                self.go(end, None, Follows::Curve([middle, last]));
+            } else {
+                self.go(end, None, Follows::Curve([from, last]));
+            }
+            return Ok(());
+        };
+        let chord = (point(end) - self.at).norm();
+        let radius = Milli::round(circle.radius.max(chord / 2.0))?;
+        // Rounded down, the radius might not reach the end.
+        let radius = if radius.value() < chord / 2.0 { radius + Milli::new(1) } else { radius };
+        self.go(end, Some(Bend { clockwise: !circle.left, radius }), Follows::Curve([from, last]));
+        Ok(())
+    }
+}
+
+/// The torch's way over a flat sheet or round the pipe.
+///
+/// # Errors
+/// For a position that no program may carry.
+pub fn cut(design: &Design) -> Result<Cut, OutOfFormat> {
+    match design.mode {
+        Mode::Flat => flat(design),
+        Mode::Rotary => rotary(design),
+    }
+}
+
+fn flat(design: &Design) -> Result<Cut, OutOfFormat> {
+    let outline = design.outline();
+    let first = outline.torch(0.0, Side::After);
+    let pierce = on_grid(first - outline.along(0.0, Side::After) * design.lead_in)?;
+    let mut way = Way { at: point(pierce), legs: Vec::new() };
+    way.straight(first, Follows::WayIn)?;
+    for (at, piece) in pieces(&outline, design.N).iter().enumerate() {
+        let last = piece.len() - 1;
+        let torch = |i: usize| outline.torch(piece[i], if i == last { Side::Before } else { Side::After });
+        if at > 0 && outline.beside > 0.0 {
+            let to = on_grid(torch(0))?;
+            let chord = (point(to) - way.at).norm();
+            let radius = Milli::round(outline.beside.max(chord / 2.0))?;
+            let radius = if radius.value() < chord / 2.0 { radius + Milli::new(1) } else { radius };
+            way.go(to, Some(Bend { clockwise: true, radius }), Follows::Corner(piece[0]));
+        }
+        let mut i = 0;
+        while i < last {
+            if i + 2 <= last {
+                let angles = [piece[i], piece[i + 1], piece[i + 2]];
+                way.arc(torch(i + 1), torch(i + 2), angles, design.arc_tolerance)?;
+                i += 2;
+            } else {
+                way.straight(torch(i + 1), Follows::Curve([piece[i], piece[i + 1]]))?;
+                i += 1;
+            }
+        }
+    }
+    let beyond = way.at + outline.along(TAU, Side::Before) * design.overcut;
+    way.straight(beyond, Follows::Beyond)?;
+    Ok(Cut { pierce, legs: way.legs })
+}
+
+/// How deep the halving of a piece of the curve may go: far below the grid.
+const DEEPEST: u32 = 24;
+
+/// The way on the turning pipe, in development coordinates until it is put on the grid.
+struct Round<'d> {
+    design: &'d Design,
+    outline: Outline,
+    way: Way,
+}
+
+impl Round<'_> {
+    fn place(&self, development: Vector2<f64>) -> Vector2<f64> {
+        Vector2::new((development.x / self.outline.radius).to_degrees(), development.y)
+    }
+
+    /// Follows the curve from one angle to another, with straight moves that leave it by no more than the tolerance less
+    /// what rounding takes.
+    fn follow(&mut self, from: f64, to: f64, sides: [Side; 2], depth: u32) -> Result<(), OutOfFormat> {
+        let [start, end] = [self.outline.torch(from, sides[0]), self.outline.torch(to, sides[1])];
+        let chord = end - start;
+        let length = chord.norm();
+        let off = |part: f64| {
+            let point = self.outline.torch(from + (to - from) * part, Side::After) - start;
+            if length > 0.0 { (chord.x * point.y - chord.y * point.x).abs() / length } else { point.norm() }
+        };
+        let most = [0.25, 0.5, 0.75].map(off).into_iter().fold(0.0, f64::max);
+        // The quarter points see at least three quarters of the bow of a curve that bends one way.
+        if depth < DEEPEST && most > 0.7 * self.design.arc_tolerance || to - from > TAU / 32.0 {
+            let middle = f64::midpoint(from, to);
+            self.follow(from, middle, [sides[0], Side::Before], depth + 1)?;
+            self.follow(middle, to, [Side::After, sides[1]], depth + 1)
+        } else {
+            let place = self.place(end);
+            self.way.straight(place, Follows::Curve([from, to]))
+        }
+    }
+
+    /// Turns round a corner of the curve.
+    fn corner(&mut self, phi: f64) -> Result<(), OutOfFormat> {
+        let [before, after] = [Side::Before, Side::After].map(|side| self.outline.across(phi, side));
+        let turn = atan2(before.x * after.y - before.y * after.x, before.dot(&after));
+        let beside = self.outline.beside;
+        let most = 2.0 * acos((1.0 - 0.7 * self.design.arc_tolerance / beside).clamp(-1.0, 1.0));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
+        let steps = (turn.abs() / most).ceil().clamp(1.0, 1000.0) as u32;
+        for step in 1..=steps {
+            let (sin, cos) = sin_cos(turn * f64::from(step) / f64::from(steps));
+            let across = Vector2::new(before.x * cos - before.y * sin, before.x * sin + before.y * cos);
+            let place = self.place(self.outline.curve(phi) + across * beside);
+            self.way.straight(place, Follows::Corner(phi))?;
+        }
+        Ok(())
+    }
+}
+
+fn rotary(design: &Design) -> Result<Cut, OutOfFormat> {
+    let outline = design.outline();
+    let first = outline.torch(0.0, Side::After);
+    let mut round = Round { design, outline, way: Way { at: first, legs: Vec::new() } };
+    let pierce = on_grid(round.place(first + outline.across(0.0, Side::After) * design.lead_in))?;
+    round.way.at = point(pierce);
+    let place = round.place(first);
+    round.way.straight(place, Follows::WayIn)?;
+    for (at, piece) in pieces(&outline, 4).iter().enumerate() {
+        if at > 0 && outline.beside > 0.0 {
+            round.corner(piece[0])?;
+        }
+        for pair in piece.windows(2) {
+            round.follow(pair[0], pair[1], [Side::After, Side::Before], 0)?;
+        }
+    }
+    // Over the beginning of the cut once more, as far along the torch's path.
+    let speed = |phi: f64| {
+        let step = 1e-6;
+        (outline.torch(phi + step, Side::After) - outline.torch(phi, Side::After)).norm() / step
+    };
+    if design.overcut > 0.0 {
+        let (mut phi, mut left) = (TAU, design.overcut);
+        let step = TAU / 3600.0;
+        while left > 0.0 && phi < 1.2 * TAU {
+            let way = speed(phi - TAU) * step;
+            phi += step * (left / way).min(1.0);
+            left -= way;
+        }
+        round.follow(TAU, phi, [Side::After, Side::Before], 0)?;
+    }
+    Ok(Cut { pierce, legs: round.way.legs })
+}

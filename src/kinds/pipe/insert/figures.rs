@@ -1,0 +1,213 @@
+//! The drawings of a branch: both pipes in space, the development, and how far the path leaves the exact curve.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::Vector3;
+
+use crate::figure::{Axes, Figure, Ink, Label, Stroke};
+use crate::geometry::pipe_pair::Side;
+use crate::geometry::scene::{Camera, Scene};
+use crate::kinds::pipe::insert::cut::{Cut, Follows};
+use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::number::trig::sin_cos;
+use crate::text::Text;
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// Faces about a pipe.
+const ABOUT: u16 = 96;
+/// Points of a curve that is drawn.
+const FINE: u16 = 720;
+
+/// All figures, by the keys that the report's templates know. `deviation` has φ in degrees and mm.
+#[must_use]
+pub fn figures(design: &Design, cut: Option<&Cut>, deviation: &[[f64; 2]]) -> Vec<Figure> {
+    vec![pipes(design), development(design, cut), deviation_figure(deviation)]
+}
+
+fn turns(count: u16) -> impl Iterator<Item = f64> {
+    (0..=count).map(move |at| TAU * f64::from(at) / f64::from(count))
+}
+
+/// Both pipes: the header cut off on both sides, the branch above the curve.
+fn pipes(design: &Design) -> Figure {
+    let pair = design.pair();
+    let (r, R) = (design.r, design.R);
+    let camera = Camera::new(-62.0, 24.0);
+    let mut scene = Scene::new(camera);
+    let reach = pair.point(0.0).x.abs().max(pair.point(PI).x.abs()).max(r) + 1.1 * R;
+    let header = |phi: f64, x: f64| {
+        let (sin, cos) = sin_cos(phi);
+        Vector3::new(x, R * sin, R * cos)
+    };
+    let angles: Vec<f64> = turns(ABOUT).collect();
+    // In short pieces, so that what lies nearer is drawn later.
+    let pieces: Vec<f64> = (0..=24_u16).map(|at| reach * (f64::from(at) / 12.0 - 1.0)).collect();
+    for pair in angles.windows(2) {
+        for along in pieces.windows(2) {
+            let corners = [
+                header(pair[0], along[0]),
+                header(pair[1], along[0]),
+                header(pair[1], along[1]),
+                header(pair[0], along[1]),
+            ];
+            let corners = [corners[0], corners[3], corners[2], corners[1]];
+            let end = along[0] <= -reach + 1e-9;
+            let other = along[1] >= reach - 1e-9;
+            let edges: &[usize] = match (end, other) {
+                (true, _) => &[3],
+                (_, true) => &[1],
+                _ => &[],
+            };
+            scene.add(&corners, edges, Ink::Outline, 0.0);
+        }
+    }
+    for x in [-reach, reach] {
+        let mut rim: Vec<Vector3<f64>> = angles.iter().skip(1).map(|&phi| header(phi, x)).collect();
+        if x > 0.0 {
+            rim.reverse();
+        }
+        scene.add(&rim, &[], Ink::Outline, 0.0);
+    }
+    // From the curve up to a little above its highest point.
+    let top = design.template().extent()[0] - design.Z - 1.6 * r;
+    let parts: Vec<f64> = (0..=12_u16).map(|at| f64::from(at) / 12.0).collect();
+    let branch = |phi: f64, part: f64| {
+        let depth = pair.depth(phi);
+        pair.on_branch(phi, depth + (top - depth) * part)
+    };
+    for phi in angles.windows(2) {
+        for part in parts.windows(2) {
+            let corners =
+                [branch(phi[0], part[0]), branch(phi[1], part[0]), branch(phi[1], part[1]), branch(phi[0], part[1])];
+            let edges: &[usize] = if part[1] == 1.0 { &[2] } else { &[] };
+            scene.add(&corners, edges, Ink::Outline, 0.3 * r);
+        }
+    }
+    let rim: Vec<Vector3<f64>> = angles.iter().skip(1).map(|&phi| branch(phi, 1.0)).collect();
+    scene.add(&rim, &[], Ink::Outline, 0.3 * r);
+    let mut strokes = scene.strokes();
+    // The curve where it is seen: its point's outside of both pipes faces the viewer.
+    let mut run: Vec<Vector3<f64>> = Vec::new();
+    for phi in turns(FINE) {
+        let point = pair.point(phi);
+        let outward = pair.on_branch(phi, 0.0) - pair.on_branch(phi + PI, 0.0);
+        let up = Vector3::new(0.0, point.y, point.z);
+        if camera.faces(&outward) && camera.faces(&up) {
+            run.push(point);
+        } else if run.len() > 1 {
+            strokes.push(camera.curve(Ink::Obverse, std::mem::take(&mut run)));
+        } else {
+            run.clear();
+        }
+    }
+    if run.len() > 1 {
+        strokes.push(camera.curve(Ink::Obverse, run));
+    }
+    Figure {
+        key: "cover",
+        caption: t("El injerto sobre el tubo base", "The branch on the header"),
+        axes: None,
+        strokes,
+        labels: Vec::new(),
+        legend: Vec::new(),
+    }
+}
+
+/// The development: the curve, the torch's path, the seam and the edge.
+fn development(design: &Design, cut: Option<&Cut>) -> Figure {
+    let outline = design.outline();
+    let round = outline.round();
+    let [least, most] = outline.extent();
+    let curve: Vec<[f64; 2]> = turns(FINE).map(|phi| outline.curve(phi).into()).collect();
+    let margin = 0.12 * (most - least).max(10.0);
+    let mut strokes = vec![
+        Stroke::line(Ink::Outline, vec![[0.0, 0.0], [round, 0.0]]),
+        Stroke::line(Ink::Centre, vec![[0.0, -margin], [0.0, most + margin]]),
+        Stroke::line(Ink::Centre, vec![[round, -margin], [round, most + margin]]),
+        Stroke::line(Ink::Blade, curve),
+    ];
+    let mut legend = vec![(Ink::Blade, t("curva", "curve")), (Ink::Centre, t("costura", "seam"))];
+    if let Some(cut) = cut {
+        let place = |to: [crate::number::grid::Milli; 2]| {
+            let [first, second] = to.map(crate::number::grid::Milli::value);
+            match design.mode {
+                Mode::Flat => [first, second],
+                Mode::Rotary => [first.to_radians() * outline.radius, second],
+            }
+        };
+        let mut torch = vec![place(cut.pierce)];
+        for leg in &cut.legs {
+            match leg.follows {
+                // Arcs are drawn by the path that they follow.
+                Follows::Curve([from, to]) if leg.bend.is_some() => torch.extend((1..=16_u16).map(|at| -> [f64; 2] {
+                    let part = f64::from(at) / 16.0;
+                    outline.torch(from + (to - from) * part, if at == 16 { Side::Before } else { Side::After }).into()
+                })),
+                _ => torch.push(place(leg.to)),
+            }
+        }
+        strokes.push(Stroke::line(Ink::Obverse, torch));
+        legend.insert(1, (Ink::Obverse, t("antorcha", "torch")));
+    }
+    Figure {
+        key: "development",
+        caption: t(
+            "Desarrollo del injerto con el camino de la antorcha",
+            "Development of the branch with the torch's way",
+        ),
+        axes: None,
+        strokes,
+        labels: vec![Label { at: [0.0, -margin], text: Text::same("φ = 0") }],
+        legend,
+    }
+}
+
+/// The template at 1:1: the curve to cut, the edge, the seam, and the lines of the four quarters.
+#[must_use]
+pub fn template(design: &Design) -> Figure {
+    let outline = design.template();
+    let round = outline.round();
+    let height = |phi: f64| outline.curve(phi).y;
+    let mut phis: Vec<f64> = turns(FINE).chain(outline.corners()).collect();
+    phis.sort_by(f64::total_cmp);
+    let quarter = |number: u16| {
+        let phi = TAU * f64::from(number) / 4.0;
+        Stroke::line(Ink::Thin, vec![[outline.radius * phi, 0.0], [outline.radius * phi, height(phi)]])
+    };
+    let mut strokes = vec![
+        Stroke::line(Ink::Outline, vec![[0.0, 0.0], [round, 0.0]]),
+        Stroke::line(Ink::Seam, vec![[0.0, 0.0], [0.0, height(0.0)]]),
+        Stroke::line(Ink::Seam, vec![[round, 0.0], [round, height(TAU)]]),
+    ];
+    strokes.extend((1..=3).map(quarter));
+    strokes.push(Stroke::line(Ink::Cut, phis.iter().map(|&phi| outline.curve(phi).into()).collect()));
+    let labels = (0..=3_u16).map(|number| Label {
+        at: [round * f64::from(number) / 4.0, -4.0],
+        text: Text::same(format!("φ {}°", 90 * number)),
+    });
+    Figure {
+        key: "template",
+        caption: t("Plantilla del injerto", "Template of the branch"),
+        axes: None,
+        strokes,
+        labels: labels.collect(),
+        legend: vec![(Ink::Cut, t("corte", "cut")), (Ink::Seam, t("costura", "seam"))],
+    }
+}
+
+fn deviation_figure(deviation: &[[f64; 2]]) -> Figure {
+    Figure {
+        key: "deviation",
+        caption: t(
+            "Desviación de la trayectoria leída respecto a la curva exacta, positiva hacia el sobrante",
+            "Deviation of the path as read back from the exact curve, positive into the waste",
+        ),
+        axes: Some(Axes { x: t("φ (°)", "φ (°)"), y: t("desviación (µm)", "deviation (µm)") }),
+        strokes: vec![Stroke::line(Ink::Blade, deviation.iter().map(|&[phi, off]| [phi, off * 1000.0]).collect())],
+        labels: Vec::new(),
+        legend: Vec::new(),
+    }
+}

@@ -1,0 +1,242 @@
+//! The branch pipe cut to fit a header at any angle, concentric or eccentric.
+//!
+//! The template is equation 9 of the published source (see [`crate::geometry::pipe_pair`]) on a development of a chosen
+//! radius; the cut runs half the kerf beside it on the side of the waste, as arcs through triples on a flat sheet or as
+//! short straight moves on the turning pipe.
+//!
+//! # Which side
+//! The template is wrapped round the branch with its printed face outwards, its y towards the header. For someone who sees
+//! the branch lean to the right (θ < 90°), an e > 0 has the branch's axis pass in front of the header's. On the turning pipe
+//! A counts how the torch goes round it by the right hand about +X, as ISO 841 has it, and X grows towards the header: that
+//! is the same side.
+//!
+//! # References
+//! Martínez, Ledesma, Vega: "Creación de códigos G para las trayectorias de corte de tuberías con plasma", Universidad de
+//! Guanajuato; equations 1 to 19, tables 1 and 2, figure 15. Slips of the source are named where they matter.
+
+pub mod arcs;
+pub mod bounds;
+pub mod cases;
+pub mod contradictions;
+pub mod cut;
+pub mod design;
+pub mod figures;
+pub mod outline;
+pub mod parameters;
+pub mod program;
+pub mod proof;
+pub mod tables;
+
+use std::sync::LazyLock;
+
+use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::gcode::header::Origin;
+use crate::gcode::program::Style;
+use crate::gcode::word::Distance;
+use crate::kind::{Chart, Outcome, Provenance, Series, Template, not_finite, out_of_format};
+use crate::kinds::pipe::insert::cut::cut;
+use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
+use crate::kinds::pipe::insert::figures::{figures, template};
+use crate::kinds::pipe::insert::program::{distance, full, published};
+use crate::kinds::pipe::insert::proof::verify;
+use crate::number::shown;
+use crate::parameter::{Form, Values};
+use crate::proof::account::Account;
+use crate::table::{Quantity, Unit};
+use crate::text::Text;
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// Computes a branch pipe.
+///
+/// # Errors
+/// A refusal with every contradiction between values.
+pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+    let refused = |findings: Vec<Finding>| Refusal {
+        exit: Exit::Refused,
+        findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),
+    };
+    let design = Design::new(&values).map_err(refused)?;
+    let origin = Origin {
+        workbook: &source.workbook,
+        sha256: &source.sha256,
+        version: source.version,
+        language: values.language,
+    };
+    let made = match design.style {
+        Style::Annex => published(&design).map(|program| (None, program)),
+        Style::Full => cut(&design).and_then(|cut| {
+            let program = full(&design, &cut, &origin)?;
+            Ok((Some(cut), program))
+        }),
+    };
+    let (cut, program) =
+        made.map_err(|error| refused(vec![out_of_format(error, vec!["D_branch", "D_header", "Z"])]))?;
+    let mut tables = vec![tables::template(&design), tables::arcs(&design)];
+    tables.extend(cut.as_ref().map(|cut| tables::way(&design, cut)));
+    for table in &tables {
+        if let Some((_, row)) = table.not_finite() {
+            return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+        }
+    }
+    let (verification, curve, account) = verify(&design, cut.as_ref(), &program);
+    let programs = vec![program];
+    tables.push(verification.table(
+        &programs,
+        t(
+            "Leída del programa, movimiento a movimiento, contra la curva exacta y los dos tubos",
+            "Read back from the program, motion by motion, against the exact curve and both pipes",
+        ),
+    ));
+    let quantities = quantities(&design, &account);
+    let mut findings = remarks(&design);
+    findings.extend(verification.findings);
+    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    Ok(Outcome {
+        form,
+        quantities,
+        charts: vec![Chart {
+            table: "template",
+            title: t("Plantilla", "Template"),
+            axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
+            equal: false,
+            series: vec![Series { name: t("curva", "curve"), x: ("template", "x"), y: ("template", "y") }],
+        }],
+        turned: None,
+        templates: vec![Template {
+            key: "template",
+            title: t("Plantilla del injerto", "Template of the branch"),
+            figure: template(&design),
+            arcs: Vec::new(),
+            paper: Some(design.paper),
+        }],
+        figures: LazyLock::new(Box::new(move || figures(&design, cut.as_ref(), &curve))),
+        tables,
+        programs: if stopped { Vec::new() } else { programs },
+        findings,
+        endless: false,
+        values,
+        source,
+    })
+}
+
+/// Derived lengths, angles and times.
+fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
+    let outline = design.template();
+    let [least, most] = outline.extent();
+    let mm = Unit::Millimetre;
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let mut list = vec![
+        quantity("r", t("Radio de la curva del injerto", "Radius of the branch's curve"), design.r, mm, t("", "")),
+        quantity("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")),
+        quantity("r_dev", t("Radio del desarrollo", "Radius of the development"), design.r_dev, mm, t("", "")),
+        quantity(
+            "W",
+            t("Longitud del desarrollo", "Length of the development"),
+            outline.round(),
+            mm,
+            t("2π·r_dev", "2π·r_dev"),
+        ),
+        quantity("y_min", t("y menor de la plantilla", "Least y of the template"), least, mm, t("ec. (9)", "eq. (9)")),
+        quantity(
+            "y_max",
+            t("y mayor de la plantilla", "Greatest y of the template"),
+            most,
+            mm,
+            t("ec. (9)", "eq. (9)"),
+        ),
+        quantity(
+            "e_max",
+            t("Mayor excentricidad sin que sobresalga", "Greatest eccentricity without overhang"),
+            design.R - design.r,
+            mm,
+            t("R − r", "R − r"),
+        ),
+    ];
+    if !account.untimed && account.seconds > 0.0 {
+        let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");
+        list.push(quantity("t_c", meaning, account.seconds, Unit::Second, t("programa leído", "program read back")));
+    }
+    list
+}
+
+/// What a person should know of the design and its program.
+fn remarks(design: &Design) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
+    let outside = design.branch.D / 2.0;
+    if design.typed_r && design.contact == Contact::Inside && (design.r - outside).abs() < 1e-9 {
+        let (r, D, off) = (shown(design.r, 3), shown(design.branch.D, 3), shown(design.r_dev - outside, 3));
+        findings.push(Finding::caution(
+            at(&["r", "D_branch", "r_dev"]),
+            Text::new(
+                format!("r = {r} mm es el radio exterior (D = {D} mm) donde se pide el interior; el desarrollo queda {off} mm fuera del tubo"),
+                format!("r = {r} mm is the outside radius (D = {D} mm) where the inside one is meant; the development is {off} mm outside of the pipe"),
+            ),
+            t("deje vacíos r y r_dev, o contact = exterior", "leave r and r_dev empty, or contact = outside"),
+        ));
+    }
+    match design.style {
+        Style::Annex => {
+            findings.push(Finding::caution(
+                at(&["style", "F", "torch_on"]),
+                t(
+                    "el estilo annex es el publicado: sin avance, sin antorcha y sin fin de programa",
+                    "style annex is the published one: no feed, no torch and no end of program",
+                ),
+                t(
+                    "póngalo dentro de un programa suyo, o style = full",
+                    "put it into a program of yours, or style = full",
+                ),
+            ));
+            if design.kerf > 0.0 {
+                findings.push(Finding::caution(
+                    at(&["kerf", "style"]),
+                    t("el estilo annex no compensa el ancho de corte", "style annex does not compensate the kerf"),
+                    t("style = full", "style = full"),
+                ));
+            }
+        }
+        Style::Full if design.kerf == 0.0 => findings.push(Finding::caution(
+            at(&["kerf"]),
+            t("kerf = 0: el corte no se compensa", "kerf = 0: the cut is not compensated"),
+            t("escriba el ancho que deja la antorcha", "fill in the width that the torch leaves"),
+        )),
+        Style::Full => {}
+    }
+    if design.style == Style::Full && design.lead_in == 0.0 {
+        findings.push(Finding::caution(
+            at(&["lead_in"]),
+            t("sin entrada: la antorcha perfora sobre la curva", "no lead-in: the torch pierces on the curve"),
+            t("una entrada de unos milímetros", "a lead-in of some millimetres"),
+        ));
+    }
+    if design.mode == Mode::Rotary {
+        let outside = shown(outside, 3);
+        findings.push(Finding::note(
+            at(&["mode"]),
+            Text::new(
+                format!("en el tubo el corte se compensa en su superficie exterior, de radio {outside} mm"),
+                format!("on the pipe the kerf is compensated on its outside, of radius {outside} mm"),
+            ),
+        ));
+        findings.push(Finding::note(
+            at(&["dialect"]),
+            match distance(design) {
+                Distance::Incremental => t(
+                    "el programa vale con ejes rollover y con lineales: gira A sólo en G91; antes de cada arranque A debe marcar 0, y acaba más allá de una vuelta",
+                    "the program is true for rollover axes and for linear ones: it turns A in G91 only; before each start A must show 0, and it ends beyond a turn",
+                ),
+                Distance::Absolute => t(
+                    "el programa sólo vale donde A cuenta como eje lineal: en un eje rollover el signo sería el sentido y el número el ángulo",
+                    "the program is true only where A counts as a linear axis: on a rollover axis the sign would be the direction and the number the angle",
+                ),
+            },
+        ));
+    }
+    findings
+}

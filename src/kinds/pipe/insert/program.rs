@@ -1,0 +1,255 @@
+//! The program of the torch, as published or complete.
+
+use crate::gcode::dialect::{Dialect, FeedLaw, Rotary};
+use crate::gcode::feed_word::FeedWord;
+use crate::gcode::header::{Header, Origin, Work};
+use crate::gcode::program::{Part, Program};
+use crate::gcode::word::{Distance, Number, NumberFormat, Word};
+use crate::kinds::pipe::insert::arcs::{Triple, triples};
+use crate::kinds::pipe::insert::cut::{Cut, Leg};
+use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::machine::axis::Position;
+use crate::number::grid::{Milli, OutOfFormat};
+use crate::number::shown;
+use crate::text::Text;
+
+/// The points of the template: j = 0 … N.
+#[must_use]
+pub fn template_points(design: &Design) -> Vec<nalgebra::Vector2<f64>> {
+    let outline = design.template();
+    (0..=design.N).map(|j| outline.curve(std::f64::consts::TAU * f64::from(j) / f64::from(design.N))).collect()
+}
+
+/// The program as published: a rapid move to the first point, and an arc for every triple, with six decimals. It carries no
+/// feed, no torch and no end. Straight moves where no control takes the arc.
+///
+/// # Errors
+/// For a position that no program may carry.
+pub fn published(design: &Design) -> Result<Program, OutOfFormat> {
+    let points = template_points(design);
+    for point in &points {
+        Milli::round(point.x)?;
+        Milli::round(point.y)?;
+    }
+    let start = points.first().map_or(0.0, |first| first.y);
+    let mut parts = vec![Part::Line(format!("G0 X0 Y{}", six(start)))];
+    parts.extend(triples(&points, design.arc_tolerance).iter().map(|triple| Part::Line(published_line(triple))));
+    Ok(Program {
+        key: "insert",
+        title: TITLE,
+        dialect: design.dialect,
+        format: NumberFormat::Six,
+        block_step: None,
+        start: Position::default(),
+        parts,
+    })
+}
+
+fn six(value: f64) -> String {
+    // −0 would be another word.
+    format!("{:.6}", if value.abs() < 0.000_000_5 { 0.0 } else { value })
+}
+
+fn published_line(triple: &Triple) -> String {
+    let (code, x, y) = (triple.code(), six(triple.to.x), six(triple.to.y));
+    match triple.circle {
+        Some(circle) => format!("{code} X{x} Y{y} R{}", six(circle.radius)),
+        None => format!("{code} X{x} Y{y}"),
+    }
+}
+
+/// What the program is called.
+pub const TITLE: Text = Text::fixed("Corte del injerto", "Cut of the branch");
+
+/// The letters of the two axes.
+#[must_use]
+pub const fn letters(mode: Mode) -> [char; 2] {
+    match mode {
+        Mode::Flat => ['X', 'Y'],
+        Mode::Rotary => ['A', 'X'],
+    }
+}
+
+/// The header's line of a program that turns by increments, in Spanish and English.
+pub const TRUE_FOR_BOTH: [&str; 2] =
+    ["VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES"];
+
+/// How the complete program counts: on the turning pipe by increments where the dialect's rotary axes are rollover as
+/// delivered. There the number of an absolute word would be an angle from 0 to 360 and its sign the direction; increments
+/// are the same motions on either axis.
+#[must_use]
+pub fn distance(design: &Design) -> Distance {
+    match (design.mode, design.dialect.rotary) {
+        (Mode::Rotary, Rotary::Rollover) => Distance::Incremental,
+        _ => Distance::Absolute,
+    }
+}
+
+/// The rapid moves to the pierce: by increments of A, which is taken to stand at 0, one of X and, where A turns, one of A.
+#[must_use]
+pub fn approach(design: &Design, pierce: [Milli; 2]) -> usize {
+    if distance(design) == Distance::Incremental && pierce[0] != Milli::ZERO { 2 } else { 1 }
+}
+
+/// The word of a dwell in seconds; `None` where the dialect has none.
+///
+/// # Errors
+/// For a number that no program may carry.
+pub fn dwell(dialect: &Dialect, seconds: f64) -> Result<Option<Word>, OutOfFormat> {
+    let Some(&(letter, unit)) = dialect.reading.dwell.first() else { return Ok(None) };
+    let letter = char::from(b'A' + letter);
+    let number = seconds / unit;
+    if unit == 1.0 {
+        return Ok(Some(Word::size(letter, Milli::round(number)?)));
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a delay within a minute")]
+    let whole = number.round() as u32;
+    Ok(Some(Word::whole(letter, whole)))
+}
+
+/// The way of a leg over the surface that is cut, mm, from where the last one ended.
+fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
+    let by = |axis: usize| (leg.to[axis] - from[axis]).value();
+    let [first, second] = match design.mode {
+        Mode::Flat => [by(0), by(1)],
+        Mode::Rotary => [by(0).to_radians() * design.branch.D / 2.0, by(1)],
+    };
+    (first * first + second * second).sqrt()
+}
+
+/// The complete program.
+///
+/// On a flat sheet F is in mm a minute (G94). On the turning pipe it is made block by block, so that the torch runs over
+/// the pipe's outside at F: as the dialect wants it, the time of the move, its inverse, or the resultant of mm and degrees.
+/// By increments (see [`distance`]) A is taken to stand at 0; it is left where the cut ends, as nothing says that the torch
+/// is clear of the pipe there.
+///
+/// # Errors
+/// For a number that no program may carry.
+pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
+    let dialect = design.dialect;
+    let work = Work { part: &design.part, material: &design.material, number: design.program };
+    let mut header = Header::new(dialect, "insert", &TITLE, work, origin);
+    comments(design, &mut header);
+    let mut parts = header.parts;
+    let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
+    let letters = letters(design.mode);
+    let place = |to: [Milli; 2]| letters.into_iter().zip(to).map(|(letter, size)| Word::size(letter, size));
+    let law = if design.mode == Mode::Rotary { dialect.feed } else { FeedLaw::Resultant };
+    let distance = distance(design);
+    block(dialect.safety_block());
+    match distance {
+        Distance::Absolute => block(std::iter::once(Word::whole('G', 0)).chain(place(cut.pierce)).collect()),
+        Distance::Incremental => {
+            let [turn, along] = letters.map(|letter| move |size| vec![Word::whole('G', 0), Word::size(letter, size)]);
+            block(along(cut.pierce[1]));
+            block(vec![Word::whole('G', 91)]);
+            if approach(design, cut.pierce) > 1 {
+                block(turn(cut.pierce[0]));
+            }
+        }
+    }
+    block(design.torch_on.clone());
+    if design.pierce_delay > 0.0 {
+        block(std::iter::once(Word::whole('G', 4)).chain(dwell(dialect, design.pierce_delay)?).collect());
+    }
+    if law.code() != 94 {
+        block(vec![Word::whole('G', law.code())]);
+    }
+    let F = design.F.unwrap_or(0.0);
+    let (mut at, mut last) = (cut.pierce, None);
+    for leg in &cut.legs {
+        let code = match leg.bend {
+            None => 1,
+            Some(bend) if bend.clockwise => 2,
+            Some(_) => 3,
+        };
+        let mut words = vec![Word::whole('G', code)];
+        match distance {
+            Distance::Absolute => words.extend(place(leg.to)),
+            Distance::Incremental => {
+                let by = [0, 1].map(|axis| leg.to[axis] - at[axis]);
+                words.extend(place(by).filter(|word| word.number != Number::Size(Milli::ZERO)));
+            }
+        }
+        words.extend(leg.bend.map(|bend| Word::size('R', bend.radius)));
+        let feed = if design.mode == Mode::Flat {
+            FeedWord::lasting(law, 60.0 / F, 1.0)?
+        } else {
+            let by = |axis: usize| (leg.to[axis] - at[axis]).value();
+            let resultant = (by(0) * by(0) + by(1) * by(1)).sqrt();
+            FeedWord::lasting(law, way(design, at, leg) * 60.0 / F, resultant)?
+        };
+        if law.in_every_block() || last != Some(feed) {
+            words.push(Word::feed(feed));
+            last = Some(feed);
+        }
+        block(words);
+        at = leg.to;
+    }
+    block(design.torch_off.clone());
+    if law.code() != 94 {
+        block(vec![Word::whole('G', 94)]);
+    }
+    if distance == Distance::Incremental {
+        block(vec![Word::whole('G', 90)]);
+    }
+    block(design.end_codes.clone());
+    let start = Position::default();
+    Ok(Program {
+        key: "insert",
+        title: TITLE,
+        dialect,
+        format: NumberFormat::Fixed,
+        block_step: Some(design.block_step),
+        start,
+        parts,
+    })
+}
+
+fn comments(design: &Design, header: &mut Header) {
+    let mm = |value: f64| format!("{value:.3}");
+    let (D, t, theta) = (mm(design.branch.D), mm(design.branch.t), shown(design.theta, 3));
+    header.line(&format!("INJERTO DIAM. {D} PARED {t}"), &format!("BRANCH DIAM. {D} WALL {t}"));
+    let (D, t, e) = (mm(design.header.D), mm(design.header.t), mm(design.e));
+    header.line(&format!("TUBO BASE DIAM. {D} PARED {t}"), &format!("HEADER DIAM. {D} WALL {t}"));
+    header.line(&format!("ANGULO {theta} EXCENTRICIDAD {e}"), &format!("ANGLE {theta} ECCENTRICITY {e}"));
+    let (kerf, F) = (mm(design.kerf), shown(design.F.unwrap_or(0.0), 3));
+    header.line(
+        &format!("CORTE DE {kerf} COMPENSADO - AVANCE {F} MM-MIN"),
+        &format!("KERF {kerf} COMPENSATED - FEED {F} MM-MIN"),
+    );
+    match design.mode {
+        Mode::Flat => {
+            let round = mm(design.outline().round());
+            header.line(
+                &format!("CHAPA PLANA - X0 A X{round} ES UNA VUELTA - Y0 BORDE"),
+                &format!("FLAT SHEET - X0 TO X{round} IS ONCE ROUND - Y0 EDGE"),
+            );
+        }
+        Mode::Rotary => {
+            header.line("A0 ES LA LINEA DE PHI 0", "A0 IS THE LINE OF PHI 0");
+            header.line(
+                "A RODEA EL TUBO SEGUN ISO 841 - EL TUBO GIRA AL REVES",
+                "A GOES ROUND THE PIPE BY ISO 841 - PIPE TURNS BACKWARDS",
+            );
+            header.line(
+                "X A LO LARGO DEL TUBO - X0 BORDE - CRECE HACIA EL CORTE",
+                "X ALONG THE PIPE - X0 EDGE - GROWS TOWARDS THE CUT",
+            );
+            match distance(design) {
+                Distance::Incremental => {
+                    header.line(TRUE_FOR_BOTH[0], TRUE_FOR_BOTH[1]);
+                    header.line(
+                        "A DEBE MARCAR 0 ANTES - ACABA MAS ALLA DE UNA VUELTA",
+                        "A MUST SHOW 0 BEFORE - IT ENDS BEYOND A TURN",
+                    );
+                }
+                Distance::Absolute => {
+                    header.line("SOLO VALE SI A NO ES EJE ROLLOVER", "TRUE ONLY WHERE A IS NO ROLLOVER AXIS");
+                }
+            }
+        }
+    }
+    header.line("ALTURA DE LA ANTORCHA - LA LLEVA SU CONTROL", "TORCH HEIGHT - BY ITS OWN CONTROL");
+}

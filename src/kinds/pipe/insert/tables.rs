@@ -1,0 +1,137 @@
+//! The tables of a branch: template, arcs, and the torch's way.
+
+use std::f64::consts::TAU;
+
+use crate::kinds::pipe::insert::arcs::triples;
+use crate::kinds::pipe::insert::cut::{Cut, Follows};
+use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::insert::program::template_points;
+use crate::table::{Column, Index, Table, Unit};
+use crate::text::Text;
+
+const MM: Unit = Unit::Millimetre;
+
+const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
+/// The template: a point for every division.
+#[must_use]
+pub fn template(design: &Design) -> Table {
+    let points = template_points(design);
+    let phi: Vec<f64> = (0..=design.N).map(|j| 360.0 * f64::from(j) / f64::from(design.N)).collect();
+    Table {
+        key: "template",
+        name: t("Plantilla", "Template"),
+        title: t("Plantilla del injerto sobre el desarrollo", "Template of the branch on the development"),
+        source: t("Ecuación 9 y tabla 1", "Equation 9 and table 1"),
+        index: Index::Point,
+        columns: vec![
+            Column::numbers("φ", Unit::Degree, "φ = 360·j/N", phi),
+            Column::numbers("x", MM, "x = r_dev·φ", points.iter().map(|point| point.x).collect::<Vec<_>>()),
+            Column::numbers(
+                "y",
+                MM,
+                "y = r/tan θ·(1 − cos φ) + R/sin θ·(cos asin(e/R) − cos asin((r sin φ + e)/R)) + Z",
+                points.iter().map(|point| point.y).collect::<Vec<_>>(),
+            ),
+        ],
+    }
+}
+
+/// The arcs through triples of the template's points, the printed columns of table 2 beside the right ones.
+#[must_use]
+pub fn arcs(design: &Design) -> Table {
+    let triples = triples(&template_points(design), design.arc_tolerance);
+    let numbers = |symbol, unit, formula, value: &dyn Fn(&crate::kinds::pipe::insert::arcs::Triple) -> f64| {
+        Column::numbers(symbol, unit, formula, triples.iter().map(value).collect::<Vec<_>>())
+    };
+    #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+    let j = triples.iter().map(|triple| triple.j as f64).collect::<Vec<_>>();
+    let centre = |axis: usize| {
+        move |triple: &crate::kinds::pipe::insert::arcs::Triple| triple.circle.map_or(0.0, |circle| circle.centre[axis])
+    };
+    Table {
+        key: "arcs",
+        name: t("Arcos", "Arcs"),
+        title: t("Arcos por ternas de puntos de la plantilla", "Arcs through triples of points of the template"),
+        source: t(
+            "Ecuaciones 10 a 19 y tabla 2. La tabla impresa da la mitad de D y E, y con ella la ecuación 18; el sentido no cambia",
+            "Equations 10 to 19 and table 2. The printed table has half of D and E, and equation 18 with it; the turn stays",
+        ),
+        index: Index::None,
+        columns: vec![
+            Column::numbers("j", Unit::Count, "", j),
+            numbers("x", MM, "", &|triple| triple.to.x),
+            numbers("y", MM, "", &|triple| triple.to.y),
+            numbers("D", MM, "x² + y² + Dx + Ey + F = 0", &|triple| triple.D_E()[0]),
+            numbers("E", MM, "", &|triple| triple.D_E()[1]),
+            numbers("F", MM, "mm²", &|triple| triple.F()),
+            numbers("h", MM, "h = −D/2", &centre(0)),
+            numbers("k", MM, "k = −E/2", &centre(1)),
+            numbers("R", MM, "R = √(h² + k² − F)", &|triple| triple.circle.map_or(0.0, |circle| circle.radius)),
+            numbers("y″", Unit::One, "y″ = −2(1 + y′²)/(2y + E)", &|triple| triple.second_derivative()),
+            Column::texts(
+                t("código", "code"),
+                "",
+                triples.iter().map(|triple| Text::fixed(triple.code(), triple.code())).collect(),
+            ),
+            numbers("D/2", MM, "", &|triple| triple.D_E()[0] / 2.0).named(t("D impresa", "D as printed")),
+            numbers("E/2", MM, "", &|triple| triple.D_E()[1] / 2.0).named(t("E impresa", "E as printed")),
+            numbers("eq", Unit::One, "", &|triple| triple.equation_18_as_printed())
+                .named(t("ec. 18 impresa", "eq. 18 as printed")),
+        ],
+    }
+}
+
+/// The torch's way on the output grid.
+#[must_use]
+pub fn way(design: &Design, cut: &Cut) -> Table {
+    let [first, second] = match design.mode {
+        Mode::Flat => [("X", MM), ("Y", MM)],
+        Mode::Rotary => [("A", Unit::Degree), ("X", MM)],
+    };
+    let ends = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
+    let axis = |axis: usize| ends.clone().map(|to| to[axis].value()).collect::<Vec<_>>();
+    let follows = cut.legs.iter().map(|leg| match leg.follows {
+        Follows::WayIn => t("entrada", "lead-in"),
+        Follows::Curve(_) => t("curva", "curve"),
+        Follows::Corner(_) => t("esquina", "corner"),
+        Follows::Beyond => t("salida", "overcut"),
+    });
+    let radius = cut.legs.iter().map(|leg| leg.bend.map_or(0.0, |bend| bend.radius.value()));
+    let code = cut.legs.iter().map(|leg| match leg.bend {
+        None => t("G1", "G1"),
+        Some(bend) if bend.clockwise => t("G2", "G2"),
+        Some(_) => t("G3", "G3"),
+    });
+    let angle = |follows: Follows| match follows {
+        Follows::Curve([_, to]) => to,
+        Follows::Corner(at) => at,
+        Follows::WayIn => 0.0,
+        Follows::Beyond => TAU,
+    };
+    let phi = cut.legs.iter().map(|leg| angle(leg.follows).to_degrees());
+    Table {
+        key: "way",
+        name: t("Corte", "Cut"),
+        title: t("Camino de la antorcha, compensado el corte", "The torch's way, the kerf compensated"),
+        source: t(
+            "Deducido aquí: la curva a medio corte por el lado del sobrante, redondeada a 0.001",
+            "Derived here: the curve half a kerf to the side of the waste, rounded to 0.001",
+        ),
+        index: Index::Point,
+        columns: vec![
+            Column::numbers(first.0, first.1, "", axis(0)),
+            Column::numbers(second.0, second.1, "", axis(1)),
+            Column::numbers("R", MM, "", std::iter::once(0.0).chain(radius).collect::<Vec<_>>()),
+            Column::numbers("φ", Unit::Degree, "", std::iter::once(0.0).chain(phi).collect::<Vec<_>>()),
+            Column::texts(t("código", "code"), "", std::iter::once(t("G0", "G0")).chain(code).collect()),
+            Column::texts(
+                t("sigue", "follows"),
+                "",
+                std::iter::once(t("perforación", "pierce")).chain(follows).collect(),
+            ),
+        ],
+    }
+}

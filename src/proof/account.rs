@@ -1,0 +1,246 @@
+//! What a program comes to: how far it reaches, where it ends, how long its path is and how long it takes.
+
+use crate::finding::{Finding, Grade, Place};
+use crate::gcode::interpreter::{Interpreter, Setting};
+use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::program::Program;
+use crate::machine::axis::{Axis, Pose};
+use crate::number::{shown, trig};
+use crate::text::Text;
+
+/// How far each axis reaches; mm and degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extents {
+    /// The least position of each axis.
+    pub least: Pose,
+    /// The greatest position of each axis.
+    pub greatest: Pose,
+}
+
+impl Extents {
+    const fn at(pose: Pose) -> Self {
+        Self { least: pose, greatest: pose }
+    }
+
+    /// The least and the greatest position of an axis.
+    #[must_use]
+    pub const fn of(&self, axis: Axis) -> [f64; 2] {
+        [self.least.get(axis), self.greatest.get(axis)]
+    }
+
+    fn reach(&mut self, pose: &Pose) {
+        for axis in 0..pose.0.len() {
+            let (at, least, greatest) = (pose.0[axis], &mut self.least.0[axis], &mut self.greatest.0[axis]);
+            *least = if at < *least { at } else { *least };
+            *greatest = if at > *greatest { at } else { *greatest };
+        }
+    }
+
+    fn reach_along(&mut self, axis: Axis, at: f64) {
+        let (least, greatest) = (self.least.get(axis), self.greatest.get(axis));
+        self.least.set(axis, least.min(at));
+        self.greatest.set(axis, greatest.max(at));
+    }
+}
+
+/// What a program comes to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Account {
+    /// How many motions there are.
+    pub motions: u64,
+    /// How far each axis reaches in program coordinates; `None` where there is no motion.
+    pub program: Option<Extents>,
+    /// How far each axis reaches in machine coordinates.
+    pub machine: Option<Extents>,
+    /// Length of the path of X, Y and Z at feed, mm.
+    pub feed_path: f64,
+    /// Length of the path of X, Y and Z at rapid, mm.
+    pub rapid_path: f64,
+    /// The time of what moves at feed and of dwells, s.
+    pub seconds: f64,
+    /// True where a motion at feed has no known time.
+    pub untimed: bool,
+    /// Where the program ends, in program and machine coordinates.
+    pub end: [Pose; 2],
+}
+
+impl Account {
+    /// What a program comes to whose text can be read on its own or as a part of another, from its first rapid move on;
+    /// `None` where it cannot.
+    #[must_use]
+    pub fn of(program: &Program) -> Option<Self> {
+        let setting = Setting { part: true, ..program.setting() };
+        let (mut account, mut before) = (Self::default(), None);
+        for motion in program.read_back_with(setting) {
+            let motion = motion.ok()?;
+            // Where the machine comes from is not known.
+            if let Some(before) = before {
+                account.take(&motion, &before);
+            }
+            before = Some(motion.machine);
+        }
+        Some(account)
+    }
+
+    /// Takes a motion into account. `before` is the machine position before it.
+    pub fn take(&mut self, motion: &Motion, before: &Pose) {
+        self.motions += 1;
+        let program = self.program.get_or_insert(Extents::at(motion.from));
+        let machine = self.machine.get_or_insert(Extents::at(*before));
+        program.reach(&motion.from);
+        program.reach(&motion.to);
+        machine.reach(before);
+        machine.reach(&motion.machine);
+        let by = motion.to.differences(&motion.from);
+        let straight = (by[0] * by[0] + by[1] * by[1] + by[2] * by[2]).sqrt();
+        match motion.kind {
+            MotionKind::Rapid => self.rapid_path += straight,
+            MotionKind::Feed(_) | MotionKind::Thread(_) => self.feed_path += straight,
+            MotionKind::Arc(arc, _) => {
+                let [_, _, across] = arc.plane.axes();
+                self.feed_path += arc.length(by[across as usize]);
+                arc.quarters(&motion.from, &motion.to, &mut |axis, at| {
+                    program.reach_along(axis, at);
+                    let offset = motion.machine.get(axis) - motion.to.get(axis);
+                    if arc.rotation == 0.0 || axis == Axis::Z {
+                        machine.reach_along(axis, at + offset);
+                    }
+                });
+                if arc.rotation != 0.0 {
+                    let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
+                    for (axis, [x, y]) in [(Axis::X, [cos, -sin]), (Axis::Y, [sin, cos])] {
+                        arc.farthest(&motion.from, &motion.to, [x, y, 0.0], &mut |at| {
+                            let by = at.differences(&motion.to);
+                            machine.reach_along(axis, motion.machine.get(axis) + by[0] * x + by[1] * y);
+                        });
+                    }
+                }
+            }
+            MotionKind::Dwell(_) => {}
+        }
+        match motion.seconds {
+            Some(seconds) => self.seconds += seconds,
+            None => self.untimed |= !matches!(motion.kind, MotionKind::Rapid),
+        }
+        self.end = [motion.to, motion.machine];
+    }
+}
+
+/// What is to say about where a program ends whose every motion is incremental: run again, it starts there.
+#[must_use]
+pub fn drift(interpreter: &Interpreter<'_>, start: &Pose) -> Option<Finding> {
+    if !interpreter.all_incremental() {
+        return None;
+    }
+    let net = interpreter.position().1.differences(start);
+    let moved = |axis: &Axis| net[*axis as usize].abs() >= 0.0005;
+    let list = Axis::ALL
+        .into_iter()
+        .filter(|axis| moved(axis) || matches!(axis, Axis::X | Axis::Y | Axis::Z))
+        .map(|axis| format!("{} {}", axis.letter(), shown(net[axis as usize], 3)))
+        .collect::<Vec<_>>()
+        .join("  ");
+    let linear = Axis::ALL.into_iter().any(|axis| !axis.rotary() && moved(&axis));
+    let turned = Axis::ALL.into_iter().any(|axis| axis.rotary() && moved(&axis));
+    let finding = if linear {
+        Finding::new(
+            Grade::Caution,
+            Place::File,
+            Text::fixed(
+                "el programa incremental no vuelve a donde empieza: cada ejecución se desplaza",
+                "the incremental program does not come back to where it starts: each run is shifted",
+            ),
+            Text::fixed(
+                "haga que la suma de los incrementos sea 0 en cada eje lineal",
+                "make the increments of each linear axis sum up to 0",
+            ),
+        )
+    } else {
+        let turns = if turned {
+            Text::fixed(
+                "el programa incremental vuelve a donde empieza, con los ejes giratorios en otro ángulo",
+                "the incremental program comes back to where it starts, the rotary axes at another angle",
+            )
+        } else {
+            Text::fixed(
+                "el programa incremental vuelve a donde empieza",
+                "the incremental program comes back to where it starts",
+            )
+        };
+        Finding::note(Place::File, turns)
+    };
+    Some(finding.with(list, "X 0  Y 0  Z 0"))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use crate::gcode::dialect::LINUXCNC;
+    use crate::proof::account::*;
+
+    /// The extents of an arc in machine coordinates, from many points along it.
+    fn sampled(motion: &Motion) -> Extents {
+        let MotionKind::Arc(arc, _) = motion.kind else { unreachable!("an arc") };
+        let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
+        let [a, b, _] = arc.plane.axes();
+        let mut extents: Option<Extents> = None;
+        let [x, y] = [motion.from.get(a) - arc.centre[0], motion.from.get(b) - arc.centre[1]];
+        let start = trig::atan2(y, x);
+        for step in 0..=20_000_u16 {
+            let part = f64::from(step) / 20_000.0;
+            let (up, along) = trig::sin_cos(start + arc.sweep * part);
+            let mut at = Pose(std::array::from_fn(|axis| {
+                motion.from.0[axis] + (motion.to.0[axis] - motion.from.0[axis]) * part - motion.to.0[axis]
+            }));
+            at.set(a, arc.centre[0] + arc.radius * along - motion.to.get(a));
+            at.set(b, arc.centre[1] + arc.radius * up - motion.to.get(b));
+            let [x, y, z] = [at.0[0], at.0[1], at.0[2]];
+            let mut machine = motion.machine;
+            for (axis, by) in [(Axis::X, x * cos - y * sin), (Axis::Y, x * sin + y * cos), (Axis::Z, z)] {
+                machine.set(axis, machine.get(axis) + by);
+            }
+            extents.get_or_insert(Extents::at(machine)).reach(&machine);
+        }
+        extents.unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn arcs_reach_as_far_as_their_points_under_any_rotation(
+            plane in 17_u8..20, code in 2_u8..4, rotation in -180.0..180.0_f64, i in -50.0..50.0_f64,
+            j in 1.0..50.0_f64, turn in 0.1..6.2_f64, rise in -200.0..200.0_f64, P in 1_u8..4,
+        ) {
+            let (sin, cos) = trig::sin_cos(turn);
+            let end = [i - i * cos + j * sin, j - i * sin - j * cos];
+            let [first, second, across, I, J] = match plane {
+                17 => ["X", "Y", "Z", "I", "J"],
+                18 => ["Z", "X", "Y", "K", "I"],
+                _ => ["Y", "Z", "X", "J", "K"],
+            };
+            let text = format!(
+                "G10 L2 P2 X5 Y-7 R{rotation:.9}\nG55 G{plane} G21 G0 X0 Y0 Z0\nG{code} {first}{:.9} {second}{:.9} \
+                 {across}{rise:.9} {I}{i:.9} {J}{j:.9} P{P} F100\nM2\n",
+                end[0], end[1]
+            );
+            let interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
+            let mut before = interpreter.position().1;
+            let mut found = None;
+            for motion in interpreter {
+                let motion = motion.unwrap();
+                let mut account = Account::default();
+                account.take(&motion, &before);
+                before = motion.machine;
+                found = Some((motion, account.machine.unwrap()));
+            }
+            let (motion, found) = found.unwrap();
+            let expected = sampled(&motion);
+            let all = [(found.least, expected.least, -1.0), (found.greatest, expected.greatest, 1.0)];
+            for (found, expected, outwards) in all {
+                for by in found.differences(&expected) {
+                    prop_assert!((-1e-7..1e-4).contains(&(by * outwards)), "{found:?} {expected:?}\n{text}");
+                }
+            }
+        }
+    }
+}

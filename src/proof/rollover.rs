@@ -1,0 +1,62 @@
+//! What rotary axes the machine may have: whether a program makes the same motions where they are rollover, so that in G90 the
+//! number is an angle from 0 to 360 and the sign the direction, and where they count on as linear axes do.
+//!
+//! The text is read back twice, once with each setting, with B and C at 0 before. A program that makes the same motions under
+//! both is true for any machine; one that does not is written only for axes that the workbook says are linear.
+
+use crate::gcode::dialect::Rotary;
+use crate::gcode::interpreter::Setting;
+use crate::gcode::motion::Motion;
+use crate::gcode::program::Program;
+use crate::proof::check::{At, Check, FAULT, Verdict};
+use crate::proof::step::same;
+use crate::text::Text;
+
+/// Reads a program back under both settings. `counting` is what the workbook says, or the control is delivered with.
+#[must_use]
+pub fn check(program: &Program, counting: Rotary) -> Check {
+    let setting = |rotary| Setting { rotary, ..program.setting() };
+    let mut linear = program.read_back_with(setting(Rotary::Linear));
+    let mut rollover = program.read_back_with(setting(Rotary::Rollover));
+    let (mut motions, mut differs) = (0_u64, None);
+    loop {
+        match (linear.next(), rollover.next()) {
+            (None, None) => break,
+            (Some(Ok(one)), Some(Ok(other))) if alike(&one, &other) => motions += 1,
+            (Some(Ok(one)), _) | (_, Some(Ok(one))) => {
+                differs = Some(At::motion(&one));
+                break;
+            }
+            // A text that is refused under both settings is told by the reading of it.
+            (Some(Err(fault)), _) | (None, Some(Err(fault))) => {
+                differs = Some(At { line: fault.line, n: None, point: None });
+                break;
+            }
+        }
+    }
+    let name = Text::fixed("Ejes rotativos: para qué máquina vale", "Rotary axes: which machine it is true for");
+    let Some(at) = differs else {
+        let value = Text::new(
+            format!("rollover y linear: los mismos {motions} movimientos"),
+            format!("rollover and linear: the same {motions} motions"),
+        );
+        return Check::passed("rotary", name, program, value, Text::same(counting.name()));
+    };
+    let value = Text::fixed("sólo linear", "linear only");
+    let check = Check::passed("rotary", name, program, value, Text::same(counting.name())).at(Some(at));
+    if counting == Rotary::Linear {
+        return check.informing();
+    }
+    check.found(
+        Verdict::Stop,
+        Text::new(
+            format!("«{}» gira de otro modo con ejes rollover, desde la {}", program.title.es, at.words().es),
+            format!("\"{}\" turns otherwise on rollover axes, from {} on", program.title.en, at.words().en),
+        ),
+        FAULT,
+    )
+}
+
+fn alike(one: &Motion, other: &Motion) -> bool {
+    one.line == other.line && same(&one.from, &other.from) && same(&one.to, &other.to)
+}

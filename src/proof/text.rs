@@ -1,0 +1,228 @@
+//! Characters and numbers: each line such as its control takes it.
+//!
+//! Controls differ in what they forgive, so that one strict form is asked of all: printable ASCII; comments from an
+//! allow-list; words of one capital letter and one number, parted by one blank; dimensions and feeds with at most five
+//! digits before and three after the point, never −0, an exponent or a comma, and always with three decimals where the
+//! layout is fixed, times of a move in seconds with four and inverse times below 1 with six; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
+
+use crate::gcode::comment;
+use crate::gcode::dialect::{CommentForm, FeedLaw, Opening};
+use crate::gcode::program::Program;
+use crate::gcode::word::NumberFormat;
+use crate::proof::check::{At, Check, FAULT, Verdict};
+use crate::text::Text;
+
+/// The most characters of a line: LinuxCNC's limit, the least of the dialects'.
+pub const LONGEST: usize = 255;
+
+/// Addresses whose number is a size on the output grid.
+const SIZES: &str = "XYZABCIJKPQRF";
+/// Of these, addresses of dwells, which some controls count in whole hundredths.
+const DWELLS: &str = "KP";
+/// Addresses whose number is a whole one.
+const WHOLES: &str = "NGMSTD";
+
+/// Reads the lines of a program.
+#[derive(Debug)]
+pub struct Characters<'a> {
+    program: &'a Program,
+    lines: usize,
+    number: u32,
+    longest: usize,
+    bytes: u64,
+    fault: Option<(At, Text)>,
+}
+
+impl<'a> Characters<'a> {
+    /// The judge of a program's text.
+    #[must_use]
+    pub const fn new(program: &'a Program) -> Self {
+        Self { program, lines: 0, number: 0, longest: 0, bytes: 0, fault: None }
+    }
+
+    /// The next line, without its end.
+    pub fn line(&mut self, line: &str) {
+        self.lines += 1;
+        self.longest = self.longest.max(line.len());
+        self.bytes += (line.len() + self.program.dialect.end_of_line.len()) as u64;
+        if self.fault.is_none()
+            && let Err(fault) = self.judge(line)
+        {
+            let n = line.strip_prefix('N').and_then(|rest| rest.split(' ').next()?.parse().ok());
+            self.fault = Some((At { line: self.lines, n, point: None }, fault));
+        }
+    }
+
+    /// How many bytes there were, ends of lines included.
+    #[must_use]
+    pub const fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    fn judge(&mut self, line: &str) -> Result<(), Text> {
+        let dialect = self.program.dialect;
+        if line.len() > LONGEST {
+            return Err(Text::fixed("la línea es demasiado larga", "the line is too long"));
+        }
+        if let Some(wrong) = line.chars().find(|letter| !matches!(letter, ' '..='~')) {
+            return Err(quoted("carácter", "character", &wrong.escape_default().to_string()));
+        }
+        if line.starts_with('%') {
+            let opens = self.lines == 1 && dialect.opening != Opening::None;
+            return if opens { Ok(()) } else { Err(quoted("carácter", "character", "%")) };
+        }
+        let inside = match dialect.comment {
+            CommentForm::Semicolon => line.strip_prefix(';'),
+            CommentForm::Parentheses => line.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')),
+        };
+        if let Some(inside) = inside {
+            let clean = comment::clean(inside) == inside;
+            return if clean { Ok(()) } else { Err(quoted("comentario", "comment", inside)) };
+        }
+        let mut words = line.split(' ');
+        if let Some(step) = self.program.block_step {
+            self.number = self.number.saturating_add(step);
+            let expected = self.number;
+            let first = words.next().unwrap_or_default();
+            let number: Option<u32> = first.strip_prefix('N').and_then(|digits| digits.parse().ok());
+            if number != Some(expected) || expected > dialect.greatest_number {
+                return Err(quoted("número de bloque", "block number", first));
+            }
+        }
+        words.try_for_each(|word| self.word(word))
+    }
+
+    fn word(&self, word: &str) -> Result<(), Text> {
+        let wrong = || quoted("palabra", "word", word);
+        let letter = word.chars().next().ok_or_else(wrong)?;
+        let number = word.get(1..).ok_or_else(wrong)?;
+        let good = if SIZES.contains(letter) {
+            size(number, self.program.format)
+                || (DWELLS.contains(letter) && digits(number, 8))
+                || (letter == 'F' && timed(number, self.program.dialect.feed))
+        } else {
+            // A block number inside the block would be a second one.
+            letter != 'N' && WHOLES.contains(letter) && digits(number, 8)
+        };
+        if good { Ok(()) } else { Err(wrong()) }
+    }
+
+    /// The answer, when all lines are read.
+    #[must_use]
+    pub fn check(self) -> Check {
+        let name = Text::fixed("Caracteres y números", "Characters and numbers");
+        let Self { lines, longest, program, .. } = self;
+        let value = Text::new(
+            format!("{lines} líneas de hasta {longest} caracteres"),
+            format!("{lines} lines of up to {longest} characters"),
+        );
+        let limit = Text::new(
+            format!("{}; ±5.3 cifras; {LONGEST}", program.dialect.name),
+            format!("{}; ±5.3 digits; {LONGEST}", program.dialect.name),
+        );
+        let check = Check::passed("characters", name, program, value, limit);
+        match self.fault {
+            None => check,
+            Some((at, fault)) => check.at(Some(at)).found(
+                Verdict::Stop,
+                Text::new(
+                    format!("el control no toma la línea {} de «{}»: {}", at.line, program.title.es, fault.es),
+                    format!("the control does not take line {} of \"{}\": {}", at.line, program.title.en, fault.en),
+                ),
+                FAULT,
+            ),
+        }
+    }
+}
+
+fn quoted(es: &str, en: &str, what: &str) -> Text {
+    Text::new(format!("{es} «{what}»"), format!("{en} '{what}'"))
+}
+
+/// An F word that is a time or its inverse, with the decimals of its law beyond three.
+fn timed(number: &str, law: FeedLaw) -> bool {
+    let Some((whole, part)) = number.split_once('.') else { return false };
+    let plain = digits(whole, 5) && (whole.len() == 1 || !whole.starts_with('0'));
+    let some = number.bytes().any(|digit| matches!(digit, b'1'..=b'9'));
+    plain
+        && some
+        && match law {
+            FeedLaw::Resultant => false,
+            FeedLaw::Seconds => part.len() == 4 && digits(part, 4),
+            FeedLaw::InverseTime => whole == "0" && part.len() == 6 && digits(part, 6),
+        }
+}
+
+/// Between one and `most` digits.
+fn digits(text: &str, most: usize) -> bool {
+    (1..=most).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// A number of the output grid as the layout writes it.
+fn size(text: &str, format: NumberFormat) -> bool {
+    let unsigned = text.strip_prefix('-');
+    let (whole, decimals) = match unsigned.unwrap_or(text).split_once('.') {
+        Some((whole, decimals)) => (whole, Some(decimals)),
+        None => (unsigned.unwrap_or(text), None),
+    };
+    let zero = whole.bytes().chain(decimals.unwrap_or_default().bytes()).all(|byte| byte == b'0');
+    let plain = digits(whole, 5) && (whole.len() == 1 || !whole.starts_with('0')) && !(zero && unsigned.is_some());
+    plain
+        && match (format, decimals) {
+            (NumberFormat::Fixed, decimals) => {
+                decimals.is_some_and(|decimals| decimals.len() == 3 && digits(decimals, 3))
+            }
+            (NumberFormat::Trimmed | NumberFormat::Six, None) => true,
+            (NumberFormat::Six, Some(decimals)) => digits(decimals, 6) && decimals.len() == 6,
+            (NumberFormat::Trimmed, Some(decimals)) => digits(decimals, 3) && !decimals.ends_with('0'),
+        }
+}
+
+/// Reads a program's text.
+#[must_use]
+pub fn read(program: &Program) -> Characters<'_> {
+    let mut judge = Characters::new(program);
+    // The judge takes every line.
+    let _ = program.for_each_line(&mut |line| {
+        judge.line(line);
+        Ok(())
+    });
+    judge
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{size, timed};
+    use crate::gcode::dialect::FeedLaw;
+    use crate::gcode::word::NumberFormat::{Fixed, Trimmed};
+
+    #[test]
+    fn times_have_the_decimals_of_their_law_and_are_never_nothing() {
+        for (number, good) in
+            [("0.0601", true), ("12.0000", true), ("0.0000", false), ("0.060", false), ("00.0601", false)]
+        {
+            assert_eq!(timed(number, FeedLaw::Seconds), good, "{number}");
+        }
+        for (number, good) in [("0.857142", true), ("1.857142", false), ("0.000000", false), ("0.8571", false)] {
+            assert_eq!(timed(number, FeedLaw::InverseTime), good, "{number}");
+        }
+        assert!(!timed("0.0601", FeedLaw::Resultant) && !timed("0.857142", FeedLaw::Resultant));
+    }
+
+    #[test]
+    fn numbers_are_taken_in_the_form_of_their_layout_only() {
+        for good in ["0.000", "-0.001", "99999.999", "-242.900"] {
+            assert!(size(good, Fixed), "{good}");
+        }
+        for good in ["0", "-0.001", "99999.999", "8.9", "-13.333", "90"] {
+            assert!(size(good, Trimmed), "{good}");
+        }
+        let never = [
+            "", "-", ".5", "5.", "--5", "+5", "1e3", "1,5", "100000", "1.2345", "-0", "-0.000", "NAN", "00.5", "1.2.3",
+        ];
+        for bad in never {
+            assert!(!size(bad, Fixed) && !size(bad, Trimmed), "{bad}");
+        }
+        assert!(!size("5", Fixed) && !size("5.5", Fixed) && !size("5.50", Trimmed) && !size("5.000", Trimmed));
+    }
+}

@@ -1,0 +1,102 @@
+//! Axis travel: no position of a program may lie beyond the machine's limits. Program coordinates, mm and degrees.
+
+use crate::gcode::program::Program;
+use crate::machine::axis::Axis;
+use crate::machine::travel::{Excess, Travel, excess};
+use crate::number::shown;
+use crate::proof::check::{At, Check, Verdict};
+use crate::proof::step::{Judge, Step};
+use crate::text::Text;
+
+/// What is known of one axis.
+#[derive(Clone, Copy, Debug)]
+struct AxisRange {
+    axis: Axis,
+    limit: Travel,
+    /// Parameters of the lower and the upper limit.
+    keys: [&'static str; 2],
+    /// Least and greatest position.
+    ends: Option<[f64; 2]>,
+    /// Where the limit was first left, and the greatest excess.
+    left: Option<(At, Excess)>,
+}
+
+/// Holds a program against the travel of its axes.
+#[derive(Debug)]
+pub struct Axes([AxisRange; 4]);
+
+impl Axes {
+    /// The judge for the travel of X, Y, Z and B.
+    #[must_use]
+    pub fn new(limits: &[(char, Travel); 4]) -> Self {
+        let axes = [
+            (Axis::X, ["X_min", "X_max"]),
+            (Axis::Y, ["Y_min", "Y_max"]),
+            (Axis::Z, ["Z_min", "Z_max"]),
+            (Axis::B, ["B_min", "B_max"]),
+        ];
+        Self(axes.map(|(axis, keys)| {
+            let limit = limits.iter().find(|(letter, _)| *letter == axis.letter()).map_or([None, None], |one| one.1);
+            AxisRange { axis, limit, keys, ends: None, left: None }
+        }))
+    }
+}
+
+impl Judge for Axes {
+    fn see(&mut self, step: &Step<'_>) {
+        for pose in step.ends() {
+            for run in &mut self.0 {
+                let position = pose.get(run.axis);
+                let [low, high] = run.ends.get_or_insert([position; 2]);
+                (*low, *high) = (low.min(position), high.max(position));
+                let Some(found) = excess(run.limit, position) else { continue };
+                let size = |one: &Excess| (one.position - one.limit).abs();
+                let left = run.left.get_or_insert_with(|| (At::motion(&step.motion), found));
+                if size(&left.1) < size(&found) {
+                    left.1 = found;
+                }
+            }
+        }
+    }
+
+    fn checks(&mut self, program: &Program) -> Vec<Check> {
+        self.0.iter().map(|run| run.check(program)).collect()
+    }
+}
+
+impl AxisRange {
+    fn check(&self, program: &Program) -> Check {
+        let (letter, unit) = (self.axis.letter(), if self.axis.rotary() { "°" } else { " mm" });
+        let range = |[low, high]: [Option<f64>; 2]| {
+            let end = |end: Option<f64>| end.map_or_else(|| "–".to_owned(), |end| shown(end, 3));
+            format!("{} … {}{unit}", end(low), end(high))
+        };
+        let name = Text::new(format!("Recorrido de {letter}"), format!("Travel of {letter}"));
+        let value = range(self.ends.map_or([None, None], |ends| ends.map(Some)));
+        let known = self.limit.iter().any(Option::is_some);
+        let limit = if known { range(self.limit) } else { String::new() };
+        let check = Check::passed("travel", name, program, Text::same(value), Text::same(limit));
+        let Some((at, worst)) = self.left else {
+            return if known { check } else { check.informing() };
+        };
+        let key = self.keys[usize::from(worst.position > worst.limit)];
+        let (position, limit, line) = (shown(worst.position, 3), shown(worst.limit, 3), at.line);
+        check.at(Some(at)).of_parameters(vec![key]).found(
+            Verdict::Stop,
+            Text::new(
+                format!(
+                    "el eje {letter} llega a {position}{unit} en «{}», desde la línea {line}; su límite es {limit}{unit}",
+                    program.title.es
+                ),
+                format!(
+                    "axis {letter} goes to {position}{unit} in \"{}\", from line {line} on; its limit is {limit}{unit}",
+                    program.title.en
+                ),
+            ),
+            Text::new(
+                format!("compruebe {key}, la longitud de pivote y el cero, o mecanice en otra máquina"),
+                format!("check {key}, the pivot length and the zero, or use another machine"),
+            ),
+        )
+    }
+}

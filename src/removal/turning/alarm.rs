@@ -1,0 +1,335 @@
+//! What goes wrong while a program turns: numbered, with cause, place and depth.
+
+use super::stock::Fixture;
+use crate::finding::{Finding, Grade, Place, Raise, Said, Size};
+use crate::gcode::control::Compensation;
+use crate::machine::axis::Axis;
+use crate::number::shown;
+use crate::text::Text;
+
+/// Depths up to this are contact and no collision, mm.
+pub const TOUCH: f64 = 0.001;
+
+/// How deep a retraction may scrape without being a stop, mm.
+///
+/// An edge of lead angle φ1 > 90° leans away from the shoulder in front of which it stops, and leaves there a wedge of
+/// a tan(φ1 − 90°) at a depth of cut a: 0.44 mm at 95° and 5 mm. A tool that is taken straight up the shoulder, by a program
+/// or by a cycle whose way out no program changes, takes it away with its nose, and a finishing allowance with it. That is
+/// metal, cut at rapid, but no crash. Anything deeper is no leftover of the edge's own. Derived here.
+pub const SCRAPE: f64 = 0.5;
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moving {
+    /// The cutter.
+    Cutter,
+    /// The holder.
+    Holder,
+    /// The turret's body.
+    Turret,
+}
+
+/// Why an alarm is raised. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cause {
+    /// A rapid motion goes through metal.
+    RapidInMetal,
+    /// The tool is taken off its cut at rapid and scrapes metal, no deeper than [`SCRAPE`].
+    RetractionInMetal,
+    /// An edge of the cutter that does not cut runs into metal.
+    BackInMetal,
+    /// The holder or the turret runs into metal.
+    BodyInMetal(Moving),
+    /// A boring bar is fed into metal where there is no hole, or none wide enough for it.
+    BoreWithoutHole {
+        /// The diameter of the hole before it; 0 where there is none.
+        hole: f64,
+        /// The least that bar and edge need.
+        least: f64,
+    },
+    /// Something that moves runs into something that stands.
+    Collision(Moving, Fixture),
+    /// The turret's reference point leaves the travel of an axis.
+    Travel(Axis),
+    /// The cut is deeper than the cutting edge is long across the motion.
+    DepthOfCut {
+        /// The depth of cut.
+        depth: f64,
+        /// What the edge has.
+        edge: f64,
+    },
+    /// Another edge makes the surface and not the nose: the far end of the auxiliary edge leaves its mark, or an edge takes away
+    /// again what a nose has made.
+    BackCutting,
+    /// A thread without a lead.
+    NoLead,
+    /// The lead is none that the insert is made for.
+    Lead {
+        /// The lead programmed.
+        lead: f64,
+        /// The least and the greatest of the insert.
+        leads: [f64; 2],
+    },
+    /// A pass of a thread with another lead than the passes before.
+    LeadDiffers {
+        /// The lead of this pass.
+        lead: f64,
+        /// The lead of the earlier ones.
+        before: f64,
+    },
+    /// A thread is cut with a tool for something else.
+    NoThreader,
+    /// The spindle's speed is not the same in all passes of a thread.
+    ThreadSpeed {
+        /// The speed in this pass, rpm.
+        speed: f64,
+        /// Another in this pass, or that of an earlier one, rpm.
+        before: f64,
+    },
+    /// A constant surface speed without a greatest speed asks for more than the spindle can.
+    NoGreatestSpeed {
+        /// The speed asked for, rpm; infinite on the axis.
+        asked: f64,
+        /// The machine's greatest, rpm.
+        most: f64,
+    },
+    /// S is more than the spindle can.
+    TooFast {
+        /// The speed asked for, rpm.
+        asked: f64,
+        /// The machine's greatest, rpm.
+        most: f64,
+    },
+    /// The spindle stands still in the cut.
+    SpindleStopped,
+    /// A feed per revolution while the spindle stands still: the slide does not move.
+    FeedStands,
+    /// The spindle turns the way in which the tool does not cut.
+    SpindleWrongWay,
+    /// No coolant in the cut.
+    NoCoolant,
+    /// A feed of 0.
+    NoFeed,
+    /// A feed in the cut that is none of turning, in mm a revolution: F is meant the other way, in mm/min or per revolution.
+    ImplausibleFeed {
+        /// What the tool is fed with each revolution, mm.
+        feed: f64,
+        /// Between what it is taken as it stands, mm.
+        limits: [f64; 2],
+    },
+    /// The turret has no tool in this place.
+    UnknownTool(u32),
+    /// The offset in force is none of the tool's; 0: none is.
+    OtherOffset {
+        /// The number in force.
+        offset: u32,
+        /// The tool's own.
+        own: u32,
+    },
+    /// A drill works beside the axis.
+    OffAxis,
+    /// The turret turns to this place where one of its tools has no room, or over the stock.
+    ToolChange(u32),
+    /// G41 or G42 keeps the nose on the side to which the tip points: into the work.
+    NoseInTheWork(Compensation),
+    /// The feed leaves ridges: it is too much for the nose.
+    CoarseFeed {
+        /// What the tool is fed with each revolution, mm.
+        feed: f64,
+        /// The most that the nose smooths, mm.
+        most: f64,
+    },
+    /// A thread is deeper than its lead has room for: its crests are gone.
+    ThreadTooDeep {
+        /// How deep.
+        depth: f64,
+        /// The most.
+        most: f64,
+    },
+    /// A thread begins in metal before the slide has come up to its speed.
+    ShortRunIn {
+        /// How far it runs in.
+        length: f64,
+        /// What it needs.
+        least: f64,
+    },
+    /// A piece is cut off, mm³.
+    PartedOff(f64),
+}
+
+/// An alarm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Alarm {
+    /// Why.
+    pub cause: Cause,
+    /// The number of the motion, from 0.
+    pub motion: usize,
+    /// The number of the subprogram's file; 0 for the program.
+    pub file: usize,
+    /// The line of the file, from 1.
+    pub line: usize,
+    /// The block number.
+    pub n: Option<u32>,
+    /// Where, in program coordinates: X as a diameter, and Z; mm.
+    pub place: [f64; 2],
+    /// How deep, mm, where that has a meaning: into metal, into a fixture, past the travel.
+    pub depth: Option<f64>,
+}
+
+impl Cause {
+    /// What one alarm is told from another by: its number, and the axis that is at the end of its travel.
+    #[must_use]
+    pub fn key(self) -> (u16, Option<u8>) {
+        (self.number(), if let Self::Travel(axis) = self { Some(axis as u8) } else { None })
+    }
+
+    /// The alarm's number.
+    #[must_use]
+    pub fn number(self) -> u16 {
+        self.row().rule().alarm.unwrap_or_default()
+    }
+
+    /// True where it hangs on where the tool is: with another tool's offset it may follow from that.
+    #[must_use]
+    pub const fn hangs_on_offset(self) -> bool {
+        matches!(
+            self,
+            Self::RapidInMetal
+                | Self::RetractionInMetal
+                | Self::BackInMetal
+                | Self::BodyInMetal(_)
+                | Self::BoreWithoutHole { .. }
+                | Self::Collision(..)
+                | Self::Travel(_)
+                | Self::DepthOfCut { .. }
+                | Self::BackCutting
+                | Self::ThreadTooDeep { .. }
+                | Self::ShortRunIn { .. }
+                | Self::OffAxis
+                | Self::SpindleWrongWay
+        )
+    }
+
+    /// How grave it is. Another offset than the tool's own is as grave as what follows from it: of itself a caution.
+    #[must_use]
+    pub fn grade(self) -> Grade {
+        if matches!(self, Self::OtherOffset { .. }) { Grade::Caution } else { self.row().rule().grade }
+    }
+
+    /// Its row, with what it carries.
+    #[must_use]
+    pub fn row(self) -> Box<dyn Raise> {
+        use crate::removal::turning::rules as row;
+        match self {
+            Self::RapidInMetal => Box::new(row::RapidInMetal {}),
+            Self::RetractionInMetal => Box::new(row::RetractionInMetal {}),
+            Self::BackInMetal => Box::new(row::BackInMetal {}),
+            Self::BodyInMetal(Moving::Turret) => Box::new(row::TurretInMetal {}),
+            Self::BodyInMetal(Moving::Cutter | Moving::Holder) => Box::new(row::HolderInMetal {}),
+            Self::BoreWithoutHole { hole, least } if hole > TOUCH => {
+                Box::new(row::BoreInNarrowHole { hole: Size::mm(hole), least: Size::mm(least) })
+            }
+            Self::BoreWithoutHole { least, .. } => Box::new(row::BoreInSolid { least: Size::mm(least) }),
+            Self::Collision(Moving::Cutter, Fixture::Chuck) => Box::new(row::CutterHitsChuck {}),
+            Self::Collision(Moving::Cutter, Fixture::Jaws) => Box::new(row::CutterHitsJaws {}),
+            Self::Collision(Moving::Cutter, Fixture::Tailstock) => Box::new(row::CutterHitsTailstock {}),
+            Self::Collision(Moving::Holder, Fixture::Chuck) => Box::new(row::HolderHitsChuck {}),
+            Self::Collision(Moving::Holder, Fixture::Jaws) => Box::new(row::HolderHitsJaws {}),
+            Self::Collision(Moving::Holder, Fixture::Tailstock) => Box::new(row::HolderHitsTailstock {}),
+            Self::Collision(Moving::Turret, Fixture::Chuck) => Box::new(row::TurretHitsChuck {}),
+            Self::Collision(Moving::Turret, Fixture::Jaws) => Box::new(row::TurretHitsJaws {}),
+            Self::Collision(Moving::Turret, Fixture::Tailstock) => Box::new(row::TurretHitsTailstock {}),
+            Self::Travel(axis) => Box::new(row::AxisLeavesTravel { axis: axis.letter() }),
+            Self::DepthOfCut { depth, edge } => {
+                Box::new(row::DepthOfCut { depth: Size::mm(depth), edge: Size::mm(edge) })
+            }
+            Self::BackCutting => Box::new(row::BackCutting {}),
+            Self::NoLead => Box::new(row::NoLead {}),
+            Self::Lead { lead, leads: [least, most] } => {
+                Box::new(row::LeadNotOfInsert { lead: Size::mm(lead), least: Size::mm(least), most: Size::mm(most) })
+            }
+            Self::LeadDiffers { lead, before } => {
+                Box::new(row::LeadDiffers { lead: Size::mm(lead), before: Size::mm(before) })
+            }
+            Self::NoThreader => Box::new(row::NoThreader {}),
+            Self::ThreadSpeed { speed, before } => {
+                Box::new(row::ThreadSpeed { speed: Size::rpm(speed), before: Size::rpm(before) })
+            }
+            Self::ThreadTooDeep { depth, most } => {
+                Box::new(row::ThreadTooDeep { depth: Size::mm(depth), most: Size::mm(most) })
+            }
+            Self::ShortRunIn { length, least } => {
+                Box::new(row::ShortRunIn { length: Size::mm(length), least: Size::mm(least) })
+            }
+            Self::NoGreatestSpeed { asked, most } => {
+                Box::new(row::NoGreatestSpeed { asked: Size::rpm(asked), most: Size::rpm(most) })
+            }
+            Self::TooFast { asked, most } => Box::new(row::TooFast { asked: Size::rpm(asked), most: Size::rpm(most) }),
+            Self::SpindleStopped => Box::new(row::SpindleStopped {}),
+            Self::SpindleWrongWay => Box::new(row::SpindleWrongWay {}),
+            Self::FeedStands => Box::new(row::FeedStands {}),
+            Self::NoCoolant => Box::new(row::NoCoolant {}),
+            Self::NoFeed => Box::new(row::NoFeed {}),
+            Self::ImplausibleFeed { feed, limits: [least, most] } => {
+                Box::new(row::ImplausibleFeed { feed: Size::mm(feed), least: Size::mm(least), most: Size::mm(most) })
+            }
+            Self::CoarseFeed { feed, most } => Box::new(row::CoarseFeed { feed: Size::mm(feed), most: Size::mm(most) }),
+            Self::UnknownTool(place) => Box::new(row::UnknownTool { place }),
+            Self::OffAxis => Box::new(row::OffAxis {}),
+            Self::OtherOffset { offset: 0, own } => Box::new(row::NoOffset { offset: 0, own }),
+            Self::OtherOffset { offset, own } => Box::new(row::OtherOffset { offset, own }),
+            Self::ToolChange(place) => Box::new(row::ToolChange { place }),
+            Self::NoseInTheWork(Compensation::Left) => Box::new(row::NoseInTheWorkLeft {}),
+            Self::NoseInTheWork(_) => Box::new(row::NoseInTheWorkRight {}),
+            Self::PartedOff(volume) => Box::new(row::PartedOff { volume: Size::mm3(volume) }),
+        }
+    }
+
+    /// What happens, as a sentence without a full stop.
+    #[must_use]
+    pub fn text(self) -> Text {
+        self.row().what()
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub fn remedy(self) -> Text {
+        self.row().remedy()
+    }
+}
+
+impl Alarm {
+    /// The alarm as a finding at a line of the program's file.
+    #[must_use]
+    pub fn finding(&self) -> Finding {
+        let [x, z] = self.place.map(|at| shown(at, 3));
+        let mut finding = self.cause.row().at(Place::Line { line: self.line, columns: Vec::new() });
+        let number = self.cause.number();
+        let at = |text: &str| format!("{number} {text}, X{x} Z{z}");
+        finding.grade = self.cause.grade();
+        finding.what = Text::new(at(&finding.what.es), at(&finding.what.en));
+        let [X, Z] = self.place.map(|at| Size::mm(at).datum());
+        finding.data.extend([("X", X), ("Z", Z)]);
+        finding.data.extend(self.depth.map(|deep| ("deep", Size::mm(deep).datum())));
+        let mm = |value: f64| format!("{} mm", shown(value, 3));
+        let rpm = |value: f64| if value.is_finite() { format!("{} rpm", shown(value, 0)) } else { "∞".to_owned() };
+        let (value, limit) = match self.cause {
+            Cause::DepthOfCut { depth, edge } => (mm(depth), mm(edge)),
+            Cause::BoreWithoutHole { hole, least } => (format!("Ø {}", mm(hole)), format!("≥ Ø {}", mm(least))),
+            Cause::OtherOffset { offset, own } => (format!("D{offset}"), format!("D{own}")),
+            Cause::ThreadTooDeep { depth, most } => (mm(depth), format!("≤ {}", mm(most))),
+            Cause::ShortRunIn { length, least } => (mm(length), format!("≥ {}", mm(least))),
+            Cause::CoarseFeed { feed, most } => (mm(feed), format!("≤ {}", mm(most))),
+            Cause::Lead { lead, leads: [low, high] } => (mm(lead), format!("{} – {}", shown(low, 3), mm(high))),
+            Cause::LeadDiffers { lead, before } => (mm(lead), mm(before)),
+            Cause::ThreadSpeed { speed, before } => (rpm(speed), rpm(before)),
+            Cause::ImplausibleFeed { feed, limits: [low, high] } => {
+                (format!("{} mm", shown(feed, 6)), format!("{} – {}", shown(low, 3), mm(high)))
+            }
+            Cause::NoGreatestSpeed { asked, most } | Cause::TooFast { asked, most } => (rpm(asked), rpm(most)),
+            Cause::PartedOff(volume) => (format!("{} mm³", shown(volume, 1)), String::new()),
+            _ => (self.depth.map(mm).unwrap_or_default(), String::new()),
+        };
+        finding.with(value, limit)
+    }
+}

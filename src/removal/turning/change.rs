@@ -1,0 +1,59 @@
+//! A change of tool: whether the turret has room to turn where it stands.
+
+use super::alarm::{Cause, TOUCH};
+use super::contact::depth;
+use super::motion_totals::Tally;
+use super::outline::Outline;
+use super::stock::Fixture;
+use super::tool::TurningTool;
+use super::workpiece::Workpiece;
+use crate::geometry::exact::convex::Convex;
+use crate::geometry::exact::grid::Point;
+
+/// What a turret needs over the stock to turn, mm: Z′ and X′ of the source, how far tools stand off at the reference point.
+const ROOM: f64 = 30.0;
+
+/// Raises the change to a place with the turret's reference point at `stands`, `[z, r]` on the grid, where the tool that was at
+/// work has its point over the stock, between its ends and within [`ROOM`] of its surface or inside it; and where any tool
+/// of the turret would stand in the part or in what stands about it, for on its way round each may come to the place at
+/// work. Derived here.
+pub(super) fn judge<'a>(
+    (part, fixtures): (&mut Workpiece, &[(Fixture, Convex)]),
+    tools: impl Iterator<Item = (u32, &'a TurningTool, &'a Outline)>,
+    [old, new]: [u32; 2],
+    stands: [f64; 2],
+    tally: &mut Tally,
+) {
+    let mut swept = Convex::default();
+    let extent = part.extent();
+    for (place, tool, outline) in tools {
+        let at = [stands[0] - tool.overhang[1], stands[1] - tool.overhang[0]];
+        if let Some((low, high)) = extent
+            && place == old
+            && (low[0]..high[0] - TOUCH).contains(&at[0])
+            && at[1].abs() < high[1] + ROOM
+        {
+            tally.raise(Cause::ToolChange(new), at, None);
+        }
+        let Some(point) = Point::near(at) else { continue };
+        let bodies = outline.cutter.iter().map(|part| &part.polygon).chain(&outline.holder);
+        for body in bodies {
+            if !body.sweep(point, point, &mut swept) {
+                continue;
+            }
+            part.probe(&swept, |meeting, _| {
+                let (deep, place) = depth(meeting);
+                if deep > TOUCH {
+                    tally.raise(Cause::ToolChange(new), place, Some(deep));
+                }
+            });
+            for (_, fixture) in fixtures {
+                if let Some((deep, place)) = swept.overlap(fixture)
+                    && deep > TOUCH
+                {
+                    tally.raise(Cause::ToolChange(new), place, Some(deep));
+                }
+            }
+        }
+    }
+}

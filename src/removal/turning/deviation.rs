@@ -1,0 +1,304 @@
+//! How far the part is from what was wanted.
+
+use super::outline::beside;
+use crate::figure::{Arc, Ink};
+use crate::geometry::chords;
+use crate::geometry::exact::region::Ring;
+use crate::number::trig::{atan2, hypot};
+
+/// How a wanted profile goes on; `[z, r]` in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Span {
+    /// Straight.
+    Line([f64; 2]),
+    /// Along the shorter arc of a radius, in mm, clockwise (G2) or not (G3) in a drawing with Z to the right and X up.
+    Arc {
+        /// Where it ends.
+        to: [f64; 2],
+        /// The radius.
+        radius: f64,
+        /// G2.
+        clockwise: bool,
+    },
+}
+
+/// A wanted profile.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    /// Where it starts, `[z, r]` in mm from W1.
+    pub start: [f64; 2],
+    /// How it goes on.
+    pub spans: Vec<Span>,
+}
+
+/// Wanted arcs are chords within this, mm.
+const TOLERANCE: f64 = 1e-5;
+/// Straight lines are looked at this often, mm.
+const STEP: f64 = 0.25;
+/// The most places of one line that are looked at.
+const PLACES: f64 = 2000.0;
+/// The most points of a profile.
+const POINTS: usize = 1_000_000;
+/// How many edges or lines of one are passed over in a step of work; few of them are close enough to be looked at.
+const PASSED: usize = 16;
+
+/// The greatest deviations of a part from a profile, with their places on the profile `[z, r]`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deviation {
+    /// Metal left over: how far the profile lies under the surface, mm.
+    pub over: Option<(f64, [f64; 2])>,
+    /// Metal missing: how far the profile lies above the surface, mm.
+    pub under: Option<(f64, [f64; 2])>,
+}
+
+/// Why a part was not held against a profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unmeasured {
+    /// No surface is left of the part.
+    Gone,
+    /// It takes more work than is done, or the profile has no points: see [`Profile::points`].
+    Work,
+}
+
+impl Profile {
+    /// The profile as points; `None` where an arc does not reach its end, its radius being less than half the way there, and
+    /// where there would be more than a million of them.
+    #[must_use]
+    pub fn points(&self) -> Option<Vec<[f64; 2]>> {
+        let mut points = vec![self.start];
+        let mut from = self.start;
+        for span in &self.spans {
+            match *span {
+                Span::Line(to) => {
+                    points.push(to);
+                    from = to;
+                }
+                Span::Arc { to, radius, clockwise } => {
+                    let centre = centre(from, to, radius, clockwise)?;
+                    let angle = |point: [f64; 2]| atan2(point[1] - centre[1], point[0] - centre[0]);
+                    let turn = (angle(to) - angle(from)).rem_euclid(std::f64::consts::TAU);
+                    let sweep = if clockwise { turn - std::f64::consts::TAU } else { turn };
+                    chords::corners(centre, [from, to], sweep, TOLERANCE, |corner| points.push(corner));
+                    from = to;
+                }
+            }
+            if points.len() > POINTS {
+                return None;
+            }
+        }
+        Some(points)
+    }
+
+    /// The profile as drawn: its straight lines, and its arcs.
+    #[must_use]
+    pub fn drawn(&self) -> (Vec<Vec<[f64; 2]>>, Vec<Arc>) {
+        let (mut lines, mut arcs): (Vec<Vec<[f64; 2]>>, Vec<Arc>) = (Vec::new(), Vec::new());
+        let (mut from, mut begun) = (self.start, false);
+        for span in &self.spans {
+            match *span {
+                Span::Line(to) => {
+                    match lines.last_mut().filter(|_| begun) {
+                        Some(line) => line.push(to),
+                        None => lines.push(vec![from, to]),
+                    }
+                    (from, begun) = (to, true);
+                }
+                Span::Arc { to, radius, clockwise } => {
+                    let ends = if clockwise { [to, from] } else { [from, to] };
+                    if let Some(centre) = centre(from, to, radius, clockwise) {
+                        arcs.push(Arc { ink: Ink::Profile, centre, radius, ends });
+                    }
+                    (from, begun) = (to, false);
+                }
+            }
+        }
+        (lines, arcs)
+    }
+}
+
+/// The centre of the shorter arc of a radius; `None` where that is less than half the way to its end.
+fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<[f64; 2]> {
+    let [dz, dr] = [to[0] - from[0], to[1] - from[1]];
+    let chord = hypot(dz, dr);
+    let square = radius * radius - chord * chord / 4.0;
+    // A half circle's end may be off by a rounding.
+    if chord <= 0.0 || radius <= 0.0 || square < -1e-6 * radius * radius {
+        return None;
+    }
+    // To the left of the chord for a counter-clockwise one.
+    let away = square.max(0.0).sqrt() / chord * if clockwise { -1.0 } else { 1.0 };
+    Some([from[0] + dz / 2.0 - dr * away, from[1] + dr / 2.0 + dz * away])
+}
+
+/// How far a part's contours are from a wanted profile, on either side.
+///
+/// The distance to the nearest contour is taken at the profile's points, along its lines every quarter of a millimetre, and
+/// where each corner of the contours is nearest to it; whether metal is left or missing is told by whether the place lies in
+/// metal. So it does not matter which way the profile runs, nor whether it is outside or inside.
+///
+/// Each place is held against every edge and each corner against every line: `most_work` is how many steps that may take, of
+/// 16 of them each.
+pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result<Deviation, Unmeasured> {
+    let points = profile.points().ok_or(Unmeasured::Work)?;
+    let edges: Vec<[[f64; 2]; 2]> = (contours.iter())
+        .flat_map(|ring| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)))
+        .map(|(from, to)| [from, to])
+        // Along the axis a solid part has no surface.
+        .filter(|[from, to]| from[1] > 0.0 || to[1] > 0.0)
+        .collect();
+    edges.first().ok_or(Unmeasured::Gone)?;
+    let mut left = most_work;
+    let mut spend = |passed: usize| {
+        let steps = u64::try_from(1 + passed / PASSED).unwrap_or(u64::MAX);
+        left = left.checked_sub(steps).ok_or(Unmeasured::Work)?;
+        Ok(())
+    };
+    let mut found = Deviation::default();
+    let mut look = |at: [f64; 2]| {
+        let off = edges.iter().fold(f64::INFINITY, |off, &[from, to]| {
+            if apart(at, from, to) < off { off.min(beside(at, from, to)) } else { off }
+        });
+        let slot = if inside(&edges, at) { &mut found.over } else { &mut found.under };
+        if off.is_finite() && off > 1e-9 && slot.is_none_or(|(most, _)| off > most) {
+            *slot = Some((off, at));
+        }
+    };
+    for pair in points.windows(2) {
+        let [from, to] = [pair[0], pair[1]];
+        let places = (hypot(to[0] - from[0], to[1] - from[1]) / STEP).ceil().clamp(1.0, PLACES);
+        let mut at = 0.0;
+        while at <= places {
+            spend(edges.len())?;
+            look(along(from, to, at / places));
+            at += 1.0;
+        }
+    }
+    for &[corner, _] in &edges {
+        spend(points.len())?;
+        if let Some(place) = nearest(&points, corner) {
+            spend(edges.len())?;
+            look(place);
+        }
+    }
+    Ok(found)
+}
+
+/// The place of a line of points that is nearest to a corner, the first of several.
+fn nearest(points: &[[f64; 2]], corner: [f64; 2]) -> Option<[f64; 2]> {
+    let mut best: Option<([f64; 2], f64)> = None;
+    for pair in points.windows(2) {
+        let [from, to] = [pair[0], pair[1]];
+        let least = best.map_or(f64::INFINITY, |(_, least)| least);
+        if apart(corner, from, to) < least {
+            let place = along(from, to, share(corner, from, to));
+            let off = distance(place, corner);
+            best = if off < least { Some((place, off)) } else { best };
+        }
+    }
+    best.map(|(place, _)| place)
+}
+
+/// What a point is away from a segment at least: from its rectangle, along one of the axes.
+fn apart([z, r]: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let beyond = |at: f64, one: f64, two: f64| (one.min(two) - at).max(at - one.max(two));
+    beyond(z, from[0], to[0]).max(beyond(r, from[1], to[1]))
+}
+
+fn distance(one: [f64; 2], two: [f64; 2]) -> f64 {
+    hypot(two[0] - one[0], two[1] - one[1])
+}
+
+fn along(from: [f64; 2], to: [f64; 2], part: f64) -> [f64; 2] {
+    [from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part]
+}
+
+/// The share of a segment at which it is nearest to a point.
+fn share(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let [dz, dr] = [to[0] - from[0], to[1] - from[1]];
+    let square = dz * dz + dr * dr;
+    if square > 0.0 { (((point[0] - from[0]) * dz + (point[1] - from[1]) * dr) / square).clamp(0.0, 1.0) } else { 0.0 }
+}
+
+fn inside(edges: &[[[f64; 2]; 2]], [z, r]: [f64; 2]) -> bool {
+    let above = edges.iter().filter(|[from, to]| {
+        (from[0] > z) != (to[0] > z) && r < from[1] + (to[1] - from[1]) * (z - from[0]) / (to[0] - from[0])
+    });
+    above.count() % 2 == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::removal::turning::deviation::*;
+
+    const MOST: u64 = 1_000_000;
+
+    fn part(over: f64) -> Vec<Ring> {
+        vec![vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 10.0 + over], [-50.0, 10.0 + over]]]
+    }
+
+    #[test]
+    fn metal_left_and_metal_missing_are_told_apart_whichever_way_the_profile_runs() {
+        for ends in [[[-1.0, 10.0], [-40.0, 10.0]], [[-40.0, 10.0], [-1.0, 10.0]]] {
+            let profile = Profile { start: ends[0], spans: vec![Span::Line(ends[1])] };
+            let over = deviation(&part(0.02), &profile, MOST).unwrap();
+            assert!((over.over.unwrap().0 - 0.02).abs() < 1e-12 && over.under.is_none(), "{over:?}");
+            let under = deviation(&part(-0.03), &profile, MOST).unwrap();
+            assert!((under.under.unwrap().0 - 0.03).abs() < 1e-12 && under.over.is_none(), "{under:?}");
+            assert_eq!(deviation(&part(0.0), &profile, MOST).unwrap(), Deviation::default());
+        }
+    }
+
+    #[test]
+    fn the_work_of_a_profile_is_counted_and_ends_where_it_is_allowed_to() {
+        let comb = |teeth: i32| -> Vec<Ring> {
+            let tooth = |at: i32| [[-f64::from(at), 10.0], [-f64::from(at) - 0.5, 10.5]];
+            vec![[[-50.0, 0.0], [0.0, 0.0]].into_iter().chain((0..teeth).flat_map(tooth)).collect()]
+        };
+        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
+        // 157 places against 101 edges, 101 corners against one line and again against the edges.
+        let [enough, less] = [157 * 7 + 101 * (1 + 7), 157 * 7 + 101 * (1 + 7) - 1];
+        assert!(deviation(&comb(50), &profile, enough).is_ok());
+        assert_eq!(deviation(&comb(50), &profile, less), Err(Unmeasured::Work));
+        // Half circles of R 2000 are 9,000 chords each.
+        let arc =
+            |back: bool| Span::Arc { to: [if back { 0.0 } else { -4000.0 }, 0.0], radius: 2000.0, clockwise: true };
+        let arcs = Profile { start: [0.0, 0.0], spans: (0..1000).map(|at| arc(at % 2 == 1)).collect() };
+        assert_eq!(arcs.points(), None);
+        assert_eq!(deviation(&part(0.0), &arcs, u64::MAX), Err(Unmeasured::Work));
+        assert_eq!(deviation(&[], &profile, MOST), Err(Unmeasured::Gone));
+    }
+
+    #[test]
+    fn a_corner_between_two_places_that_are_looked_at_counts() {
+        let ring =
+            vec![[-50.0, 0.0], [0.0, 0.0], [0.0, 10.0], [-20.0, 10.0], [-20.06, 10.04], [-20.12, 10.0], [-50.0, 10.0]];
+        let profile = Profile { start: [-1.0, 10.0], spans: vec![Span::Line([-40.0, 10.0])] };
+        let (most, place) = deviation(&[ring], &profile, MOST).unwrap().over.unwrap();
+        // The nearest surface to the place below the peak is the flank beside it.
+        assert!((most - 0.04 * 0.06 / hypot(0.06, 0.04)).abs() < 1e-9, "{most}");
+        assert!((place[0] + 20.06).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_pip_on_the_axis_is_as_much_metal_left_as_its_radius() {
+        let ring = vec![[-50.0, 0.0], [1.0, 0.0], [1.0, 0.2], [0.0, 0.2], [0.0, 10.0], [-50.0, 10.0]];
+        let profile = Profile { start: [0.0, 0.0], spans: vec![Span::Line([0.0, 10.0])] };
+        let found = deviation(&[ring], &profile, MOST).unwrap();
+        assert_eq!(found, Deviation { over: Some((0.2, [0.0, 0.0])), under: None });
+    }
+
+    #[test]
+    fn arcs_turn_the_way_they_are_told() {
+        let quarter = |clockwise| {
+            let span = Span::Arc { to: [-10.0, 20.0], radius: 10.0, clockwise };
+            Profile { start: [0.0, 10.0], spans: vec![span] }.points().unwrap()
+        };
+        for (clockwise, centre) in [(true, [0.0, 20.0]), (false, [-10.0, 10.0])] {
+            for point in quarter(clockwise) {
+                assert!((distance(point, centre) - 10.0).abs() < 2e-5, "{point:?}");
+            }
+        }
+        let short = Span::Arc { to: [-10.0, 20.0], radius: 7.0, clockwise: true };
+        assert!(Profile { start: [0.0, 10.0], spans: vec![short] }.points().is_none());
+    }
+}

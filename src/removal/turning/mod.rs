@@ -1,0 +1,34 @@
+//! Turning: a program watched as it removes material.
+//!
+//! The part is taken as a body of revolution at every moment, so that it is one plane region: its half section in (z, r).
+//! What a motion takes away is exactly what the cutter's outline sweeps: for a straight motion of a convex outline the
+//! hull of its first and last place, for an arc that of its chords. See [`crate::geometry::exact`] for why passes do not
+//! drift and their order does not matter.
+//!
+//! # References
+//! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
+
+pub mod alarm;
+mod boring;
+mod change;
+pub mod contact;
+pub mod detached;
+pub mod deviation;
+pub mod in_force;
+pub mod machine;
+pub mod mesh;
+mod motion_totals;
+mod once;
+pub mod outline;
+pub mod path;
+pub mod rules;
+pub mod second_removal;
+pub mod simulation;
+pub mod spindle;
+mod start;
+pub mod step;
+pub mod stock;
+mod surface_origin;
+pub mod tool;
+pub mod turret;
+pub mod workpiece;

@@ -1,0 +1,586 @@
+//! A turning program, motion by motion: what each takes away from the part, how long it takes, and what goes wrong.
+
+use std::collections::BTreeMap;
+
+use super::alarm::{Alarm, Cause, Moving, SCRAPE, TOUCH};
+use super::boring::Hole;
+use super::change;
+use super::contact::{Contact, Ride, depth, far_end};
+use super::detached::judged;
+use super::motion_totals::{Tally, collide, travel};
+use super::once::Watch;
+use super::outline::Outline;
+use super::path::{self, Piece};
+use super::spindle::{SpindleUse, begun, extent, revolutions, ribs};
+pub use super::start::Setup;
+use super::step::{Edit, Step, Totals};
+use super::stock::{Fixture, turned_about};
+use super::surface_origin::{self, Chain, SweptPiece};
+use super::tool::{Cutter, TurningTool};
+use super::workpiece::{CHIP, Removed, TURN, Workpiece};
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::gcode::control::{InForce, Speed};
+use crate::gcode::motion::{Feed, Motion, MotionKind};
+use crate::geometry::exact::convex::Convex;
+use crate::geometry::exact::grid::Point;
+use crate::geometry::exact::region::{Labelled, Ring};
+use crate::machine::axis::{Axis, Pose};
+use crate::number::trig::hypot;
+use crate::text::Text;
+
+/// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
+/// grid, and past it no tool reaches the blank.
+const WITHIN: f64 = 780.0;
+
+/// A tool made ready.
+#[derive(Debug)]
+struct Ready {
+    tool: TurningTool,
+    outline: Outline,
+    bodies: Vec<Convex>,
+}
+/// A simulation under way.
+#[derive(Debug)]
+pub struct Simulation {
+    setup: Setup,
+    tools: BTreeMap<u32, Ready>,
+    fixtures: Vec<(Fixture, Convex)>,
+    part: Workpiece,
+    /// What the grid's origin is along z from W1, mm.
+    middle: f64,
+    watch: Watch,
+    totals: Totals,
+    steps: usize,
+    contour: Ring,
+    /// The last cut parted a piece off, and this is it.
+    fallen: Vec<Labelled>,
+    /// The thread that the last motion cut.
+    led: Option<Led>,
+    /// The tool that stands where it worked last, `[z, r]` on the grid.
+    stands: Option<(u32, [f64; 2])>,
+    /// What made the part's surfaces.
+    chain: Chain,
+    /// The place of the turret at the last motion.
+    place: Option<u32>,
+    // Kept so as not to allocate for each motion.
+    pieces: Vec<Piece>,
+    swept: Convex,
+}
+
+/// Where a thread's pass has come to.
+#[derive(Clone, Copy, Debug)]
+struct Led {
+    tool: u32,
+    /// On the grid, `[z, r]`.
+    at: [f64; 2],
+    /// What is left of the revolution that has begun, as a share.
+    left: f64,
+}
+
+impl Simulation {
+    /// Makes everything ready. Refused, with all reasons: a blank or a tool that cannot be, a tolerance out of 10 nm to
+    /// 0.1 mm, a part beyond the grid.
+    pub fn new(setup: Setup) -> Result<Self, Refusal> {
+        Self::begun(setup, &[], Chain::default())
+    }
+
+    /// The second set-up of what this program makes: turned about and shifted, see [`turned_about`]. What made its surfaces is
+    /// known there, and the work that was done counts.
+    pub fn turned_about(&self, shift: f64) -> Result<Self, Refusal> {
+        let (rings, labels): (Vec<Ring>, Vec<Vec<u32>>) = self.made().into_iter().unzip();
+        let stock = &self.setup.stock;
+        let part = Some(turned_about(&self.shifted(rings), stock, shift));
+        // The edge that began at a corner ends there now.
+        let about = |of: Vec<u32>| {
+            of.iter().rev().cycle().skip(1).take(of.len()).copied().map(surface_origin::turned_about).collect()
+        };
+        let labels: Vec<Vec<u32>> = labels.into_iter().map(about).collect();
+        let [left, right] = stock.ends();
+        let chain = self.chain.turned_about(left + right + shift - 2.0 * self.middle);
+        let most_work = self.work_left();
+        Self::begun(Setup { part, most_work, ..self.setup.clone() }, &labels, chain)
+    }
+
+    fn begun(setup: Setup, labels: &[Vec<u32>], chain: Chain) -> Result<Self, Refusal> {
+        let mut faults = setup.stock.faults();
+        let mut stop = |es: String, en: String, remedy: Text| {
+            faults.push(Finding::stop(Place::File, Text::new(es, en), remedy));
+        };
+        if !(1e-5..=0.1).contains(&setup.tolerance) {
+            let remedy = Text::fixed("elija una entre 0.00001 y 0.1 mm", "choose one between 0.00001 and 0.1 mm");
+            stop(
+                "la tolerancia de los arcos no es posible".into(),
+                "the tolerance of arcs is not possible".into(),
+                remedy,
+            );
+        }
+        let tolerance = setup.tolerance.clamp(1e-5, 0.1);
+        let mut tools = BTreeMap::new();
+        for (&place, tool) in &setup.turret.tools {
+            let remedy = || Text::fixed("corrija la herramienta", "correct the tool");
+            match tool.outline(tolerance, setup.lathe.turret_behind) {
+                Ok(outline) => {
+                    let bodies = setup.turret.bodies(tool);
+                    tools.insert(place, Ready { tool: tool.clone(), outline, bodies });
+                }
+                Err(why) => {
+                    stop(format!("herramienta {place}: {}", why.es), format!("tool {place}: {}", why.en), remedy())
+                }
+            }
+        }
+        let middle = ((setup.stock.ends()[0] + setup.stock.ends()[1]) / 2.0).round();
+        let grid = |rings: &[Ring]| -> Option<Vec<Vec<Point>>> {
+            let place = |&[z, r]: &[f64; 2]| Point::near([z - middle, r]);
+            rings.iter().map(|ring| ring.iter().map(place).collect()).collect()
+        };
+        let part = grid(setup.part.as_deref().unwrap_or(&[setup.stock.contour()]));
+        if part.is_none() {
+            let remedy = Text::fixed("use una pieza menor de 1 m", "use a part of less than 1 m");
+            stop(
+                "la pieza no cabe en el espacio de cálculo".into(),
+                "the part is too large to work out".into(),
+                remedy,
+            );
+        }
+        let (Some(part), true) = (part, faults.is_empty()) else {
+            return Err(Refusal { exit: Exit::Refused, findings: faults });
+        };
+        let fixtures = (setup.fixtures().into_iter())
+            .filter_map(|(fixture, ring)| {
+                let near = |at: f64| at.clamp(-1070.0, 1070.0);
+                let ring: Vec<_> = ring.iter().map(|&[z, r]| [near(z - middle), near(r)]).collect();
+                Some((fixture, Convex::hull_mm(&ring)?))
+            })
+            .collect();
+        let part = Workpiece::new(&part, labels, setup.most_work);
+        let mut made = Self {
+            setup,
+            tools,
+            fixtures,
+            part,
+            middle,
+            watch: Watch::default(),
+            totals: Totals::default(),
+            steps: 0,
+            contour: Ring::new(),
+            fallen: Vec::new(),
+            led: None,
+            stands: None,
+            chain,
+            place: None,
+            pieces: Vec::new(),
+            swept: Convex::default(),
+        };
+        made.contour = made.contours().into_iter().next().unwrap_or_default();
+        Ok(made)
+    }
+
+    /// What it started from.
+    #[must_use]
+    pub const fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// The part's contours as they are, `[z, r]` from W1 in mm: counter-clockwise, holes clockwise.
+    #[must_use]
+    pub fn contours(&self) -> Vec<Ring> {
+        self.shifted(self.part.rings())
+    }
+
+    fn shifted(&self, mut rings: Vec<Ring>) -> Vec<Ring> {
+        rings.iter_mut().flatten().for_each(|point| point[0] += self.middle);
+        rings
+    }
+
+    /// What the program makes: the piece that its last cut has parted off, else what is in the chuck; see
+    /// [`super::detached::judged`].
+    #[must_use]
+    pub fn product(&self) -> Vec<Ring> {
+        self.shifted(self.made().into_iter().map(|(ring, _)| ring).collect())
+    }
+
+    /// The same on the grid, with the labels of its edges.
+    fn made(&self) -> Vec<Labelled> {
+        if self.fallen.is_empty() { self.part.labelled_rings() } else { self.fallen.clone() }
+    }
+
+    /// The piece, of one, that the last cut has parted off: a program that goes on cutting makes what is left instead.
+    #[must_use]
+    pub fn parted(&self) -> Option<Vec<Ring>> {
+        (!self.fallen.is_empty()).then(|| self.product())
+    }
+
+    /// The part's outer contour when the simulation started, or where the last recorded edit has left it.
+    #[must_use]
+    pub const fn contour(&self) -> &Ring {
+        &self.contour
+    }
+
+    /// The part's volume, mm³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.part.volume()
+    }
+
+    /// The alarms that can be told only of the part as it is when the program has ended: where an edge has taken away again
+    /// what the nose had made, and no later motion has taken that surface.
+    #[must_use]
+    pub fn lasting(&self) -> Vec<Alarm> {
+        self.chain.alarms(self.labels().into_iter())
+    }
+
+    /// The same where what the program made has been turned about and a second program has ended: of its marks those that are
+    /// on what the second one left. With `None` those alone that are on what it did not begin with: what had fallen off, or
+    /// what stayed in the chuck.
+    #[must_use]
+    pub fn lasting_in(&self, second: Option<&Self>) -> Vec<Alarm> {
+        let rest = if self.fallen.is_empty() { self.part.fallen() } else { &self.part.labelled_rings() };
+        let left = second.map(Self::labels).unwrap_or_default();
+        self.chain.alarms(self.part.gone().chain(labels(rest)).chain(left))
+    }
+
+    /// The labels of everything: in the chuck, or fallen off.
+    fn labels(&self) -> Vec<u32> {
+        let part = &self.part;
+        labels(&part.labelled_rings()).chain(labels(part.fallen())).chain(part.gone()).collect()
+    }
+
+    /// From now on a library of polygons takes away the same beside; see [`super::second_removal`].
+    pub fn repeat(&mut self) {
+        self.part.repeat();
+    }
+
+    /// How far what the library has left is from the part's contours, mm; `None` where it was not asked for. It ends with this.
+    pub fn repeated(&mut self) -> Option<f64> {
+        self.part.repeated()
+    }
+
+    /// True where the work that the set-up allows was used up: the last motion was not made as a whole, and none can be made
+    /// any more.
+    #[must_use]
+    pub const fn is_spent(&self) -> bool {
+        self.part.is_spent()
+    }
+
+    /// The steps of work so far: stretches of outlines looked at.
+    #[must_use]
+    pub const fn work(&self) -> u64 {
+        self.part.work()
+    }
+
+    /// The steps that are left of those that the set-up allows.
+    #[must_use]
+    pub const fn work_left(&self) -> u64 {
+        self.setup.most_work.saturating_sub(self.part.work())
+    }
+
+    /// The sums so far.
+    #[must_use]
+    pub const fn totals(&self) -> &Totals {
+        &self.totals
+    }
+
+    /// Where the programmed point of a turret's place stands with the turret at a place of the machine, `[z, r]` from W1,
+    /// mm.
+    #[must_use]
+    pub fn point(&self, tool: u32, machine: &Pose) -> [f64; 2] {
+        let [over_x, over_z] = self.tools.get(&tool).map_or([0.0, 0.0], |ready| ready.tool.overhang);
+        let zero = self.setup.stock.zero(&self.setup.lathe);
+        let [origin_x, origin_z] = self.setup.lathe.origin;
+        [machine.get(Axis::Z) + origin_z - over_z - zero, machine.get(Axis::X) + origin_x - over_x]
+    }
+
+    /// Makes one motion.
+    pub fn take(&mut self, motion: &Motion, control: &InForce) -> Step {
+        let origin = self.setup.lathe.origin;
+        let reference = [motion.machine.get(Axis::Z) + origin[1], motion.machine.get(Axis::X) + origin[0]];
+        // Where the programmed point ends on the grid.
+        let [z, r] = self.point(control.tool, &motion.machine);
+        let to = [z - self.middle, r];
+        let shift = [motion.to.get(Axis::Z) - to[0], motion.to.get(Axis::X) - to[1]];
+        let lathe = &self.setup.lathe;
+        let mut pieces = std::mem::take(&mut self.pieces);
+        path::pieces(motion, to, lathe.bent_rapid.then_some(lathe.rapid), self.setup.tolerance, &mut pieces);
+
+        self.part.spend(pieces.len());
+        let turning = SpindleUse::new(control, lathe);
+        let (index, file) = (self.steps, control.file);
+        let (begins, sides, speed, alarms) = (None, [0.0; 2], 0.0, Vec::new());
+        let mut tally = Tally { motion, index, file, shift, turning, begins, sides, speed, alarms };
+        let seconds = match motion.kind {
+            MotionKind::Rapid => None,
+            _ => motion.seconds,
+        };
+        let seconds = seconds.or_else(|| turning.seconds(motion, &pieces, lathe));
+        travel(&mut tally, &pieces, [reference[0] - to[0], reference[1] - to[1]], lathe);
+        let start = pieces.first().map_or(to, |piece| piece[0]);
+        if let Some(old) = self.place.replace(control.tool).filter(|old| *old != control.tool) {
+            let zero = self.setup.stock.zero(lathe) + self.middle;
+            let stands = [reference[0] - zero - to[0] + start[0], reference[1] - to[1] + start[1]];
+            let tools = self.tools.iter().map(|(place, ready)| (*place, &ready.tool, &ready.outline));
+            change::judge((&mut self.part, &self.fixtures), tools, [old, control.tool], stands, &mut tally);
+        }
+
+        let mut contact = Contact::default();
+        let begins = !self.led.is_some_and(|led| led.tool == control.tool && near(led.at, start));
+        let removed =
+            if pieces.is_empty() { Removed::default() } else { self.cut(&pieces, control, &mut contact, &mut tally) };
+        self.judge(control, &pieces, &contact, &mut tally);
+        if begins && contact.real && motion.kind != MotionKind::Rapid {
+            self.watch.run_in(control.tool, &pieces, &mut tally);
+        }
+        if removed.parted > 0.0 {
+            tally.raise(Cause::PartedOff(removed.parted), to, None);
+            self.fallen = self.part.fallen().to_vec();
+        } else if motion.kind != MotionKind::Rapid && removed.volume > CHIP {
+            self.fallen.clear();
+        }
+
+        let (program_start, program_end) = (start[1] + shift[1], to[1] + shift[1]);
+        let speed = [turning.at(program_start), turning.at(program_end)];
+        let cuts = contact.real && motion.kind != MotionKind::Rapid;
+        if !pieces.is_empty() {
+            self.stands = (motion.kind != MotionKind::Rapid).then_some((control.tool, to));
+        }
+        let cutting_speed = if cuts { tally.speed } else { 0.0 };
+        let rate = match seconds {
+            Some(seconds) if seconds > 0.0 => Some(removed.volume / 1000.0 / (seconds / 60.0)),
+            _ => None,
+        };
+        let mut way: Vec<_> = pieces.first().map(|piece| piece[0]).into_iter().collect();
+        way.extend(pieces.iter().map(|piece| piece[1]));
+        way.iter_mut().for_each(|point| point[0] += self.middle);
+        let mut step = Step {
+            index: self.steps,
+            motion: *motion,
+            control: *control,
+            way,
+            seconds,
+            speed,
+            cutting_speed,
+            depth: if cuts { contact.across } else { 0.0 },
+            removed,
+            rate,
+            alarms: tally.alarms,
+            edit: None,
+        };
+        if self.setup.record && removed != Removed::default() && self.part.spend(self.contour.len()) {
+            let after = self.contours().into_iter().next().unwrap_or_default();
+            step.edit = Edit::between(&self.contour, &after);
+            self.contour = after;
+        }
+        self.pieces = pieces;
+        self.steps += 1;
+        self.totals.add(&step);
+        step
+    }
+
+    /// Takes away what the tool sweeps, and looks where the rest of it goes.
+    fn cut(&mut self, pieces: &[Piece], control: &InForce, contact: &mut Contact, tally: &mut Tally) -> Removed {
+        let mut removed = Removed::default();
+        let Some(ready) = self.tools.get(&control.tool) else { return removed };
+        let (part, swept, chain) = (&mut self.part, &mut self.swept, &mut self.chain);
+        let rapid = tally.motion.kind == MotionKind::Rapid;
+        let insert = matches!(ready.tool.cutter, Cutter::Insert { .. });
+        if !matches!(tally.motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
+            chain.end();
+        }
+        let leaves = self.stands.is_some_and(|stands| retracts(&ready.tool, stands, control.tool, pieces));
+        let mut add = |more: Removed| {
+            removed.volume += more.volume;
+            removed.parted += more.parted;
+        };
+        let mut ring = |at: [f64; 2], part: &mut Workpiece, swept: &mut Convex, tally: &mut Tally| {
+            let Some(at) = Point::near(at) else { return };
+            for cutter in &ready.outline.cutter {
+                if cutter.polygon.sweep(at, at, swept) {
+                    add(part.cut_rib(swept, |meeting, mirrored, _| {
+                        let ride = Ride { part: cutter, from: at.mm(), way: [1.0, 0.0], mirrored };
+                        if let Some(bite) = contact.add_rib(meeting, &ride) {
+                            tally.met(bite, [at.mm(); 2], mirrored);
+                            tally.weigh(meeting, mirrored);
+                        }
+                    }));
+                }
+            }
+        };
+        if let MotionKind::Thread(thread) = tally.motion.kind {
+            for &piece in pieces {
+                // Blocks of a thread that follow one another go on in its revolution; a new pass at its angle.
+                let goes_on = self.led.filter(|led| led.tool == control.tool && near(led.at, piece[0]));
+                let left = goes_on.map_or_else(|| begun(thread), |led| led.left);
+                // A place out of the grid is a step too.
+                for at in ribs(thread, piece, left) {
+                    if !part.spend(TURN) {
+                        break;
+                    }
+                    ring(at, part, swept, tally);
+                }
+                let length = extent(piece);
+                let turned = revolutions(thread, length).unwrap_or(0.0) - left;
+                let left = if thread.lead > 0.0 { turned.ceil() - turned } else { 0.0 };
+                self.led = Some(Led { tool: control.tool, at: piece[1], left });
+            }
+        } else if let Some(led) = self.led.take()
+            && led.tool == control.tool
+            && let Some(&[from, _]) = pieces.first()
+            && near(led.at, from)
+        {
+            // Where the thread ends in metal, the spindle turns on while the tool stands: there it cuts a ring.
+            ring(from, part, swept, tally);
+        }
+        for &piece in pieces {
+            if part.is_spent() {
+                break;
+            }
+            let [from, to] = piece;
+            let Some([first, last]) = path::on_grid(piece, WITHIN) else { continue };
+            let long = hypot(to[0] - from[0], to[1] - from[1]);
+            let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
+            let ends = [first.mm(), last.mm()];
+            let hole = if rapid { None } else { Hole::before(part, &ready.tool, &ready.outline, ends) };
+            if let Some(hole) = hole.filter(Hole::is_solid) {
+                contact.solid = contact.solid.or(hole.cause());
+            }
+            for cutter in &ready.outline.cutter {
+                if !cutter.polygon.sweep(first, last, swept) {
+                    continue;
+                }
+                collide(&self.fixtures, swept, Moving::Cutter, tally);
+                if matches!(tally.motion.kind, MotionKind::Thread(_)) {
+                    continue;
+                }
+                add(part.cut(swept, |meeting, mirrored, labels| {
+                    if rapid {
+                        let (deep, place) = depth(meeting);
+                        if deep > TOUCH {
+                            let place = if mirrored { [place[0], -place[1]] } else { place };
+                            let scrapes = leaves && deep <= SCRAPE;
+                            let cause = if scrapes { Cause::RetractionInMetal } else { Cause::RapidInMetal };
+                            tally.raise(cause, place, Some(deep));
+                        }
+                    } else {
+                        let ride = Ride { part: cutter, from: first.mm(), way, mirrored };
+                        if let Some(bite) = contact.add(meeting, &ride) {
+                            tally.met(bite, ends, mirrored);
+                            tally.weigh(meeting, mirrored);
+                        }
+                        if insert && !mirrored {
+                            let pass = SweptPiece { part: cutter, meeting, way, ends };
+                            let alarm = |deep, place| tally.alarm(Cause::BackCutting, place, Some(deep));
+                            chain.label(pass, alarm, |at| far_end(meeting, &ride, at), labels);
+                        }
+                    }
+                }));
+            }
+            let holder = ready.outline.holder.iter().map(|body| (Moving::Holder, body));
+            for (moving, body) in holder.chain(ready.bodies.iter().map(|body| (Moving::Turret, body))) {
+                if !body.sweep(first, last, swept) {
+                    continue;
+                }
+                collide(&self.fixtures, swept, moving, tally);
+                part.probe(swept, |meeting, _| {
+                    let (deep, place) = depth(meeting);
+                    if deep > TOUCH {
+                        let ahead = hole.filter(|hole| moving == Moving::Holder && place[0] < hole.end + TOUCH);
+                        let cause = ahead.and_then(|hole| hole.cause()).unwrap_or(Cause::BodyInMetal(moving));
+                        tally.raise(cause, place, Some(deep));
+                    }
+                });
+            }
+            add(part.drop_loose(|ring| judged(&ready.tool.cutter, &ready.outline.cutter, ends, ring)));
+        }
+        removed
+    }
+
+    /// What the motion's contact with metal, and what is in force, give rise to.
+    fn judge(&mut self, control: &InForce, pieces: &[Piece], contact: &Contact, tally: &mut Tally) {
+        let Some(&[start, end]) = pieces.last() else { return };
+        let start = pieces.first().map_or(start, |piece| piece[0]);
+        let kind = tally.motion.kind;
+        let ready = self.tools.get(&control.tool);
+        let lathe = &self.setup.lathe;
+        let cuts = contact.real && kind != MotionKind::Rapid;
+        let watch = &mut self.watch;
+        if let MotionKind::Feed(Feed { value, .. }) | MotionKind::Arc(_, Feed { value, .. }) = kind
+            && value <= 0.0
+        {
+            tally.raise(Cause::NoFeed, start, None);
+        }
+        // A turret may be moved about before the first tool is called.
+        let missing = ready.is_none() && (control.tool != 0 || kind != MotionKind::Rapid);
+        if watch.begins(Cause::UnknownTool(0), missing, control.tool) {
+            tally.raise(Cause::UnknownTool(control.tool), start, None);
+        }
+        if let MotionKind::Thread(thread) = kind {
+            self.part.spend(watch.passes());
+            watch.thread(thread, [start, end], (control.tool, ready.map(|ready| &ready.tool.cutter)), cuts, tally);
+        }
+        let turning = SpindleUse::new(control, lathe);
+        let asked = [start, end].map(|at| turning.asked(at[1] + tally.shift[1])).into_iter().fold(0.0, f64::max);
+        let most = lathe.greatest_speed;
+        match control.speed {
+            Speed::Surface(_) => {
+                let races = control.greatest_speed.is_none() && asked > most;
+                if watch.begins(Cause::NoGreatestSpeed { asked, most }, races, control.tool) {
+                    tally.raise(Cause::NoGreatestSpeed { asked, most }, end, None);
+                }
+            }
+            Speed::Revolutions(_) => {
+                if watch.begins(Cause::TooFast { asked, most }, asked > most, control.tool) {
+                    tally.raise(Cause::TooFast { asked, most }, end, None);
+                }
+            }
+        }
+        let Some(ready) = ready else { return };
+        if !cuts {
+            return;
+        }
+        let stopped = turning.at(start[1] + tally.shift[1]) <= 0.0;
+        let right = ready.tool.spindle(lathe.turret_behind, tally.beyond([start, end]));
+        for (cause, holds) in [
+            (Cause::SpindleStopped, stopped),
+            (Cause::SpindleWrongWay, !stopped && right.is_some_and(|right| control.spindle != right)),
+            (Cause::NoCoolant, !control.coolant),
+            (Cause::OffAxis, ready.tool.axial() && start[1].abs().max(end[1].abs()) > TOUCH),
+        ] {
+            if watch.begins(cause, holds, control.tool) {
+                tally.raise(cause, tally.begins.unwrap_or(start), None);
+            }
+        }
+        // What is deeper than its edge is told for that.
+        let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
+        watch.edge(&ready.tool, control, pieces, deep, tally);
+        let back = contact.back.or(contact.beside.filter(|_| !contact.dragged));
+        if let Some(cause) = contact.solid {
+            tally.raise(cause, contact.place, Some(contact.across));
+        }
+        // What a boring bar meets and leaves besides where there is no hole for it follows from that.
+        if tally.alarms.iter().any(|alarm| matches!(alarm.cause, Cause::BoreWithoutHole { .. })) {
+            self.chain.forget(tally.index);
+            return;
+        }
+        if let Some(edge) = contact.edge {
+            tally.raise(Cause::DepthOfCut { depth: contact.across, edge }, contact.place, Some(contact.across));
+        }
+        // Where the auxiliary edge's far end left the surface, the back beside it has been in metal with it.
+        if let Some(deep) = back {
+            tally.raise(Cause::BackInMetal, contact.place, Some(deep));
+        }
+    }
+}
+
+/// True where a tool goes from where it has worked towards the side on which its own body lies.
+fn retracts(tool: &TurningTool, (stands, at): (u32, [f64; 2]), place: u32, pieces: &[Piece]) -> bool {
+    let body = tool.tip.mirror();
+    let aside = |[from, to]: &Piece| (0..2).all(|axis| (to[axis] - from[axis]) * body[axis] >= 0.0);
+    stands == place && pieces.first().is_some_and(|piece| near(at, piece[0])) && pieces.iter().all(aside)
+}
+
+fn labels(rings: &[Labelled]) -> impl Iterator<Item = u32> + '_ {
+    rings.iter().flat_map(|(_, labels)| labels.iter().copied())
+}
+
+fn near(one: [f64; 2], two: [f64; 2]) -> bool {
+    hypot(two[0] - one[0], two[1] - one[1]) < TOUCH
+}

@@ -1,0 +1,71 @@
+//! A program followed to its end, and what of it is kept to be shown.
+
+use super::Remark;
+use super::program::Program;
+use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::gcode::interpreter::{Fault, Interpreter, findings};
+use crate::limits::{SHOWN_MOTIONS, SHOWN_REMARKS};
+use crate::text::Text;
+
+/// Follows a program to its end and keeps what it does. What it says wrong becomes remarks; what the worst of it is, is
+/// given back with all of it.
+///
+/// # Errors
+/// Exit 7 for more motions than [`SHOWN_MOTIONS`].
+pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(Exit, Vec<Finding>), Refusal> {
+    let (mut faults, mut total, mut exit): (Vec<Fault>, usize, Exit) = (Vec::new(), 0, Exit::Done);
+    text.keep_stood();
+    let mut moved = false;
+    loop {
+        let item = text.next();
+        for stood in text.stood() {
+            // Where the machine stands before its first motion no program says.
+            let motion = item.as_ref().and_then(|item| item.as_ref().ok());
+            let at = if moved { Some(&stood.at) } else { motion.map(|motion| &motion.to) };
+            if let Some(at) = at
+                && program.motions() < SHOWN_MOTIONS
+            {
+                program.stand(stood.line, &stood.control, at);
+            }
+        }
+        let Some(item) = item else { break };
+        moved |= item.is_ok();
+        match item {
+            Ok(motion) if program.motions() < SHOWN_MOTIONS => program.push(&motion, text.control()),
+            Ok(_) => return Err(too_many(&program.title)),
+            Err(fault) => {
+                total += 1;
+                if exit != Exit::Limit {
+                    exit = fault.exit;
+                }
+                if faults.len() < SHOWN_REMARKS || fault.exit == Exit::Limit {
+                    faults.push(*fault);
+                }
+            }
+        }
+    }
+    let found = findings(faults, total, text.remarks());
+    program.remarks.extend(found.iter().map(Remark::from));
+    if program.turns_unseen() {
+        program.notes.push(Text::fixed(
+            "Los ejes giratorios no se aplican: se dibujan X, Y y Z tal como están escritos; con el libro se ve la pieza",
+            "Rotary axes are not applied: X, Y and Z are drawn as they are written; with the workbook the part is shown",
+        ));
+    }
+    Ok((exit, found))
+}
+
+pub(crate) fn too_many(title: &Text) -> Refusal {
+    let most = SHOWN_MOTIONS;
+    Refusal::new(
+        Exit::Limit,
+        Finding::stop(
+            Place::File,
+            Text::new(
+                format!("{} tiene más de {most} líneas o movimientos, demasiados para mostrarlos", title.es),
+                format!("{} has more than {most} lines or motions, too many to be shown", title.en),
+            ),
+            Text::fixed("divida el programa", "split the program"),
+        ),
+    )
+}
