@@ -340,7 +340,7 @@ impl Part {
 
 #[cfg(test)]
 mod tests {
-    use crate::kinds::impeller::part::*;
+    use super::*;
     use crate::number::trig::hypot;
 
     const DESIGNS: [(f64, f64, f64, f64); 4] =
