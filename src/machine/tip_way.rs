@@ -61,7 +61,7 @@ pub fn longest(machine: Rotary, from: &Pose, to: &Pose) -> f64 {
 mod tests {
     use proptest::prelude::*;
 
-    use crate::machine::tip_way::*;
+    use super::*;
 
     fn pose([X, Y, Z, B, C]: [f64; 5]) -> Pose {
         let mut pose = Pose::default();

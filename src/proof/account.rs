@@ -176,8 +176,8 @@ pub fn drift(interpreter: &Interpreter<'_>, start: &Pose) -> Option<Finding> {
 mod tests {
     use proptest::prelude::*;
 
+    use super::*;
     use crate::gcode::dialect::LINUXCNC;
-    use crate::proof::account::*;
 
     /// The extents of an arc in machine coordinates, from many points along it.
     fn sampled(motion: &Motion) -> Extents {

@@ -99,10 +99,10 @@ pub fn row(key: &'static str, name: Text, program: &Program, at_most: f64, limit
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::gcode::dialect::LINUXCNC;
     use crate::gcode::word::NumberFormat;
     use crate::machine::axis::Position;
-    use crate::proof::enclosed::*;
 
     /// The verdict on a length that is 1 mm where it is looked at, and between up to `over`.
     fn verdict(over: f64, tolerance: f64, remedy: Text) -> Verdict {

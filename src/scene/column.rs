@@ -77,7 +77,7 @@ fn base64(bytes: &[u8]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::column::*;
+    use super::*;
 
     #[test]
     fn base64_is_that_of_the_standards_test_vectors() {

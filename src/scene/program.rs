@@ -370,10 +370,10 @@ fn block(line: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::gcode::dialect::LINUXCNC;
     use crate::gcode::interpreter::{Interpreter, Setting};
     use crate::machine::rotary::Rotary;
-    use crate::scene::program::*;
 
     fn program(text: &str, frame: Chain, shift: [f64; 3]) -> Program {
         let mut program = Program::new(Text::same("p"), &LINUXCNC, frame, text);

@@ -185,7 +185,7 @@ impl Serialize for ShownTurning {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::turning::*;
+    use super::*;
 
     const BAR: [[f64; 2]; 4] = [[-50.0, 0.0], [0.0, 0.0], [0.0, 20.0], [-50.0, 20.0]];
 

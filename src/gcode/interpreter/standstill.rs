@@ -115,9 +115,9 @@ impl Interpreter<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::gcode::control::Spindle;
     use crate::gcode::dialect::FANUC_LATHE_A;
-    use crate::gcode::interpreter::standstill::*;
     use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
     use crate::gcode::turning::nose::{Nose, Tip};
     use crate::machine::axis::Axis;

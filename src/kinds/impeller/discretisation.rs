@@ -28,7 +28,7 @@ pub fn B_on_grid(n: usize, i: usize) -> Option<Milli> {
 
 #[cfg(test)]
 mod tests {
-    use crate::kinds::impeller::discretisation::*;
+    use super::*;
 
     /// A tie in thousandths is 90 000·j/n = m + 1/2; its place on the grid is m + 1.
     #[test]

@@ -332,8 +332,8 @@ impl<'a> Channel<'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::geometry::torus::Torus;
-    use crate::kinds::impeller::gap::*;
 
     /// Check designs: R, r, N, e, a_p, d_t.
     const DESIGNS: [(f64, f64, u32, f64, f64, f64); 3] =

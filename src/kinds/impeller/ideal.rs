@@ -181,9 +181,9 @@ impl Ideal {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::kinds::impeller::blade::Blade;
     use crate::kinds::impeller::cases::CASES;
-    use crate::kinds::impeller::ideal::*;
     use crate::kinds::impeller::tables::ToolPaths;
     use crate::kinds::impeller::tool_path::part_path;
     use crate::parameter::Values;

@@ -85,7 +85,7 @@ impl Stock {
 
 #[cfg(test)]
 mod tests {
-    use crate::kinds::impeller::solids::*;
+    use super::*;
 
     #[test]
     fn the_distance_from_the_stock_is_that_from_its_outline() {

@@ -179,7 +179,7 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
 
 #[cfg(test)]
 mod tests {
-    use crate::kinds::lathe::figures::*;
+    use super::*;
 
     #[test]
     fn of_a_part_that_is_all_gone_there_is_a_figure_without_a_chuck() {

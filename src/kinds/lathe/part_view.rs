@@ -271,7 +271,7 @@ fn sketched(contour: &Contour, within: f64) -> Contour {
 
 #[cfg(test)]
 mod tests {
-    use crate::kinds::lathe::part_view::*;
+    use super::*;
 
     /// Whether a point in space is in the metal, or within `near` mm of it: a ray in the half section crosses the contours
     /// an odd number of times.

@@ -141,7 +141,7 @@ pub const SCHEDULES: &[Choice] = &[
 
 #[cfg(test)]
 mod tests {
-    use crate::kinds::pipe::size::*;
+    use super::*;
 
     /// The standard's inch column in thousandths: NPS, outside diameter, wall of each schedule.
     const INCHES: &str = "

@@ -228,7 +228,7 @@ fn inside(edges: &[[[f64; 2]; 2]], [z, r]: [f64; 2]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::removal::turning::deviation::*;
+    use super::*;
 
     const MOST: u64 = 1_000_000;
 

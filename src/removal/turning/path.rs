@@ -83,7 +83,7 @@ pub fn on_grid([from, to]: Piece, within: f64) -> Option<[Point; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use crate::removal::turning::path::*;
+    use super::*;
 
     #[test]
     fn a_piece_is_cut_to_the_grid_on_every_side() {

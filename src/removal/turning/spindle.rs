@@ -187,7 +187,7 @@ pub fn ribs(thread: Thread, piece: Piece, left: f64) -> impl Iterator<Item = [f6
 
 #[cfg(test)]
 mod tests {
-    use crate::removal::turning::spindle::*;
+    use super::*;
 
     #[test]
     fn a_thread_of_growing_lead_takes_the_revolutions_that_its_length_says() {

@@ -168,7 +168,7 @@ impl Totals {
 
 #[cfg(test)]
 mod tests {
-    use crate::removal::turning::step::*;
+    use super::*;
 
     #[test]
     fn an_edit_leads_from_one_contour_to_the_other() {

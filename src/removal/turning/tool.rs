@@ -259,7 +259,7 @@ impl TurningTool {
 
 #[cfg(test)]
 mod tests {
-    use crate::removal::turning::tool::*;
+    use super::*;
 
     #[test]
     fn shapes_are_known_by_their_letters() {

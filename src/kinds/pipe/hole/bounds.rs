@@ -118,8 +118,8 @@ pub fn too_high(design: &Design) -> Option<TooHigh> {
 mod tests {
     use proptest::prelude::*;
 
+    use super::*;
     use crate::geometry::pipe_pair::PipePair;
-    use crate::kinds::pipe::hole::bounds::*;
     use crate::kinds::pipe::hole::cut::root;
     use crate::kinds::pipe::hole::height::Torch;
 

@@ -76,7 +76,7 @@ impl Torch {
 mod tests {
     use proptest::prelude::*;
 
-    use crate::kinds::pipe::hole::height::*;
+    use super::*;
 
     const TORCH: Torch = Torch { r_g: 6.0, R_g: 6.0, Psi: 0.5, d0: 4.0, g0: 2.0 };
 

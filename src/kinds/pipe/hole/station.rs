@@ -133,7 +133,7 @@ impl Groove {
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    use crate::kinds::pipe::hole::station::*;
+    use super::*;
 
     fn groove(gamma: f64) -> Groove {
         Groove {

@@ -121,7 +121,7 @@ pub fn triples(points: &[Vector2<f64>], tolerance: f64) -> Vec<Triple> {
 
 #[cfg(test)]
 mod tests {
-    use crate::kinds::pipe::insert::arcs::*;
+    use super::*;
 
     #[test]
     fn a_radius_beyond_the_format_is_a_straight_move_within_the_tolerance() {

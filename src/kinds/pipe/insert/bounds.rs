@@ -112,8 +112,8 @@ impl Outline {
 mod tests {
     use proptest::prelude::*;
 
+    use super::*;
     use crate::geometry::pipe_pair::{PipePair, Side};
-    use crate::kinds::pipe::insert::bounds::*;
 
     fn outline(R: f64, part: f64, theta: f64, off: f64, beside: f64) -> Outline {
         let r = R * part;
