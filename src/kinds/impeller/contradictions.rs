@@ -295,8 +295,8 @@ impl Design {
         if self.style == Style::Full && self.distance == Distance::Absolute && self.counting == Counting::Rollover {
             stop(
                 &["distance", "rotary", "dialect"],
-                "distance = G90 con ejes rollover: en G90 el signo sería el sentido y el número el ángulo, y B y C darían casi una vuelta al revés en cada bloque".to_owned(),
-                "distance = G90 with rollover axes: in G90 the sign would be the direction and the number the angle, and B and C would make nearly a whole turn the wrong way in each block".to_owned(),
+                "distance = G90 con ejes rollover: en G90 el signo sería el sentido y el número el ángulo, y en cada bloque B daría casi una vuelta y C giraría al revés".to_owned(),
+                "distance = G90 with rollover axes: in G90 the sign would be the direction and the number the angle, and in each block B would make nearly a whole turn and C turn the wrong way".to_owned(),
                 Text::fixed(
                     "distance = G91, que vale para unos ejes y otros; o, si B y C de la máquina cuentan como ejes lineales, rotary = linear (fila rotary, valor en la columna C)",
                     "distance = G91, which is true for either; or, if B and C of the machine count as linear axes, rotary = linear (row rotary, value in column C)",
