@@ -12,7 +12,7 @@
 //! one [`outcome`](kind::Outcome). Sheets, JSON, program files and the report are views of the outcome.
 //!
 //! # Floors
-//! A module imports from its own or a lower floor only; `tests/house.rs` holds this.
+//! A module imports from its own or a lower floor only; `tests/commands/house.rs` holds this.
 //!
 //! | floor | modules | |
 //! |---|---|---|

@@ -12,8 +12,8 @@
 //! - `refused`: every cell of every kind spoilt, contradictions, damaged packages; `offsets`; `help`.
 //!
 //! # What is not
-//! What is set in type (`tests/report.rs`, `tests/drawing.rs`); the messages that `tests/bad_workbooks`, `tests/refusals.rs`,
-//! `tests/lathe_inputs`, `tests/removal` and `tests/cli` hold word for word beside the input: those are their own ledger. Three programs
+//! What is set in type (`tests/workbook/report.rs`, `tests/workbook/drawing.rs`); the messages that `tests/findings/bad_workbooks`, `tests/findings/refusals.rs`,
+//! `tests/findings/lathe_inputs`, `tests/turning/removal` and `tests/commands/cli` hold word for word beside the input: those are their own ledger. Three programs
 //! that loop without end are read within a small budget only (`motions`). Of blocks without motion `view` says what they put into force.
 //!
 //! # How it holds still

@@ -1,7 +1,10 @@
 //! What the tests share: the published design and designs like it.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
+pub mod agreement;
 pub mod rs274;
+pub mod turned;
+pub mod workbook;
 
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;

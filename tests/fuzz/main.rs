@@ -6,7 +6,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, non_snake_case, missing_docs)]
 
 mod chance;
-#[path = "../bad_workbooks/workbook.rs"]
+#[path = "../common/workbook.rs"]
 #[allow(dead_code)]
 mod package;
 mod targets;

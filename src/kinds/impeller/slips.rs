@@ -1,6 +1,6 @@
 //! Slips of the printed source, each with the form that its own tables need.
 //!
-//! Every row is proved by a test of the same name in `tests/slips.rs`: the printed form fails against the published
+//! Every row is proved by a test of the same name in `tests/kinds/slips.rs`: the printed form fails against the published
 //! figures, ours holds.
 //!
 //! | where | printed | what the tables need | test |

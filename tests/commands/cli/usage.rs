@@ -1,0 +1,135 @@
+//! Wrong command lines, help and version.
+
+use predicates::prelude::*;
+
+use super::common::{folder, names, rodete, with_impeller};
+
+#[test]
+fn a_wrong_command_line_ends_with_2_and_says_how_it_is_meant() {
+    let cases: [(&[&str], &str); 13] = [
+        (&[], "Usage: rodete"),
+        (&["new", "pipe-hole", "--case", "full"], "cases of pipe-hole: set-in"),
+        (&["bild"], "build"),
+        (&["build"], "<WORKBOOK>..."),
+        (&["check"], "<WORKBOOK>..."),
+        (&["build", "a.xlsx", "--jason"], "--json"),
+        (&["build", "a.xlsx", "--lang"], "--lang <LANGUAGE>"),
+        (&["build", "a.xlsx", "--lang", "de"], "[possible values: es, en]"),
+        (&["build", "a.xlsx", "--json", "--json"], "cannot be used multiple times"),
+        (&["build", "a.xlsx", "-o", "x", "-o", "y"], "cannot be used multiple times"),
+        (&["new", "propeller"], "[possible values: impeller, pipe-insert, pipe-hole, lathe]"),
+        (
+            &["new", "impeller", "a.xlsx", "--case", "x"],
+            "[possible values: full, tfg-2021, square, 3on4-2023, set-in, shaft, blank]",
+        ),
+        (&["new", "impeller", "a.ods"], "give a name like impeller.xlsx"),
+    ];
+    for (arguments, hint) in cases {
+        let folder = folder();
+        rodete(&folder).args(arguments).assert().code(2).stdout("").stderr(predicate::str::contains(hint));
+        assert!(names(&folder).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn what_was_typed_cannot_steer_the_terminal() {
+    let folder = folder();
+    for arguments in [["--\u{1b}[2J\u{202e}", "x"], ["check", "\u{1b}]0;x\u{7}.xlsx"], ["new", "\u{9b}2J"]] {
+        rodete(&folder)
+            .args(arguments)
+            .assert()
+            .failure()
+            .stderr(predicate::str::is_match("[\u{1b}\u{9b}\u{7}\u{202e}]").expect("a pattern").not())
+            .stderr(predicate::str::contains("\\u{"));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn arguments_that_are_no_utf8_are_refused_where_words_are_wanted() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = folder();
+    rodete(&folder).args(["check", "a.xlsx", "--lang"]).arg(OsStr::from_bytes(b"e\xff")).assert().code(2);
+}
+
+#[test]
+fn a_code_or_the_number_of_an_alarm_is_explained() {
+    let folder = folder();
+    let text = |arguments: &[&str]| {
+        let assert = rodete(&folder).arg("explain").args(arguments).assert().code(0).stderr("");
+        String::from_utf8(assert.get_output().stdout.clone()).expect("text")
+    };
+    let depth = text(&["L0131"]);
+    assert!(depth.starts_with("L0131 depth-of-cut (stop, alarm 131)\n  The depth of cut is greater"), "{depth}");
+    assert!(depth.contains("\n  remedy: Divide the cut into more passes\n"), "{depth}");
+    assert!(depth.contains("\n  example (fanuc-lathe-a, D50xL120):\n    G50 S2500\n"), "{depth}");
+    assert_eq!(text(&["l0131"]), depth);
+    // Two rows are told under 101.
+    let rapid = text(&["101", "--lang", "es"]);
+    assert!(rapid.contains("L0101 ") && rapid.contains("L0201 ") && rapid.contains("remedio: "), "{rapid}");
+    assert!(text(&[]).lines().any(|line| line.starts_with("L0119  ")));
+    rodete(&folder)
+        .args(["explain", "Q9999"])
+        .assert()
+        .code(2)
+        .stdout("")
+        .stderr("error: Q9999 is no code of rodete\n");
+}
+
+#[test]
+fn help_and_version_end_with_0() {
+    let folder = folder();
+    for flag in ["--version", "-V"] {
+        rodete(&folder).arg(flag).assert().code(0).stderr("").stdout(format!(
+            "rodete {}\n\
+             workbook impeller: schema rodete-impeller 2\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
+             workbook pipe-insert: schema rodete-pipe-insert 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
+             workbook pipe-hole: schema rodete-pipe-hole 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
+             workbook lathe: schema rodete-lathe 1\ndialects: fanuc-lathe-a, fagor-8055-t\n",
+            env!("CARGO_PKG_VERSION")
+        ));
+    }
+    for (arguments, wanted) in [
+        (vec!["--help"], "130  interrupted"),
+        (vec!["-h"], "Commands:"),
+        (vec!["build", "--help"], "RODETE_TYPST"),
+        (vec!["help", "check"], "--lang <LANGUAGE>"),
+    ] {
+        rodete(&folder).args(&arguments).assert().code(0).stderr("").stdout(predicate::str::contains(wanted));
+    }
+}
+
+#[test]
+fn one_workbook_twice_is_refused_before_anything_is_done() {
+    let folder = with_impeller();
+    let mut cases = vec![["impeller.xlsx", "impeller.xlsx"], ["impeller.xlsx", "./impeller.xlsx"]];
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("impeller.xlsx", folder.path().join("link.xlsx")).expect("a link");
+        cases.push(["impeller.xlsx", "link.xlsx"]);
+    }
+    let before = names(&folder);
+    for command in ["check", "build"] {
+        for workbooks in &cases {
+            rodete(&folder)
+                .arg(command)
+                .args(workbooks)
+                .assert()
+                .code(2)
+                .stdout("")
+                .stderr(predicate::str::contains("hint: give every workbook once"));
+        }
+    }
+    assert_eq!(names(&folder), before);
+}
+
+#[test]
+fn outputs_that_would_bear_one_name_are_refused() {
+    let folder = folder();
+    rodete(&folder).args(["build", "a/rotor.xlsx", "b/Rotor.xlsx", "-o", "out"]).assert().code(2).stderr(
+        "error: the outputs of a/rotor.xlsx and b/Rotor.xlsx would have the same names\nhint: rename one of the \
+                 workbooks or build them into different folders\n",
+    );
+    assert!(names(&folder).is_empty());
+}

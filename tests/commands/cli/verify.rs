@@ -1,0 +1,236 @@
+//! The command `verify`: what it prints for sound programs, what it refuses, how it ends.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use predicates::prelude::*;
+use serde_json::Value as Json;
+use tempfile::TempDir;
+
+use super::common::{folder, rodete};
+
+fn with_program(name: &str, text: &[u8]) -> TempDir {
+    let folder = folder();
+    fs::write(folder.path().join(name), text).expect("a program");
+    folder
+}
+
+fn golden(name: &str) -> TempDir {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
+    with_program("program.nc", &fs::read(path).expect("a published program"))
+}
+
+/// The JSON document of a program, and the exit code.
+fn document(folder: &TempDir, arguments: &[&str]) -> (Json, i32) {
+    let output = rodete(folder).arg("verify").args(arguments).arg("--json").output().expect("an output");
+    let read: Json = serde_json::from_slice(&output.stdout).expect("a JSON document");
+    (read["programs"][0].clone(), output.status.code().expect("an exit code"))
+}
+
+/// The first refusal of a program: its line and first column, and what is wrong, in English.
+fn refusal(text: &[u8]) -> (u64, u64, String, i32) {
+    let folder = with_program("program.ngc", text);
+    let (program, exit) = document(&folder, &["program.ngc"]);
+    let finding = &program["findings"][0];
+    let place = &finding["place"]["line"];
+    let column = place["columns"][0].as_u64().unwrap_or(0);
+    (place["line"].as_u64().unwrap_or(0), column, finding["what"]["en"].as_str().unwrap_or("").to_owned(), exit)
+}
+
+#[test]
+fn the_published_blade_program_does_not_come_back() {
+    rodete(&golden("annex-09-blade-as-printed.nc"))
+        .args(["verify", "program.nc"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("net travel: X 535.796  Y 0  Z 435.797  B -180  C 343.742"))
+        .stderr(predicate::str::contains("caution: the incremental program does not come back to where it starts"))
+        .stderr(predicate::str::contains("feed move without F"));
+}
+
+#[test]
+fn the_published_splitter_program_shifts_the_part_by_3_998_mm_in_y() {
+    rodete(&golden("annex-10-splitter-as-printed.nc"))
+        .args(["verify", "program.nc", "--lang", "es"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("recorrido neto: X -0.001  Y 3.998  Z 0  C 90"))
+        .stderr(predicate::str::contains("precaución: el programa incremental no vuelve a donde empieza"));
+}
+
+#[test]
+fn the_published_turning_program_is_followed_through_its_cycle() {
+    rodete(&golden("lathe-g85-as-printed.nc"))
+        .args(["verify", "program.nc", "--dialect", "fagor-8055-t"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("8 lines, 66 motions"))
+        .stdout(predicate::str::contains("Z  -15 … 80  program"));
+}
+
+#[test]
+fn a_turning_cycle_that_is_not_followed_is_refused_by_name() {
+    rodete(&with_program("program.nc", b"G68 X0 Z0 C5 S20 E30\nM30\n"))
+        .args(["verify", "program.nc", "--dialect", "fagor-8055-t"])
+        .assert()
+        .code(3)
+        .stderr(predicate::str::contains("G68 is not supported: turning cycles"));
+}
+
+#[test]
+fn a_lathe_program_is_followed_with_its_subprogram_and_the_rule_for_numbers_without_a_point() {
+    let folder = with_program("part.nc", b"O0001\nS500 M3\nG0 X50 Z5\nM98 P20005\nM30\n");
+    fs::write(folder.path().join("O0005.nc"), "O0005\nG0 W-2\nM99\n").expect("a subprogram");
+    let lathe = ["part.nc", "--dialect", "fanuc-lathe-a", "--decimal-point"];
+    for (rule, z) in [("calculator", [1.0, 5.0]), ("micrometre", [0.0, 0.005])] {
+        let (program, exit) = document(&folder, &[&lathe[..], &[rule]].concat());
+        assert_eq!(exit, 0, "{rule}");
+        assert_eq!(program["motions"], 3);
+        let extents = &program["extents"]["program"]["Z"];
+        assert!((extents[1].as_f64().expect("a number") - z[1]).abs() < 1e-12, "{rule}: {extents}");
+        let end = program["end"]["program"]["Z"].as_f64().expect("a number");
+        assert!((end - if rule == "calculator" { z[0] } else { 0.001 }).abs() < 1e-12, "{rule}: {end}");
+    }
+    // A motion says the file of its block where that is not the program.
+    let canon = rodete(&folder).args(["verify", "--canon"]).args(lathe).arg("calculator").output().expect("it runs");
+    let canon = String::from_utf8(canon.stdout).expect("text");
+    let motions: Vec<Json> = canon.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+    let places: Vec<_> = motions.iter().map(|motion| (motion["file"].as_str(), motion["line"].as_u64())).collect();
+    assert_eq!(places, [(None, Some(3)), (Some("O0005"), Some(2)), (Some("O0005"), Some(2))]);
+    rodete(&folder)
+        .args(["verify", "part.nc", "--dialect", "fanuc-lathe-a"])
+        .assert()
+        .code(3)
+        .stderr(predicate::str::contains("X50 has no decimal point"))
+        .stderr(predicate::str::contains("--decimal-point"));
+}
+
+#[test]
+fn a_program_is_followed_through_its_offsets() {
+    let folder =
+        with_program("square.ngc", b"G55\nG0 X0 Y0 Z0\nG1 F2 Z-0.2\nX1\nY1\nX0\nY0\nG0 Z0\nG54\nG0 X0 Y0 Z0\nM2\n");
+    fs::write(folder.path().join("m.var"), "5220\t1\n5241\t2\n5242\t1\n5243\t-2\n").expect("a var file");
+    let (program, exit) = document(&folder, &["square.ngc", "--var", "m.var"]);
+    assert_eq!(exit, 0);
+    assert_eq!(program["extents"]["machine"]["X"], serde_json::json!([0.0, 3.0]));
+    assert_eq!(program["extents"]["machine"]["Z"], serde_json::json!([-2.2, 0.0]));
+    assert_eq!(program["path_mm"]["feed"], serde_json::json!(4.2));
+    let output =
+        rodete(&folder).args(["verify", "square.ngc", "--var", "m.var", "--canon"]).output().expect("an output");
+    let second: Json =
+        serde_json::from_str(String::from_utf8_lossy(&output.stdout).lines().nth(1).expect("a motion")).expect("JSON");
+    assert_eq!(second["motion"], "feed");
+    assert_eq!(second["line"], 3);
+    assert_eq!(second["to"]["Z"], serde_json::json!(-0.2));
+    assert_eq!(second["machine"], serde_json::json!({"X": 2.0, "Y": 1.0, "Z": -2.2}));
+}
+
+#[test]
+fn an_arc_reaches_beyond_its_ends() {
+    let folder = with_program("arc.ngc", b"G21 G90 F100\nG0 X10 Y0\nG3 X-10 Y0 I-10 J0\nG3 X10 Y0 I10 J0 Z5 P2\nM2\n");
+    let (program, _) = document(&folder, &["arc.ngc"]);
+    assert_eq!(program["extents"]["program"]["Y"], serde_json::json!([-10.0, 10.0]));
+    let length = program["path_mm"]["feed"].as_f64().expect("a length");
+    let pi = std::f64::consts::PI;
+    let expected = 10.0 * pi + (30.0 * pi * 30.0 * pi + 25.0_f64).sqrt();
+    assert!((length - expected).abs() < 1e-9, "{length} {expected}");
+}
+
+#[test]
+fn what_is_wrong_is_refused_with_its_line_and_column() {
+    for (text, line, column, what) in [
+        ("G0 X1,5\nM2\n", 1, 6, "character ','"),
+        ("G0 X1.2.3\nM2\n", 1, 8, "two decimal points"),
+        ("G0 X--5\nM2\n", 1, 5, "two signs"),
+        ("G0 X1e3\nM2\n", 1, 6, "exponent not allowed"),
+        ("G0 X99999999999999999999999999999\nM2\n", 1, 5, "over ±99,999.999"),
+        ("G0 X\u{2212}5\nM2\n", 1, 5, "U+2212 (minus sign)"),
+        ("G0 (a (b) c)\nM2\n", 1, 4, "nested comment"),
+        ("G0 X1 (open\nM2\n", 1, 7, "unclosed comment"),
+        ("G0 G1 X1\nM2\n", 1, 1, "two G codes of one modal group"),
+        ("G0 X1 X2\nM2\n", 1, 4, "two X words"),
+        ("X1\nM2\n", 1, 1, "axis words without a motion"),
+        ("G1 X1\nM2\n", 1, 0, "feed move without F"),
+        ("G1 F-1 X1\nM2\n", 1, 5, "negative F"),
+        ("F9\nG2 X1 I9\nM2\n", 2, 0, "not on the circle"),
+        ("G0 X[1/0]\nM2\n", 1, 7, "division by zero"),
+        ("G5.9 X1\nM2\n", 1, 1, "G5.9 does not exist"),
+        ("G41 D1\nM2\n", 1, 1, "the diameter of tool 1 is not known"),
+        ("G5.2 X1\nM2\n", 1, 1, "spline and NURBS curves"),
+        ("M250\nM2\n", 1, 1, "M250 does not exist"),
+        ("G0 X1\n", 1, 0, "without M2 or M30"),
+        ("", 1, 0, "no program"),
+    ] {
+        let found = refusal(text.as_bytes());
+        assert_eq!((found.0, found.1, found.3), (line, column, 3), "{text}: {}", found.2);
+        assert!(found.2.contains(what), "{text}: {}", found.2);
+    }
+}
+
+#[test]
+fn what_does_not_end_is_a_limit() {
+    for (text, what) in [
+        ("o1 while [1]\no1 endwhile\nM2\n", "endless loop: 1000 rounds"),
+        ("G0 X1\nM99\n", "repeats it without end"),
+        ("F1\nG83 X1 Z-99 R1 Q0.001\nM2\n", "more than 10000 pecks"),
+    ] {
+        let found = refusal(text.as_bytes());
+        assert_eq!(found.3, 7, "{}", found.2);
+        assert!(found.2.contains(what), "{}", found.2);
+    }
+    let mut long = vec![b'X'; 5_000];
+    long.extend_from_slice(b"\nM2\n");
+    assert_eq!(refusal(&long).3, 7);
+    let deep = format!("G0 X{}1{}\nM2\n", "[".repeat(80), "]".repeat(80));
+    assert!(refusal(deep.as_bytes()).2.contains("nested more than 64 deep"));
+}
+
+#[test]
+fn refusals_are_listed_up_to_fifty_and_counted() {
+    let mut text = String::new();
+    for _ in 0..80 {
+        let _ = writeln!(text, "G0 X1,5");
+    }
+    text.push_str("M2\n");
+    let folder = with_program("program.ngc", text.as_bytes());
+    let (program, exit) = document(&folder, &["program.ngc"]);
+    assert_eq!(exit, 3);
+    let findings = program["findings"].as_array().expect("findings");
+    assert_eq!(findings.iter().filter(|finding| finding["grade"] == "stop").count(), 50);
+    assert!(findings.iter().any(|finding| finding["what"]["en"] == "and 30 more errors"));
+}
+
+#[test]
+fn how_rotary_words_were_read_is_told() {
+    let folder = with_program("turn.nc", b"G90 G0 C270\r\nG1 F100 C265.502\r\nM30\r\n");
+    let verify = |arguments: &[&str]| {
+        let output = rodete(&folder).args(["verify", "turn.nc"]).args(arguments).output().expect("an output");
+        [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
+    };
+    let [out, err] = verify(&["--dialect", "fagor-8055"]);
+    assert!(out.contains("rotary axes rollover: in G90 the number is the angle to go to"), "{out}");
+    assert!(err.contains("turn.nc:2\n") && err.contains("one block at feed: C turns 355.502°"), "{err}");
+    let [out, err] = verify(&["--dialect", "fagor-8055", "--rotary", "linear", "--lang", "es"]);
+    assert!(out.contains("ejes rotativos como lineales") && !err.contains("media vuelta"), "{out}{err}");
+    for (arguments, rotary) in
+        [(&["--dialect", "fagor-8055"][..], "rollover"), (&["--dialect", "fagor-8070"][..], "linear")]
+    {
+        assert_eq!(document(&folder, &[&["turn.nc"], arguments].concat()).0["rotary"], rotary);
+    }
+}
+
+#[test]
+fn subprograms_are_found_in_named_folders_behind_the_programs_own() {
+    let folder = with_program("main.ngc", b"G21\no<one> call\no<two> call\nM2\n");
+    for (name, x) in [("one", 1), ("first/two", 2), ("second/two", 3), ("second/one", 4)] {
+        let path = folder.path().join(format!("{name}.ngc"));
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        let label = name.rsplit('/').next().expect("a name");
+        fs::write(path, format!("o<{label}> sub\nG0 X{x}\no<{label}> endsub\n")).expect("a subprogram");
+    }
+    let (program, exit) = document(&folder, &["main.ngc", "--subs", "first", "--subs", "second"]);
+    assert_eq!((exit, &program["end"]["program"]["X"], &program["motions"]), (0, &Json::from(2.0), &Json::from(2)));
+    let (_, exit) = document(&folder, &["main.ngc"]);
+    assert_eq!(exit, 3, "without the folders there is no subprogram");
+}

@@ -1,0 +1,193 @@
+//! What the commands do when all is well, or nearly.
+
+use std::fs;
+
+use predicates::prelude::*;
+use rodete::parameter::Value;
+use rodete::store::sha256;
+use serde_json::Value as Json;
+
+use super::common::{OUTPUTS, contents, folder, names, rodete, with_impeller, with_refused, workbook};
+
+#[test]
+fn a_new_workbook_can_be_checked_and_built() {
+    let folder = folder();
+    rodete(&folder)
+        .args(["new", "impeller"])
+        .assert()
+        .code(0)
+        .stdout("impeller.xlsx is ready to edit; then: rodete build impeller.xlsx\n");
+    rodete(&folder)
+        .args(["check", "impeller.xlsx"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("\n  L          = 242.9 mm     Pivot length"))
+        .stdout(predicate::str::contains("\n  N_max      =   5 "))
+        .stdout(predicate::str::contains("impeller.xlsx: can be built"))
+        .stderr(predicate::str::starts_with("caution: ").and(predicate::str::contains("error: ").not()));
+    assert_eq!(names(&folder), ["impeller.xlsx"]);
+    rodete(&folder)
+        .args(["build", "impeller.xlsx", "--no-report"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("impeller.xlsx: 5 files in impeller-out"))
+        .stderr(predicate::str::starts_with("caution: ").and(predicate::str::contains("error: ").not()));
+    assert_eq!(names(folder.path().join("impeller-out")), OUTPUTS);
+    assert_eq!(names(&folder), ["impeller-out", "impeller.xlsx"]);
+}
+
+#[test]
+fn both_cases_in_both_languages_can_be_built() {
+    let folder = folder();
+    for case in ["full", "tfg-2021"] {
+        for lang in ["es", "en"] {
+            let name = format!("{case}-{lang}.xlsx");
+            rodete(&folder).args(["new", "impeller", &name, "--case", case, "--lang", lang]).assert().code(0);
+            rodete(&folder).args(["build", &name, "--no-report", "--lang", lang]).assert().code(0);
+        }
+    }
+}
+
+#[test]
+fn a_new_workbook_replaces_nothing() {
+    let folder = folder();
+    fs::write(folder.path().join("impeller.xlsx"), "mine").expect("a file");
+    rodete(&folder)
+        .args(["new", "impeller"])
+        .assert()
+        .code(5)
+        .stderr("error: impeller.xlsx exists already\nhint: give another name, or remove that file\n");
+    assert_eq!(fs::read(folder.path().join("impeller.xlsx")).expect("the file"), b"mine");
+}
+
+#[test]
+fn json_tells_what_was_found_and_written() {
+    let folder = with_impeller();
+    let done = rodete(&folder).args(["build", "impeller.xlsx", "--no-report", "--json", "-o", "out"]).assert().code(0);
+    let document: Json = serde_json::from_slice(&done.get_output().stdout).expect("one JSON document");
+    assert_eq!(document["exit"], 0);
+    let workbook = &document["workbooks"][0];
+    assert_eq!(workbook["sha256"], sha256(&fs::read(folder.path().join("impeller.xlsx")).expect("the workbook")));
+    assert_eq!(workbook["schema"], "rodete-impeller 2");
+    let quantities = workbook["quantities"].as_array().expect("quantities");
+    let length = quantities.iter().find(|one| one["symbol"] == "L").expect("L");
+    assert_eq!((&length["value"], &length["unit"]), (&Json::from(242.9), &Json::from("mm")));
+    let files = workbook["files"].as_array().expect("files");
+    assert_eq!(files.len(), OUTPUTS.len());
+    for file in files {
+        let path = folder.path().join(file["path"].as_str().expect("a path"));
+        let bytes = fs::read(path).expect("a file");
+        assert_eq!(file["sha256"], sha256(&bytes));
+        assert_eq!(file["bytes"], bytes.len());
+    }
+}
+
+#[test]
+fn a_refused_workbook_leaves_no_folder() {
+    let folder = with_refused();
+    for command in ["check", "build"] {
+        rodete(&folder)
+            .args([command, "impeller.xlsx"])
+            .assert()
+            .code(3)
+            .stderr(predicate::str::contains("\n  --> impeller.xlsx, sheet \"DATA\", cell"))
+            .stderr(predicate::str::contains("hint: "));
+    }
+    assert_eq!(names(&folder), ["impeller.xlsx"]);
+    let done = rodete(&folder).args(["build", "impeller.xlsx", "--json"]).assert().code(3).stderr("");
+    let document: Json = serde_json::from_slice(&done.get_output().stdout).expect("one JSON document");
+    assert_eq!((&document["exit"], &document["workbooks"][0]["status"]), (&Json::from(3), &Json::from("refused")));
+    assert_eq!(document["workbooks"][0]["findings"][0]["grade"], "stop");
+}
+
+#[test]
+fn one_bad_workbook_stops_no_other_and_the_gravest_end_counts() {
+    let folder = with_refused();
+    let good: Vec<_> = (0..6).map(|at| format!("good-{at}.xlsx")).collect();
+    for name in &good {
+        workbook(&folder.path().join(name), &[]);
+    }
+    let mut order = vec!["missing.xlsx", "impeller.xlsx"];
+    order.extend(good.iter().map(String::as_str));
+    let done = rodete(&folder).arg("build").args(&order).args(["--no-report", "-o", "out"]).assert().code(4);
+    let stdout = String::from_utf8_lossy(&done.get_output().stdout).into_owned();
+    let mentioned: Vec<_> =
+        good.iter().map(|name| stdout.find(&format!("{name}: 5 files in out")).expect(name)).collect();
+    assert!(mentioned.is_sorted(), "{stdout}");
+    assert_eq!(names(folder.path().join("out")).len(), 5 * good.len());
+}
+
+#[test]
+fn a_program_of_an_earlier_build_is_pointed_out() {
+    let folder = with_impeller();
+    let build = || rodete(&folder).args(["build", "impeller.xlsx", "--no-report"]).assert().code(0);
+    build().stderr(predicate::str::contains("earlier build").not());
+    workbook(&folder.path().join("impeller.xlsx"), &[("splitters", Value::Choice("no"))]);
+    build().stderr(predicate::str::contains(
+        "caution: impeller-out/impeller-splitter.nc is left from an earlier build and does not belong to this set\n  --> \
+         impeller.xlsx\nhint: do not use it; delete it or move it away\n",
+    ));
+}
+
+#[test]
+fn messages_are_spanish_where_asked_for() {
+    let folder = with_refused();
+    rodete(&folder)
+        .args(["check", "impeller.xlsx", "--lang", "es"])
+        .assert()
+        .code(3)
+        .stderr(predicate::str::contains(", hoja \"DATA\", celda"))
+        .stderr(predicate::str::contains("sugerencia: "))
+        .stderr(predicate::str::contains("impeller.xlsx: no se puede construir"));
+}
+
+#[test]
+fn a_report_that_fails_keeps_nothing_else_from_being_delivered() {
+    let folder = with_impeller();
+    let expected = rodete(&folder).args(["build", "impeller.xlsx", "--no-report", "-o", "expected"]).assert().code(0);
+    drop(expected);
+    for (flag, variable) in [(true, false), (false, true)] {
+        let mut command = rodete(&folder);
+        command.args(["build", "impeller.xlsx"]);
+        if flag {
+            command.args(["--typst", "no/such/typst"]);
+        }
+        if variable {
+            command.env("RODETE_TYPST", "no/such/typst");
+        }
+        command
+            .assert()
+            .code(6)
+            .stderr(predicate::str::contains("no/such/typst"))
+            .stdout(predicate::str::contains("impeller.xlsx: 5 files in impeller-out, without a report"));
+        assert_eq!(contents(&folder.path().join("impeller-out")), contents(&folder.path().join("expected")));
+        fs::remove_dir_all(folder.path().join("impeller-out")).expect("removed");
+    }
+}
+
+#[test]
+fn any_path_will_do() {
+    let folder = folder();
+    for name in ["with blank.xlsx", "-dash.xlsx", "колесо 🌀.xlsx", "a.b.c.xlsx"] {
+        workbook(&folder.path().join(name), &[]);
+        rodete(&folder).args(["build", "--no-report", "--", name]).assert().code(0);
+        let stem = name.trim_end_matches(".xlsx");
+        assert!(folder.path().join(format!("{stem}-out/{stem}-blade.nc")).is_file(), "{name}");
+    }
+    let long = format!("{}.xlsx", "n".repeat(250));
+    workbook(&folder.path().join(&long), &[]);
+    rodete(&folder).args(["build", "--no-report", "-o", "long", &long]).assert().code(0);
+    assert!(folder.path().join(format!("long/{}-results.xlsx", "n".repeat(200))).is_file());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_name_that_is_no_utf8_will_do_too() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = folder();
+    let name = OsStr::from_bytes(b"a\xff.xlsx");
+    workbook(&folder.path().join(name), &[]);
+    rodete(&folder).args(["build", "--no-report", "--json"]).arg(name).assert().code(0);
+    assert!(folder.path().join(OsStr::from_bytes(b"a\xff-out/a\xff-blade.nc")).is_file());
+}

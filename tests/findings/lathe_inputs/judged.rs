@@ -1,0 +1,163 @@
+//! What a shop would see in a turning program before it runs: each slip with its figures, and its near twin in silence.
+
+use rodete::parameter::Value;
+use rodete::text::Language;
+use serde_json::Value as Json;
+
+use super::bench::{Book, bilingual, build, line, program};
+
+/// The stops and cautions of a program, each with its value and limit, and the exit code.
+fn told(book: &Book) -> (Vec<String>, i32) {
+    let (_folder, document, exit) = build(&book.bytes());
+    bilingual(&document);
+    let text = |one: &Json, key: &str| one[key].as_str().unwrap_or_default().to_owned();
+    let findings = document["findings"].as_array().unwrap().iter().filter(|one| one["grade"] != "note");
+    let shown = |one: &Json| format!("{} [{}] [{}]", line(one), text(one, "value"), text(one, "limit"));
+    (findings.map(shown).collect(), exit)
+}
+
+fn of(blocks: &str) -> (Vec<String>, i32) {
+    told(&Book::new(&program(blocks)))
+}
+
+fn none() -> (Vec<String>, i32) {
+    (Vec::new(), 0)
+}
+
+fn only(finding: &str, exit: i32) -> (Vec<String>, i32) {
+    (vec![finding.to_owned()], exit)
+}
+
+#[test]
+fn a_change_of_tool_over_the_stock_or_in_it_is_a_stop_at_its_block() {
+    let wanted = "stop PROGRAM!A13 184 The turret turns to place 2 inside the work, in what holds it or over the stock, X60 Z-20 [] []";
+    assert_eq!(of("G0 X60.|Z-20.|T0202|G0 X100. Z50."), only(wanted, 3));
+    // To the right of the face, and farther off than any tool needs.
+    assert_eq!(of("G0 X60.|Z2.|T0202|G0 X100. Z50."), none());
+    // The drill of 120 mm, in a tool change near the face, would stand in the chuck.
+    let (found, exit) = of("G0 X54.|Z-60.|X60.|T0505|G0 X100.|Z50.");
+    assert!(exit == 3 && found[0].contains(" 184 The turret turns to place 5 inside the work"), "{found:?}");
+}
+
+#[test]
+fn a_feed_is_held_against_the_nose_of_0_8_mm() {
+    assert_eq!(of("X46.|G1 Z-20. F.64|X54.|G0 Z2."), none());
+    let wanted = "caution PROGRAM!A12 173 The feed per revolution is too much for the nose radius: it leaves ridges, X46 Z0 [0.65 mm] [≤ 0.64 mm]";
+    assert_eq!(of("X46.|G1 Z-20. F.65|X54.|G0 Z2."), only(wanted, 0));
+    // 585 mm/min at 900 rpm.
+    assert_eq!(of("X46.|G98 G1 Z-20. F585.|X54.|G0 Z2."), only(wanted, 0));
+}
+
+#[test]
+fn the_nose_is_kept_off_the_work() {
+    let pass = |code: &str| format!("{code} G0 X44.|G1 Z-20. F.2|G40 X54.|G0 Z2.");
+    assert_eq!(of(&pass("G42")), none());
+    let (found, exit) = of(&pass("G41"));
+    let wanted = "185 G41 keeps the nose on the side of the work, ";
+    assert!(exit == 0 && found.len() == 1 && found[0].contains(wanted), "{found:?}");
+}
+
+#[test]
+fn a_thread_has_its_run_in_and_no_more_depth_than_its_lead() {
+    let thread = |start: &str, root: &str| {
+        format!(
+            "X40.|G1 Z-30. F.2|X54.|G0 X100. Z50.|T0404|G97 S900 M3|M8|G0 X54. Z{start}|X{root}|G32 Z-15. F1.5|G0 X54.|Z50."
+        )
+    };
+    assert_eq!(of(&thread("5.", "38.2")), none());
+    // 3.2 · 1.5 · 900 / 1800 = 2.4 mm.
+    let (found, exit) = of(&thread("1.", "38.2"));
+    assert!(exit == 0 && found.len() == 1, "{found:?}");
+    assert!(
+        found[0].contains(" 147 The run-in of the thread is shorter than the control needs")
+            && found[0].ends_with("[≥ 2.4 mm]"),
+        "{found:?}"
+    );
+    // 1.5 / (2 tan 30°) − 0.1 (1/sin 30° − 1) = 1.199 mm.
+    let (found, exit) = of(&thread("5.", "37.5"));
+    assert!(exit == 0 && found.len() == 1, "{found:?}");
+    assert!(
+        found[0].contains(" 146 The thread is deeper than its lead allows")
+            && found[0].ends_with("[1.25 mm] [≤ 1.199 mm]"),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn a_boring_bar_needs_a_hole() {
+    let bore = |x: &str, drilled: &str| {
+        let lines = format!(
+            "G50 S2500|T0505|G97 S900 M3|M8|G0 X0. Z3.|{drilled}G0 Z50.|X100.|T0606|G0 X{x} Z2.|G1 Z-12. F.1|G0 Z2.|X100. Z50.|M30"
+        );
+        let lines: Vec<String> = lines.split('|').map(str::to_owned).collect();
+        told(&Book::of(Language::En).put("L5", Value::Real(0.0)).program(&lines))
+    };
+    let drilled = "G1 Z-25. F.1|";
+    assert_eq!(bore("20.", drilled), none());
+    let (found, exit) = bore("20.", "");
+    let wanted = "stop PROGRAM!A15 105 The boring bar is fed into solid metal, where there is no hole, X";
+    assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 0 mm] [≥ Ø "), "{found:?}");
+    // So is it where the edge reaches over the axis, and the bar touches nothing.
+    let (found, exit) = bore("11.", "");
+    assert!(exit == 3 && found.len() == 1 && found[0].starts_with(wanted), "{found:?}");
+    assert!(found[0].ends_with(" [Ø 0 mm] [≥ Ø 7.5 mm]"), "{found:?}");
+    let (found, exit) = bore("26.", drilled);
+    let wanted = "stop PROGRAM!A16 105 The boring bar is fed into a hole that is too narrow for it, X";
+    assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 10 mm] [≥ Ø "), "{found:?}");
+}
+
+#[test]
+fn the_reference_point_is_where_the_workbook_says() {
+    let home = program("G53 G0 X0. Z0.|G28 U0. W0.");
+    let given = |X: f64, Z: f64| {
+        Book::new(&home)
+            .put("R_X", Value::Real(X))
+            .put("R_Z", Value::Real(Z))
+            .put("X_max", Value::Real(400.0))
+            .put("Z_max", Value::Real(500.0))
+    };
+    assert_eq!(told(&given(400.0, 500.0)), none());
+    // Beyond the travel.
+    let (found, exit) = told(&given(400.0, 501.0));
+    assert!(exit == 3 && found.iter().all(|one| one.contains("121 Axis Z leaves its travel")), "{found:?}");
+    // W1 stays where it is: a cut is the same.
+    let cut = program("X46.|G1 Z-20. F.2|G0 X54.|Z2.|G28 U0. W0.");
+    let volume = |book: &Book| super::bench::quantity(&build(&book.bytes()).1, "V");
+    let plain = Book::new(&cut);
+    let referred = Book::new(&cut).put("R_X", Value::Real(400.0)).put("R_Z", Value::Real(500.0));
+    assert!((volume(&plain) - volume(&referred)).abs() < 1e-6);
+    // Nothing given: G53 counts from the face of the spindle, and that is told.
+    let (found, exit) = told(&Book::new(&home));
+    let wanted = "G53 without a reference point in the workbook: it is taken to count from M";
+    assert!(exit == 3 && found.iter().any(|one| one.contains(wanted)), "{found:?}");
+    let one = Book::new(&cut).put("R_X", Value::Real(400.0));
+    let (found, exit) = told(&one);
+    assert!(
+        exit == 3 && found[0].contains("the reference point is given by X and Z, and only one of them is"),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn r_of_a_hole_is_what_the_workbook_says_and_without_q_nothing_is_cleared() {
+    let hole = |words: &str, plane: &'static str| {
+        let lines = ["T0505", "G97 S900 M3", "M8", "G0 X0. Z5.", words, "G80", "G0 Z50.", "M30"].map(str::to_owned);
+        told(&Book::of(Language::En).put("L5", Value::Real(0.0)).program(&lines).put("hole_R", Value::Choice(plane)))
+    };
+    assert_eq!(hole("G83 Z-20. R-4. Q5000 F.1", "incremental"), none());
+    assert_eq!(hole("G83 Z-20. R1. Q5000 F.1", "absolute"), none());
+    let (found, exit) = hole("G83 Z-20. R-4. Q5000 F.1", "absolute");
+    assert!(exit == 3 && found.iter().any(|one| one.contains("101 Rapid motion through metal")), "{found:?}");
+    let wanted = "caution PROGRAM!A10 G83 without Q: drills 21 mm at one go, without clearing the chips [] []";
+    assert_eq!(hole("G83 Z-20. R1. F.1", "absolute"), only(wanted, 0));
+}
+
+#[test]
+fn a_blank_line_before_a_contour_is_no_block_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "T0101\nG97 S900 M3\nM8\nG0 X54. Z2.\nG71 U2. R1.\nG71 P10 Q20 U.5 F.2\n\n(contour)\nN10 G0 X40.\n\nG1 Z-20.\nN20 X54.\nG70 P10 Q20\nG0 X100. Z50.\nM30\n";
+    std::fs::write(folder.path().join("p.nc"), text).unwrap();
+    let bar = ["--dialect", "fanuc-lathe-a", "--stock", "D50xL100", "--decimal-point", "calculator"];
+    let said = super::bench::run(folder.path(), &[&["simulate", "p.nc"], &bar[..]].concat());
+    assert_eq!((said.err.as_str(), said.exit), ("", 0));
+}

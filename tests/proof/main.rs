@@ -1,0 +1,5 @@
+//! The judges.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod verification;

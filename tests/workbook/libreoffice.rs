@@ -1,0 +1,233 @@
+//! LibreOffice opens the workbooks, finds no error in any cell, and keeps values and defined names.
+
+use crate::common;
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use calamine::{Data, Reader, Xlsx, open_workbook};
+use rodete::kind::Provenance;
+use rodete::kinds;
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::kinds::lathe::parameters as lathe;
+use rodete::kinds::pipe::hole::parameters as hole;
+use rodete::kinds::pipe::insert::parameters as insert;
+use rodete::machine::length_unit::LengthUnit;
+use rodete::machine::var_file::VarFile;
+use rodete::parameter::list::{Row, Rows};
+use rodete::parameter::{Value, Values};
+use rodete::text::Language;
+use rodete::workbook::offsets_table::OffsetsTable;
+use rodete::workbook::{self, offsets_sheet, results, template};
+
+/// LibreOffice takes a second or two; a hang is ended after this many.
+const DEADLINE: &str = "120";
+
+/// True where LibreOffice can be called. Where it must be there, its absence fails the test.
+fn libreoffice() -> bool {
+    let found = Command::new("soffice").arg("--version").output().is_ok_and(|output| output.status.success());
+    if !found {
+        assert!(std::env::var_os("CI").is_none(), "LibreOffice (soffice) is needed here and cannot be called");
+        // Not through the macros, whose output a passing test keeps to itself.
+        let _ = writeln!(
+            std::io::stderr(),
+            "\n*** LibreOffice (soffice) is not installed: NOT TESTED that it opens the workbooks ***\n"
+        );
+    }
+    found
+}
+
+/// Converts a file in its folder; returns the path of what was made.
+fn converted(file: &Path, filter: &str, extension: &str) -> PathBuf {
+    let folder = file.parent().expect("a folder");
+    let out = folder.join("out");
+    let output = Command::new("timeout")
+        .args(["-k", "5", DEADLINE, "soffice"])
+        // A profile of its own: a running LibreOffice would take the work over, or a second one wait for it.
+        .arg(format!("-env:UserInstallation=file://{}", folder.join("profile").display()))
+        .args(["--headless", "--convert-to", filter, "--outdir"])
+        .arg(&out)
+        .arg(file)
+        .output()
+        .expect("LibreOffice can be called");
+    let made = out.join(file.with_extension(extension).file_name().expect("a name"));
+    assert!(output.status.success() && made.exists(), "{}", String::from_utf8_lossy(&output.stderr));
+    made
+}
+
+/// The workbooks that rodete writes, by file name.
+fn workbooks(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    let mut create = |name: String| {
+        let path = folder.join(name);
+        files.push(path.clone());
+        std::fs::File::create(path).expect("a file")
+    };
+    let hostile = ("part", Value::Line("=1/0 & <b> \u{7} +álabe".to_owned()));
+    for language in Language::ALL {
+        for case in &CASES {
+            let name = format!("{}-{}", case.name, language.code());
+            let values = case.values(language);
+            template::write(
+                &FORM,
+                &values,
+                &(case.listed)(language),
+                &case.note,
+                language,
+                create(format!("{name}.xlsx")),
+            )
+            .expect("a form");
+            let outcome = common::outcome(case.name, std::slice::from_ref(&hostile));
+            results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
+        }
+        for form in [&insert::FORM, &hole::FORM, &lathe::FORM] {
+            for case in form.cases {
+                let name = format!("{}-{}-{}", form.kind, case.name, language.code());
+                let filled = case.values(language);
+                template::write(
+                    form,
+                    &filled,
+                    &(case.listed)(language),
+                    &case.note,
+                    language,
+                    create(format!("{name}.xlsx")),
+                )
+                .expect("a form");
+                let mut values = Values { language, ..Values::default() };
+                values.values.extend(filled);
+                values.lists = (case.listed)(language);
+                values.values.insert(hostile.0, hostile.1.clone());
+                let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                let outcome = kinds::run(form, values, source).expect("an outcome");
+                results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
+            }
+        }
+        let unit = LengthUnit::Inch;
+        let to = create(format!("offsets-{}.xlsx", language.code()));
+        offsets_sheet::write(&var_file(), unit, "a.var", language, to).expect("offsets");
+    }
+    files
+}
+
+/// Offsets whose every value is another.
+fn var_file() -> VarFile {
+    let mut file = VarFile::default();
+    file.complete();
+    let numbers: Vec<u32> = file.iter().map(|(number, _)| number).filter(|number| *number > 5220).collect();
+    for (number, at) in numbers.into_iter().zip(1..) {
+        file.set(number, f64::from(at) / 7.0).expect("a parameter");
+    }
+    file.set(5220, 7.0).expect("a parameter");
+    file
+}
+
+#[test]
+fn offsets_come_back_from_libreoffice_to_the_last_digit() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("offsets.xlsx");
+    let to = std::fs::File::create(&path).expect("a file");
+    let file = var_file();
+    offsets_sheet::write(&file, LengthUnit::Inch, "a.var", Language::Es, to).expect("offsets");
+    let made = std::fs::read(converted(&path, "xlsx:Calc MS Excel 2007 XML", "xlsx")).expect("LibreOffice's workbook");
+    let table = OffsetsTable::read(&made, LengthUnit::Inch).expect("the sheet");
+    let mut back = VarFile::default();
+    back.complete();
+    table.apply(&mut back).expect("values of a var file");
+    assert_eq!(back.text(), file.text());
+}
+
+#[test]
+fn the_lists_of_a_lathe_come_back_from_libreoffice_row_by_row() {
+    if !libreoffice() {
+        return;
+    }
+    // What a spreadsheet would take for a number, a formula, a date or a share, if it were not text.
+    let odd = ["%", "=1/0", "0001", "1E5", "+G1", "-5", "1/2", "12:30", "TRUE", "'N5", "#1=2", "X1,5", "(ángulo φ)"];
+    let block = |text: &&str| Row {
+        values: [("program/BLOCK", Value::Line((*text).to_owned()))].into(),
+        cells: BTreeMap::new(),
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    for (case, language) in lathe::FORM.cases.iter().flat_map(|case| Language::ALL.map(|language| (case, language))) {
+        let path = folder.path().join(format!("{}-{}.xlsx", case.name, language.code()));
+        let mut lists = (case.listed)(language);
+        lists.push(Rows { list: "subprogram", sheet: "O0005".to_owned(), rows: odd.iter().map(block).collect() });
+        let to = std::fs::File::create(&path).expect("a file");
+        template::write(&lathe::FORM, &case.values(language), &lists, &case.note, language, to).expect("a form");
+        let read = |path: &Path| {
+            let bytes = std::fs::read(path).expect("a workbook");
+            workbook::read(&bytes, &[&lathe::FORM]).expect("a sound workbook").values
+        };
+        let (before, after) = (read(&path), read(&converted(&path, "xlsx:Calc MS Excel 2007 XML", "xlsx")));
+        assert_eq!(before.values, after.values);
+        assert!(before.lists.len() >= 3 && before.lists.iter().any(|rows| rows.rows.len() == odd.len()));
+        assert_eq!(before.lists, after.lists, "{path:?}");
+    }
+}
+
+#[test]
+fn libreoffice_finds_no_error_in_any_workbook() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    for file in workbooks(folder.path()) {
+        let mut before: Xlsx<_> = open_workbook(&file).expect("our workbook");
+        let made = converted(&file, "xlsx:Calc MS Excel 2007 XML", "xlsx");
+        let mut after: Xlsx<_> = open_workbook(made).expect("LibreOffice's workbook");
+        assert_eq!(before.sheet_names(), after.sheet_names());
+        for name in before.sheet_names() {
+            let ours = before.worksheet_range(&name).expect("our sheet");
+            let theirs = after.worksheet_range(&name).expect("LibreOffice's sheet");
+            let formulas = after.worksheet_formula(&name).expect("formulas");
+            assert!(formulas.used_cells().next().is_none(), "{file:?}, {name}: a formula");
+            for (row, column, cell) in ours.used_cells() {
+                let (top, left) = ours.start().expect("a first cell");
+                let place = (top + u32::try_from(row).expect("a row"), left + u32::try_from(column).expect("a column"));
+                match (cell, theirs.get_value(place)) {
+                    (Data::Float(ours), Some(Data::Float(theirs))) => {
+                        assert!((ours - theirs).abs() <= 1e-14 * ours.abs(), "{file:?}, {name}, {place:?}");
+                    }
+                    (Data::String(ours), Some(Data::String(theirs))) => {
+                        // LibreOffice drops control characters.
+                        let seen = |text: &str| text.chars().filter(|one| !one.is_control()).collect::<String>();
+                        assert_eq!(seen(ours), seen(theirs), "{file:?}, {name}, {place:?}");
+                    }
+                    (ours, theirs) => panic!("{file:?}, {name}, {place:?}: {ours:?} became {theirs:?}"),
+                }
+            }
+            let wrong = |cell: &Data| match cell {
+                Data::Error(_) => true,
+                Data::String(text) => text.starts_with("Err:") || text.starts_with("#NAME?"),
+                _ => false,
+            };
+            assert!(!theirs.used_cells().any(|(.., cell)| wrong(cell)), "{file:?}, {name}: an error cell");
+        }
+        let names = |workbook: &Xlsx<_>| {
+            let mut names: Vec<String> = workbook.defined_names().iter().map(|(name, _)| name.clone()).collect();
+            names.retain(|name| !name.starts_with("_xlnm"));
+            names.sort();
+            names
+        };
+        assert_eq!(names(&before), names(&after), "{file:?}");
+    }
+}
+
+#[test]
+fn libreoffice_prints_the_results() {
+    if !libreoffice() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("results.xlsx");
+    let outcome = common::outcome("full", &[]);
+    results::write(&outcome, Language::Es, std::fs::File::create(&file).expect("a file")).expect("results");
+    let pdf = std::fs::read(converted(&file, "pdf", "pdf")).expect("the pages");
+    assert!(pdf.starts_with(b"%PDF"));
+}

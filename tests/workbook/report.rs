@@ -1,0 +1,359 @@
+//! The typeset report: its bytes, its literal texts, and what happens when typst does not do its work.
+
+#[cfg(feature = "embedded-typst")]
+use crate::common;
+
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
+
+use rodete::figure::{Axes, Figure, Ink, Stroke};
+use rodete::finding::{Finding, Grade, Place};
+use rodete::kind::{Outcome, Provenance};
+use rodete::kinds::impeller::cases::CASES;
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::parameter::{Value, Values};
+use rodete::report::typeset;
+#[cfg(feature = "embedded-typst")]
+use rodete::report::{Attachment, Content, Role};
+use rodete::table::{Column, Index, Quantity, Table, Unit};
+use rodete::text::{Language, Text};
+use rodete::typeset::compiler::Typst;
+use rodete::typeset::failure::ReportFailure;
+
+/// A small outcome with every kind of content but programs.
+fn outcome(part: &str, rows: usize) -> Outcome {
+    let mut values = Values { language: Language::En, ..Values::default() };
+    values.values = CASES[1].values(Language::En).into_iter().collect();
+    values.values.insert("part", Value::Line(part.to_owned()));
+    let steps: Vec<f64> = (0..rows).map(|at| f64::from(u32::try_from(at).unwrap()) * -0.125).collect();
+    let line: Vec<[f64; 2]> =
+        steps.iter().enumerate().map(|(at, &y)| [f64::from(u32::try_from(at).unwrap()), y]).collect();
+    Outcome {
+        form: &FORM,
+        values,
+        source: Provenance {
+            workbook: "impeller & co.xlsx".to_owned(),
+            sha256: "0123456789abcdef".repeat(4),
+            version: "0.1.0",
+        },
+        endless: false,
+        quantities: vec![Quantity {
+            symbol: "L",
+            meaning: Text::fixed("Longitud de pivote", "Pivot length"),
+            value: 242.9,
+            unit: Unit::Millimetre,
+            source: Text::fixed("R_B + H", "R_B + H"),
+        }],
+        tables: vec![Table {
+            key: "annex-1",
+            name: Text::fixed("Anexo 1", "Annex 1"),
+            title: Text::fixed("Discretización", "Discretisation"),
+            source: Text::fixed("Anexo 1", "Annex 1"),
+            index: Index::Point,
+            columns: vec![Column::numbers("v", Unit::Radian, "v", steps)],
+        }],
+        programs: Vec::new(),
+        charts: Vec::new(),
+        figures: LazyLock::new(Box::new(move || {
+            vec![Figure {
+                key: "angles",
+                caption: Text::fixed("Ángulos", "Angles"),
+                axes: Some(Axes { x: Text::fixed("i", "i"), y: Text::fixed("v (rad)", "v (rad)") }),
+                strokes: vec![Stroke { ink: Ink::Safe, points: line, filled: false, arrow: true }],
+                labels: Vec::new(),
+                legend: vec![(Ink::Safe, Text::fixed("v", "v"))],
+            }]
+        })),
+        turned: None,
+        templates: Vec::new(),
+        findings: vec![
+            Finding::new(Grade::Caution, Place::File, Text::same("a caution"), Text::same("look")).with("1 mm", "2 mm"),
+        ],
+    }
+}
+
+fn script(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/typst").join(name)
+}
+
+/// The failure of a script that stands for typst.
+#[cfg(unix)]
+fn failure(name: &str, deadline: Duration) -> ReportFailure {
+    let typst = Typst::installed(script(name)).with_deadline(deadline);
+    typeset(&outcome("part", 5), &[], Language::En, &typst).expect_err("the script gives no report")
+}
+
+#[test]
+fn a_missing_typst_is_named_with_the_version_wanted() {
+    let typst = Typst::installed("/nowhere/typst");
+    let finding = typeset(&outcome("part", 5), &[], Language::Es, &typst).expect_err("no such program").finding();
+    assert!(
+        finding.what.en.starts_with("the report could not be typeset: cannot run '/nowhere/typst'"),
+        "{}",
+        finding.what.en
+    );
+    assert!(finding.remedy.es.contains("typst 0.15"), "{}", finding.remedy.es);
+    assert_eq!(finding.grade, Grade::Caution);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_failing_typst_tells_its_first_lines_without_control_characters() {
+    let finding = failure("fails.sh", Duration::from_secs(20)).finding();
+    assert!(
+        finding.what.en.ends_with(
+            "ended with exit code 1\n  report.typ:12:7: error: unknown variable: contnets \u{FFFD}[31m\n  error: second line"
+        ),
+        "{:?}",
+        finding.what.en
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_hanging_typst_is_killed_with_its_children_at_the_deadline() {
+    let start = Instant::now();
+    let failure = failure("hangs.sh", Duration::from_millis(300));
+    // The pipe of standard error is held by the script's child: only its death lets the text arrive at once.
+    assert!(start.elapsed() < Duration::from_millis(1200), "{:?}", start.elapsed());
+    let finding = failure.finding();
+    assert!(finding.what.en.contains("did not end within 0.3 s and was killed"), "{}", finding.what.en);
+    assert!(finding.what.en.contains("report.typ:1:1: warning: still thinking"), "{}", finding.what.en);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_typst_is_killed() {
+    let flag = std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true));
+    let typst = Typst::installed(script("hangs.sh")).with_interrupt(flag);
+    let failure = typeset(&outcome("part", 5), &[], Language::En, &typst).expect_err("it is interrupted");
+    assert!(failure.interrupted(), "{failure}");
+}
+
+#[cfg(unix)]
+#[test]
+fn half_a_pdf_no_pdf_and_a_crash_give_no_report() {
+    for (name, told) in [
+        ("truncates.sh", "left 15 bytes that are no whole PDF"),
+        ("silent.sh", "left no readable PDF"),
+        ("crashes.sh", "broke off"),
+    ] {
+        let finding = failure(name, Duration::from_secs(20)).finding();
+        assert!(finding.what.en.contains(told), "{name}: {}", finding.what.en);
+    }
+}
+
+/// Says loudly that a judge is not here; where it must be, fails.
+#[cfg(feature = "embedded-typst")]
+fn missing(tool: &str) {
+    use std::io::Write;
+    assert!(std::env::var_os("CI").is_none(), "{tool} (poppler-utils) is missing");
+    // Not through the macros, whose output a passing test keeps to itself.
+    let _ = writeln!(std::io::stderr(), "\n*** {tool} is not installed: what a report shows is NOT TESTED ***\n");
+}
+
+#[cfg(feature = "embedded-typst")]
+mod embedded {
+    use super::*;
+    use std::process::Command;
+
+    fn typst() -> Typst {
+        Typst::embedded(env!("CARGO_BIN_EXE_rodete"))
+    }
+
+    fn workbook() -> Attachment<'static> {
+        Attachment {
+            name: "impeller & co.xlsx".to_owned(),
+            role: Role::Input,
+            mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
+            description: Text::fixed("Libro de datos", "Workbook"),
+            content: Content::Bytes(b"PK not really a workbook"),
+        }
+    }
+
+    /// The text of a PDF by poppler's pdftotext, pages parted by form feeds; `None` where it is not installed, which
+    /// only a machine that is not CI may be.
+    fn text(pdf: &[u8]) -> Option<String> {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), pdf).unwrap();
+        let Ok(output) = Command::new("pdftotext").arg("-layout").arg(file.path()).arg("-").output() else {
+            super::missing("pdftotext");
+            return None;
+        };
+        assert!(output.status.success());
+        Some(String::from_utf8(output.stdout).unwrap())
+    }
+
+    #[test]
+    fn the_same_outcome_gives_the_same_bytes() {
+        let outcome = outcome("part", 70);
+        let once = typeset(&outcome, &[workbook()], Language::Es, &typst()).unwrap().pdf;
+        let again = typeset(&outcome, &[workbook()], Language::Es, &typst()).unwrap().pdf;
+        assert!(once == again);
+        assert!(once.starts_with(b"%PDF-1.7"));
+    }
+
+    /// Every kind, case and language: each has words, method and set-up sheet of its own.
+    #[test]
+    fn every_kind_of_workbook_has_its_report() {
+        use rodete::kinds::pipe::{hole, insert};
+        for form in [&FORM, &insert::parameters::FORM, &hole::parameters::FORM] {
+            for case in form.cases {
+                for language in Language::ALL {
+                    let mut values = Values { language, ..Values::default() };
+                    values.values.extend(case.values(language));
+                    let source =
+                        Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
+                    let outcome = rodete::kinds::run(form, values, source).expect("an outcome");
+                    let report = typeset(&outcome, &[workbook()], language, &typst()).expect("a report");
+                    assert!(report.findings.is_empty(), "{} {}: {:?}", form.kind, case.name, report.findings);
+                    let Some(text) = text(&report.pdf) else { continue };
+                    for table in &outcome.tables {
+                        if table.key != "checks" && table.key != "views" {
+                            assert!(text.contains(table.name.get(language)), "{} {}", form.kind, table.key);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn markup_in_a_name_is_shown_and_not_run() {
+        let part = r##"#read("/etc/passwd") $x^2$ *b* #import "a.typ": * \u{41} <label> @ref // /* `c` = h"##;
+        let report = typeset(&outcome(part, 5), &[], Language::En, &typst()).unwrap();
+        if let Some(text) = text(&report.pdf) {
+            let flat = text.split_whitespace().collect::<Vec<_>>().join(" ").replace('\u{200B}', "");
+            assert!(flat.contains(part), "{flat}");
+        }
+    }
+
+    #[test]
+    fn characters_without_a_glyph_are_shown_by_code_with_a_note() {
+        let report = typeset(&outcome("部品 \u{1B}[31m\u{202E} ñ ⌀ 😀", 5), &[], Language::En, &typst()).unwrap();
+        let [note] = report.findings.as_slice() else { panic!("{:?}", report.findings) };
+        assert_eq!(note.grade, Grade::Note);
+        assert_eq!(note.value, "[U+90E8] [U+54C1] [U+001B] [U+202E] [U+1F600]");
+        if let Some(text) = text(&report.pdf) {
+            assert!(text.contains("[U+90E8][U+54C1] [U+001B][31m[U+202E] ñ ⌀ [U+1F600]"), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_name_of_two_hundred_characters_without_a_blank_is_set() {
+        let report = typeset(&outcome(&"W".repeat(200), 5), &[], Language::En, &typst()).unwrap();
+        assert!(report.findings.is_empty());
+    }
+
+    #[test]
+    fn long_tables_lose_their_middle_and_say_so() {
+        let report = typeset(&outcome("part", 61), &[], Language::En, &typst()).unwrap();
+        if let Some(text) = text(&report.pdf) {
+            assert!(text.contains("21 rows are left out here"), "{text}");
+        }
+    }
+
+    /// Both shipped cases, the longest of names, many programs and none: the machinist has one page to carry.
+    #[test]
+    fn the_set_up_sheet_is_one_page_and_the_last() {
+        let long = "Rodete de ensayo ".repeat(11);
+        let many = [("N", Value::Whole(3)), ("part", Value::Line(long.trim().to_owned()))];
+        for (case, language, changes, head, foot) in [
+            ("full", Language::En, &[][..], "Set-up sheet", "Machinist"),
+            ("tfg-2021", Language::Es, &[], "Hoja de preparación", "Operario"),
+            ("full", Language::Es, &many, "Hoja de preparación", "Operario"),
+        ] {
+            let outcome = common::outcome(case, changes);
+            let report = typeset(&outcome, &[workbook()], language, &typst()).unwrap();
+            let Some(text) = text(&report.pdf) else { return };
+            let pages: Vec<&str> = text.trim_end_matches('\u{C}').split('\u{C}').collect();
+            let last = pages.last().unwrap();
+            assert!(last.contains(head) && last.contains(foot), "{last}");
+            assert_eq!(pages.iter().filter(|page| page.contains(foot)).count(), 1);
+        }
+    }
+
+    #[test]
+    fn a_design_of_many_points_gives_a_report_of_bounded_length() {
+        let outcome = common::outcome("full", &[("n", Value::Whole(5000))]);
+        let report = typeset(&outcome, &[workbook()], Language::En, &typst()).unwrap();
+        if let Some(text) = text(&report.pdf) {
+            assert!(
+                text.contains("4 961 rows are left out here") || text.contains("4961 rows are left out here"),
+                "{text}"
+            );
+            assert!(text.matches('\u{C}').count() < 32, "{} pages", text.matches('\u{C}').count());
+        }
+    }
+
+    #[test]
+    fn the_report_carries_the_workbook_and_every_program() {
+        let workbook = Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks/impeller.xlsx");
+        let folder = tempfile::tempdir().unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rodete"));
+        command.arg("build").arg(&workbook).arg("-o").arg(folder.path()).env_remove("RODETE_TYPST");
+        assert!(command.output().unwrap().status.success());
+        let kept = tempfile::tempdir().unwrap();
+        let mut detach = Command::new("pdfdetach");
+        detach.args(["-saveall", "-o"]).arg(kept.path()).arg(folder.path().join("impeller-report.pdf"));
+        let Ok(output) = detach.output() else {
+            super::missing("pdfdetach");
+            return;
+        };
+        assert!(output.status.success());
+        let same = |name: &str, original: &Path| {
+            assert!(std::fs::read(kept.path().join(name)).unwrap() == std::fs::read(original).unwrap(), "{name}");
+        };
+        same("impeller.xlsx", &workbook);
+        for program in ["blade", "splitter", "impeller", "blank"] {
+            let name = format!("impeller-{program}.nc");
+            same(&name, &folder.path().join(&name));
+        }
+    }
+
+    /// The whole way, in two odd environments and in a plain one: locale, time zone and typst's own variables do not show.
+    #[test]
+    fn no_environment_shows_in_the_bytes() {
+        let workbook = Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks/impeller-tfg-2021.xlsx");
+        let environments: [&[(&str, &str)]; 3] = [
+            &[("LANG", "C"), ("TZ", "UTC")],
+            &[
+                ("LANG", "es_ES.UTF-8"),
+                ("LC_ALL", "es_ES.UTF-8"),
+                ("TZ", "Pacific/Chatham"),
+                ("SOURCE_DATE_EPOCH", "1"),
+            ],
+            &[("LANG", "de_DE.UTF-8"), ("TZ", "XYZ-13:37"), ("TYPST_ROOT", "/nowhere"), ("TYPST_FEATURES", "html")],
+        ];
+        let reports: Vec<Vec<u8>> = environments
+            .iter()
+            .map(|environment| {
+                let folder = tempfile::tempdir().unwrap();
+                let mut command = Command::new(env!("CARGO_BIN_EXE_rodete"));
+                command.arg("build").arg(&workbook).arg("-o").arg(folder.path()).env_remove("RODETE_TYPST");
+                let output = command.envs(environment.iter().copied()).output().unwrap();
+                assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+                std::fs::read(folder.path().join("impeller-tfg-2021-report.pdf")).unwrap()
+            })
+            .collect();
+        assert!(reports[0] == reports[1] && reports[0] == reports[2]);
+    }
+
+    #[test]
+    fn a_fault_in_a_document_is_placed_by_file_line_and_column() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.typ"), "one\n  #read(\"/etc/passwd\")\n").unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_rodete"))
+            .args(["typst", "compile", "--root"])
+            .arg(folder.path())
+            .args(["a.typ", "a.pdf"])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(1));
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert!(text.starts_with("a.typ:2:8: error: file not found"), "{text}");
+        assert!(!folder.path().join("a.pdf").exists());
+    }
+}

@@ -1,0 +1,402 @@
+//! The results workbook holds what was computed, bit for bit, and nothing that could act.
+
+use crate::common;
+
+use std::collections::BTreeMap;
+use std::io::{Cursor, Read};
+
+use calamine::{Data, Range, Reader, Xlsx};
+use rodete::finding::{Finding, Place};
+use rodete::kind::{Outcome, checks};
+use rodete::kinds::impeller::parameters::FORM;
+use rodete::parameter::Value;
+use rodete::table::{Column, Entry, Index, Table, Unit};
+use rodete::text::{Language, Text};
+use rodete::workbook::error::WriteError;
+use rodete::workbook::program_sheet::ProgramSheet;
+use rodete::workbook::results;
+use zip::ZipArchive;
+
+fn written(outcome: &Outcome, language: Language) -> Vec<u8> {
+    let mut out = Cursor::new(Vec::new());
+    results::write(outcome, language, &mut out).expect("the results can be written");
+    out.into_inner()
+}
+
+fn opened(bytes: Vec<u8>) -> Xlsx<Cursor<Vec<u8>>> {
+    Xlsx::new(Cursor::new(bytes)).expect("a workbook")
+}
+
+fn sheet(workbook: &mut Xlsx<Cursor<Vec<u8>>>, name: &str) -> Range<Data> {
+    workbook.worksheet_range(name).unwrap_or_else(|error| panic!("sheet {name}: {error}"))
+}
+
+fn at(range: &Range<Data>, row: usize, column: usize) -> Data {
+    let place = (u32::try_from(row).expect("a row"), u32::try_from(column).expect("a column"));
+    range.get_value(place).cloned().unwrap_or_default()
+}
+
+fn text(range: &Range<Data>, row: usize, column: usize) -> String {
+    match at(range, row, column) {
+        Data::String(text) => text,
+        Data::Empty => String::new(),
+        other => panic!("row {row}, column {column} holds {other:?}"),
+    }
+}
+
+/// The XML of every sheet, by name.
+fn parts(bytes: Vec<u8>) -> BTreeMap<String, String> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).expect("a package");
+    (0..archive.len())
+        .map(|index| {
+            let mut part = archive.by_index(index).expect("a part");
+            let mut xml = String::new();
+            part.read_to_string(&mut xml).expect("text");
+            (String::from_utf8_lossy(part.name_raw()).into_owned(), xml)
+        })
+        .collect()
+}
+
+/// Every table of the outcome stands on its sheet: head, index, and values with the same bits.
+fn assert_tables_read_back(outcome: &Outcome, language: Language) {
+    let mut workbook = opened(written(outcome, language));
+    for table in &outcome.tables {
+        let range = sheet(&mut workbook, table.name.get(language));
+        let offset = usize::from(table.index == Index::Point);
+        assert_eq!(text(&range, 0, 0), table.title.get(language));
+        assert_eq!(text(&range, 1, 0), table.source.get(language));
+        assert_eq!(range.height(), table.rows() + 4, "{}", table.key);
+        for (column, values) in table.columns.iter().enumerate() {
+            assert_eq!(text(&range, 2, column + offset), values.symbol.get(language));
+            assert_eq!(text(&range, 3, column + offset), values.unit.label());
+            for row in 0..table.rows() {
+                match (values.values.get(row), at(&range, row + 4, column + offset)) {
+                    (Entry::Number(value), Data::Float(read)) => {
+                        assert_eq!(value.to_bits(), read.to_bits(), "{} {column} {row}", table.key);
+                    }
+                    (Entry::Text(text), Data::String(read)) => assert_eq!(text.get(language), read),
+                    (Entry::Text(text), Data::Empty) => assert!(text.get(language).is_empty()),
+                    (entry, read) => panic!("{} {column} {row}: {entry:?} reads back as {read:?}", table.key),
+                }
+            }
+        }
+        if offset == 1 {
+            for row in 0..table.rows() {
+                assert_eq!(at(&range, row + 4, 0), Data::Float(f64::from(u32::try_from(row).expect("small"))));
+            }
+        }
+    }
+}
+
+#[test]
+fn every_table_reads_back_bit_for_bit_in_both_languages() {
+    for case in ["tfg-2021", "full"] {
+        let outcome = common::outcome(case, &[]);
+        assert!(outcome.tables.len() >= 10);
+        for language in Language::ALL {
+            assert_tables_read_back(&outcome, language);
+        }
+    }
+}
+
+#[test]
+fn a_long_table_is_streamed_and_reads_back_bit_for_bit() {
+    let outcome = common::outcome("full", &[("n", Value::Whole(3_000))]);
+    assert!(outcome.tables.iter().any(|table| table.rows() > 2_000));
+    assert_tables_read_back(&outcome, Language::Es);
+}
+
+#[test]
+fn a_long_table_of_numbers_and_texts_keeps_the_smallest_and_largest_of_each() {
+    let mut outcome = common::outcome("full", &[]);
+    let numbers: Vec<f64> = (0..2_500)
+        .map(|row| match row % 5 {
+            0 => f64::MAX,
+            1 => f64::MIN_POSITIVE / 4.0,
+            2 => -0.1 - 0.2,
+            3 => 1e-5,
+            _ => f64::from(row),
+        })
+        .collect();
+    let texts = (0..2_500).map(|row| Text::same(["<a & b>", "=1+1", " blank ", "_x001B_", "é\t"][row % 5])).collect();
+    outcome.tables = vec![Table {
+        key: "mixed",
+        name: Text::same("Mixed"),
+        title: Text::same("=title"),
+        source: Text::same("@source"),
+        index: Index::Point,
+        columns: vec![
+            Column::numbers("x", Unit::Millimetre, "", numbers),
+            Column::texts(Text::same("word"), "", texts),
+        ],
+    }];
+    outcome.charts.clear();
+    assert_tables_read_back(&outcome, Language::En);
+}
+
+#[test]
+fn programs_stand_side_by_side_line_for_line() {
+    for case in ["tfg-2021", "full"] {
+        let outcome = common::outcome(case, &[]);
+        let range = sheet(&mut opened(written(&outcome, Language::Es)), "INCR");
+        for (key, column) in [("blade", 0), ("splitter", 3), ("impeller", 6), ("blank", 9)] {
+            let program = outcome.programs.iter().find(|program| program.key == key).expect("the program");
+            let mut lines = program.lines();
+            let mut row = 0;
+            while let Some((number, line)) = lines.next() {
+                let number = number.map_or_else(String::new, |number| format!("N{number}"));
+                assert_eq!(text(&range, row, column), number, "{key} {row}");
+                assert_eq!(text(&range, row, column + 1), line, "{key} {row}");
+                row += 1;
+            }
+            assert!(row > 3);
+            for below in row..range.height() {
+                assert_eq!(at(&range, below, column + 1), Data::Empty);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
+    let outcome = common::outcome("tfg-2021", &[]);
+    let programs = ProgramSheet::new(&outcome.programs, outcome.form.programs, 50).expect("programs");
+    assert_eq!(programs.rows(), 50);
+    let mut book = rust_xlsxwriter::Workbook::new();
+    let page = rodete::workbook::page::Page { part: "", origin: "", repeat: (0, 0), landscape: false, single: false };
+    let styles = rodete::workbook::style::Styles::default();
+    programs.write(book.add_worksheet(), Language::En, &styles, &page).expect("columns");
+    let mut out = Cursor::new(Vec::new());
+    let rows = programs.rows();
+    let long = rodete::workbook::long_rows::LongRows {
+        sheet: 0,
+        name: String::new(),
+        first: 0,
+        count: rows,
+        source: programs.source(),
+    };
+    rodete::workbook::long_rows::save(&mut book, vec![long], &mut out).expect("a workbook");
+    let range = sheet(&mut opened(out.into_inner()), "Sheet1");
+
+    // Further pairs come after the fourth, in the programs' order.
+    let mut further = 12;
+    for (key, first) in [("blade", 0), ("splitter", 3), ("impeller", 6), ("blank", 9)] {
+        let program = outcome.programs.iter().find(|program| program.key == key).expect("the program");
+        let (mut lines, mut row, mut column) = (program.lines(), 0, first);
+        while let Some((_, line)) = lines.next() {
+            if row == 50 {
+                (row, column) = (0, further);
+                further += 3;
+            }
+            assert_eq!(text(&range, row, column + 1), line, "{key}");
+            row += 1;
+        }
+    }
+    assert!(further > 12 + 3);
+}
+
+#[test]
+fn the_first_sheet_is_the_form_with_the_values_and_the_derived_quantities() {
+    for (language, name) in [(Language::Es, "DATOS"), (Language::En, "DATA")] {
+        let outcome = common::outcome("tfg-2021", &[]);
+        let mut workbook = opened(written(&outcome, language));
+        assert_eq!(workbook.sheet_names().first().map(String::as_str), Some(name));
+        let range = sheet(&mut workbook, name);
+        let row = |symbol: &str, column: usize| {
+            (0..range.height()).find(|&row| at(&range, row, column) == Data::String(symbol.to_owned()))
+        };
+        for (key, value) in &outcome.values.values {
+            let row = row(key, 0).unwrap_or_else(|| panic!("{key} has no row"));
+            match (value, at(&range, row, 2)) {
+                (Value::Real(value), Data::Float(read)) => assert_eq!(value.to_bits(), read.to_bits()),
+                (Value::Whole(value), Data::Float(read)) => assert_eq!(f64::from(*value).to_bits(), read.to_bits()),
+                (Value::Line(line), Data::String(read)) => assert_eq!(*line, read),
+                (Value::Choice(choice), Data::String(read)) => {
+                    assert!(*choice == read || (*choice == "yes" && language == Language::Es && read == "sí"));
+                }
+                (value, read) => panic!("{key}: {value:?} reads back as {read:?}"),
+            }
+        }
+        assert!(!outcome.quantities.is_empty());
+        for quantity in &outcome.quantities {
+            let row = row(quantity.symbol, 6).unwrap_or_else(|| panic!("{} has no row", quantity.symbol));
+            assert_eq!(at(&range, row, 8), Data::Float(quantity.value), "{}", quantity.symbol);
+            assert_eq!(text(&range, row, 9), quantity.unit.label());
+        }
+    }
+}
+
+#[test]
+fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
+    let mut outcome = common::outcome("full", &[]);
+    outcome.findings.insert(
+        0,
+        Finding::stop(
+            Place::Parameters(vec!["F"]),
+            Text::fixed("=el avance es alto", "=feed is high"),
+            Text::same("F"),
+        )
+        .with("7000 mm/min", "6000 mm/min"),
+    );
+    outcome.programs.clear();
+    let mut workbook = opened(written(&outcome, Language::Es));
+    assert!(!workbook.sheet_names().iter().any(|name| name == "INCR"));
+    let range = sheet(&mut workbook, "Comprobaciones");
+    let table = checks::table(&outcome.findings);
+    assert_eq!(table.rows(), outcome.findings.len());
+    assert_eq!(range.height(), table.rows() + 3);
+    for (at, column) in table.columns.iter().enumerate() {
+        for row in 0..table.rows() {
+            let Entry::Text(entry) = column.values.get(row) else { panic!("a number among the checks") };
+            assert_eq!(text(&range, row + 3, at), entry.es);
+        }
+    }
+    assert_eq!(text(&range, 3, 0), "Parada");
+    assert_eq!(text(&range, 3, 2), "=el avance es alto");
+}
+
+#[test]
+fn the_same_outcome_gives_the_same_bytes() {
+    let outcome = common::outcome("full", &[("n", Value::Whole(2_500))]);
+    assert!(written(&outcome, Language::Es) == written(&outcome, Language::Es));
+    assert!(
+        written(&common::outcome("full", &[]), Language::En) == written(&common::outcome("full", &[]), Language::En)
+    );
+}
+
+#[test]
+fn no_text_of_the_user_becomes_a_formula_or_breaks_a_sheet() {
+    for part in [
+        "=cmd|' /C calc'!A0",
+        "+1+1",
+        "-1",
+        "@SUM(A1)",
+        "\t=1",
+        "nul \0 bell \u{7} esc \u{1B}[2J",
+        "</v></c><c><f>1+1</f></c>",
+        "_x003D_1",
+        "&A&P\"&\"",
+        "\u{202E}abc",
+    ] {
+        let outcome = common::outcome("full", &[("part", Value::Line(part.to_owned()))]);
+        let bytes = written(&outcome, Language::En);
+        for (name, xml) in parts(bytes.clone()) {
+            let mut reader = quick_xml::Reader::from_str(&xml);
+            loop {
+                match reader.read_event().unwrap_or_else(|error| panic!("{part:?}, {name}: {error}")) {
+                    quick_xml::events::Event::Eof => break,
+                    quick_xml::events::Event::Start(tag) | quick_xml::events::Event::Empty(tag)
+                        if name.starts_with("xl/worksheets/") =>
+                    {
+                        assert_ne!(tag.name().as_ref(), "f", "{part:?}: a formula in {name}");
+                    }
+                    _ => {}
+                }
+            }
+            assert!(!xml.contains('\0') && !xml.contains('\u{1B}'), "{part:?}, {name}: a control character");
+        }
+        let range = sheet(&mut opened(bytes), "DATA");
+        let row = (0..range.height()).find(|&row| at(&range, row, 0) == Data::String("part".to_owned()));
+        assert_eq!(text(&range, row.expect("the row of the part"), 2), part);
+    }
+}
+
+#[test]
+fn no_sheet_has_a_number_that_is_not_one() {
+    for (name, xml) in parts(written(&common::outcome("full", &[]), Language::En)) {
+        for word in ["NaN", "NAN", "INF", "inf"] {
+            assert!(!xml.contains(&format!("<v>{word}")) && !xml.contains(&format!(">{word}<")), "{word} in {name}");
+        }
+    }
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for rows in [10, 3_000] {
+            let mut outcome = common::outcome("full", &[]);
+            let mut values = vec![1.0; rows];
+            values[rows - 1] = value;
+            outcome.tables[0].columns = vec![Column::numbers("x", Unit::One, "", values)];
+            let written = results::write(&outcome, Language::En, Cursor::new(Vec::new()));
+            assert!(matches!(written, Err(WriteError::NotFinite { .. })), "{value} in {rows} rows: {written:?}");
+        }
+    }
+}
+
+#[test]
+fn every_chart_finds_all_its_curves() {
+    let outcome = common::outcome("full", &[]);
+    let xml = parts(written(&outcome, Language::Es));
+    let charts: Vec<&String> =
+        xml.iter().filter(|(name, _)| name.starts_with("xl/charts/chart")).map(|(_, xml)| xml).collect();
+    assert!(!outcome.charts.is_empty());
+    assert_eq!(charts.len(), outcome.charts.len());
+    let curves: usize = charts.iter().map(|xml| xml.matches("<c:ser>").count()).sum();
+    assert_eq!(curves, outcome.charts.iter().map(|chart| chart.series.len()).sum::<usize>());
+}
+
+#[test]
+fn charts_of_a_long_table_reach_to_its_last_row() {
+    let outcome = common::outcome("full", &[("n", Value::Whole(2_999))]);
+    for (language, sheet) in [(Language::Es, "'Anexo 4'"), (Language::En, "'Annex 4'")] {
+        let xml = parts(written(&outcome, language));
+        let charts: Vec<&String> =
+            xml.iter().filter(|(name, _)| name.starts_with("xl/charts/chart")).map(|(_, xml)| xml).collect();
+        let references: Vec<&str> = charts
+            .iter()
+            .flat_map(|xml| xml.split("<c:f>").skip(1))
+            .map(|rest| rest.split("</c:f>").next().unwrap_or_default())
+            .collect();
+        for column in ["B", "C"] {
+            let whole = format!("{sheet}!${column}$5:${column}$3004");
+            assert!(references.contains(&whole.as_str()), "{whole} is not in {references:?}");
+        }
+        // Only the table of safe points is short.
+        let short = |reference: &&&str| !reference.ends_with("$3004");
+        assert!(references.iter().filter(short).all(|reference| reference.ends_with("$8")), "{references:?}");
+        for chart in &charts {
+            let mut reader = quick_xml::Reader::from_str(chart);
+            while reader.read_event().expect("well-formed") != quick_xml::events::Event::Eof {}
+        }
+    }
+}
+
+/// The slots of a calibration that has a solution.
+fn calibration() -> Vec<(&'static str, Value)> {
+    [("H", 60.0), ("d_w", 50.0), ("e_z", 3.0), ("e_x", 4.0), ("d_t", 6.0), ("x0", -200.0), ("z0", -150.0)]
+        .into_iter()
+        .map(|(symbol, value)| {
+            let (_, parameter) = FORM
+                .parameters()
+                .find(|(_, parameter)| parameter.key == format!("calibration/{symbol}"))
+                .expect("a parameter");
+            (parameter.key, Value::Real(value))
+        })
+        .collect()
+}
+
+#[test]
+fn the_results_workbook_is_an_input_with_the_same_values() {
+    for language in Language::ALL {
+        for case in ["tfg-2021", "full"] {
+            for changes in [Vec::new(), calibration(), vec![("part", Value::Line("=1+1 «álabe»".to_owned()))]] {
+                let outcome = common::outcome(case, &changes);
+                let filled = rodete::workbook::read(&written(&outcome, language), &[&FORM])
+                    .unwrap_or_else(|refusal| panic!("{case} {changes:?}: {:?}", refusal.findings));
+                assert_eq!(filled.values.values, outcome.values.values);
+                assert_eq!(filled.values.language, language);
+                assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+            }
+        }
+    }
+}
+
+#[test]
+fn results_say_whether_they_can_be_read_again_and_are_right() {
+    for (n, small) in [(40, true), (5_000, true), (40_000, false)] {
+        let outcome = common::outcome("full", &[("n", Value::Whole(n))]);
+        let bytes = written(&outcome, Language::En);
+        let read = rodete::workbook::read(&bytes, &[&FORM]);
+        let said = text(&sheet(&mut opened(bytes), "DATA"), 2, 0);
+        assert_eq!(said.contains("valid input"), small, "{n}: {said}");
+        assert_eq!(said.contains("too large"), !small, "{n}: {said}");
+        assert_eq!(read.is_ok(), small, "{n}");
+    }
+}
