@@ -3,7 +3,7 @@
 //! # References
 //! LinuxCNC, "Tool table format": a line for each tool, T its number, P its pocket, X to W its offsets, D its diameter, I J
 //! its angles, Q its orientation, a comment after `;`. Lengths in the machine's unit. Of a tool with an orientation from 1 to
-//! 9 D is twice the nose radius.
+//! 9 D is twice the nose radius. No length or angle may go beyond what a coordinate may be, 99,999.999 mm or degrees.
 
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Refusal};
@@ -11,6 +11,7 @@ use crate::gcode::interpreter::setting::{ToolOffset, Tools};
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
+use crate::number::grid::LIMIT;
 use crate::text::Text;
 
 /// Reads a tool table whose lengths are in a unit.
@@ -71,10 +72,12 @@ fn tool(words: &str, unit: LengthUnit) -> Result<(u32, ToolOffset), (usize, Stri
         let digits = letters.as_str();
         let plain = digits.bytes().all(|byte| byte.is_ascii_digit() || b"+-.".contains(&byte));
         let value: f64 = digits.parse().ok().filter(|value: &f64| plain && value.is_finite()).ok_or_else(wrong)?;
+        let bounded =
+            |value: f64| Some(value).filter(|value| value.abs() <= f64::from(LIMIT) / 1000.0).ok_or_else(wrong);
         match letter {
             'T' => number = Some(digits.parse().map_err(|_| wrong())?),
             'D' => {
-                tool.diameter = unit.to_mm(value);
+                tool.diameter = bounded(unit.to_mm(value))?;
                 below = (value < 0.0).then(wrong);
             }
             'Q' => {
@@ -85,7 +88,7 @@ fn tool(words: &str, unit: LengthUnit) -> Result<(u32, ToolOffset), (usize, Stri
             'P' | 'I' | 'J' => {}
             _ => {
                 let axis = Axis::ALL.into_iter().find(|axis| axis.letter() == letter).ok_or_else(wrong)?;
-                tool.offset.set(axis, if axis.rotary() { value } else { unit.to_mm(value) });
+                tool.offset.set(axis, bounded(if axis.rotary() { value } else { unit.to_mm(value) })?);
             }
         }
     }
@@ -118,6 +121,15 @@ mod tests {
     }
 
     #[test]
+    fn no_length_goes_beyond_a_coordinate_in_either_unit() {
+        assert!(parse(b"T1 D99999.999 Z-99999.999", LengthUnit::Millimetre).is_ok());
+        assert!(parse(b"T1 D4000", LengthUnit::Inch).is_err(), "101.6 m");
+        // Finite in inches, and no number in millimetres.
+        let digits = "9".repeat(308);
+        assert!(parse(format!("T1 D{digits}").as_bytes(), LengthUnit::Inch).is_err());
+    }
+
+    #[test]
     fn what_is_no_tool_is_refused_with_its_place() {
         for (text, place) in [
             ("T1 Z1,5", (1, 4)),
@@ -129,6 +141,9 @@ mod tests {
             ("T1 D2 Q10", (1, 7)),
             ("T1 Q2.5", (1, 4)),
             ("T1 D-1 Q2", (1, 4)),
+            ("T1 D100000", (1, 4)),
+            ("T1 Z-100000", (1, 4)),
+            ("T1 P1 A100000", (1, 7)),
         ] {
             let refusal = parse(text.as_bytes(), LengthUnit::Millimetre).unwrap_err();
             assert_eq!(refusal.findings[0].place, Place::Line { line: place.0, columns: vec![place.1] }, "{text}");
