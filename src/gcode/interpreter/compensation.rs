@@ -121,11 +121,12 @@ impl Interpreter<'_> {
     /// How far aside of what is programmed the tip makes the cut of a pass under G90 or G94, along the axis across the cut; mm.
     /// `slope` is the cone's rise across per mm along the cut's axis, both positive along their axes.
     ///
-    /// The nose is kept on the side of each line that lies away from the tip, whatever G41 and G42 say: a cut along an axis with a
+    /// # Derivation
+    /// From the rule of Fanuc Series 0i-T, operator's manual, tool nose radius compensation, canned cycles:
+    /// the nose is kept on the side of each line that lies away from the tip, whatever G41 and G42 say: a cut along an axis with a
     /// tip that touches it is made as programmed, and so are the moves across. On a cone of slope m, with tᵢ the shares of the
     /// vector from the nose's centre to the tip along the cut and tₐ across it, the centre is at R √(1 + m²) from the cone along
-    /// the axis across, and the tip, tᵢ R and tₐ R from the centre, is aside by −R (m tᵢ + tₐ (√(1 + m²) − 1)). Derived here from
-    /// the rule of Fanuc Series 0i-T, operator's manual, tool nose radius compensation, canned cycles.
+    /// the axis across, and the tip, tᵢ R and tₐ R from the centre, is aside by −R (m tᵢ + tₐ (√(1 + m²) − 1)).
     ///
     /// # Errors
     /// For a tip that lies neither before nor behind the cut, and without a nose in the table.

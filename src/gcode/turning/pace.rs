@@ -13,8 +13,6 @@
 //! - on an arc r = c + R·sin φ, φ counted from +Z to +X: ∫ |r| R dφ = ±R·(c·Δφ + 2R·sin φm·sin(Δφ/2)), φm the middle;
 //! - on a thread the point moves s = L·ν + K·ν²/2 along the lead's axis in ν revolutions, L the lead and K its change a
 //!   revolution, so that ν = 2s / (L + √(L² + 2·K·s)), and r is a parabola in ν, whose integral Simpson's rule gives exactly.
-//!
-//! Derived here.
 
 use std::f64::consts::{PI, TAU};
 

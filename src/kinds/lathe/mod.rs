@@ -1,7 +1,7 @@
 //! The lathe: a turning program of a workbook followed as it removes material, judged and shown.
 //!
 //! # References
-//! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
+//! The lathe simulator's machine, stock, tools and cycles; what it leaves open says so where it stands, under "Derivation" or as chosen.
 
 pub mod cases;
 pub mod catalogue;

@@ -11,7 +11,7 @@
 //!
 //! # References
 //! The thesis, section 4.1: facing, then G85 along the quarter of the torus about (Z 0, X 2 R). What is asked of the part
-//! that is left is derived here.
+//! that is left follows: no metal over face, torus and cylinder, and none missing.
 
 use crate::finding::Grade;
 use crate::gcode::control::FAGOR_8055_T;
