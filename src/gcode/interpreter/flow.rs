@@ -1,6 +1,7 @@
 //! Subprograms, loops and branches.
 
 use crate::gcode::code::{G, Group, M};
+use crate::gcode::control::CallBy;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::context::Context;
@@ -83,8 +84,7 @@ impl Interpreter<'_> {
     fn structure(&mut self) -> Outcome<&Structure> {
         let at = self.at;
         if self.structures[at].is_none() {
-            let comments = self.control.comments;
-            let structure = Structure::of(&mut self.sources[at], comments)?;
+            let structure = Structure::of(&mut self.sources[at], &self.control.lexis)?;
             self.structures[at] = Some(structure);
         }
         self.structures[at].as_ref().ok_or_else(|| fatal(Text::same("O"), Text::same("")))
@@ -330,7 +330,7 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn enter(&mut self, mut call: Call) -> Outcome<()> {
-        let most = self.setting.budget.call_depth.min(self.control.call_depth);
+        let most = self.setting.budget.call_depth.min(self.control.calls.depth);
         if self.flow.frames.len() >= most {
             let mut stack: Vec<String> = self.flow.frames.iter().map(|call| shown(&call.label)).collect();
             stack.push(shown(&call.label));
@@ -448,12 +448,19 @@ impl Interpreter<'_> {
     }
 
     /// M98 and M99 of the block in hand.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn call_or_return(&mut self) -> Outcome<()> {
-        let result = match self.block.m(4) {
-            _ if self.control.system_a => self.call_by_number(),
-            Some((M::Call, _)) => self.call_program(),
-            Some((M::Return, _)) => self.return_from_program(),
-            _ => Ok(()),
+        let result = match self.control.calls.by {
+            CallBy::Number => self.call_by_number(),
+            CallBy::Label => match self.block.m(4) {
+                Some((M::Call, _)) => self.call_program(),
+                Some((M::Return, _)) => self.return_from_program(),
+                Some(_) | None => Ok(()),
+            },
+            CallBy::Nothing => {
+                let number = self.block.m(4).map_or(98, |(_, number)| number);
+                Err(self.unknown('M', number.into(), self.block.m_column(4)))
+            }
         };
         result.map_err(Fault::fatal)
     }
@@ -533,7 +540,7 @@ impl Interpreter<'_> {
         }
         // A lathe makes a plain motion of the block before it.
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
-        if self.control.system_a
+        if self.control.calls.by.beside_motion()
             && matches!(motion, G::Rapid | G::Linear | G::Arc(_))
             && self.block.g(Group::NonModal).is_none()
         {

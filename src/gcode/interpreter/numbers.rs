@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::gcode::control::Comments;
+use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
@@ -38,10 +38,10 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Looks through a file up to the second `%` and goes back to where it was.
-    fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
+    fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
         let back = source.position();
         let mut numbers = Self::default();
-        let mut tape = Tape::new(comments);
+        let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
         source.go_to(Position::START)?;
         loop {
@@ -49,7 +49,7 @@ impl Numbers {
             if !source.next_line(&mut line)? || tape.ends(&line) {
                 break;
             }
-            let mut cursor = Cursor::new(&line, comments);
+            let mut cursor = Cursor::new(&line, lexis.comments);
             cursor.accept_delete(true);
             if cursor.accept(b'o') {
                 // A bad number is refused when its line is executed.
@@ -104,8 +104,8 @@ impl Interpreter<'_> {
     pub(super) fn numbers(&mut self) -> Outcome<&Numbers> {
         let at = self.at;
         if !self.numbers.contains_key(&at) {
-            let comments = self.control.comments;
-            let numbers = Numbers::of(self.source(), comments)?;
+            let lexis = &self.control.lexis;
+            let numbers = Numbers::of(self.source(), lexis)?;
             self.numbers.insert(at, numbers);
         }
         self.numbers.get(&at).ok_or_else(|| Fault::block(Text::same("N"), Text::same("")))

@@ -37,7 +37,7 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
 /// word would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    match design.control.rotary {
+    match design.control.rotary.delivered {
         Rotary::Rollover => Distance::Incremental,
         Rotary::Linear => Distance::Absolute,
     }
@@ -76,7 +76,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     comments(design, &mut header);
     let mut parts = header.parts;
     let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
-    let law = control.feed;
+    let law = control.law;
     let safe = Milli::round(design.R_o() + design.Z_s)?;
     let rapid = |words: Vec<Word>| std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>();
     let distance = distance(design);
