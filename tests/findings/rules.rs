@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rodete::cli::RULES;
 use rodete::finding::{Example, Finding, Grade, Place, Rule};
-use rodete::gcode::dialect::{Dialect, Rotary};
+use rodete::gcode::control::{Control, Rotary};
 use rodete::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, Setting, tool_table};
 use rodete::machine::var_file::VarFile;
 
@@ -24,8 +24,8 @@ impl Files for Beside {
 
 /// What a program is read with.
 fn setting(control: &str, given: &[(&'static str, &'static str)]) -> Setting {
-    let mut setting = Setting::new(Dialect::named(control).unwrap());
-    setting.keep_g92 = setting.dialect.name == "linuxcnc";
+    let mut setting = Setting::new(Control::named(control).unwrap());
+    setting.keep_g92 = setting.control.name == "linuxcnc";
     setting.budget.repeated_blocks = 20_000;
     let mut files = BTreeMap::new();
     for (option, value) in given {
@@ -61,10 +61,8 @@ fn setting(control: &str, given: &[(&'static str, &'static str)]) -> Setting {
 /// All that is told of a program.
 fn told(program: &str, setting: Setting) -> Vec<Finding> {
     let mut interpreter = Interpreter::over(program.as_bytes(), setting);
-    let mut findings = Vec::new();
-    while let Some(item) = interpreter.next() {
-        findings.extend(item.err().map(|fault| Finding::from(*fault)));
-    }
+    let mut findings: Vec<_> =
+        interpreter.by_ref().filter_map(Result::err).map(|fault| Finding::from(*fault)).collect();
     findings.extend(interpreter.remarks());
     findings
 }
