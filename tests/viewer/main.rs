@@ -1,5 +1,7 @@
 //! The viewer in Chromium: it draws, plays, goes to blocks, speaks both languages, and asks nobody for anything.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
+
 mod browser;
 mod turned;
 
