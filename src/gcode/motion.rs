@@ -1,4 +1,4 @@
-//! Canonical motions: what a control does with a program, whatever the dialect.
+//! Canonical motions: what a control does with a program, whichever it is.
 
 use std::f64::consts::{PI, TAU};
 
@@ -58,7 +58,7 @@ pub enum FeedMode {
 pub struct Feed {
     /// How it is meant.
     pub mode: FeedMode,
-    /// The number; 0 where the program has given none and the dialect lets that pass.
+    /// The number; 0 where the program has given none and the control lets that pass.
     pub value: f64,
 }
 

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, SinglePassCycle};
-use crate::gcode::control::{Compensation, InForce};
+use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -177,7 +177,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = InForce { file: self.at, ..self.modal.control() };
+        let mut control = InForce { file: self.at, ..self.modal.in_force() };
         let number = self.made();
         let side = self.side(&motion);
         control.compensation = side;
@@ -235,7 +235,7 @@ impl Interpreter<'_> {
         let at_once = self.block.groups & (1 << Group::NonModal as u16) != 0
             && matches!(self.block.g(Group::NonModal), Some(G::Reference(_) | G::MachineCoordinates));
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
-        if at_once && !dwell && !self.reading.system_a && self.modal.compensation != Compensation::Off {
+        if at_once && !dwell && !self.control.system_a && self.modal.compensation != Compensation::Off {
             self.modal.compensation = Compensation::Off;
             self.remarks.add(
                 Grade::Caution,

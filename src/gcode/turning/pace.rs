@@ -16,7 +16,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::gcode::control::{InForce, Speed, Spindle};
+use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::motion::{Arc, Thread};
 use crate::number::trig;
 
@@ -182,7 +182,7 @@ mod tests {
             system: 1,
             feed_mode: crate::gcode::motion::FeedMode::PerRevolution,
             unit: crate::machine::length_unit::LengthUnit::Millimetre,
-            compensation: crate::gcode::control::Compensation::Off,
+            compensation: crate::gcode::in_force::Compensation::Off,
             file: 0,
         }
     }

@@ -2,7 +2,7 @@
 
 use super::stock::Fixture;
 use crate::finding::{Finding, Grade, Place, Raise, Said, Size};
-use crate::gcode::control::Compensation;
+use crate::gcode::in_force::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
 use crate::text::Text;

@@ -5,7 +5,7 @@ use super::motion_totals::Tally;
 use super::path::Piece;
 use super::spindle::{extent, revolutions};
 use super::tool::{Cutter, TurningTool};
-use crate::gcode::control::{Compensation, InForce};
+use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::motion::{FeedMode, MotionKind, Thread};
 use crate::number::trig::{hypot, sin, tan};
 

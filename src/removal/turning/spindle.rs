@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::machine::Lathe;
 use super::path::Piece;
-use crate::gcode::control::{InForce, Speed, Spindle};
+use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Thread};
 use crate::number::trig::hypot;
 

@@ -1,6 +1,6 @@
 //! Turning tools by their catalogue values.
 
-use crate::gcode::control::Spindle;
+use crate::gcode::in_force::Spindle;
 pub use crate::gcode::turning::nose::Tip;
 use crate::text::Text;
 
