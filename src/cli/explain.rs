@@ -7,15 +7,16 @@ use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{Example, Exit, Grade, Rule};
+use crate::gcode::rules::{expressions, lexis};
 use crate::parameter::t;
 use crate::removal::turning::rules;
 use crate::text::{Language, Text};
 
 /// The rows of every room.
-pub const RULES: [&[&Rule]; 1] = [rules::RULES];
+pub const RULES: &[&[&Rule]] = &[rules::RULES, lexis::RULES, expressions::RULES];
 
 fn all() -> impl Iterator<Item = &'static Rule> {
-    RULES.into_iter().flatten().copied()
+    RULES.iter().copied().flatten().copied()
 }
 
 pub(super) fn run(arguments: &Explain, terminal: &mut Terminal) -> Exit {
@@ -68,6 +69,22 @@ fn told(rule: &Rule, language: Language) -> String {
             let _ = writeln!(text, "  {} ({control}, {stock}{given}):", head.get(language));
             for block in program.split('|') {
                 let _ = writeln!(text, "    {block}");
+            }
+        }
+        Example::Program { control, program, given, .. } => {
+            let given: String = given.iter().map(|(option, value)| format!(", {option} {value}")).collect();
+            let head = t("ejemplo", "example");
+            let _ = writeln!(text, "  {} ({control}{given}):", head.get(language));
+            for block in program.split('|') {
+                let _ = writeln!(text, "    {}", printable(block));
+            }
+        }
+        Example::Repeated { control, word, times } => {
+            let head = t("ejemplo", "example");
+            let often = t("repetido, veces", "repeated, times");
+            let _ = writeln!(text, "  {} ({control}; {}: {times}):", head.get(language), often.get(language));
+            for block in word.split('|') {
+                let _ = writeln!(text, "    {}", printable(block));
             }
         }
         Example::Never(why) => {

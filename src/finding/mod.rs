@@ -138,6 +138,12 @@ impl Finding {
         self.grade == Grade::Stop && self.remedy == FAULT
     }
 
+    /// True for a finding of a row.
+    #[must_use]
+    pub fn is(&self, rule: &Rule) -> bool {
+        self.rule == Some(rule)
+    }
+
     /// A finding for a person to judge.
     #[must_use]
     pub const fn caution(place: Place, what: Text, remedy: Text) -> Self {

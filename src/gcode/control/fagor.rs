@@ -9,9 +9,9 @@ use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::{
     Across, AcrossWord, Alarms, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
-    FeedRule, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner, OffsetRule,
-    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
-    Start, ToolCall, ToolChange, Turns,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -67,6 +67,7 @@ const FAGOR_8055_BASE: Control = Control {
     change_in_tool_block: true,
     offset_word: true,
     law: FeedLaw::Resultant,
+    height: HeightHold::Builder,
     memory: 1 << 20,
     class: Class::Mill,
     lexis: LEXIS,

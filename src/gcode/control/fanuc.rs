@@ -14,9 +14,9 @@ use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle
 use crate::gcode::control::{
     Across, AcrossWord, Alarms, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
-    FeedRule, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner, OffsetRule,
-    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
-    Start, ToolCall, ToolChange, Turns,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -32,6 +32,7 @@ pub static FANUC_LATHE_A: Control = Control {
     change_in_tool_block: true,
     offset_word: false,
     law: FeedLaw::Resultant,
+    height: HeightHold::Builder,
     memory: 1 << 19,
     class: Class::Lathe,
     lexis: Lexis {

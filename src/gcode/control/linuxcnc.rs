@@ -4,9 +4,9 @@ use crate::gcode::code::{Cycle, G, Group, M, Name};
 use crate::gcode::control::{
     Across, AcrossWord, Alarms, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
-    FeedRule, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, OffsetRule, Opening, Order,
-    Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule, Start, ToolCall,
-    ToolChange, Turns,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, OffsetRule,
+    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
+    Start, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -22,6 +22,8 @@ pub static LINUXCNC: Control = Control {
     change_in_tool_block: true,
     offset_word: false,
     law: FeedLaw::InverseTime,
+    // QtPlasmaC, its plasma table, holds the height while output 2 is on.
+    height: HeightHold::Output(2),
     memory: 1 << 30,
     class: Class::Mill,
     lexis: Lexis {

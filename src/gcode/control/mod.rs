@@ -18,6 +18,7 @@ pub mod guess;
 mod lexis;
 mod linuxcnc;
 mod order;
+mod output;
 mod path;
 mod rotary;
 mod spindle;
@@ -31,6 +32,7 @@ pub use self::feed::{FeedChange, FeedCodes, FeedLaw, FeedPath, FeedRule, Missing
 pub use self::lexis::{BlockDelete, BuilderCodes, Comments, DimensionPoint, Language, Lexis, Percent};
 pub use self::linuxcnc::LINUXCNC;
 pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};
+pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
 pub use self::rotary::{Rollover, Rotary, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
@@ -124,6 +126,8 @@ pub struct Control {
     pub offset_word: bool,
     /// How F of a move that linear and rotary axes make together is written.
     pub law: FeedLaw,
+    /// The height control of a torch.
+    pub height: HeightHold,
     /// Memory for one program in bytes, beyond which a Caution is given.
     pub memory: u64,
     /// Mill or lathe.

@@ -19,9 +19,6 @@ pub const TITLE: Text = Text::fixed("Agujero biselado", "Bevelled hole");
 /// The axes that the program moves, in the order of a [`Place`].
 pub const AXES: [Axis; 5] = [Axis::A, Axis::X, Axis::Z, Axis::B, Axis::C];
 
-/// Greatest height control input of a plasma table in LinuxCNC: its QtPlasmaC holds the height while output 2 is on.
-const HOLD_OUTPUT: u32 = 2;
-
 /// The block that holds the height control, or lets it go; `None` where neither workbook nor control has one.
 #[must_use]
 pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
@@ -29,8 +26,7 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     if !given.is_empty() {
         return Some(given.clone());
     }
-    let code = if on { 62 } else { 63 };
-    (design.control.name == "linuxcnc").then(|| vec![Word::whole('M', code), Word::whole('P', HOLD_OUTPUT)])
+    design.control.height.words(on)
 }
 
 /// How the program turns A, B and C: where the control's rotary axes are rollover as delivered, the number of an absolute
