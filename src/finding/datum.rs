@@ -79,6 +79,17 @@ impl Said for Size {
     }
 }
 
+/// A number as it is written, without a unit.
+impl Said for f64 {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        self.to_string().into()
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Number { value: self.is_finite().then_some(*self), unit: "" }
+    }
+}
+
 impl Said for u32 {
     fn said(&self, _: Language) -> Cow<'_, str> {
         self.to_string().into()

@@ -5,7 +5,7 @@
 
 use crate::common::workbook;
 
-mod bench;
+pub mod bench;
 mod command;
 mod figures;
 mod hostile;
@@ -14,7 +14,6 @@ mod lost;
 mod messages;
 mod parted;
 mod programs;
-mod rules;
 mod second;
 mod second_marks;
 mod sheets;

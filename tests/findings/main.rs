@@ -6,3 +6,4 @@ mod common;
 mod earlier_schema;
 mod lathe_inputs;
 mod refusals;
+mod rules;

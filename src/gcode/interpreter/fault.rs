@@ -1,6 +1,6 @@
 //! What the interpreter refuses, and what it remarks.
 
-use crate::finding::{Exit, Finding, Grade, Place};
+use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
 use crate::limits::REMARKS;
 use crate::number::shown;
 use crate::text::Text;
@@ -19,6 +19,12 @@ pub struct Fault {
     /// Other lines of one file that are at fault with it, which `what` does not name: the file as in `file`, and the line,
     /// counted from 1.
     pub others: Vec<(Option<String>, usize)>,
+    /// The row that it is of; none where it has no code yet.
+    pub rule: Option<&'static Rule>,
+    /// What it carries, by name, unrounded.
+    pub data: Vec<(&'static str, Datum)>,
+    /// The alarm that it is for the control.
+    pub alarm: Option<(AlarmFamily, u16)>,
     /// What is wrong.
     pub what: Text,
     /// What to do about it.
@@ -41,6 +47,9 @@ impl Fault {
             line: 0,
             columns: columns.iter().map(|column| column + 1).collect(),
             others: Vec::new(),
+            rule: None,
+            data: Vec::new(),
+            alarm: None,
             what,
             remedy,
             fatal: false,
@@ -60,6 +69,23 @@ impl Fault {
         fault.exit = Exit::Limit;
         fault.fatal = true;
         fault
+    }
+
+    /// The refusal where a limit of rodete's own is reached.
+    pub(super) fn spent(mut self: Box<Self>) -> Box<Self> {
+        self.exit = Exit::Limit;
+        self
+    }
+
+    /// The refusal with the alarm that a control of a family raises for it, its number before the sentence.
+    pub(super) fn as_alarm_of(mut self: Box<Self>, family: Option<AlarmFamily>) -> Box<Self> {
+        let alarm = family.and_then(|family| Some((family, self.rule?.alarm_of(family)?)));
+        if let Some((family, number)) = alarm {
+            let (alarm, Text { es, en }) = (family.shown(number), &self.what);
+            self.what = Text::new(format!("{alarm}: {es}"), format!("{alarm}: {en}"));
+        }
+        self.alarm = alarm;
+        self
     }
 
     /// What is wrong, with the other lines at fault.
@@ -89,8 +115,17 @@ impl Fault {
 impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
         let told = fault.message();
-        Self::stop(place(fault.file.as_deref(), fault.line, fault.columns), told, fault.remedy)
+        let place = place(fault.file.as_deref(), fault.line, fault.columns);
+        let Fault { rule, data, alarm, remedy, .. } = fault;
+        Self { rule, data, alarm, ..Self::stop(place, told, remedy) }
     }
+}
+
+/// The refusal of a block by a row, at columns of the line in hand (counted from 0); without any of the block as a whole.
+#[expect(clippy::needless_pass_by_value, reason = "the row is written where it is raised")]
+pub(super) fn refuse(row: impl Raise, columns: &[usize]) -> Box<Fault> {
+    let fault = Fault::at(columns, row.what(), row.remedy());
+    Box::new(Fault { rule: Some(row.rule()), data: row.carries(), ..*fault })
 }
 
 /// The place of a line of the program, or of a subprogram's own file.
@@ -150,6 +185,19 @@ impl Remarks {
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
             self.list.push((1, Finding::new(grade, place(self.file.as_deref(), line, columns), what, remedy)));
+        }
+    }
+
+    /// Remarks a row at a line and column (counted from 0). The row and what it carries tell one thing from another.
+    #[expect(clippy::needless_pass_by_value, reason = "the row is written where it is raised")]
+    pub(super) fn row(&mut self, line: usize, column: Option<usize>, row: impl Raise) {
+        let columns = column.map(|column| column + 1).into_iter().collect();
+        let finding = row.at(place(self.file.as_deref(), line, columns));
+        let same = |one: &Finding| one.rule == finding.rule && one.data == finding.data;
+        if let Some((count, _)) = self.list.iter_mut().find(|(_, one)| same(one)) {
+            *count += 1;
+        } else if self.list.len() < REMARKS {
+            self.list.push((1, finding));
         }
     }
 
