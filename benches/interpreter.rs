@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use rodete::gcode::dialect::LINUXCNC;
+use rodete::gcode::control::LINUXCNC;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::machine::axis::Pose;
 use rodete::proof::account::Account;

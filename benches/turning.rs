@@ -10,7 +10,7 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
 use rodete::finding::Grade;
-use rodete::gcode::control::{InForce, Speed, Spindle};
+use rodete::gcode::in_force::{InForce, Speed, Spindle};
 use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;

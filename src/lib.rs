@@ -19,7 +19,7 @@
 //! | 0 | [`number`], [`text`], [`escape`], [`finding`], [`table`], [`parameter`], [`figure`], [`limits`] | the concepts |
 //! | 1 | [`geometry`] | torus, Villarceau circle, Darboux frame, polylines, circles, two pipes that meet, plane regions |
 //! | 2 | [`machine`] | axes, rotary axes with pivot length, a torch over a turning pipe, travel, calibration, work offsets |
-//! | 3 | [`gcode`] | words, dialects, programs and their text, the interpreter |
+//! | 3 | [`gcode`] | words, controls, programs and their text, the interpreter |
 //! | 4 | [`scene`], [`removal`] | what can be shown; metal that goes |
 //! | 5 | [`proof`] | judging programs, what they come to |
 //! | 6 | [`kind`] | what every workbook kind comes to |

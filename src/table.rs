@@ -182,7 +182,7 @@ pub struct Table {
     pub name: Text,
     /// The title.
     pub title: Text,
-    /// Equation and annex, or "derived here".
+    /// Equation and annex; "derived here" where the columns' own formulas are the derivation.
     pub source: Text,
     /// What column A holds.
     pub index: Index,

@@ -7,7 +7,7 @@ use clap::{Args, Parser, Subcommand};
 
 use super::kinds;
 use super::stock::Stock;
-use crate::gcode::dialect::ALL;
+use crate::gcode::control::ALL;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Rotary};
 use crate::machine::work_offset::System;
 use crate::text::Language;
@@ -157,7 +157,7 @@ pub(super) struct Build {
 
 /// How programs are read.
 #[derive(Debug, Args)]
-pub(super) struct Control {
+pub(super) struct ControlOptions {
     /// Dialect of the programs [default: told from the program]
     #[arg(long, value_parser = PossibleValuesParser::new(ALL.map(|dialect| dialect.name)))]
     pub(super) dialect: Option<String>,
@@ -200,7 +200,7 @@ pub(super) struct Verify {
     pub(super) programs: Vec<PathBuf>,
     /// How they are read.
     #[command(flatten)]
-    pub(super) control: Control,
+    pub(super) control: ControlOptions,
     /// Print one JSON object for each canonical motion
     #[arg(long, conflicts_with = "json")]
     pub(super) canon: bool,
@@ -227,7 +227,7 @@ pub(super) struct View {
     pub(super) stock: Option<Stock>,
     /// How a program is read; a workbook says itself what its programs are.
     #[command(flatten)]
-    pub(super) control: Control,
+    pub(super) control: ControlOptions,
     /// Language that the page begins in, and of the messages [default: the workbook's; of a program en, messages the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,

@@ -7,12 +7,12 @@ use std::rc::Rc;
 
 use serde::Serialize;
 
-use super::args::Control;
+use super::args::ControlOptions;
 use super::reading;
 use super::turning::of_workbook;
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::guess::guess;
+use crate::gcode::control::Control;
+use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::tool_table;
 use crate::gcode::interpreter::{Files, Setting, Tools};
 use crate::kinds::lathe::parameters::FORM;
@@ -85,7 +85,7 @@ impl Files for Beside {
 
 /// What all programs of one command share.
 pub(super) struct Shared<'a> {
-    control: &'a Control,
+    control: &'a ControlOptions,
     var_file: VarFile,
     tools: Option<Tools>,
     /// The lathe workbook in place of a tool table.
@@ -105,7 +105,7 @@ impl<'a> Shared<'a> {
     ///
     /// # Errors
     /// Where one of them cannot be read.
-    pub(super) fn new(control: &'a Control) -> Result<Self, Refusal> {
+    pub(super) fn new(control: &'a ControlOptions) -> Result<Self, Refusal> {
         let beside = [&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file));
         let settled = reading::settled(beside.chain(control.subs.iter().map(PathBuf::as_path)))?;
         let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
@@ -152,9 +152,9 @@ impl<'a> Shared<'a> {
     }
 
     /// The dialect of a program: as named (true), or told from its beginning. What cannot be read is refused in its turn.
-    pub(super) fn dialect(&self, path: &Path, file: &mut dyn BufRead) -> (bool, &'static Dialect) {
+    pub(super) fn dialect(&self, path: &Path, file: &mut dyn BufRead) -> (bool, &'static Control) {
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-        match self.control.dialect.as_deref().and_then(Dialect::named) {
+        match self.control.dialect.as_deref().and_then(Control::named) {
             Some(dialect) => (true, dialect),
             None => (false, guess(file.fill_buf().unwrap_or_default(), &ending)),
         }
@@ -169,8 +169,8 @@ impl<'a> Shared<'a> {
     ///
     /// # Errors
     /// Of a lathe workbook for a program of a milling machine.
-    pub(super) fn fits(&self, dialect: &Dialect) -> Result<(), Refusal> {
-        if self.workbook.is_none() || dialect.reading.diameter {
+    pub(super) fn fits(&self, dialect: &Control) -> Result<(), Refusal> {
+        if self.workbook.is_none() || dialect.diameter {
             return Ok(());
         }
         let name = dialect.name;
@@ -186,7 +186,7 @@ impl<'a> Shared<'a> {
     }
 
     /// What a program is read with.
-    pub(super) fn setting(&self, path: &Path, dialect: &'static Dialect) -> Setting {
+    pub(super) fn setting(&self, path: &Path, dialect: &'static Control) -> Setting {
         let mut setting = Setting::new(dialect);
         setting.unit = self.unit;
         setting.var_file = self.var_file.clone();
@@ -213,7 +213,7 @@ fn given(bytes: &[u8]) -> Result<Given, Refusal> {
 }
 
 /// The note on a dialect that nobody named.
-pub(super) fn told_from(dialect: &Dialect) -> Finding {
+pub(super) fn told_from(dialect: &Control) -> Finding {
     Finding::note(
         Place::File,
         Text::new(

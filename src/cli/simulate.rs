@@ -13,7 +13,7 @@ use super::turning::{Followed, Wanted, follow};
 use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::finding::{Exit, Grade, Place, Refusal};
-use crate::gcode::dialect::Dialect;
+use crate::gcode::control::Control;
 use crate::kind::Raised;
 use crate::kinds::lathe::scene::Watching;
 use crate::store::{self, Existing, Folder, Set};
@@ -59,7 +59,7 @@ fn simulate(arguments: &Simulate, verdict: &mut Ending) -> Result<Followed, Refu
     let wanted = Wanted {
         program: path,
         bytes: &bytes,
-        dialect: arguments.dialect.as_deref().and_then(Dialect::named),
+        dialect: arguments.dialect.as_deref().and_then(Control::named),
         point: arguments.decimal_point,
         plane: arguments.hole_r,
         block_delete: arguments.block_delete,

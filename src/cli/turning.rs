@@ -9,8 +9,8 @@ use super::stock::Stock;
 use super::verdict::Ending;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::guess::guess_turning;
+use crate::gcode::control::Control;
+use crate::gcode::control::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
 use crate::gcode::motion::MotionKind;
 use crate::kind::{Outcome, Provenance};
@@ -40,7 +40,7 @@ pub(super) struct Wanted<'a> {
     /// What stands in it.
     pub(super) bytes: &'a [u8],
     /// Its dialect; `None`: told from the program.
-    pub(super) dialect: Option<&'static Dialect>,
+    pub(super) dialect: Option<&'static Control>,
     /// What a dimension without a decimal point is.
     pub(super) point: Option<DecimalPoint>,
     /// What R of G81 to G83 is; `None`: what the workbook says.
@@ -59,7 +59,7 @@ pub(super) struct Wanted<'a> {
 #[derive(Debug)]
 pub(super) struct Followed {
     /// The program's dialect.
-    pub(super) dialect: &'static Dialect,
+    pub(super) dialect: &'static Control,
     /// The stock, as `D50xL100`.
     pub(super) stock: String,
     /// What came of it.
@@ -192,7 +192,7 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
 fn for_program(
     mut values: Values,
     wanted: &Wanted<'_>,
-    dialect: &'static Dialect,
+    dialect: &'static Control,
     program: &text::SheetProgram,
 ) -> Values {
     values.values.insert("dialect", Value::Choice(dialect.name));

@@ -12,8 +12,8 @@ use super::terminal::Terminal;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Grade, Refusal};
-use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::guess::tools_headed;
+use crate::gcode::control::Control;
+use crate::gcode::control::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::limits::LISTED_REFUSALS;
@@ -30,7 +30,7 @@ const CHUNK: usize = 1 << 16;
 /// What came of one program.
 struct Read {
     verdict: Ending,
-    dialect: Option<&'static Dialect>,
+    dialect: Option<&'static Control>,
     rotary: Option<Rotary>,
     account: Account,
     net: [f64; 9],
@@ -42,7 +42,7 @@ struct Read {
 impl Read {
     /// True of a program whose X is a diameter.
     fn lathe(&self) -> bool {
-        self.dialect.is_some_and(|dialect| dialect.reading.diameter)
+        self.dialect.is_some_and(|dialect| dialect.diameter)
     }
 }
 
@@ -125,7 +125,7 @@ fn follow(
                 read.account.take(&motion, &before);
                 before = motion.machine;
                 if arguments.canon {
-                    canon.push_str(&line(&motion, interpreter.file(interpreter.control().file)).to_string());
+                    canon.push_str(&line(&motion, interpreter.file(interpreter.in_force().file)).to_string());
                     canon.push('\n');
                     if canon.len() > CHUNK {
                         terminal.out(&canon);
@@ -146,7 +146,7 @@ fn follow(
     terminal.out(&canon);
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
-    if dialect.reading.diameter {
+    if dialect.diameter {
         as_diameters(read);
     }
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();

@@ -13,8 +13,8 @@ use super::verdict::{Ending, gravest};
 use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Grade, Place, Refusal};
-use crate::gcode::dialect::Dialect;
-use crate::gcode::dialect::guess::guess;
+use crate::gcode::control::Control;
+use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
 use crate::kinds;
 use crate::kinds::lathe::parameters as lathe;
@@ -138,10 +138,10 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
         return Ok(false);
     }
     let ending = arguments.input.extension().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(match control.dialect.as_deref().and_then(Dialect::named) {
-        Some(dialect) => dialect.reading.diameter,
+    Ok(match control.dialect.as_deref().and_then(Control::named) {
+        Some(dialect) => dialect.diameter,
         // A lathe's workbook is given for a turning program alone.
-        None => machine == Some(true) || guess(head, &ending).reading.diameter,
+        None => machine == Some(true) || guess(head, &ending).diameter,
     })
 }
 
@@ -153,7 +153,7 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<S
     let wanted = Wanted {
         program: input,
         bytes: &bytes,
-        dialect: control.dialect.as_deref().and_then(Dialect::named),
+        dialect: control.dialect.as_deref().and_then(Control::named),
         point: control.decimal_point,
         plane: control.hole_r,
         block_delete: control.block_delete,
@@ -193,7 +193,7 @@ fn of_program(
     let shared = Shared::new(control)?;
     let (named, dialect) = shared.dialect(input, file);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
-    let milling = !dialect.reading.diameter;
+    let milling = !dialect.diameter;
     let frame = if milling { Chain::Milling } else { Chain::Turning };
     let text = decoded(&bytes);
     let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);

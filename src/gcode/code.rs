@@ -1,7 +1,7 @@
-//! What G and M codes mean, whatever number a dialect gives them, and which of them exclude each other.
+//! What G and M codes mean, whatever number a control gives them, and which of them exclude each other.
 
-use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::Letters;
+use crate::gcode::control::Letters;
+use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::text::Text;
 
@@ -270,7 +270,7 @@ pub enum G {
     Rpm,
     /// This position gets these coordinates or, with S alone, S is the greatest speed under constant surface speed.
     SetPositionOrSpeed,
-    /// Known to the dialect and refused by name.
+    /// Known to the control and refused by name.
     Refused(Group, &'static Name),
 }
 
@@ -372,7 +372,7 @@ pub enum M {
     Door,
     /// A code of the machine's builder or user: not run, and said so.
     User,
-    /// Known to the dialect and refused by name.
+    /// Known to the control and refused by name.
     Refused(&'static Name),
 }
 

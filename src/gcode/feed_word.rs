@@ -8,7 +8,7 @@
 //! three, blocks of some milliseconds would lose up to a quarter of their speed. Inverse times have three, and six below 1,
 //! where three would lose as much; LinuxCNC reads any number of them.
 
-use crate::gcode::dialect::FeedLaw;
+use crate::gcode::control::FeedLaw;
 use crate::gcode::word::push_whole;
 use crate::limits::FEED_WORD;
 use crate::number::grid::OutOfFormat;

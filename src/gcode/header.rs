@@ -1,7 +1,7 @@
 //! The comments at the head of a program: what it is and where it comes from.
 
 use crate::gcode::comment::clean;
-use crate::gcode::dialect::Dialect;
+use crate::gcode::control::Control;
 use crate::gcode::program::Part;
 use crate::text::{Language, Text};
 
@@ -40,9 +40,9 @@ pub struct Header {
 impl Header {
     /// The opening line and what names program, part, workbook, and rodete.
     #[must_use]
-    pub fn new(dialect: &Dialect, key: &str, title: &Text, work: Work<'_>, origin: &Origin<'_>) -> Self {
+    pub fn new(control: &Control, key: &str, title: &Text, work: Work<'_>, origin: &Origin<'_>) -> Self {
         let Work { part, material, number } = work;
-        let opening = dialect.opening_line(number, key).map(Part::Line);
+        let opening = control.opening_line(number, key).map(Part::Line);
         let mut header = Self { language: origin.language, parts: opening.into_iter().collect() };
         header.line(&format!("PROGRAMA {number:04} - {}", title.es), &format!("PROGRAM {number:04} - {}", title.en));
         header.line(&format!("PIEZA {part}"), &format!("PART {part}"));
@@ -54,8 +54,8 @@ impl Header {
         header.line(&format!("SHA-256 {first}"), &format!("SHA-256 {first}"));
         header.line(&format!("        {second}"), &format!("        {second}"));
         header.line(
-            &format!("RODETE {} - DIALECTO {}", origin.version, dialect.name),
-            &format!("RODETE {} - DIALECT {}", origin.version, dialect.name),
+            &format!("RODETE {} - DIALECTO {}", origin.version, control.name),
+            &format!("RODETE {} - DIALECT {}", origin.version, control.name),
         );
         header
     }

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::gcode::dialect::CommentForm;
+use crate::gcode::control::CommentForm;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program};
 use crate::gcode::word::{Distance, Word, push_whole};
@@ -101,7 +101,7 @@ impl<'a> Lines<'a> {
                 }
                 Part::Comment(text) => {
                     self.part += 1;
-                    match program.dialect.comment {
+                    match program.control.comment {
                         CommentForm::Semicolon => {
                             self.line.push(';');
                             self.line.push_str(text);
@@ -142,7 +142,7 @@ impl<'a> Lines<'a> {
     /// Puts the next line, with its number and its end, into `line`; false where there is none.
     pub(super) fn next_whole(&mut self, line: &mut String) -> bool {
         line.clear();
-        let end_of_line = self.program.dialect.end_of_line;
+        let end_of_line = self.program.control.end_of_line;
         let Some((number, text)) = self.next() else { return false };
         if let Some(number) = number {
             line.push('N');
@@ -179,7 +179,7 @@ impl<'a> Lines<'a> {
         );
         if let Feed::Each { words, .. } = &path.feed
             && let Some(&feed) = words.get(step)
-            && (self.program.dialect.feed.in_every_block() || self.feed != Some(feed))
+            && (self.program.control.feed.in_every_block() || self.feed != Some(feed))
         {
             Word::feed(feed).write(format, &mut self.line);
             self.feed = Some(feed);

@@ -2,14 +2,14 @@
 
 use crate::finding::{Finding, Place};
 use crate::gcode::code::G;
-use crate::gcode::dialect::Dialect;
+use crate::gcode::control::Control;
 use crate::gcode::word::{Number, Word};
 use crate::text::Text;
 
-/// What is wrong with the codes of a parameter: one that is no M code, that the dialect does not know, or that ends the
+/// What is wrong with the codes of a parameter: one that is no M code, that the control does not know, or that ends the
 /// program where it must not. With `closing` the last one must end it.
 #[must_use]
-pub fn refused_codes(dialect: &Dialect, key: &'static str, codes: &[Word], closing: bool) -> Vec<Finding> {
+pub fn refused_codes(dialect: &Control, key: &'static str, codes: &[Word], closing: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut stop = |keys: &[&'static str], es: String, en: String, remedy| {
         findings.push(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy));
@@ -54,10 +54,10 @@ pub fn refused_codes(dialect: &Dialect, key: &'static str, codes: &[Word], closi
     findings
 }
 
-/// What is wrong with the block that takes the tool away: a code that the dialect does not know or rodete does not follow, one
+/// What is wrong with the block that takes the tool away: a code that the control does not know or rodete does not follow, one
 /// that changes how the blocks after it are read, one that ends the program, or axes without Z.
 #[must_use]
-pub fn refused_retract(dialect: &Dialect, words: &[Word]) -> Vec<Finding> {
+pub fn refused_retract(dialect: &Control, words: &[Word]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut stop = |es: String, en: String, remedy: Text| {
         findings.push(Finding::stop(Place::Parameters(vec!["retract", "dialect"]), Text::new(es, en), remedy));
@@ -68,7 +68,7 @@ pub fn refused_retract(dialect: &Dialect, words: &[Word]) -> Vec<Finding> {
         let tenths = usize::try_from(number).unwrap_or(usize::MAX).saturating_mul(10);
         let known = match letter {
             'G' => matches!(
-                dialect.reading.codes.get(tenths),
+                dialect.codes.get(tenths),
                 Some(G::Rapid | G::MachineCoordinates | G::Reference(_) | G::Absolute)
             ),
             _ => dialect.knows_machine_code(number) && !matches!(number, 2 | 30),

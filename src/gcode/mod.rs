@@ -1,4 +1,4 @@
-//! ISO programs: words, comments, dialects, and the program with its text.
+//! ISO programs: words, comments, controls, and the program with its text.
 //!
 //! A [`program::Program`] holds positions on the output grid, not text; its text is made line by line wherever it is
 //! needed (file, sheet, report), so that a program of a million blocks costs no more memory than its points.
@@ -7,9 +7,9 @@ pub mod code;
 pub mod comment;
 pub mod control;
 pub mod cutter;
-pub mod dialect;
 pub mod feed_word;
 pub mod header;
+pub mod in_force;
 pub mod interpreter;
 pub mod lines;
 pub mod machine_codes;

@@ -1,4 +1,4 @@
-//! Canonical motions: what a control does with a program, whatever the dialect.
+//! Canonical motions: what a control does with a program, whichever it is.
 
 use std::f64::consts::{PI, TAU};
 
@@ -58,7 +58,7 @@ pub enum FeedMode {
 pub struct Feed {
     /// How it is meant.
     pub mode: FeedMode,
-    /// The number; 0 where the program has given none and the dialect lets that pass.
+    /// The number; 0 where the program has given none and the control lets that pass.
     pub value: f64,
 }
 
@@ -91,10 +91,11 @@ impl Arc {
     /// The points of the arc between two poses where it reaches farthest along a direction, start and end left out;
     /// program coordinates, the other axes at their share of the way.
     ///
+    /// # Derivation
     /// Along the direction d the arc goes as f(θ) = A cos θ + B sin θ + D θ, with A and B the radius by d's shares of the
     /// plane's axes and D the rise per radian by d's share of the axis across. f′ = 0 where sin(θ − φ) = D/H with
     /// H = √(A² + B²), φ = atan2(B, A): twice a turn, and from turn to turn f at either goes on by 2πD, so that the first
-    /// and the last of each are the farthest. Derived here.
+    /// and the last of each are the farthest.
     pub fn farthest(&self, from: &Pose, to: &Pose, direction: [f64; 3], visit: &mut dyn FnMut(&Pose)) {
         let axes = self.plane.axes();
         let [a, b, across] = axes;

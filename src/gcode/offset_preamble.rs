@@ -1,4 +1,4 @@
-//! The blocks that give a control the work offsets of a var file, in LinuxCNC's dialect.
+//! The blocks that give a control the work offsets of a var file, in LinuxCNC's words.
 //!
 //! # References
 //! The LinuxCNC manual, chapter "Coordinate systems": `G10 L2 P…` sets a system's origin and rotation from machine

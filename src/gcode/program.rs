@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::gcode::dialect::Dialect;
+use crate::gcode::control::Control;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::machine::axis::{Axis, Position};
@@ -87,7 +87,7 @@ impl Path {
 /// A part of a program.
 #[derive(Clone, Debug)]
 pub enum Part {
-    /// A line as it stands: the first line of a dialect, a block of a published program.
+    /// A line as it stands: the first line of a control, a block of a published program.
     Line(String),
     /// A comment, cleaned already.
     Comment(String),
@@ -107,8 +107,8 @@ pub struct Program {
     pub key: &'static str,
     /// What it does.
     pub title: Text,
-    /// The dialect.
-    pub dialect: &'static Dialect,
+    /// The control.
+    pub control: &'static Control,
     /// How numbers are written.
     pub format: NumberFormat,
     /// First block number and step between block numbers; `None` where blocks are not numbered.

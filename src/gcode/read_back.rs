@@ -46,7 +46,7 @@ impl Program {
     /// turn, so that what is absolute in them holds where rotary axes are [`Rotary::Linear`]; increments hold everywhere.
     #[must_use]
     pub fn setting(&self) -> Setting {
-        Setting { rotary: Rotary::Linear, ..Setting::new(self.dialect) }
+        Setting { rotary: Rotary::Linear, ..Setting::new(self.control) }
     }
 
     /// The interpreter over this program's text, as the control reads it: from the text, not from the positions that it was

@@ -8,8 +8,10 @@ const WIDEST: f64 = 0.25;
 
 /// How many chords an arc takes to stay within a tolerance.
 ///
-/// A chord over the angle h on a circle R lies R h²/8 inside at its middle and R h²/12 on average. With its ends R h²/12
-/// outside, the areas outside and inside are equal, to h⁴, and the greatest error is R h²/12, at the ends. Derived here.
+/// # Derivation
+/// A chord over the angle h on a circle R lies R (1 − cos(h/2)), to h⁴ R h²/8, inside at its middle. The arc over it is a
+/// parabola to that order, whose mean is two thirds of it: R h²/12. With the chord's ends R h²/12 outside, the areas outside
+/// and inside are equal, to h⁴, and the greatest error is R h²/12, at the ends.
 fn count(radius: f64, sweep: f64, tolerance: f64) -> u32 {
     let widest = (12.0 * tolerance / radius.max(tolerance)).sqrt().min(WIDEST);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and ARC_CHORDS")]

@@ -21,7 +21,10 @@ fn cross(one: Vector2<f64>, other: Vector2<f64>) -> f64 {
 /// The circle through three points in order; `None` where they lie on a line within the precision of numbers.
 ///
 /// With the steps d = P₁ − P₀ and f = P₂ − P₀ the centre is
-/// P₀ + (d²·(f_y, −f_x) − f²·(d_y, −d_x))/(2 d×f). Derived here.
+/// P₀ + (d²·(f_y, −f_x) − f²·(d_y, −d_x))/(2 d×f).
+///
+/// # Derivation
+/// With c the centre less P₀, |c − d| = |c| and |c − f| = |c|: 2 c·d = d² and 2 c·f = f², solved by Cramer's rule.
 #[must_use]
 pub fn through([first, second, third]: [Vector2<f64>; 3]) -> Option<Circle> {
     let (d, f) = (second - first, third - first);

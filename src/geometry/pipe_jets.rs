@@ -1,8 +1,10 @@
 //! Two pipes that meet, as jets of the angle: what the curve and its directions are over a span of it.
 //!
-//! With δ = φ − π/2 and what is left to the header's sides, m₁ = R − r − e and m₂ = R − r + e, the root w = √(R² − q²) is
+//! # Derivation
+//! With δ = φ − π/2, q = r cos δ + e. So R² − q² is the product of R − q = m₁ + r (1 − cos δ) and R + q = m₂ + r (1 + cos δ),
+//! where m₁ = R − r − e and m₂ = R − r + e are what is left to the header's sides, and the root w = √(R² − q²) is
 //! √(m₁ + 2r sin² δ/2)·√(m₂ + 2r cos² δ/2): so written it stays smooth where the branch touches a side (m = 0), on each half
-//! of the corner. Derived here.
+//! of the corner.
 //!
 //! # Units
 //! Millimetres and radians.

@@ -100,7 +100,9 @@ impl PipePair {
 
     /// The slope of [`Self::depth`] at φ, mm a radian; at a corner that of one side.
     ///
-    /// Near a corner cos β is |δ|√(r/R) with δ the angle from it, to second order; derived here.
+    /// # Derivation
+    /// At a corner |q| = R. At the angle δ from it |q| is R − r δ²/2 to δ⁴, so that w² = R² − q² is R r δ², and
+    /// cos β = w/R is |δ|√(r/R), to second order.
     #[must_use]
     pub fn slope(&self, phi: f64, side: Side) -> f64 {
         let (sin, cos) = sin_cos(phi);

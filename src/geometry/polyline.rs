@@ -40,7 +40,7 @@ const LEAF: usize = 8;
 /// The crossing of two polylines that comes first along the first one; `None` where they do not cross.
 ///
 /// Both are halved again and again while their extents meet, first halves first, so that curves that cross in few
-/// places cost about n·log n for n points. Segments that lie along each other do not count as crossing. Derived here.
+/// places cost about n·log n for n points. Segments that lie along each other do not count as crossing.
 #[must_use]
 pub fn first_crossing(first: &[Vector2<f64>], second: &[Vector2<f64>]) -> Option<Crossing> {
     if first.len() < 2 || second.len() < 2 {

@@ -54,13 +54,13 @@ pub fn scene(outcome: &Outcome, title: String, language: Language) -> Result<Sce
         if program.blocks() > most {
             return Err(too_many(&program.title));
         }
-        let turning = program.dialect.reading.diameter;
+        let turning = program.control.diameter;
         let frame = match &part {
             Some(part) if !turning => part.frame,
             _ if turning => Chain::Turning,
             _ => Chain::Milling,
         };
-        let mut shown = Program::new(program.title.clone(), program.dialect, frame, &program.text());
+        let mut shown = Program::new(program.title.clone(), program.control, frame, &program.text());
         shown.tools.extend(part.iter().filter(|_| !turning).map(|part| part.tool.clone()));
         shown.remarks.extend(outcome.findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
         following(&mut shown, &mut program.read_back())?;

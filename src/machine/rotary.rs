@@ -55,7 +55,11 @@ impl Rotary {
     }
 
     /// The height above the origin that no point of a part within the radius R about the axis and below the origin
-    /// reaches at any B: √(L² + R²) − L. Derived here: the part turns about the pivot at the distance L below.
+    /// reaches at any B: √(L² + R²) − L.
+    ///
+    /// # Derivation
+    /// The part turns about the pivot, L below the origin. A point below the origin, as far as 2L down, is no more than L from
+    /// the pivot along the axis and R across, √(L² + R²) in all; no turn takes it higher above the pivot.
     #[must_use]
     pub fn swing(self, R: f64) -> f64 {
         (self.L * self.L + R * R).sqrt() - self.L

@@ -1,5 +1,6 @@
 //! How long the way of the tip over the part is within a block, at most.
 //!
+//! # Derivation
 //! X, Y, Z, B and C run evenly, so that between its ends the tip does not go straight: the chord is too short. With
 //! p(s) = Q(s)·y(s), y the tip seen from the pivot and Q the turn of both axes, p‴ = Q‴y + 3Q″Δy, at most
 //! J = ω³|y| + 3ω²|Δy| with ω = |ΔB| + |ΔC|. The velocity p′ is therefore nowhere farther than J·h²/8 from the chord between its values
@@ -8,9 +9,6 @@
 //!
 //! # Units
 //! Millimetres; degrees of B and C as in programs.
-//!
-//! # References
-//! Derived here.
 
 use nalgebra::Vector3;
 

@@ -5,7 +5,9 @@
 //! and Z up from the pipe's axis are the place of its tip; B tilts it from the vertical and C swings the tilt about it, 0
 //! towards +X. B and C turn the torch about its tip: a head made so, or a control that keeps the tip in its place.
 //!
-//! A point of the pipe at (x, y, z) with A = 0 stands at (x, y cos A + z sin A, z cos A − y sin A). Derived here.
+//! # Derivation
+//! The pipe turns by −A about +X, so that a point of it at (x, y, z) with A = 0 stands at
+//! (x, y cos A + z sin A, z cos A − y sin A).
 //!
 //! # Units
 //! Millimetres and radians.

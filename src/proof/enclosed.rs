@@ -100,7 +100,7 @@ pub fn row(key: &'static str, name: Text, program: &Program, at_most: f64, limit
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::control::LINUXCNC;
     use crate::gcode::word::NumberFormat;
     use crate::machine::axis::Position;
 
@@ -112,7 +112,7 @@ mod tests {
         let program = Program {
             key: "hole",
             title: Text::same(""),
-            dialect: &LINUXCNC,
+            control: &LINUXCNC,
             format: NumberFormat::Fixed,
             block_step: None,
             start: Position::default(),

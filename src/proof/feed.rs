@@ -5,7 +5,7 @@
 //! which is what an F word settles. F words are rounded to the slower side; by how much that
 //! slows the most is a check of its own, here and for pipes.
 
-use crate::gcode::dialect::FeedLaw;
+use crate::gcode::control::FeedLaw;
 use crate::gcode::feed_word::step;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
@@ -29,7 +29,7 @@ pub fn feed_word(program: &Program, worst: Option<(f64, At)>) -> Check {
         let none = Text::fixed("sin palabra F", "no F word");
         return Check::passed("feed-word", name, program, none, Text::same("")).informing();
     };
-    let law = program.dialect.feed;
+    let law = program.control.feed;
     let part = |part: f64| format!("{} %", shown(part * 100.0, 3));
     let limit = part(SLOWER);
     let limit = match law {

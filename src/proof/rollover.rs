@@ -4,7 +4,7 @@
 //! The text is read back twice, once with each setting, with B and C at 0 before. A program that makes the same motions under
 //! both is true for any machine; one that does not is written only for axes that the workbook says are linear.
 
-use crate::gcode::dialect::Rotary;
+use crate::gcode::control::Rotary;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;

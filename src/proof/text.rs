@@ -6,7 +6,7 @@
 //! layout is fixed, times of a move in seconds with four and inverse times below 1 with six; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
 
 use crate::gcode::comment;
-use crate::gcode::dialect::{CommentForm, FeedLaw, Opening};
+use crate::gcode::control::{CommentForm, FeedLaw, Opening};
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::proof::check::{At, Check, FAULT, Verdict};
@@ -44,7 +44,7 @@ impl<'a> Characters<'a> {
     pub fn line(&mut self, line: &str) {
         self.lines += 1;
         self.longest = self.longest.max(line.len());
-        self.bytes += (line.len() + self.program.dialect.end_of_line.len()) as u64;
+        self.bytes += (line.len() + self.program.control.end_of_line.len()) as u64;
         if self.fault.is_none()
             && let Err(fault) = self.judge(line)
         {
@@ -60,7 +60,7 @@ impl<'a> Characters<'a> {
     }
 
     fn judge(&mut self, line: &str) -> Result<(), Text> {
-        let dialect = self.program.dialect;
+        let dialect = self.program.control;
         if line.len() > LONGEST {
             return Err(Text::fixed("la línea es demasiado larga", "the line is too long"));
         }
@@ -99,7 +99,7 @@ impl<'a> Characters<'a> {
         let good = if SIZES.contains(letter) {
             size(number, self.program.format)
                 || (DWELLS.contains(letter) && digits(number, 8))
-                || (letter == 'F' && timed(number, self.program.dialect.feed))
+                || (letter == 'F' && timed(number, self.program.control.feed))
         } else {
             // A block number inside the block would be a second one.
             letter != 'N' && WHOLES.contains(letter) && digits(number, 8)
@@ -117,8 +117,8 @@ impl<'a> Characters<'a> {
             format!("{lines} lines of up to {longest} characters"),
         );
         let limit = Text::new(
-            format!("{}; ±5.3 cifras; {LONGEST}", program.dialect.name),
-            format!("{}; ±5.3 digits; {LONGEST}", program.dialect.name),
+            format!("{}; ±5.3 cifras; {LONGEST}", program.control.name),
+            format!("{}; ±5.3 digits; {LONGEST}", program.control.name),
         );
         let check = Check::passed("characters", name, program, value, limit);
         match self.fault {
@@ -193,7 +193,7 @@ pub fn read(program: &Program) -> Characters<'_> {
 #[cfg(test)]
 mod tests {
     use super::{size, timed};
-    use crate::gcode::dialect::FeedLaw;
+    use crate::gcode::control::FeedLaw;
     use crate::gcode::word::NumberFormat::{Fixed, Trimmed};
 
     #[test]

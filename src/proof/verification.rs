@@ -24,7 +24,7 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>)
     let lines = text.lines();
     let name = Text::fixed("Leído de nuevo por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
-    let check = Check::passed("reading", name, program, value, Text::same(program.dialect.name));
+    let check = Check::passed("reading", name, program, value, Text::same(program.control.name));
     if let Some(fault) = fault {
         let at = At { line: fault.line, n: None, point: None };
         let what = Text::new(
@@ -124,7 +124,7 @@ pub fn torch(program: &Program, codes: Option<[&[Word]; 2]>) -> Check {
 
 /// The caution for a program that its control may not hold.
 fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
-    (bytes > program.dialect.memory).then(|| {
+    (bytes > program.control.memory).then(|| {
         Finding::caution(
             Place::Block { program: program.key, line: 1 },
             Text::new(
@@ -136,7 +136,7 @@ fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
             ),
             Text::fixed("ejecútelo desde disco o red, o un n menor", "run it from disk or network, or a smaller n"),
         )
-        .with(bytes.to_string(), program.dialect.memory.to_string())
+        .with(bytes.to_string(), program.control.memory.to_string())
     })
 }
 

@@ -31,7 +31,7 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
         let Some(item) = item else { break };
         moved |= item.is_ok();
         match item {
-            Ok(motion) if program.motions() < SHOWN_MOTIONS => program.push(&motion, text.control()),
+            Ok(motion) if program.motions() < SHOWN_MOTIONS => program.push(&motion, text.in_force()),
             Ok(_) => return Err(too_many(&program.title)),
             Err(fault) => {
                 total += 1;

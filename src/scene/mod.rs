@@ -12,7 +12,7 @@ use serde::Serialize;
 use super::scene::mesh::{Mesh, Paint};
 use super::scene::program::Program;
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::control::{Compensation, InForce, Speed, Spindle};
+use crate::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use crate::gcode::motion::FeedMode;
 use crate::machine::length_unit::LengthUnit;
 use crate::text::{Language, Text};

@@ -6,8 +6,8 @@ use serde::Serialize;
 use super::column;
 use super::turning::ShownTurning;
 use super::{Remark, ShownTool, State};
-use crate::gcode::control::InForce;
-use crate::gcode::dialect::Dialect;
+use crate::gcode::control::Control;
+use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::line_feeds;
 use crate::gcode::motion::{Arc, Feed, Motion, MotionKind};
 use crate::machine::axis::{Axis, Pose};
@@ -127,7 +127,7 @@ pub struct Program {
 impl Program {
     /// A program without motions. `text` gives its lines.
     #[must_use]
-    pub fn new(title: Text, dialect: &Dialect, frame: Chain, text: &str) -> Self {
+    pub fn new(title: Text, dialect: &Control, frame: Chain, text: &str) -> Self {
         let fanuc = dialect.name.starts_with("fanuc");
         let letters: &[char] = match frame {
             Chain::Milling | Chain::Turning => &[],
@@ -371,7 +371,7 @@ fn block(line: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::{Interpreter, Setting};
     use crate::machine::rotary::Rotary;
 
@@ -380,7 +380,7 @@ mod tests {
         program.shift = shift;
         let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
         while let Some(motion) = interpreter.next() {
-            program.push(&motion.unwrap(), interpreter.control());
+            program.push(&motion.unwrap(), interpreter.in_force());
         }
         program
     }

@@ -78,7 +78,7 @@ fn element_text(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::control::LINUXCNC;
     use crate::machine::chain::Chain;
     use crate::scene::program::Program;
     use crate::text::Text;

@@ -5,7 +5,7 @@ use crate::common;
 use crate::common::agreement;
 
 use common::rs274::{self, Canon, Judge, Kind, Six};
-use rodete::gcode::dialect::LINUXCNC;
+use rodete::gcode::control::LINUXCNC;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::{self, Motion};
 use rodete::gcode::program::Program;
@@ -55,7 +55,7 @@ fn plan_interpreter_and_linuxcnc_agree_on_our_programs() {
         assert!(!programs.is_empty(), "{:?}", outcome.findings);
         for program in programs {
             let design = format!("{} {distance} n {n} N {N} splitters {splitters}", program.key);
-            assert_eq!(program.dialect.name, "linuxcnc", "{design}");
+            assert_eq!(program.control.name, "linuxcnc", "{design}");
             let motions: Vec<Motion> = program
                 .read_back()
                 .collect::<Result<_, _>>()

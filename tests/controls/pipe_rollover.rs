@@ -1,7 +1,7 @@
 //! Programs of branches and holes for a control whose rotary axes may be rollover.
 
 use rodete::finding::Grade;
-use rodete::gcode::dialect::Rotary;
+use rodete::gcode::control::Rotary;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::{Part, Program};

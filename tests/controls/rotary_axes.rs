@@ -5,7 +5,7 @@ use crate::common;
 
 use common::{absolute, outcome, program, read_back};
 use rodete::finding::{Finding, Grade, Place};
-use rodete::gcode::dialect::Rotary;
+use rodete::gcode::control::Rotary;
 use rodete::gcode::interpreter::Setting;
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use rodete::cli::RULES;
 use rodete::finding::{Datum, Example, Finding, Grade, Rule};
-use rodete::gcode::dialect::Dialect;
+use rodete::gcode::control::Control;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::parameter::Value;
 use rodete::text::Text;
@@ -46,7 +46,7 @@ fn turned(program: &str, machine: &[(&'static str, &'static str)]) -> Vec<(Strin
 /// What reading a program under a control says.
 fn read(control: &str, program: &str) -> Vec<Finding> {
     let program = program.replace('|', "\n");
-    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(Dialect::named(control).unwrap()));
+    let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(Control::named(control).unwrap()));
     let mut findings: Vec<Finding> =
         interpreter.by_ref().filter_map(Result::err).map(|fault| (*fault).into()).collect();
     findings.extend(interpreter.remarks());

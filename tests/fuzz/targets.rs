@@ -7,7 +7,7 @@ use std::io::{Cursor, Write};
 
 use rodete::escape::hidden;
 use rodete::finding::{Exit, Finding, Grade, Refusal};
-use rodete::gcode::dialect::{self, Dialect};
+use rodete::gcode::control::{self, Control};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, findings, tool_table};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::kind::Provenance;
@@ -110,7 +110,7 @@ fn read(setting: Setting, bytes: &[u8], work: &mut Work) {
 /// A program, under every dialect.
 pub fn program(bytes: &[u8]) -> Work {
     let mut work = Work::default();
-    for dialect in dialect::ALL {
+    for dialect in control::ALL {
         let mut setting = Setting::new(dialect);
         setting.point = Some(DecimalPoint::Calculator);
         setting.budget.repeated_blocks = 20_000;
@@ -127,7 +127,7 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let mut words = first.split_whitespace().map(|word| word.parse::<f64>().unwrap_or(0.0));
     let mut size = |most: f64| words.next().filter(|size| *size >= 1.0 && *size <= most);
     let (D, L) = (size(1000.0).unwrap_or(50.0), size(1000.0).unwrap_or(100.0));
-    let dialect: &Dialect = if first.ends_with('1') { &dialect::FAGOR_8055_T } else { &dialect::FANUC_LATHE_A };
+    let dialect: &Control = if first.ends_with('1') { &control::FAGOR_8055_T } else { &control::FANUC_LATHE_A };
     let mut values = Values { language: Language::En, ..Values::default() };
     values.values.extend(parameters::FORM.cases[0].values(Language::En));
     values.lists.push(cases::turret(Language::En));
@@ -170,7 +170,7 @@ fn followed(values: &Values, program: &text::SheetProgram) -> Option<u64> {
     while let Some(item) = interpreter.next() {
         let Ok(motion) = item else { continue };
         sound(&motion);
-        let step = simulation.take(&motion, &interpreter.control().clone());
+        let step = simulation.take(&motion, &interpreter.in_force().clone());
         assert!(step.removed.volume.is_finite() && step.cutting_speed.is_finite() && step.depth.is_finite());
         motions += 1;
         // The last motion may begin within the budget; a turn of a thread counts twelve times.

@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use rodete::gcode::control::{Compensation, InForce, Speed, Spindle};
-use rodete::gcode::dialect::Dialect;
+use rodete::gcode::control::Control;
+use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::interpreter::{DecimalPoint, Files, Interpreter, Setting, tool_table};
 use rodete::gcode::motion::{FeedMode, Motion, MotionKind};
 use rodete::machine::axis::Pose;
@@ -106,7 +106,7 @@ impl Files for Beside {
 
 fn setting(group: &Group, program: &str, control: &str) -> Setting {
     let read = |name: &str| fs::read(tests().join(name)).unwrap();
-    let mut setting = Setting::new(Dialect::named(control).unwrap());
+    let mut setting = Setting::new(Control::named(control).unwrap());
     setting.unit = if group.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
     setting.tools = group.tools.map(|tools| tool_table::parse(&read(tools), setting.unit).unwrap());
     setting.var_file = group.var(program).map_or_else(VarFile::default, |var| VarFile::parse(&read(&var)).unwrap());
@@ -126,7 +126,7 @@ fn motions(group: &Group, program: &str, control: &str, skip: bool) -> String {
     while let Some(item) = interpreter.next() {
         match item {
             Ok(motion) => {
-                let control = interpreter.control();
+                let control = interpreter.in_force();
                 let file = interpreter.file(control.file).unwrap_or_default();
                 let _ = writeln!(text, "{file}:{}; {}", line(&motion), in_force(control));
             }

@@ -1,6 +1,6 @@
 //! A turned part made by hand: its program, and the metal after each motion.
 
-use rodete::gcode::dialect::FANUC_LATHE_A;
+use rodete::gcode::control::FANUC_LATHE_A;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::MotionKind;
 use rodete::machine::axis::Axis;
@@ -90,7 +90,7 @@ pub fn scene(repeat: usize) -> Scene {
             if matches!(motion.kind, MotionKind::Feed(_) | MotionKind::Arc(..)) {
                 turning.cut(shown.motions(), after.next().expect("outlines of each cut"));
             }
-            shown.push(&motion, interpreter.control());
+            shown.push(&motion, interpreter.in_force());
         }
         assert!(after.next().is_none(), "every cut has a motion");
     }

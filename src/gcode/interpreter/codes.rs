@@ -2,7 +2,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::control::{InForce, Spindle};
+use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, NO_SPEED_LIMIT, Outcome};
@@ -20,7 +20,7 @@ impl Interpreter<'_> {
                     self.surface_speed_missing()?;
                 }
                 self.modal.constant_surface_speed = true;
-                if self.reading.expressions {
+                if self.control.expressions {
                     self.modal.greatest_speed = self.block.get(letter::D);
                 }
                 if self.modal.greatest_speed.is_none() {
@@ -35,9 +35,9 @@ impl Interpreter<'_> {
                 }
             }
             Some(G::Rpm) => {
-                if self.reading.diameter && self.modal.constant_surface_speed {
+                if self.control.diameter && self.modal.constant_surface_speed {
                     // Without S the spindle keeps the speed that it has.
-                    let pace = Pace::of(&InForce { spindle: Spindle::Clockwise, ..self.modal.control() });
+                    let pace = Pace::of(&InForce { spindle: Spindle::Clockwise, ..self.modal.in_force() });
                     self.modal.speed = pace.and_then(|pace| pace.speed(self.current.get(Axis::X))).unwrap_or(0.0);
                 }
                 self.modal.constant_surface_speed = false;
@@ -52,7 +52,7 @@ impl Interpreter<'_> {
         let column = self.block.g_column(Group::Speed);
         let what = Text::fixed("G96 sin S", "G96 without S");
         let remedy = Text::fixed("dé la velocidad de corte con S", "give the surface speed with S");
-        if !self.reading.diameter {
+        if !self.control.diameter {
             return Err(Fault::at(&[column], what, remedy));
         }
         if !self.modal.constant_surface_speed {
@@ -87,15 +87,15 @@ impl Interpreter<'_> {
 
     /// An S word in m/min or rpm: under constant surface speed feet a minute where the unit is the inch.
     pub(super) fn surface(&self, S: f64) -> f64 {
-        let feet = self.reading.diameter && self.modal.constant_surface_speed && self.modal.unit == LengthUnit::Inch;
+        let feet = self.control.diameter && self.modal.constant_surface_speed && self.modal.unit == LengthUnit::Inch;
         if feet { S * 0.3048 } else { S }
     }
 
     /// G94 and G95, G98 and G99 of a lathe: what F means.
     pub(super) fn set_feed_mode(&mut self, mode: FeedMode) {
-        self.modal.feed_stale |= self.reading.diameter && mode != self.modal.feed_mode && self.modal.feed > 0.0;
+        self.modal.feed_stale |= self.control.diameter && mode != self.modal.feed_mode && self.modal.feed > 0.0;
         self.modal.feed_mode = mode;
-        if mode != FeedMode::InverseTime && self.reading.feed_required {
+        if mode != FeedMode::InverseTime && self.control.feed_required {
             (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
         }
     }
@@ -108,12 +108,12 @@ impl Interpreter<'_> {
         match self.block.m(7) {
             Some((M::Spindle(true), _)) => self.modal.spindle = Spindle::Clockwise,
             Some((M::Spindle(false), _)) => self.modal.spindle = Spindle::CounterClockwise,
-            Some((M::SpindleOff, _)) if !self.reading.diameter => self.modal.spindle = Spindle::Stopped,
+            Some((M::SpindleOff, _)) if !self.control.diameter => self.modal.spindle = Spindle::Stopped,
             Some((code @ (M::SaveState(_) | M::ForgetState | M::RestoreState), _)) => self.context_code(code)?,
             _ => {}
         }
         if let Some((M::Coolant(on), _)) = self.block.m(8)
-            && (on || !self.reading.diameter)
+            && (on || !self.control.diameter)
         {
             self.modal.coolant = on;
         }
@@ -134,7 +134,7 @@ impl Interpreter<'_> {
 
     pub(super) fn dwell(&mut self) -> Outcome<()> {
         let (letter, seconds) = self.dwell_time()?;
-        if letter != super::block::letter::P || self.reading.dwell.len() > 1 {
+        if letter != super::block::letter::P || self.control.dwell.len() > 1 {
             self.block.take(letter);
         }
         self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds));
@@ -144,11 +144,11 @@ impl Interpreter<'_> {
     /// The letter of a dwell's time, and the time in seconds.
     pub(super) fn dwell_time(&self) -> Outcome<(usize, f64)> {
         let found =
-            self.reading.dwell.iter().find_map(|&(letter, factor)| {
+            self.control.dwell.iter().find_map(|&(letter, factor)| {
                 Some((usize::from(letter), self.block.get(usize::from(letter))? * factor))
             });
         let column = self.block.g_column(Group::NonModal);
-        let times = self.reading.dwell.iter().filter(|(letter, _)| self.block.has(usize::from(*letter))).count();
+        let times = self.control.dwell.iter().filter(|(letter, _)| self.block.has(usize::from(*letter))).count();
         if times > 1 {
             return Err(Fault::at(
                 &[column],

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, SinglePassCycle};
-use crate::gcode::control::{Compensation, InForce};
+use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -121,11 +121,12 @@ impl Interpreter<'_> {
     /// How far aside of what is programmed the tip makes the cut of a pass under G90 or G94, along the axis across the cut; mm.
     /// `slope` is the cone's rise across per mm along the cut's axis, both positive along their axes.
     ///
-    /// The nose is kept on the side of each line that lies away from the tip, whatever G41 and G42 say: a cut along an axis with a
+    /// # Derivation
+    /// From the rule of Fanuc Series 0i-T, operator's manual, tool nose radius compensation, canned cycles:
+    /// the nose is kept on the side of each line that lies away from the tip, whatever G41 and G42 say: a cut along an axis with a
     /// tip that touches it is made as programmed, and so are the moves across. On a cone of slope m, with tᵢ the shares of the
     /// vector from the nose's centre to the tip along the cut and tₐ across it, the centre is at R √(1 + m²) from the cone along
-    /// the axis across, and the tip, tᵢ R and tₐ R from the centre, is aside by −R (m tᵢ + tₐ (√(1 + m²) − 1)). Derived here from
-    /// the rule of Fanuc Series 0i-T, operator's manual, tool nose radius compensation, canned cycles.
+    /// the axis across, and the tip, tᵢ R and tₐ R from the centre, is aside by −R (m tᵢ + tₐ (√(1 + m²) − 1)).
     ///
     /// # Errors
     /// For a tip that lies neither before nor behind the cut, and without a nose in the table.
@@ -176,7 +177,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = InForce { file: self.at, ..self.modal.control() };
+        let mut control = InForce { file: self.at, ..self.modal.in_force() };
         let number = self.made();
         let side = self.side(&motion);
         control.compensation = side;
@@ -234,7 +235,7 @@ impl Interpreter<'_> {
         let at_once = self.block.groups & (1 << Group::NonModal as u16) != 0
             && matches!(self.block.g(Group::NonModal), Some(G::Reference(_) | G::MachineCoordinates));
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
-        if at_once && !dwell && !self.reading.system_a && self.modal.compensation != Compensation::Off {
+        if at_once && !dwell && !self.control.system_a && self.modal.compensation != Compensation::Off {
             self.modal.compensation = Compensation::Off;
             self.remarks.add(
                 Grade::Caution,

@@ -6,7 +6,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, M};
-use crate::gcode::control::Spindle;
+use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{FeedMode, Plane};
@@ -175,7 +175,7 @@ impl Interpreter<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::dialect::LINUXCNC;
+    use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
     use crate::machine::axis::Axis;
 

@@ -14,8 +14,8 @@
 
 use crate::finding::{AlarmFamily, Grade};
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::Letters;
+use crate::gcode::control::Letters;
+use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
@@ -401,7 +401,7 @@ impl Interpreter<'_> {
         let mut line = Vec::new();
         let mut skipped = 0;
         while self.source().position().lines + 1 < first && self.source().next_line(&mut line)? {
-            let comments = self.reading.comments;
+            let comments = self.control.comments;
             skipped += usize::from(Cursor::new(&line, comments).peek() != 0);
         }
         if skipped > 0 {
@@ -439,12 +439,12 @@ impl Interpreter<'_> {
 
     /// Whose alarms the control raises; none where its numbers are not known.
     pub(super) fn alarms(&self) -> Option<AlarmFamily> {
-        self.reading.system_a.then_some(AlarmFamily::Fanuc)
+        self.control.system_a.then_some(AlarmFamily::Fanuc)
     }
 
     /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.
     pub(super) fn alarm(&self, number: u16) -> String {
-        if self.reading.system_a { format!("PS{number:04}: ") } else { String::new() }
+        if self.control.system_a { format!("PS{number:04}: ") } else { String::new() }
     }
 
     /// True where the block has an axis word.

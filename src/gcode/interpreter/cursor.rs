@@ -1,6 +1,6 @@
 //! The characters of a line as the control sees them: blanks and comments passed over, letters alike in both cases.
 
-use crate::gcode::dialect::reading::Comments;
+use crate::gcode::control::Comments;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::text::Text;
 

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::finding::{Finding, Grade};
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::dialect::reading::Comments;
+use crate::gcode::control::Comments;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::AXES;
 use crate::gcode::interpreter::block::letter::{F, S, T, U, W};
@@ -94,11 +94,11 @@ impl Interpreter<'_> {
     /// What a line that was refused would have put into force, by its letters: more rather than less.
     fn doubt_line(&mut self) {
         let mut line = self.buffer.to_ascii_uppercase();
-        if let Ok(comments) = comments(&self.buffer, self.reading.comments) {
+        if let Ok(comments) = comments(&self.buffer, self.control.comments) {
             for (column, text) in comments {
                 line.iter_mut().skip(column).take(text.len() + 2).for_each(|byte| *byte = b' ');
             }
-        } else if self.reading.comments != Comments::Semicolon {
+        } else if self.control.comments != Comments::Semicolon {
             line.truncate(line.iter().position(|byte| *byte == b'(').unwrap_or(line.len()));
         }
         line.retain(|byte| !byte.is_ascii_whitespace());
@@ -106,12 +106,12 @@ impl Interpreter<'_> {
         for (at, &byte) in line.iter().enumerate() {
             let index = usize::from(byte.wrapping_sub(b'A'));
             state |= match byte {
-                b'U' if self.reading.system_a => axis(Axis::X),
-                b'W' if self.reading.system_a => axis(Axis::Z),
+                b'U' if self.control.system_a => axis(Axis::X),
+                b'W' if self.control.system_a => axis(Axis::Z),
                 b'F' => FEED,
                 b'S' => SPEED,
                 b'T' | b'D' | b'H' => TOOL,
-                b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.reading.system_a)),
+                b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.control.system_a)),
                 b'M' => match number(&line, at + 1) {
                     Some(code) if code == 6.0 || code == 61.0 => TOOL,
                     _ => SPINDLE,
@@ -166,7 +166,7 @@ impl Interpreter<'_> {
         let moved = matches!(block.g(Group::NonModal), None | Some(G::MachineCoordinates));
         if moved && !self.modal.incremental && state & (UNIT | DISTANCE) == 0 {
             for (index, &letter) in AXES.iter().enumerate() {
-                let increment = self.reading.system_a && (letter == U || letter == W);
+                let increment = self.control.system_a && (letter == U || letter == W);
                 known |= if block.has(letter) && !increment { 1 << index } else { 0 };
             }
         }

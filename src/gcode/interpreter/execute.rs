@@ -5,9 +5,9 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G, Group, M, SinglePassCycle};
-use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::Letters;
-use crate::gcode::dialect::{FeedLaw, Rotary};
+use crate::gcode::control::Letters;
+use crate::gcode::control::{FeedLaw, Rotary};
+use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
@@ -35,7 +35,7 @@ impl Interpreter<'_> {
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
-        if self.reading.system_a {
+        if self.control.system_a {
             self.one_word_an_axis()?;
             self.no_increments()?;
         }
@@ -43,12 +43,12 @@ impl Interpreter<'_> {
         self.rotary_words()?;
         self.take_square_edge(plan.motion)?;
         self.edge_fits(plan.motion)?;
-        let idle = self.block.present & !plan.used & !self.reading.free.mask();
+        let idle = self.block.present & !plan.used & !self.control.free.mask();
         if idle != 0 {
             return Err(self.unused(idle));
         }
         let compensated = self.block.g(Group::CutterCompensation).is_some();
-        if self.reading.expressions && (compensated || self.modal.compensation != Compensation::Off) {
+        if self.control.expressions && (compensated || self.modal.compensation != Compensation::Off) {
             self.beside_cutter(plan.motion)?;
         }
         if self.block.groups & !(1 << Group::Motion as u16) != 0 || self.block.has_machine_codes() {
@@ -61,7 +61,7 @@ impl Interpreter<'_> {
     }
 
     fn execute_codes(&mut self, motion: Option<G>) -> Outcome<()> {
-        if self.reading.system_a {
+        if self.control.system_a {
             self.take_unit();
         }
         self.begin_codes()?;
@@ -69,11 +69,11 @@ impl Interpreter<'_> {
         if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
             self.modal.plane = plane;
         }
-        if !self.reading.system_a {
+        if !self.control.system_a {
             self.take_unit();
         }
         match self.block.g(Group::CutterCompensation) {
-            Some(code) if self.reading.expressions => self.cutter_compensation(code)?,
+            Some(code) if self.control.expressions => self.cutter_compensation(code)?,
             Some(G::Compensation(side)) => self.set_compensation(side)?,
             _ => {}
         }
@@ -89,7 +89,7 @@ impl Interpreter<'_> {
         }
         match self.block.g(Group::Distance) {
             Some(G::Absolute) => self.modal.incremental = false,
-            Some(G::Incremental) => self.modal.incremental = !self.reading.system_a,
+            Some(G::Incremental) => self.modal.incremental = !self.control.system_a,
             _ => {}
         }
         match self.block.g(Group::Centre) {
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
         }
         match at_once {
             Some(G::SetOffsets) => self.set_offsets()?,
-            Some(G::Reference(second)) if self.reading.system_a => self.return_to_reference(second)?,
+            Some(G::Reference(second)) if self.control.system_a => self.return_to_reference(second)?,
             Some(G::Reference(second)) => self.go_to_reference(second)?,
             Some(G::SetReference(second)) => self.keep_reference(second),
             Some(G::LocalOffset) => self.local_offset(),
@@ -123,7 +123,7 @@ impl Interpreter<'_> {
         if let Some(code) = self.block.g(Group::SetPosition) {
             self.change_position(code);
         }
-        if self.reading.system_a
+        if self.control.system_a
             && let Some(code) = at_once.filter(|code| *code != G::Dwell)
         {
             self.modal.pass = None;
@@ -135,7 +135,7 @@ impl Interpreter<'_> {
         if let Some(motion) = motion {
             self.make_motion(motion)?;
         }
-        if self.reading.diameter {
+        if self.control.diameter {
             self.machine_codes_after()?;
         }
         match self.block.m(4) {
@@ -178,7 +178,7 @@ impl Interpreter<'_> {
         let given = matches!(length, Some(G::ToolLengthGiven | G::ToolLengthAdded));
         // A dwell may carry its time on an axis letter.
         let dwell: u32 = if at_once == Some(G::Dwell) {
-            self.reading.dwell.iter().map(|(letter, _)| 1 << letter).sum::<u32>() & block.present
+            self.control.dwell.iter().map(|(letter, _)| 1 << letter).sum::<u32>() & block.present
         } else {
             0
         };
@@ -187,13 +187,13 @@ impl Interpreter<'_> {
         let takes_axes = takes_axes || shifts;
         let motion = match explicit {
             // G80 ends a cycle; the motion code that was in force before it is so again.
-            Some(G::Cancel) if self.reading.system_a && axes != 0 && !takes_axes => Some(self.modal.under_cycle()),
+            Some(G::Cancel) if self.control.system_a && axes != 0 && !takes_axes => Some(self.modal.under_cycle()),
             Some(G::Cancel) if axes != 0 && !takes_axes => {
                 return Err(self.axes_without_use(Text::fixed("palabras de eje con G80", "axis words with G80")));
             }
             Some(G::Cancel) => Some(G::Cancel),
             // The axis words are the one-shot code's; the motion code is in force from here on.
-            Some(G::Rapid | G::Linear | G::Arc(_)) if self.reading.system_a && at_once.is_some_and(one_shot) => None,
+            Some(G::Rapid | G::Linear | G::Arc(_)) if self.control.system_a && at_once.is_some_and(one_shot) => None,
             Some(_) if takes_axes => {
                 return Err(Fault::at(
                     &[block.g_column(Group::NonModal), block.g_column(Group::Motion)],
@@ -238,7 +238,7 @@ impl Interpreter<'_> {
                 Text::fixed("indique los ejes, o G92.1 para anularlo", "name the axes, or G92.1 to cancel it"),
             ));
         }
-        let by_rapid = self.reading.system_a && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
+        let by_rapid = self.control.system_a && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
         if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
             return Err(Fault::at(
                 &[block.g_column(Group::NonModal)],
@@ -256,9 +256,9 @@ impl Interpreter<'_> {
             used |= AXIS_WORDS;
         }
         used |= match motion {
-            Some(G::Arc(_)) if self.reading.system_a => Letters::of("IKR").mask(),
+            Some(G::Arc(_)) if self.control.system_a => Letters::of("IKR").mask(),
             Some(G::Arc(_)) => Letters::of("IJKRP").mask(),
-            Some(G::Cycle(cycle)) if self.reading.system_a => hole_words(cycle),
+            Some(G::Cycle(cycle)) if self.control.system_a => hole_words(cycle),
             Some(G::Cycle(cycle)) => Letters::of("RL").mask() | cycle_words(cycle),
             Some(G::Pass(SinglePassCycle::Thread)) => Letters::of("QR").mask(),
             Some(G::Pass(_)) => Letters::of("R").mask(),
@@ -277,14 +277,14 @@ impl Interpreter<'_> {
         let mut used = match at_once {
             Some(G::SetOffsets) => Letters::of("LPRQIJ").mask(),
             Some(G::Turning(cycle)) => cycle.letters().mask(),
-            Some(G::Reference(true)) if self.reading.system_a => Letters::of("P").mask(),
+            Some(G::Reference(true)) if self.control.system_a => Letters::of("P").mask(),
             _ => 0,
         };
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
             used |= Letters::of("H").mask();
         }
         used |= match self.block.g(Group::CutterCompensation) {
-            Some(G::Compensation(side)) if self.reading.expressions && side != Compensation::Off => {
+            Some(G::Compensation(side)) if self.control.expressions && side != Compensation::Off => {
                 Letters::of("D").mask()
             }
             Some(G::CompensationGiven(_)) => Letters::of("DL").mask(),
@@ -316,7 +316,7 @@ impl Interpreter<'_> {
         }
         match self.block.m(4) {
             Some((M::Call | M::CallBlock, _)) => used |= Letters::of("PL").mask(),
-            Some((M::Return, _)) if self.reading.system_a => used |= Letters::of("P").mask(),
+            Some((M::Return, _)) if self.control.system_a => used |= Letters::of("P").mask(),
             _ => {}
         }
         used
@@ -348,7 +348,7 @@ impl Interpreter<'_> {
             )),
             _ => None,
         };
-        if let Some(fault) = meant.filter(|_| self.reading.system_a) {
+        if let Some(fault) = meant.filter(|_| self.control.system_a) {
             return fault;
         }
         Fault::at(
@@ -368,11 +368,11 @@ impl Interpreter<'_> {
         if !matches!(motion, G::Cycle(_)) {
             self.modal.sticky.initial = None;
         }
-        if self.reading.diameter {
+        if self.control.diameter {
             self.lathe_motion(motion);
         }
         match motion {
-            _ if self.reading.system_a && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) => {
+            _ if self.control.system_a && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) => {
                 // Fanuc's G53 moves at rapid whatever is in force, which is so again afterwards.
                 self.modal.motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
                 if self.block.present & AXIS_WORDS != 0 {
@@ -390,7 +390,7 @@ impl Interpreter<'_> {
                 let to = self.end_point();
                 match feed {
                     None => self.emit(MotionKind::Rapid, to, None),
-                    Some(feed) if self.reading.system_a => return self.line_at_feed(to, feed),
+                    Some(feed) if self.control.system_a => return self.line_at_feed(to, feed),
                     Some(feed) => {
                         let seconds = self.straight_seconds(&to, feed);
                         self.emit(MotionKind::Feed(feed), to, seconds);
@@ -399,11 +399,11 @@ impl Interpreter<'_> {
                 Ok(())
             }
             G::Arc(clockwise) => self.arc(clockwise),
-            G::Cycle(cycle) if self.reading.system_a => self.hole(cycle),
+            G::Cycle(cycle) if self.control.system_a => self.hole(cycle),
             G::Cycle(cycle) => self.cycle(cycle),
             G::Thread(changing) => self.thread(changing),
             G::Pass(pass) => self.pass(pass),
-            G::Cancel if self.reading.system_a => {
+            G::Cancel if self.control.system_a => {
                 self.modal.motion = self.modal.under_cycle();
                 Ok(())
             }
@@ -433,7 +433,7 @@ impl Interpreter<'_> {
                 .hanging_on(doubt::FEED));
             }
             FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
-                if self.reading.feed_required || self.block.has(letter::F) {
+                if self.control.feed_required || self.block.has(letter::F) {
                     return Err(Fault::block(
                         Text::fixed("movimiento de avance sin F, o con F0", "feed move without F, or with F0"),
                         Text::fixed("dé el avance con F", "give the feed with F"),
@@ -449,7 +449,7 @@ impl Interpreter<'_> {
                     Text::fixed("dé el avance con F", "give the feed with F"),
                 );
             }
-            FeedMode::PerRevolution if self.modal.speed <= 0.0 && self.reading.feed_required => {
+            FeedMode::PerRevolution if self.modal.speed <= 0.0 && self.control.feed_required => {
                 return Err(Fault::block(
                     Text::fixed("avance por vuelta con el husillo a 0", "feed per revolution with spindle speed 0"),
                     Text::fixed("dé la velocidad del husillo con S", "give the spindle speed with S"),
@@ -473,10 +473,10 @@ impl Interpreter<'_> {
         for (letter, axis) in AXES.into_iter().zip(Axis::ALL) {
             if let Some(word) = self.block.get(letter) {
                 let mut value = if axis.rotary() { word } else { unit.to_mm(word) };
-                if self.reading.diameter && axis == Axis::X {
+                if self.control.diameter && axis == Axis::X {
                     value /= 2.0;
                 }
-                if self.reading.system_a && matches!(axis, Axis::U | Axis::W) {
+                if self.control.system_a && matches!(axis, Axis::U | Axis::W) {
                     let (onto, factor) = if axis == Axis::U { (Axis::X, 0.5) } else { (Axis::Z, 1.0) };
                     to.set(onto, self.current.get(onto) + value * factor);
                 } else if self.modal.incremental && !machine {
@@ -488,7 +488,7 @@ impl Interpreter<'_> {
                 }
             }
         }
-        if self.reading.diameter && !machine && to.get(Axis::X) < 0.0 {
+        if self.control.diameter && !machine && to.get(Axis::X) < 0.0 {
             self.remark_beyond_axis(&to);
         }
         if machine { self.frame.to_program(&to) } else { to }
@@ -501,7 +501,7 @@ impl Interpreter<'_> {
         }
         let by = to.differences(&self.current);
         let norm = |axes: &[usize]| axes.iter().map(|&axis| by[axis] * by[axis]).sum::<f64>().sqrt();
-        let length = if self.setting.dialect.feed == FeedLaw::InverseTime {
+        let length = if self.setting.control.feed == FeedLaw::InverseTime {
             // LinuxCNC: F belongs to X, Y, Z; where they stand still to U, V, W; else it is degrees.
             let (first, second) = (norm(&[0, 1, 2]), norm(&[6, 7, 8]));
             if first > 0.0 {
@@ -545,12 +545,12 @@ impl Interpreter<'_> {
         };
         self.current = to;
         self.moved();
-        if self.reading.diameter {
+        if self.control.diameter {
             self.hand_out(motion);
         } else if !self.milling.idle() {
             self.mill(motion);
         } else {
-            self.queue.push_back(Ok((motion, self.modal.control(), self.made())));
+            self.queue.push_back(Ok((motion, self.modal.in_force(), self.made())));
         }
     }
 }

@@ -130,12 +130,12 @@ impl Interpreter<'_> {
                             Text::fixed("deje un solo signo", "leave one sign"),
                         ));
                     }
-                    _ if self.reading.expressions => self.computed(cursor)?,
+                    _ if self.control.expressions => self.computed(cursor)?,
                     _ => return Err(no_value(cursor)),
                 };
                 Ok(if sign == b'-' { Decimal { value: -number.value, ..number } } else { number })
             }
-            _ if self.reading.expressions => self.computed(cursor),
+            _ if self.control.expressions => self.computed(cursor),
             _ => Err(no_value(cursor)),
         }
     }

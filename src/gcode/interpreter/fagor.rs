@@ -7,7 +7,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::Group;
-use crate::gcode::dialect::reading::Letters;
+use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -110,7 +110,7 @@ impl Interpreter<'_> {
     /// The final point (Q, R), Q a diameter as X is.
     fn last_point(&self) -> [f64; 2] {
         let Q = self.length(letter::Q);
-        [if self.reading.diameter { Q / 2.0 } else { Q }, self.length(letter::R)]
+        [if self.control.diameter { Q / 2.0 } else { Q }, self.length(letter::R)]
     }
 
     fn hundredths(&self, letter: usize) -> f64 {

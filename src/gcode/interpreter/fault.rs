@@ -139,7 +139,7 @@ pub(super) fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Pla
 /// The result of reading or executing a block.
 pub(super) type Outcome<T> = Result<T, Box<Fault>>;
 
-/// The remark on a feed move where no feed has been given, in dialects that let it pass.
+/// The remark on a feed move where no feed has been given, in controls that let it pass.
 pub const NO_FEED: Text = Text::fixed(
     "movimiento de avance sin F: el control usa el avance que tenga",
     "feed move without F: the control takes the feed it has",

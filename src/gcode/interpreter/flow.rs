@@ -83,7 +83,7 @@ impl Interpreter<'_> {
     fn structure(&mut self) -> Outcome<&Structure> {
         let at = self.at;
         if self.structures[at].is_none() {
-            let comments = self.reading.comments;
+            let comments = self.control.comments;
             let structure = Structure::of(&mut self.sources[at], comments)?;
             self.structures[at] = Some(structure);
         }
@@ -330,7 +330,7 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn enter(&mut self, mut call: Call) -> Outcome<()> {
-        let most = self.setting.budget.call_depth.min(self.reading.call_depth);
+        let most = self.setting.budget.call_depth.min(self.control.call_depth);
         if self.flow.frames.len() >= most {
             let mut stack: Vec<String> = self.flow.frames.iter().map(|call| shown(&call.label)).collect();
             stack.push(shown(&call.label));
@@ -450,7 +450,7 @@ impl Interpreter<'_> {
     /// M98 and M99 of the block in hand.
     pub(super) fn call_or_return(&mut self) -> Outcome<()> {
         let result = match self.block.m(4) {
-            _ if self.reading.system_a => self.call_by_number(),
+            _ if self.control.system_a => self.call_by_number(),
             Some((M::Call, _)) => self.call_program(),
             Some((M::Return, _)) => self.return_from_program(),
             _ => Ok(()),
@@ -533,7 +533,7 @@ impl Interpreter<'_> {
         }
         // A lathe makes a plain motion of the block before it.
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
-        if self.reading.system_a
+        if self.control.system_a
             && matches!(motion, G::Rapid | G::Linear | G::Arc(_))
             && self.block.g(Group::NonModal).is_none()
         {

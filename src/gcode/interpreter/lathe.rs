@@ -10,7 +10,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group};
-use crate::gcode::dialect::reading::Letters;
+use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -101,7 +101,7 @@ impl Interpreter<'_> {
 
     /// True where the block shifts a coordinate system: G54 to G59 with X or Z and no motion code.
     pub(super) fn shifts_system(&self) -> bool {
-        self.reading.system_a
+        self.control.system_a
             && self.block.g(Group::WorkOffset).is_some()
             && self.block.g(Group::Motion).is_none()
             && self.block.g(Group::NonModal).is_none()
@@ -234,11 +234,11 @@ impl Interpreter<'_> {
 
     /// True for a feed per revolution of a lathe, whose spindle's speed may change along the motion.
     pub(super) fn by_revolution(&self, feed: Feed) -> bool {
-        self.reading.diameter && feed.mode == FeedMode::PerRevolution
+        self.control.diameter && feed.mode == FeedMode::PerRevolution
     }
 
     fn pace(&self) -> Option<Pace> {
-        Pace::of(&self.modal.control())
+        Pace::of(&self.modal.in_force())
     }
 
     /// The time of a straight motion at a feed per revolution.

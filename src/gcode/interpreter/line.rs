@@ -2,7 +2,7 @@
 
 use crate::escape::excerpt;
 use crate::finding::Grade;
-use crate::gcode::dialect::reading::Comments;
+use crate::gcode::control::Comments;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -37,8 +37,8 @@ impl Interpreter<'_> {
     /// The beginning of a line's words, its block number read; at `%` where the line begins with it. `None` where there is
     /// nothing to execute.
     pub(super) fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
-        if line.len() > self.reading.longest_line {
-            let most = self.reading.longest_line;
+        if line.len() > self.control.longest_line {
+            let most = self.control.longest_line;
             return Err(Fault::at(
                 &[most],
                 Text::new(
@@ -54,13 +54,13 @@ impl Interpreter<'_> {
                 return self.end().map(|()| None);
             }
         }
-        let mut cursor = Cursor::new(line, self.reading.comments);
+        let mut cursor = Cursor::new(line, self.control.comments);
         let first = cursor.peek();
         if first == 0 {
             return Ok(None);
         }
         self.block.clear();
-        if cursor.accept_delete(!self.reading.expressions) && self.setting.block_delete {
+        if cursor.accept_delete(!self.control.expressions) && self.setting.block_delete {
             return Ok(None);
         }
         if cursor.accept(b'n') {
@@ -77,7 +77,7 @@ impl Interpreter<'_> {
         let opening = self.stage == Stage::Opening;
         self.stage = Stage::Running;
         if cursor.peek() == b'o' {
-            return if self.reading.expressions {
+            return if self.control.expressions {
                 self.o_word(&mut cursor)
             } else {
                 self.program_number(&mut cursor, opening)
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
     fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let opening = self.stage == Stage::Opening && !self.percent;
         cursor.pass();
-        if self.reading.comments == Comments::Semicolon {
+        if self.control.comments == Comments::Semicolon {
             if opening {
                 self.percent = true;
                 return Ok(());
@@ -109,11 +109,11 @@ impl Interpreter<'_> {
                 self.percent = true;
                 return Ok(());
             }
-            if self.percent || self.at != 0 || self.reading.system_a {
+            if self.percent || self.at != 0 || self.control.system_a {
                 if self.stage == Stage::Opening || self.at != 0 {
                     return self.end_of_file();
                 }
-                if self.reading.system_a {
+                if self.control.system_a {
                     self.remark_no_end();
                 }
                 return self.end();
@@ -187,7 +187,7 @@ impl Interpreter<'_> {
         if opening && cursor.peek() == 0 {
             return Ok(());
         }
-        if self.reading.system_a && cursor.peek() == 0 {
+        if self.control.system_a && cursor.peek() == 0 {
             // What follows is another program: whether a control goes on into it is not known.
             let inside = self.at != 0 || !self.flow.frames.is_empty();
             return if inside { self.end_of_file().map_err(Fault::fatal) } else { Err(without_end(false).fatal()) };
@@ -217,10 +217,10 @@ impl Interpreter<'_> {
             "PY,",
             "PYRUN,",
         ];
-        for (column, text) in comments(line, self.reading.comments)? {
+        for (column, text) in comments(line, self.control.comments)? {
             let text = String::from_utf8_lossy(text);
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
-            self.aborted |= self.reading.expressions && word.starts_with("ABORT,");
+            self.aborted |= self.control.expressions && word.starts_with("ABORT,");
             if self.aborted {
                 let shown = excerpt(text.trim(), SHOWN);
                 self.remarks.add(
@@ -232,7 +232,7 @@ impl Interpreter<'_> {
                 );
                 return Ok(());
             }
-            if self.reading.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
+            if self.control.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
                 let at = self.line;
                 let shown = excerpt(text.trim(), SHOWN);
                 self.remarks.add(

@@ -10,8 +10,8 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::{Compensation, InForce};
 use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
+use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -207,7 +207,7 @@ impl Interpreter<'_> {
 
     /// Refuses the position where the cutter is aside of it, as LinuxCNC does.
     pub(super) fn position_is_known(&self, column: usize) -> Outcome<()> {
-        if !self.reading.expressions || self.modal.compensation == Compensation::Off {
+        if !self.control.expressions || self.modal.compensation == Compensation::Off {
             return Ok(());
         }
         Err(Fault::at(
@@ -253,7 +253,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out by way of the compensation.
     pub(super) fn mill(&mut self, motion: Motion) {
-        let (control, number) = (self.modal.control(), self.made());
+        let (control, number) = (self.modal.in_force(), self.made());
         let carried = Carried { motion, control, number };
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
         let Some(mut stage) = self.milling.stage.take() else { return self.lead_back(carried) };

@@ -7,7 +7,7 @@
 //! Motions are in millimetres, degrees and seconds, whatever the program's unit.
 //!
 //! # Refusals
-//! A block that the dialect does not know, or that says two things at once, is a [`Fault`] with its line and columns; the
+//! A block that the control does not know, or that says two things at once, is a [`Fault`] with its line and columns; the
 //! iterator goes on with the next block unless nothing can be read after it. A word is never passed over in silence.
 //!
 //! # References
@@ -15,7 +15,7 @@
 //! the test corpus, file by file.
 //!
 //! ```
-//! use rodete::gcode::dialect::LINUXCNC;
+//! use rodete::gcode::control::LINUXCNC;
 //! use rodete::gcode::interpreter::{Interpreter, Setting};
 //! use rodete::machine::axis::Axis;
 //!
@@ -93,9 +93,9 @@ use self::standstill::Standing;
 pub use self::standstill::Standstill;
 use self::structure::Structure;
 use crate::finding::{Exit, Finding, Grade, Place};
-use crate::gcode::control::InForce;
-pub use crate::gcode::dialect::Rotary;
-use crate::gcode::dialect::reading::Reading;
+use crate::gcode::control::Control;
+pub use crate::gcode::control::Rotary;
+use crate::gcode::in_force::InForce;
 use crate::gcode::motion::Motion;
 use crate::machine::axis::Pose;
 use crate::machine::var_file::{VarFile, required};
@@ -115,7 +115,7 @@ enum Stage {
 
 /// A program being read; an iterator over its canonical motions.
 pub struct Interpreter<'a> {
-    reading: &'static Reading,
+    control: &'static Control,
     setting: Setting,
     sources: Vec<SourceText<'a>>,
     structures: Vec<Option<Structure>>,
@@ -127,7 +127,7 @@ pub struct Interpreter<'a> {
     line: usize,
     block: Block,
     modal: Modal,
-    control: InForce,
+    in_force: InForce,
     frame: ActiveOffsets,
     current: Pose,
     parameters: Parameters,
@@ -167,7 +167,7 @@ impl<'a> Interpreter<'a> {
     /// Reads a program from bytes that can be read again, as loops and subprograms want.
     #[must_use]
     pub fn new(bytes: Box<dyn Bytes + 'a>, setting: Setting) -> Self {
-        let reading = setting.dialect.reading;
+        let control = setting.control;
         let (mut offsets, found) = Offsets::read(&setting.var_file, setting.unit);
         let mut remarks = Remarks::default();
         // A control without var file starts in its first system.
@@ -197,7 +197,7 @@ impl<'a> Interpreter<'a> {
         #[expect(clippy::cast_possible_truncation, reason = "1 to 9")]
         let system = offsets.active.number() as u8;
         Self {
-            reading,
+            control,
             sources: vec![SourceText::new(bytes, None)],
             structures: vec![None],
             numbers: BTreeMap::new(),
@@ -208,15 +208,15 @@ impl<'a> Interpreter<'a> {
             modal: Modal {
                 tool: setting.start.tool,
                 offset: setting.start.offset,
-                ..Modal::new(reading, setting.unit, system)
+                ..Modal::new(control, setting.unit, system)
             },
-            control: InForce::default(),
+            in_force: InForce::default(),
             current: frame.to_program(&setting.start.machine),
             frame,
             parameters,
             tools,
             queue: VecDeque::new(),
-            compensator: Compensator::new(!reading.system_a),
+            compensator: Compensator::new(!control.system_a),
             milling: Milling::default(),
             run: None,
             corner: None,
@@ -245,8 +245,8 @@ impl<'a> Interpreter<'a> {
 
     /// What was in force when the motion last handed out was made.
     #[must_use]
-    pub const fn control(&self) -> &InForce {
-        &self.control
+    pub const fn in_force(&self) -> &InForce {
+        &self.in_force
     }
 
     /// The name of a subprogram's own file by its number in [`InForce::file`]; `None` for the program itself.
@@ -258,7 +258,7 @@ impl<'a> Interpreter<'a> {
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        let tip = if self.reading.expressions { self.cutter() } else { self.compensator.tip(&self.current) };
+        let tip = if self.control.expressions { self.cutter() } else { self.compensator.tip(&self.current) };
         (tip, self.frame.to_machine(&tip))
     }
 
@@ -315,7 +315,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
-        if self.reading.system_a && self.line == 0 {
+        if self.control.system_a && self.line == 0 {
             self.pass_leader()?;
         }
         if !self.source().next_line(line)? {
@@ -367,7 +367,7 @@ impl<'a> Interpreter<'a> {
         if self.setting.part {
             return Ok(());
         }
-        if self.reading.system_a {
+        if self.control.system_a {
             self.remark_no_end();
             return self.end();
         }
@@ -387,7 +387,7 @@ impl<'a> Interpreter<'a> {
     fn end(&mut self) -> Outcome<()> {
         self.stage = Stage::Ended;
         self.lose_corner(false);
-        if self.reading.expressions {
+        if self.control.expressions {
             self.end_cutter();
         }
         self.end_of_program();
@@ -456,7 +456,7 @@ impl Iterator for Interpreter<'_> {
         loop {
             if let Some(item) = self.queue.pop_front() {
                 return Some(item.map(|(motion, control, number)| {
-                    self.control = control;
+                    self.in_force = control;
                     self.handed_out(Some((&motion, number)));
                     motion
                 }));

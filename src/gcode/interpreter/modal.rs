@@ -1,8 +1,8 @@
 //! The modal state: what codes of earlier blocks leave in force.
 
 use crate::gcode::code::{Cycle, G, TurningCycle};
-use crate::gcode::control::{Compensation, InForce, Speed, Spindle};
-use crate::gcode::dialect::reading::Reading;
+use crate::gcode::control::Control;
+use crate::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use crate::gcode::interpreter::turning::First;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::length_unit::LengthUnit;
@@ -73,14 +73,14 @@ pub(super) struct Modal {
 }
 
 impl Modal {
-    pub(super) fn new(reading: &Reading, unit: LengthUnit, system: u8) -> Self {
+    pub(super) fn new(control: &Control, unit: LengthUnit, system: u8) -> Self {
         Self {
-            motion: reading.start.0,
-            plane: reading.plane,
+            motion: control.start.0,
+            plane: control.plane,
             unit,
             incremental: false,
             centre_absolute: false,
-            feed_mode: reading.start.1,
+            feed_mode: control.start.1,
             feed: 0.0,
             feed_word: 0.0,
             return_initial: None,
@@ -108,7 +108,7 @@ impl Modal {
     }
 
     /// What is in force, for those who follow the motions.
-    pub(super) const fn control(&self) -> InForce {
+    pub(super) const fn in_force(&self) -> InForce {
         InForce {
             tool: self.tool,
             offset: self.offset,

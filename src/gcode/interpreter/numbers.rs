@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::gcode::dialect::reading::Comments;
+use crate::gcode::control::Comments;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
     pub(super) fn numbers(&mut self) -> Outcome<&Numbers> {
         let at = self.at;
         if !self.numbers.contains_key(&at) {
-            let comments = self.reading.comments;
+            let comments = self.control.comments;
             let numbers = Numbers::of(self.source(), comments)?;
             self.numbers.insert(at, numbers);
         }

@@ -6,7 +6,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::G;
-use crate::gcode::control::Spindle;
+use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
@@ -48,7 +48,7 @@ impl Interpreter<'_> {
     /// The value of an axis word in mm or degrees.
     pub(super) fn axis_word(&self, axis: Axis) -> Option<f64> {
         let word = self.block.get(AXES[axis as usize])?;
-        let diameter = self.reading.diameter && axis == Axis::X;
+        let diameter = self.control.diameter && axis == Axis::X;
         let value = if axis.rotary() { word } else { self.modal.unit.to_mm(word) };
         Some(if diameter { value / 2.0 } else { value })
     }
@@ -58,7 +58,7 @@ impl Interpreter<'_> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
         let refuse = |what: Text, remedy: Text| Fault::at(&[column], what, remedy);
         let L = self.block.get(letter::L).and_then(whole);
-        if L == Some(0) && self.reading.expressions {
+        if L == Some(0) && self.control.expressions {
             self.remarks.add(
                 Grade::Note,
                 self.line,
@@ -154,7 +154,7 @@ impl Interpreter<'_> {
             }
         }
         let forgets = number == self.modal.system && self.block.has(letter::R) && self.frame.g92 != Pose::default();
-        if forgets && self.reading.expressions {
+        if forgets && self.control.expressions {
             self.remarks.add(
                 Grade::Caution,
                 self.line,
@@ -254,7 +254,7 @@ impl Interpreter<'_> {
                 Ok(())
             }
             (true, None) => {
-                if self.reading.system_a {
+                if self.control.system_a {
                     self.set_lathe_position();
                 } else {
                     self.set_position();
@@ -293,7 +293,7 @@ impl Interpreter<'_> {
             self.reframe(ActiveOffsets { g92: Pose::default(), ..self.frame });
         } else if left {
             let line = self.line;
-            let (what, remedy) = if self.reading.system_a {
+            let (what, remedy) = if self.control.system_a {
                 (
                     Text::fixed(
                         "G50 con X o Z sigue activo al final: vale también para el programa siguiente",
@@ -313,9 +313,9 @@ impl Interpreter<'_> {
             self.remarks.add(Grade::Caution, line, None, what, remedy);
         }
         self.select_system(1);
-        self.modal.plane = self.reading.plane;
+        self.modal.plane = self.control.plane;
         self.modal.incremental = false;
-        self.modal.feed_mode = self.reading.start.1;
+        self.modal.feed_mode = self.control.start.1;
         (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
         self.modal.spindle = Spindle::Stopped;
         self.modal.coolant = false;

@@ -1,7 +1,7 @@
 //! Motions that one block makes many of: the holes of a canned cycle, the moves of a turning cycle.
 
 use crate::gcode::code::{G, Group};
-use crate::gcode::control::Compensation;
+use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::Block;
 use crate::gcode::interpreter::contour::ContourBlock;

@@ -6,7 +6,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
-use crate::gcode::dialect::reading::Letters;
+use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;

@@ -2,7 +2,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, TurningCycle};
-use crate::gcode::dialect::reading::Letters;
+use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
@@ -61,20 +61,20 @@ fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
 impl Interpreter<'_> {
     /// Reads the words of a line behind its block number into the block in hand.
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
-        cursor.e_words = self.reading.letters.has(E);
+        cursor.e_words = self.control.letters.has(E);
         loop {
             match cursor.peek() {
                 0 => break,
-                _ if self.reading.system_a && cursor.macro_word() => return Err(macros(cursor.column())),
+                _ if self.control.system_a && cursor.macro_word() => return Err(macros(cursor.column())),
                 b'g' => self.read_g(cursor)?,
-                b',' if self.reading.system_a => self.read_edge(cursor)?,
+                b',' if self.control.system_a => self.read_edge(cursor)?,
                 b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
-                b'#' if self.reading.expressions => {
+                b'#' if self.control.expressions => {
                     let setting = self.setting(cursor)?;
                     self.block.settings.push(setting);
                 }
-                b'@' | b'^' if self.reading.expressions => self.read_polar(cursor)?,
+                b'@' | b'^' if self.control.expressions => self.read_polar(cursor)?,
                 _ => return Err(cursor.refuse_character()),
             }
         }
@@ -140,7 +140,7 @@ impl Interpreter<'_> {
         cursor.pass();
         let value = self.value(cursor)?.value;
         let tenths = whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok());
-        let found = tenths.and_then(|tenths| self.reading.codes.get(tenths));
+        let found = tenths.and_then(|tenths| self.control.codes.get(tenths));
         match found {
             Some(G::Refused(_, name)) => Err(Fault::at(
                 &[column],
@@ -170,7 +170,7 @@ impl Interpreter<'_> {
         cursor.pass();
         let value = self.value(cursor)?.value;
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
-        let found = number.and_then(|number| Some((number, (self.reading.machine_code)(number)?)));
+        let found = number.and_then(|number| Some((number, (self.control.machine_code)(number)?)));
         match found {
             Some((number, M::Refused(name))) => Err(Fault::at(
                 &[column],
@@ -194,7 +194,7 @@ impl Interpreter<'_> {
                         Text::fixed("", ""),
                     );
                     // Codes of the builder do not exclude each other everywhere: clamps M11 and M13 stand in one block.
-                    if !self.reading.expressions {
+                    if !self.control.expressions {
                         self.block.machine_codes += 1;
                         return self.machine_code_count(column);
                     }
@@ -213,7 +213,7 @@ impl Interpreter<'_> {
     }
 
     fn machine_code_count(&self, column: usize) -> Outcome<()> {
-        let most = self.reading.most_machine_codes;
+        let most = self.control.most_machine_codes;
         if self.block.machine_codes <= most {
             return Ok(());
         }
@@ -229,7 +229,7 @@ impl Interpreter<'_> {
 
     #[cold]
     pub(super) fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
-        let dialect = self.setting.dialect.name;
+        let dialect = self.setting.control.name;
         Fault::at(
             &[column],
             Text::new(
@@ -289,7 +289,7 @@ impl Interpreter<'_> {
     fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {
         let column = cursor.column();
         let index = letter - b'a';
-        let known = self.reading.letters.has(index);
+        let known = self.control.letters.has(index);
         if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }
@@ -297,7 +297,7 @@ impl Interpreter<'_> {
         cursor.no_comment()?;
         cursor.peek();
         let number_column = cursor.column();
-        if self.reading.system_a && cursor.macro_word() {
+        if self.control.system_a && cursor.macro_word() {
             return Err(macros(number_column));
         }
         let number = self.value(cursor)?;
@@ -324,13 +324,13 @@ impl Interpreter<'_> {
             ));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
-            && !(letter == b'd' && self.reading.expressions)
-            && !(letter == b'q' && (self.reading.system_a || matches!(self.block.m(5), Some((M::AnalogOutput, _)))))
+            && !(letter == b'd' && self.control.expressions)
+            && !(letter == b'q' && (self.control.system_a || matches!(self.block.m(5), Some((M::AnalogOutput, _)))))
             && !self.fagor_cycle()
         {
             return Err(negative(name(letter), value, number_column));
         }
-        if self.reading.system_a {
+        if self.control.system_a {
             self.see_point(index, &number, column)?;
         }
         self.block.put(index.into(), value, column).map_err(|first| match cursor.glued {
@@ -341,8 +341,8 @@ impl Interpreter<'_> {
 
     #[cold]
     fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
-        let (name, dialect) = (name(letter), self.setting.dialect.name);
-        if self.reading.refused_letters.has(letter - b'a') {
+        let (name, dialect) = (name(letter), self.setting.control.name);
+        if self.control.refused_letters.has(letter - b'a') {
             Fault::at(
                 &[column],
                 Text::new(

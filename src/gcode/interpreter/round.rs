@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::gcode::control::InForce;
+use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, Stage};
 use crate::limits::{BLOCK_REFUSALS, IDLE_ROUNDS, REFUSED_LINES};
@@ -53,7 +53,7 @@ impl Interpreter<'_> {
 
     /// A loop goes round again because of its condition: where nothing has happened since it did so last, it never ends.
     pub(super) fn round_again(&mut self) -> Outcome<()> {
-        let now = (self.made(), self.parameters.changes(), self.modal.control());
+        let now = (self.made(), self.parameters.changes(), self.modal.in_force());
         let rounds = &mut self.rounds;
         rounds.idle = if rounds.last.replace(now) == Some(now) { rounds.idle + 1 } else { 0 };
         if rounds.idle < IDLE_ROUNDS {

@@ -1,8 +1,8 @@
-//! What a program is read with: dialect, machine unit, var file, tools, switches, budgets.
+//! What a program is read with: control, machine unit, var file, tools, switches, budgets.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::gcode::dialect::{Dialect, Rotary};
+use crate::gcode::control::{Control, Rotary};
 use crate::gcode::turning::nose::Nose;
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
@@ -87,8 +87,8 @@ pub struct Start {
 
 /// What a program is read with.
 pub struct Setting {
-    /// The dialect.
-    pub dialect: &'static Dialect,
+    /// The control.
+    pub control: &'static Control,
     /// The machine's unit: of the var file, of parameters that hold lengths, and of a program that does not say its own.
     pub unit: LengthUnit,
     /// How the machine stands at the start.
@@ -120,11 +120,11 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// A dialect with nothing else known: millimetres, all offsets 0, no tool table, rotary axes as the control is delivered.
+    /// A control with nothing else known: millimetres, all offsets 0, no tool table, rotary axes as the control is delivered.
     #[must_use]
-    pub fn new(dialect: &'static Dialect) -> Self {
+    pub fn new(control: &'static Control) -> Self {
         Self {
-            dialect,
+            control,
             unit: LengthUnit::Millimetre,
             start: Start::default(),
             var_file: VarFile::default(),
@@ -133,7 +133,7 @@ impl Setting {
             places: None,
             point: None,
             plane: None,
-            rotary: dialect.rotary,
+            rotary: control.rotary,
             block_delete: false,
             keep_g92: true,
             part: false,

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use super::Interpreter;
-use crate::gcode::control::InForce;
+use crate::gcode::in_force::InForce;
 use crate::gcode::motion::Motion;
 use crate::limits::STANDSTILL_BLOCKS;
 use crate::machine::axis::Pose;
@@ -49,13 +49,13 @@ impl Interpreter<'_> {
     /// From now on keeps what blocks without motion change; see [`Interpreter::stood`].
     pub fn keep_stood(&mut self) {
         self.standing.kept = true;
-        self.standing.last = Some((self.modal.control(), self.current));
+        self.standing.last = Some((self.modal.in_force(), self.current));
     }
 
     /// What is in force at the block that was read last, and where the machine stands.
     #[must_use]
     pub fn stands(&self) -> Standstill {
-        let control = InForce { file: self.at, ..self.modal.control() };
+        let control = InForce { file: self.at, ..self.modal.in_force() };
         Standstill { line: self.line, control, at: self.current, machine: self.frame.to_machine(&self.current) }
     }
 
@@ -91,7 +91,7 @@ impl Interpreter<'_> {
     pub(super) fn moved(&mut self) {
         self.standing.made += 1;
         if self.standing.kept {
-            self.standing.last = Some((self.modal.control(), self.current));
+            self.standing.last = Some((self.modal.in_force(), self.current));
         }
     }
 
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
         {
             return;
         }
-        let now = (self.modal.control(), self.current);
+        let now = (self.modal.in_force(), self.current);
         if self.standing.last.replace(now) != Some(now) {
             let stood = self.stands();
             let (made, aside) = (self.standing.made, !(self.compensator.idle() && self.milling.idle()));
@@ -116,8 +116,8 @@ impl Interpreter<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::control::Spindle;
-    use crate::gcode::dialect::FANUC_LATHE_A;
+    use crate::gcode::control::FANUC_LATHE_A;
+    use crate::gcode::in_force::Spindle;
     use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
     use crate::gcode::turning::nose::{Nose, Tip};
     use crate::machine::axis::Axis;
@@ -137,7 +137,7 @@ mod tests {
             }
             let Some(motion) = item else { break };
             let motion = motion.unwrap();
-            let control = interpreter.control();
+            let control = interpreter.in_force();
             seen.push((motion.line, control.spindle != Spindle::Stopped, control.coolant, control.tool));
         }
         let lines: Vec<usize> = seen.iter().map(|one| one.0).collect();

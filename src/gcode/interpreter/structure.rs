@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::gcode::dialect::reading::Comments;
+use crate::gcode::control::Comments;
 use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};

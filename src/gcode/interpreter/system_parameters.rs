@@ -1,7 +1,7 @@
 //! Parameters that the control itself keeps: position, modes, offsets.
 
 use crate::gcode::code::G;
-use crate::gcode::control::Spindle;
+use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::axis::{Axis, Pose};

@@ -1,6 +1,6 @@
 //! Where the text of a file ends for a control: at the second `%`. What stands behind it is neither run nor looked through.
 
-use crate::gcode::dialect::reading::Comments;
+use crate::gcode::control::Comments;
 use crate::gcode::interpreter::cursor::Cursor;
 
 /// The lines of a file as they come by.
@@ -51,12 +51,12 @@ impl Tape {
 
 #[cfg(test)]
 mod tests {
-    use crate::gcode::dialect::{Dialect, FANUC_LATHE_A, LINUXCNC};
+    use crate::gcode::control::{Control, FANUC_LATHE_A, LINUXCNC};
     use crate::gcode::interpreter::{Interpreter, Setting};
 
     /// How many motions a program makes, or its first error.
-    fn motions(program: &str, dialect: &'static Dialect) -> Result<usize, String> {
-        let found: Result<Vec<_>, _> = Interpreter::over(program.as_bytes(), Setting::new(dialect)).collect();
+    fn motions(program: &str, control: &'static Control) -> Result<usize, String> {
+        let found: Result<Vec<_>, _> = Interpreter::over(program.as_bytes(), Setting::new(control)).collect();
         found.map(|motions| motions.len()).map_err(|fault| fault.what.en.into_owned())
     }
 

@@ -2,8 +2,8 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::Spindle;
-use crate::gcode::dialect::reading::Turret;
+use crate::gcode::control::Turret;
+use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -17,7 +17,7 @@ use crate::text::Text;
 impl Interpreter<'_> {
     /// T: the tool that the next change brings.
     pub(super) fn take_tool(&mut self) -> Outcome<()> {
-        if self.reading.turret != Turret::Change {
+        if self.control.turret != Turret::Change {
             return self.turn_turret();
         }
         let Some(T) = self.block.get(letter::T) else { return Ok(()) };
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
         }
         match self.modal.selected {
             Some(tool) => self.modal.tool = tool,
-            None if self.reading.expressions => {
+            None if self.control.expressions => {
                 return Err(Fault::at(
                     &[column],
                     Text::fixed("M6 sin herramienta elegida con T", "M6 without a tool selected by T"),
@@ -75,7 +75,7 @@ impl Interpreter<'_> {
             }
             None => {}
         }
-        if self.reading.expressions {
+        if self.control.expressions {
             self.modal.spindle = Spindle::Stopped;
         }
         Ok(())

@@ -8,7 +8,7 @@
 //! The lathe simulator's description of T0A0B; Fanuc Series 0i-T operator's manual: the last two digits are the offset, 0 for
 //! none. Fagor 8055 T: T the tool, D the offset.
 
-use crate::gcode::dialect::reading::Turret;
+use crate::gcode::control::Turret;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
@@ -21,7 +21,7 @@ impl Interpreter<'_> {
     /// T and D of a lathe.
     pub(super) fn turn_turret(&mut self) -> Outcome<()> {
         let T = self.block.get(letter::T);
-        if self.reading.turret == Turret::Words {
+        if self.control.turret == Turret::Words {
             let D = self.block.get(letter::D).filter(|_| !self.has_turning_cycle());
             let place = T.map(|T| self.tool_number(letter::T, T)).transpose()?;
             let offset = match D {

@@ -74,8 +74,8 @@ fn way(from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], f64)> {
 /// Breaks the corner `b` between the lines from `a` to `b` and from `b` to `c`; `None` where nothing is to be broken: a size of 0,
 /// a rounding of two lines that are one.
 ///
+/// # Derivation
 /// With the turn φ between the directions a rounding of radius r takes r tan(φ/2) = r |sin φ| / (1 + cos φ) of either line.
-/// Derived here.
 ///
 /// # Errors
 /// PS0051 where a line has no length or goes another way than `square` says, PS0054 for lines that are not along one axis each,

@@ -9,7 +9,7 @@
 //! relief, against the direction from place to place, leaves at rapid, and goes to the next place. The last step and the last
 //! place are as far as is left. At the end it returns to the start.
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! The relief, where given, is made at every place, the first included, as the figure of the manual draws it.
 
 use crate::gcode::turning::Move;

@@ -13,12 +13,10 @@
 //! - on an arc r = c + R·sin φ, φ counted from +Z to +X: ∫ |r| R dφ = ±R·(c·Δφ + 2R·sin φm·sin(Δφ/2)), φm the middle;
 //! - on a thread the point moves s = L·ν + K·ν²/2 along the lead's axis in ν revolutions, L the lead and K its change a
 //!   revolution, so that ν = 2s / (L + √(L² + 2·K·s)), and r is a parabola in ν, whose integral Simpson's rule gives exactly.
-//!
-//! Derived here.
 
 use std::f64::consts::{PI, TAU};
 
-use crate::gcode::control::{InForce, Speed, Spindle};
+use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::motion::{Arc, Thread};
 use crate::number::trig;
 
@@ -184,7 +182,7 @@ mod tests {
             system: 1,
             feed_mode: crate::gcode::motion::FeedMode::PerRevolution,
             unit: crate::machine::length_unit::LengthUnit::Millimetre,
-            compensation: crate::gcode::control::Compensation::Off,
+            compensation: crate::gcode::in_force::Compensation::Off,
             file: 0,
         }
     }

@@ -8,7 +8,7 @@
 //! Pass j of d (from 0) runs along the contour moved by the finishing allowance and by (Δi, Δk)·(1 − j/(d − 1)): the first by
 //! the whole relief, the last by none. A single pass is the last.
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! The ways from one pass to the next, and back to the start, are straight, as in the figure.
 
 use crate::gcode::turning::Move;

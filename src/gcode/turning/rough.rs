@@ -12,7 +12,7 @@
 //! along its near wall, and is cut to its bottom before the next one. At the end the tool runs once along the moved
 //! contour, and returns to A by the level of C.
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! The retraction is at rapid. The last pass of a level is as deep as is left. What a pass leaves over (less than a depth of
 //! cut) falls to the pass along the contour. Between the level of C and the first point of a contour of type II the passes go
 //! no deeper than that point. The way back to A goes by the level of C, so that it crosses nothing.

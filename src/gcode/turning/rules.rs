@@ -9,10 +9,7 @@ use crate::finding::rule::rules;
 /// A program for a Fanuc lathe that stands in front of the turning bar, its blocks joined with `|`.
 macro_rules! fanuc {
     ($blocks:literal) => {
-        Example::Program {
-            control: "fanuc-lathe-a",
-            program: concat!("S500 M3 F.2|G0 X50. Z5.|", $blocks, "|M30"),
-        }
+        Example::Program { control: "fanuc-lathe-a", program: concat!("S500 M3 F.2|G0 X50. Z5.|", $blocks, "|M30") }
     };
 }
 

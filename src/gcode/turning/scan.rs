@@ -4,7 +4,7 @@
 //! All roughing is brought to one drawing: u along the passes, v across them, the tool coming from great u and great v, so
 //! that passes go towards −u and the infeed towards −v. Outside turning towards the chuck is that drawing as it stands
 //! (u = Z, v = X); inside, away from the chuck, and facing are its mirror images. A contour that a control accepts then
-//! never goes back towards +u. Derived here.
+//! never goes back towards +u.
 
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;

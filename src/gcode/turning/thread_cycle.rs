@@ -10,7 +10,7 @@
 //! height. The tool cuts along one flank: a pass at the depth D begins D·tan(a/2) further along the thread. At the end it is
 //! pulled out at 45 degrees over r tenths of the lead.
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! The first finishing pass takes the whole allowance, the others nothing more. A pull-out that is longer than the way to the
 //! level of the start ends at that level. The taper i belongs to the way from the starting point to the end.
 

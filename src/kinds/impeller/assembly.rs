@@ -69,7 +69,7 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
     let (Style::Full, Some(F)) = (design.style, design.F) else {
         return Ok(Feed::None);
     };
-    let law = design.dialect.feed;
+    let law = design.control.feed;
     let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
     let mut at = from;
     for to in points {
@@ -146,11 +146,11 @@ impl<'a> Assembly<'a> {
         let height = self.retract()?;
         self.start = Position::default().with(Axis::Z, height);
         self.at = self.start;
-        self.parts.push(block(design.dialect.safety_block()));
+        self.parts.push(block(design.control.safety_block()));
         if !design.retract.is_empty() {
             self.parts.push(Part::Away(design.retract.clone()));
         }
-        for words in design.dialect.tool_blocks(design.T, design.D) {
+        for words in design.control.tool_blocks(design.T, design.D) {
             self.parts.push(block(words));
         }
         let speed = design.S.map(|S| Word::whole('S', S));
@@ -186,8 +186,8 @@ impl<'a> Assembly<'a> {
         self.go(turned, &[Axis::B, Axis::C]);
         self.go(over(self.at, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);
         self.go(over(self.at, &[Axis::Z]), &[Axis::Z]);
-        if design.dialect.feed.code() != 94 {
-            self.parts.push(block([Word::whole('G', design.dialect.feed.code())]));
+        if design.control.feed.code() != 94 {
+            self.parts.push(block([Word::whole('G', design.control.feed.code())]));
         }
         Ok(())
     }
@@ -270,7 +270,7 @@ impl<'a> Assembly<'a> {
     pub fn finish(mut self, key: &'static str, title: Text) -> Program {
         let design = self.design;
         if design.style == Style::Full {
-            if design.dialect.feed.code() != 94 {
+            if design.control.feed.code() != 94 {
                 self.parts.push(block([Word::whole('G', 94)]));
             }
             let over = |at: Position, from: Position, axes: &[Axis]| {
@@ -293,7 +293,7 @@ impl<'a> Assembly<'a> {
         Program {
             key,
             title,
-            dialect: design.dialect,
+            control: design.control,
             format: if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed },
             block_step: Some(design.block_step),
             start: self.start,

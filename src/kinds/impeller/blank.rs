@@ -5,7 +5,7 @@
 //! program has −15, which is −r.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::dialect::FAGOR_8055_T;
+use crate::gcode::control::FAGOR_8055_T;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{NumberFormat, Word};
 use crate::geometry::torus::Torus;
@@ -176,7 +176,7 @@ impl BlankTurning {
         Ok(Program {
             key: "blank",
             title: Text::fixed("Torneado del bruto", "Turning of the blank"),
-            dialect: &FAGOR_8055_T,
+            control: &FAGOR_8055_T,
             format,
             block_step: Some(block_step),
             start: Position::default(),

@@ -19,7 +19,7 @@
 //!
 //! # References
 //! Semiconcavity of the distance: P. Cannarsa and C. Sinestrari, "Semiconcave Functions, Hamilton–Jacobi Equations, and
-//! Optimal Control", 2004, proposition 2.2.2. The use of it: derived here.
+//! Optimal Control", 2004, proposition 2.2.2. Its use is derived above, under "The bound".
 //!
 //! # Units
 //! Millimetres and radians.

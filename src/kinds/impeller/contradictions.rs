@@ -1,7 +1,7 @@
 //! What is valid alone but not together: the checks of one parameter of the impeller against another.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::dialect::Rotary as Counting;
+use crate::gcode::control::Rotary as Counting;
 use crate::gcode::machine_codes::{refused_codes, refused_retract};
 use crate::gcode::word::Distance;
 use crate::geometry::torus::Torus;
@@ -283,8 +283,8 @@ impl Design {
                     );
                 }
             }
-        } else if self.dialect.reading.feed_required {
-            let name = self.dialect.name;
+        } else if self.control.feed_required {
+            let name = self.control.name;
             stop(
                 &["style", "dialect"],
                 format!("el estilo annex no lleva avance F y el dialecto {name} no mueve sin él"),
@@ -303,10 +303,10 @@ impl Design {
                 ),
             );
         }
-        findings.extend(refused_retract(self.dialect, &self.retract));
-        findings.extend(refused_codes(self.dialect, "coolant", &self.coolant, false));
-        findings.extend(refused_codes(self.dialect, "start_codes", &self.start_codes, false));
-        findings.extend(refused_codes(self.dialect, "end_codes", &self.end_codes, true));
+        findings.extend(refused_retract(self.control, &self.retract));
+        findings.extend(refused_codes(self.control, "coolant", &self.coolant, false));
+        findings.extend(refused_codes(self.control, "start_codes", &self.start_codes, false));
+        findings.extend(refused_codes(self.control, "end_codes", &self.end_codes, true));
         let passes = 2 * u64::from(self.N) * if self.splitters { 2 } else { 1 };
         let blocks = passes.saturating_mul(self.n as u64 + 1);
         if blocks > PROGRAM_BLOCKS {

@@ -1,7 +1,7 @@
 //! The design of an impeller: validated parameters with units settled, and the checks of one against another.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::dialect::{Dialect, Rotary as Counting};
+use crate::gcode::control::{Control, Rotary as Counting};
 pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word, block, codes};
 use crate::geometry::torus::Torus;
@@ -64,7 +64,7 @@ pub struct Design {
     /// The program number.
     pub program: u32,
     /// The dialect.
-    pub dialect: &'static Dialect,
+    pub control: &'static Control,
     /// The style.
     pub style: Style,
     /// Absolute or incremental, in full style.
@@ -105,7 +105,7 @@ impl Design {
     /// whether the rotary axes are rollover or not.
     #[must_use]
     pub fn turns_by_increments(&self) -> bool {
-        let may_roll = self.dialect.rotary == Counting::Rollover;
+        let may_roll = self.control.rotary == Counting::Rollover;
         self.style == Style::Full && self.distance == Distance::Incremental && may_roll
     }
 
@@ -130,7 +130,7 @@ impl Design {
     fn from_values(values: &Values) -> Option<Self> {
         let real = |key| values.real(key);
         let (R_B, H) = (real("R_B")?, real("H")?);
-        let dialect = Dialect::milling(values.choice("dialect")?)?;
+        let dialect = Control::milling(values.choice("dialect")?)?;
         Some(Self {
             torus: Torus { R: real("R")?, r: real("r")? },
             n: usize::try_from(values.whole("n")?).ok()?,
@@ -164,7 +164,7 @@ impl Design {
             part: values.line("part").to_owned(),
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
-            dialect,
+            control: dialect,
             counting: match values.choice("rotary") {
                 Some("linear") => Counting::Linear,
                 Some(_) => Counting::Rollover,

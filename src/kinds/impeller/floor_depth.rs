@@ -1,5 +1,6 @@
 //! How much deeper than a_p the passes cut beside the blade.
 //!
+//! # Derivation
 //! The floor is a_p below the torus: hollow, of the radius r_f = r + a_p across a meridian. The flat end of a tool that stands
 //! w beside the mean line, in the mean line's tangent plane, reaches below it: with α the angle at which the mean line cuts
 //! the parallels, its farthest point lies a + w·cos α to the side in the meridian plane, so that it is
@@ -15,9 +16,6 @@
 //!
 //! # Units
 //! Millimetres and radians.
-//!
-//! # References
-//! Derived here.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,6 @@
 //! The true gap between two blades: the largest tool that passes between them, and the limits that follow from it.
 //!
+//! # Derivation
 //! The published limits take the arc along the parallel at the hub for the gap. That is not how a tool passes: it stands in
 //! the channel with its axis through the circle in the middle of the tube, blades cross the parallels at a slant, and they
 //! are twisted. So the gap is
@@ -22,8 +23,8 @@
 //! # Units
 //! Millimetres and radians.
 //!
-//! # References
-//! Derived here; held against a dense search.
+//! # Proof
+//! Held against a dense search.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -3,7 +3,7 @@
 //! Without tool-centre-point control a program is true for one pivot length and one position of the part, so both are
 //! stated.
 
-use crate::gcode::dialect::FeedLaw;
+use crate::gcode::control::FeedLaw;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::Distance;
@@ -17,7 +17,7 @@ fn fixed(value: f64) -> String {
 
 fn identity(design: &Design, program: &Program, origin: &Origin<'_>) -> Header {
     let work = Work { part: &design.part, material: &design.material, number: design.program };
-    Header::new(program.dialect, program.key, &program.title, work, origin)
+    Header::new(program.control, program.key, &program.title, work, origin)
 }
 
 fn extents(header: &mut Header, program: &Program) {
@@ -94,7 +94,7 @@ pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>,
             &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),
             &format!("FEED OF THE TIP {F} MM-MIN - SPINDLE {S} RPM"),
         );
-        match design.dialect.feed {
+        match design.control.feed {
             FeedLaw::Resultant => comments.line(
                 "F EN CADA BLOQUE - RESULTANTE DE LOS EJES EN MM Y GRADOS",
                 "F IN EACH BLOCK - RESULTANT OF THE AXES IN MM AND DEG.",

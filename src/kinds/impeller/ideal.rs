@@ -104,10 +104,11 @@ impl Ideal {
 
     /// What the derivatives are at most between the points `low` and `low` + 1.
     ///
+    /// # Derivation
     /// By v the circle and t have derivatives of the size R and 1. N = −(cos v cos u, cos v sin u, sin v) has partial ones of
     /// no more than 1 in v and u, u′ = k/ρ ≤ q = √((R+r)/(R−r)), |u″| ≤ q·g and |u‴| ≤ q·g + 2q·g² with g = r/(R−r); so its own are at
     /// most N₁ = 1 + q, N₂ = N₁² + |u″|, N₃ = N₁³ + 3N₁|u″| + |u‴|, and those of b = t × N at most 1 + N₁, 1 + 2N₁ + N₂,
-    /// 1 + 3N₁ + 3N₂ + N₃. Derived here.
+    /// 1 + 3N₁ + 3N₂ + N₃.
     #[must_use]
     pub fn bends(&self, low: f64) -> Bends {
         let Torus { R, r } = self.circle.torus;
@@ -149,8 +150,9 @@ impl Ideal {
     /// The point at the index x, as the path runs on from the index `inside`: at the end of a fade its slope is another from
     /// either side.
     ///
+    /// # Derivation
     /// With X(v) on a circle of radius R run through at |dX/dv| = R about the centre (0, −r, 0), t = X′/R turns by
-    /// t′ = −(X − centre)/R; N′ follows from u′ = k/ρ, and b′ = t′ × N + t × N′. Derived here.
+    /// t′ = −(X − centre)/R; N′ follows from u′ = k/ρ, and b′ = t′ × N + t × N′.
     #[must_use]
     pub fn within(&self, x: f64, inside: f64) -> Station {
         let (v, dv) = self.v(x, inside);

@@ -24,9 +24,6 @@
 //!
 //! # Units
 //! Millimetres and radians.
-//!
-//! # References
-//! Derived here.
 
 use std::collections::BinaryHeap;
 use std::f64::consts::{PI, TAU};

@@ -308,11 +308,12 @@ impl Part {
 
     /// Bounds of how the rulings between two v of one piece change, down to a depth.
     ///
+    /// # Derivation
     /// With S' = dS/ds, ds = R dv, on the face of the side σ: S' = t·(1 − σ(e/2)κ_g + h·κ_t) + τ·(σ(e/2)·N + h·b). Here
     /// R·κ_t = r/R + (k²/R)·cos v/ρ grows with v, (R·κ_g)² = 1 − (R·κ_t)² and R·τ = k/ρ falls. N_v = −(e_v + c·e_u) with
     /// c = k·cos v/ρ, so that N_vv = −(N − (k sin v/ρ + k R sin v/ρ²)·e_u − c(k/ρ)·e_ρ) in size at most
     /// 1 + k|sin v|(1/ρ + R/ρ²) + |cos v|k²/ρ², and |b_vv| ≤ 1 + 2|N_v| + |N_vv|. |cos v| and 1/ρ are greatest at the
-    /// beginning, |sin v| at the end. Derived here.
+    /// beginning, |sin v| at the end.
     #[must_use]
     pub fn change(&self, [low, high]: [f64; 2], depth: f64) -> Change {
         let Torus { R, r } = self.circle.torus;

@@ -4,6 +4,7 @@
 //! stays in between. What is measured is the turned surface between two blades: the share of its area that no pass takes away,
 //! and how wide the widest rib is at the rim.
 //!
+//! # Derivation
 //! Points of the surface are named by v and by x = u(v) − ψ, how far they lie behind the blade about the axis. The surface is
 //! taken in strips of v. Over a strip a point of fixed x runs along a circle of radius R with R a radian, so that its distance
 //! from the axis of a tool that stands still exceeds the greater of those at both ends by no more than R·Δv²/8. What is within
@@ -19,8 +20,8 @@
 //! # Units
 //! Millimetres and radians.
 //!
-//! # References
-//! Derived here; held against a dense grid.
+//! # Proof
+//! Held against a dense grid.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -7,6 +7,7 @@
 //! full offset reaches 0.31 mm into the neighbour where the paths at +w cross, at 19.1, and is clear of it from 20.3 on;
 //! at −w it reaches 0.53 mm into it at 28.6 and is clear from 31.5 on.
 //!
+//! # Derivation
 //! So each side asks the solids themselves. Let c(x, m) be the least distance of the tool, a cylinder of diameter d_t
 //! with a flat end, from the faces of the blades, in the pose that the control gives it at the index x, between the points
 //! of the path with the offset w·f_j(m): X, Y, Z, B and C linear between them; it is bounded, not sampled
@@ -24,9 +25,6 @@
 //!
 //! ε is what rounding to the output grid may take: 0.0005 mm on each of X, Y, Z, and 0.0005° on B and C at the distance of
 //! any point of the part from the pivot, L + R at most, and from the axis, R at most.
-//!
-//! # References
-//! Derived here.
 //!
 //! # Units
 //! Millimetres and radians; x in steps.

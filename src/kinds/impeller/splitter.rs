@@ -7,7 +7,7 @@
 //!
 //! # References
 //! The thesis, section 4.3 and annex 10. The text says that the offset grows linearly; the table is the fifth power.
-//! The fade of each side: derived here, in [`room`](super::room).
+//! The fade of each side is derived in [`room`](super::room).
 
 use std::f64::consts::PI;
 

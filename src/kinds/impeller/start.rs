@@ -1,7 +1,7 @@
 //! What a person must know before an impeller's program is started: rotary axes, clamps, coolant, and where the tool stands.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::dialect::Rotary;
+use crate::gcode::control::Rotary;
 use crate::gcode::word::{Distance, Number, Word};
 use crate::kinds::impeller::design::{Design, Style};
 use crate::text::Text;
@@ -21,7 +21,7 @@ fn at(keys: &[&'static str]) -> Place {
 pub(super) fn start(design: &Design) -> Vec<Finding> {
     let mut findings = vec![rotary_axes(design)];
     // Of the clamps of other machines nothing was published.
-    if design.dialect.rotary == Rotary::Rollover {
+    if design.control.rotary == Rotary::Rollover {
         findings.push(clamps(design));
     }
     if design.coolant.is_empty() {
@@ -72,7 +72,7 @@ fn rotary_axes(design: &Design) -> Finding {
             ),
         );
     }
-    if design.dialect.rotary == Rotary::Rollover {
+    if design.control.rotary == Rotary::Rollover {
         return Finding::caution(
             place,
             what,
@@ -134,7 +134,7 @@ fn retract(design: &Design) -> Option<Finding> {
     }
     let by_machine_zero = holds(&design.retract, 'G', 53);
     let heights = design.retract.iter().filter(|word| matches!(word.number, Number::Size(_))).count();
-    (design.dialect.rotary == Rotary::Rollover && by_machine_zero && heights > 0).then(|| {
+    (design.control.rotary == Rotary::Rollover && by_machine_zero && heights > 0).then(|| {
         Finding::caution(
             at(&["retract"]),
             Text::fixed(

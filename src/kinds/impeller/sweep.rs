@@ -6,8 +6,8 @@
 //! # Units
 //! Millimetres and radians, in the part frame of the track's own blade.
 //!
-//! # References
-//! Derived here. With p = (X, Y, Z + h) a point of the axis at the height h above the tip, y = p + L·k̂ and j the B axis, the
+//! # Derivation
+//! With p = (X, Y, Z + h) a point of the axis at the height h above the tip, y = p + L·k̂ and j the B axis, the
 //! turned-back point is z(s) with z′ = Δp + ΔB·j×y and z″ = 2ΔB·j×Δp − ΔB²·(y_x, 0, y_z); both are linear in s, so that their
 //! sizes peak at the ends. In the part, C added, a point moves by no more than |ΔC|·ρ + |z′| and is accelerated by no more
 //! than ΔC²·ρ + 2|ΔC|·|z′| + |z″|.

@@ -1,5 +1,6 @@
 //! How far the passes of a blade cut into its own faces.
 //!
+//! # Derivation
 //! The tool stands along N of the mean line. At the depth h the trace of a face is turned against the mean line by θ(h), since
 //! the rulings are twisted, so that a cylinder along N cuts into the face by about a(1 − cos θ(a_p)), with
 //! tan θ = a_p·τ_0/(1 − a_p/R) and τ_0 = √((R + r)/(R − r))/R at the hub, where it is the most. The law leaves out the
@@ -13,9 +14,6 @@
 //!
 //! # Units
 //! Millimetres and radians.
-//!
-//! # References
-//! Derived here.
 
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::part::{Face, Part, Piece};

@@ -1,7 +1,7 @@
 //! The lathe: a turning program of a workbook followed as it removes material, judged and shown.
 //!
 //! # References
-//! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
+//! The lathe simulator's machine, stock, tools and cycles; what it leaves open says so where it stands, under "Derivation" or as chosen.
 
 pub mod cases;
 pub mod catalogue;
@@ -210,7 +210,7 @@ fn listed(key: &'static str, title: Text, source: &text::SheetProgram, given: &G
     Program {
         key,
         title,
-        dialect: given.dialect,
+        control: given.control,
         format: NumberFormat::Fixed,
         block_step: None,
         start: Position::default(),
@@ -279,7 +279,7 @@ fn follow<'a>(
     let (mut last, mut unjudged) = (lost.then_some(Place::File), false);
     let mut before = interpreter.position().1;
     // The turret's place, and the block that has changed it without a motion.
-    let (mut place, mut turned) = (interpreter.control().tool, None);
+    let (mut place, mut turned) = (interpreter.in_force().tool, None);
     interpreter.keep_stood();
     watch(Seen::Stood(&interpreter.stands(), &one.simulation, None));
     loop {
@@ -294,12 +294,12 @@ fn follow<'a>(
         match item {
             Ok(motion) if one.rows.len() == FOLLOWED_MOTIONS => {
                 one.endless = true;
-                faults.insert(0, too_many(interpreter.file(interpreter.control().file), motion.line));
+                faults.insert(0, too_many(interpreter.file(interpreter.in_force().file), motion.line));
                 break;
             }
             Ok(_) if one.uncut => unjudged = true,
             Ok(motion) => {
-                let control = *interpreter.control();
+                let control = *interpreter.in_force();
                 let file = interpreter.file(control.file);
                 one.account.take(&motion, &before);
                 before = motion.machine;

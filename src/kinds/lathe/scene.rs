@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::Place;
-use crate::gcode::control::InForce;
+use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::Motion;
 use crate::kinds::lathe::Seen;
@@ -45,7 +45,7 @@ impl Watching {
     pub fn see(&mut self, seen: Seen<'_>) {
         match seen {
             Seen::Begin(program, source, simulation) => {
-                self.begin(program.title.clone(), program.dialect, source, simulation)
+                self.begin(program.title.clone(), program.control, source, simulation)
             }
             Seen::Stood(stood, simulation, file) => self.stood(stood, simulation, file),
             Seen::Step(step, simulation, file) => self.step(step, simulation, file),
@@ -87,7 +87,7 @@ impl Watching {
     fn begin(
         &mut self,
         title: Text,
-        dialect: &'static crate::gcode::dialect::Dialect,
+        dialect: &'static crate::gcode::control::Control,
         source: &SheetProgram,
         simulation: &Simulation,
     ) {

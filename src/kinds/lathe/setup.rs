@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::{CellPlace, Finding, Place};
-use crate::gcode::control::{InForce, Spindle};
-use crate::gcode::dialect::{Dialect, FANUC_LATHE_A};
+use crate::gcode::control::{Control, FANUC_LATHE_A};
+use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
@@ -34,7 +34,7 @@ pub struct Given {
     /// Lathe, stock, turret, tolerance.
     pub setup: Setup,
     /// The control's dialect.
-    pub dialect: &'static Dialect,
+    pub control: &'static Control,
     /// What a dimension without a point is.
     pub point: Option<DecimalPoint>,
     /// Blocks with `/` are skipped.
@@ -233,7 +233,7 @@ impl Given {
             .collect();
         Ok(Self {
             setup: Setup { tolerance, ..Setup::new(lathe, stock, Turret { tools, body }) },
-            dialect,
+            control: dialect,
             point,
             block_delete: values.choice("block_delete") == Some("yes"),
             second: real("Z_s"),
@@ -320,7 +320,7 @@ impl Given {
     /// What the program is read with: W1 at the stock, W2 to W6 as given, the turret's offsets.
     #[must_use]
     pub fn setting(&self) -> Setting {
-        let mut setting = Setting::new(self.dialect);
+        let mut setting = Setting::new(self.control);
         let mut file = VarFile::default();
         file.complete();
         let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
@@ -342,7 +342,7 @@ impl Given {
         // A Fagor keeps tool and offset over the end of a program; a Fanuc starts without an offset.
         if let Some((&place, _)) = self.setup.turret.tools.iter().next() {
             setting.start.tool = place;
-            if *self.dialect != FANUC_LATHE_A {
+            if *self.control != FANUC_LATHE_A {
                 setting.start.offset = self.first_offset;
             }
         }
@@ -352,8 +352,8 @@ impl Given {
 }
 
 /// The control's dialect, and its rule for dimensions without a decimal point.
-fn control(values: &Values) -> (&'static Dialect, Option<DecimalPoint>) {
-    let dialect = Dialect::named(values.choice("dialect").unwrap_or_default()).unwrap_or(&FANUC_LATHE_A);
+fn control(values: &Values) -> (&'static Control, Option<DecimalPoint>) {
+    let dialect = Control::named(values.choice("dialect").unwrap_or_default()).unwrap_or(&FANUC_LATHE_A);
     let point = match values.choice("point") {
         Some("calculator") => Some(DecimalPoint::Calculator),
         Some("micrometre") => Some(DecimalPoint::Micrometre),

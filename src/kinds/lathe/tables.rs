@@ -1,6 +1,6 @@
 //! The tables of a turning: motions, alarms, tools, turret, contour.
 
-use crate::gcode::control::{InForce, Spindle};
+use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::geometry::exact::region::Ring;
 use crate::kind::Raised;

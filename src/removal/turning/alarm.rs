@@ -2,7 +2,7 @@
 
 use super::stock::Fixture;
 use crate::finding::{AlarmFamily, Finding, Grade, Place, Raise, Said, Size};
-use crate::gcode::control::Compensation;
+use crate::gcode::in_force::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
 use crate::text::Text;
@@ -12,10 +12,11 @@ pub const TOUCH: f64 = 0.001;
 
 /// How deep a retraction may scrape without being a stop, mm.
 ///
+/// # Derivation
 /// An edge of lead angle φ1 > 90° leans away from the shoulder in front of which it stops, and leaves there a wedge of
 /// a tan(φ1 − 90°) at a depth of cut a: 0.44 mm at 95° and 5 mm. A tool that is taken straight up the shoulder, by a program
 /// or by a cycle whose way out no program changes, takes it away with its nose, and a finishing allowance with it. That is
-/// metal, cut at rapid, but no crash. Anything deeper is no leftover of the edge's own. Derived here.
+/// metal, cut at rapid, but no crash. Anything deeper is no leftover of the edge's own.
 pub const SCRAPE: f64 = 0.5;
 
 /// What moves.

@@ -24,9 +24,10 @@ impl Hole {
     /// chuck, the tool is none for turning on a bar between its tip and the axis, and where no metal lies nearer to the axis
     /// than the tip.
     ///
+    /// # Derivation
     /// With its tip at the radius r the edge takes what lies out from r − e, where e is how far its cutting edges reach towards
     /// the axis before the bar's end comes; what is nearer to it has to be gone before. The bar of diameter d with its centre c from the tip reaches over
-    /// the axis to c + d/2 − r on the other side, and goes into no hole of less than c + d/2. Derived here.
+    /// the axis to c + d/2 − r on the other side, and goes into no hole of less than c + d/2.
     pub fn before(part: &mut Workpiece, tool: &TurningTool, outline: &Outline, [from, to]: Piece) -> Option<Self> {
         let (Cutter::Insert { .. }, Holder::Bar { diameter, reach, .. }) = (tool.cutter, tool.holder) else {
             return None;

@@ -16,7 +16,7 @@ const ROOM: f64 = 30.0;
 /// Raises the change to a place with the turret's reference point at `stands`, `[z, r]` on the grid, where the tool that was at
 /// work has its point over the stock, between its ends and within [`ROOM`] of its surface or inside it; and where any tool
 /// of the turret would stand in the part or in what stands about it, for on its way round each may come to the place at
-/// work. Derived here.
+/// work. What a turret sweeps on its way the sources do not say: every tool is tried at the place at work, and nowhere else.
 pub(super) fn judge<'a>(
     (part, fixtures): (&mut Workpiece, &[(Fixture, Convex)]),
     tools: impl Iterator<Item = (u32, &'a TurningTool, &'a Outline)>,

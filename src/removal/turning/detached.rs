@@ -19,11 +19,12 @@ pub enum Loose {
 
 /// What a piece is that falls off while a tool goes straight from one place to another, all on the grid in mm.
 ///
+/// # Derivation
 /// A cutter clears the strip that it covers across its way, or would if its edge were square to it. A nose, or a main edge
 /// that leans, reaches the axis or the edge of a bore with its point first, and what is still before the rest of the edge
 /// comes off as a nib or a ring: it lies in the strip. What a cut parts off lies beside it: by a blade along X a piece of a
 /// bar or a tube, by a bar that bores into a groove the ring round it. Which it is, the middle of the piece's section tells.
-/// A blade that cuts into a face parts off what lies round its groove, and what it leaves inside is a core. Derived here.
+/// A blade that cuts into a face parts off what lies round its groove, and what it leaves inside is a core.
 #[must_use]
 pub fn judged(cutter: &Cutter, parts: &[Part], [from, to]: Piece, ring: &Ring) -> Loose {
     let long = hypot(to[0] - from[0], to[1] - from[1]);

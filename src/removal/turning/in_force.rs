@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::alarm::{Alarm, Cause};
 use super::step::Step;
-use crate::gcode::control::{InForce, Speed};
+use crate::gcode::in_force::{InForce, Speed};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::machine::axis::Axis;
 

@@ -6,7 +6,7 @@
 //! drift and their order does not matter.
 //!
 //! # References
-//! The lathe simulator's machine, stock, tools and cycles; what it leaves open is derived here and says so.
+//! The lathe simulator's machine, stock, tools and cycles; what it leaves open says so where it stands, under "Derivation" or as chosen.
 
 pub mod alarm;
 mod boring;

@@ -47,9 +47,12 @@ impl Tally<'_> {
         self.sides[usize::from(mirrored)] += taken(meeting);
     }
 
-    /// True where more of the cut lies beyond the axis than this side of it, with the programmed point there too. What both
+    /// True where more of the cut lies beyond the axis than this side of it, with the programmed point there too.
+    ///
+    /// # Derivation
+    /// What both
     /// sides sweep is cut this side: a nose taken over the axis goes on cutting here, and so does a round insert whose
-    /// centre stands on it. Derived here.
+    /// centre stands on it.
     pub fn beyond(&self, [start, end]: Piece) -> bool {
         start[1].max(end[1]) < -TOUCH && self.sides[1] > self.sides[0]
     }

@@ -5,7 +5,7 @@ use super::motion_totals::Tally;
 use super::path::Piece;
 use super::spindle::{extent, revolutions};
 use super::tool::{Cutter, TurningTool};
-use crate::gcode::control::{Compensation, InForce};
+use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::motion::{FeedMode, MotionKind, Thread};
 use crate::number::trig::{hypot, sin, tan};
 
@@ -40,8 +40,9 @@ const SHARE: f64 = 3.2;
 /// True where G41 or G42 keeps the nose on the side of a straight way to which the tip of the tool points, and not on the one
 /// on which its body lies.
 ///
+/// # Derivation
 /// The nose's centre lies to the left of the way with G41. On the tool it lies from the tip against the way that the tip
-/// points. Within 17° of a way along which the tip points either side may be meant. Derived here.
+/// points. Within 17° of a way along which the tip points either side may be meant.
 fn nose_ahead(tool: &TurningTool, control: &InForce, &[from, to]: &Piece) -> bool {
     let side = match control.compensation {
         Compensation::Off => return false,

@@ -168,7 +168,7 @@ impl TurningTool {
     }
 
     /// What holds a boring bar behind its free length, about the programmed point: twice as thick as the bar and three of its
-    /// diameters long, as its sleeves and blocks are at least. None for other tools. Derived here.
+    /// diameters long: chosen, as sleeves and blocks are so much at least. None for other tools.
     #[must_use]
     pub fn clamp(&self) -> Option<Convex> {
         let Holder::Bar { diameter, length, reach } = self.holder else { return None };
@@ -434,9 +434,9 @@ impl TurningTool {
     /// The head of a bar that holds a blade for grooves or threads, as for tip 3: what stands between the bar's surface and
     /// what of the blade cuts. `None` where the bar reaches as far itself, and for other tools.
     ///
-    /// Along the axis it is as long as the blade's seat: on the far side it stands out by as much as the blade is wide, and by
+    /// No source gives its form; it is chosen so. Along the axis it is as long as the blade's seat: on the far side it stands out by as much as the blade is wide, and by
     /// 1 mm at least; on the chuck's side by nothing, so that a blade may cut beside a shoulder or at the end of a hole. The
-    /// bar's own metal goes on behind it and is thinner there. Derived here.
+    /// bar's own metal goes on behind it and is thinner there.
     fn head(&self) -> Option<Vec<[f64; 2]>> {
         let Holder::Bar { diameter, reach, .. } = self.holder else { return None };
         // Where it begins, where the blade's far side is, and how wide the blade is.

@@ -19,7 +19,7 @@ use super::surface_origin::{self, Chain, SweptPiece};
 use super::tool::{Cutter, TurningTool};
 use super::workpiece::{CHIP, Removed, TURN, Workpiece};
 use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::gcode::control::{InForce, Speed};
+use crate::gcode::in_force::{InForce, Speed};
 use crate::gcode::motion::{Feed, Motion, MotionKind};
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;

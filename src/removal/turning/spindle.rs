@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::machine::Lathe;
 use super::path::Piece;
-use crate::gcode::control::{InForce, Speed, Spindle};
+use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind, Thread};
 use crate::number::trig::hypot;
 
@@ -62,11 +62,12 @@ impl SpindleUse {
 
     /// The greatest cutting speed in m/min, π d n with n and d of the same moment, while a tool goes straight along a cut.
     ///
+    /// # Derivation
     /// The cutting edge is taken as a line across the way, as for the depth of cut: with the tool at the radius r it meets
     /// metal between r + low and r + high, and of it only what lies between the least and the greatest radius of the metal.
     /// At a constant surface speed n is 1000 V/(2π |r + shift|) up to the limit; so n times that diameter grows or falls
     /// all along between the ends of the cut, the radius where the limit is reached, and the one where the edge leaves the
-    /// metal: the greatest is at one of them. Derived here.
+    /// metal: the greatest is at one of them.
     #[must_use]
     pub fn cutting_speed(&self, cut: &Engaged) -> f64 {
         let Engaged { from, to, shift, reach: [low, high], metal: [least, greatest] } = *cut;
@@ -88,8 +89,9 @@ impl SpindleUse {
     /// Minutes a revolution, on average while the programmed point goes straight from one radius to another; infinite
     /// where the spindle does not turn.
     ///
+    /// # Derivation
     /// 1/n = max(a |r|, b) with a = 2π/(1000 V) and b = 1/n of the limit, so that the mean is a difference of its
-    /// integral, b r up to r = b/a and a r²/2 from there on. Derived here.
+    /// integral, b r up to r = b/a and a r²/2 from there on.
     #[must_use]
     pub fn slowness(&self, from: f64, to: f64) -> f64 {
         let Speed::Surface(V) = self.speed else { return 1.0 / self.at(from) };

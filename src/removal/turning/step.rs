@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::alarm::Alarm;
 use super::workpiece::Removed;
-use crate::gcode::control::InForce;
+use crate::gcode::in_force::InForce;
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::geometry::exact::region::Ring;
 

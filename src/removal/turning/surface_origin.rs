@@ -7,7 +7,8 @@
 //! marks that are on the part are told; what a later motion takes away has left none. Labels and marks go with a part that is
 //! turned about, so that this holds over both its set-ups.
 //!
-//! An edge's new stretch is a mark of a surface made by a nose
+//! # What counts as a mark
+//! No source says it; it is chosen so. An edge's new stretch is a mark of a surface made by a nose
 //! - if the way leads into the metal under that surface, and either goes on in the sense in which the surface was made, or
 //!   ends the new stretch on it; or if it is the auxiliary edge's and ends on it. A pass along a face takes away what lies before
 //!   it over its whole depth, and a pass along the axis leaves the slope of its main edge at a shoulder: neither is a profile
@@ -18,7 +19,7 @@
 //! What the auxiliary edge leaves where no nose has made a surface before is a mark on a way that goes down in both axes more
 //! steeply than it stands: so deep as it lies beyond the line that the nose draws beside this way. Straight in along an axis, and on
 //! a way at feed in which no nose has drawn a surface, a plunge gives the part the form of the insert, which is none. The far end of an edge that drags along behind the nose leaves a mark as well, as deep as it lies below what was there, and
-//! no deeper than it is behind the nose's line. Derived here.
+//! no deeper than it is behind the nose's line.
 
 use std::f64::consts::TAU;
 

@@ -1,6 +1,6 @@
 //! Turning tools by their catalogue values.
 
-use crate::gcode::control::Spindle;
+use crate::gcode::in_force::Spindle;
 pub use crate::gcode::turning::nose::Tip;
 use crate::text::Text;
 
@@ -201,6 +201,7 @@ impl TurningTool {
     /// operator) or behind it: as it is given for the tool, and where it is not, as such a tool usually lies. `None` where
     /// either way may be right.
     ///
+    /// # Derivation
     /// M3 turns the work clockwise seen from behind the headstock, so that in front of the axis its surface comes down
     /// upon a tool whose face looks up. A right-hand tool that feeds towards the chuck lies face up in front of the axis,
     /// and behind it face down, where the surface comes up: M3 for both. A left-hand tool that feeds towards the chuck is
@@ -212,7 +213,7 @@ impl TurningTool {
     /// edge is at the end that goes ahead to the chuck: M3 for a right-hand one, M4 for a left-hand one. On a shank the rule
     /// is that of inserts (see [`TurningTool::ahead`]), and either hand may lie either way up. A right-hand one has its edge at the
     /// chuck's side, as it is parted off there: M3. A left-hand one lies face up, to be seen and changed: M3 in front, with
-    /// its body towards the chuck; M4 behind, with its edge there. Derived here.
+    /// its body towards the chuck; M4 behind, with its edge there.
     #[must_use]
     pub const fn spindle(&self, behind: bool, beyond: bool) -> Option<Spindle> {
         let Some(clockwise) = self.clockwise(behind) else { return None };
@@ -240,13 +241,14 @@ impl TurningTool {
     /// Of a blade on a shank, whether its edge lies at the chuck's side of the shank, and of one that cuts into a face at the
     /// side away from the axis; `None` where it is neutral, in the middle.
     ///
+    /// # Derivation
     /// Seen from above, the turret in front: the tip of a tool along X points up the page, and the chuck is to the left. A
     /// right-hand tool that lies face up has its edge to the left, and cuts with M3. Laid face down it has its edge to the
     /// right, and cuts with M4; moved behind the axis, where its tip points down the page, too. So either turns about both
     /// edge and spindle, the hand the edge alone: M3 cuts where the edge is at the chuck's side of a right-hand tool or at the
     /// other side of a left-hand one, in front of the axis and behind it alike. For a tool along Z that cuts into a face the
     /// page is turned: its tip points to the left, and its edge is at the bottom, away from the axis, where it was to the
-    /// left; moved behind, that is at the axis. Derived here.
+    /// left; moved behind, that is at the axis.
     #[must_use]
     pub const fn ahead(&self, behind: bool) -> Option<bool> {
         match (self.hand, self.clockwise(behind)) {

@@ -25,9 +25,10 @@ impl Turret {
     /// What of the turret moves with a tool and has to touch nothing, about the tool's programmed point: what holds a boring
     /// bar behind its free length, and the turret's body, as far as it lies within 290 mm of the point.
     ///
+    /// # Derivation
     /// About a tool along Z there is no other tool's room up to where it is held, at its own length or at the reference
     /// point, whichever is nearer to its point: a drill, a bar or a shank with a blade for faces goes as deep as that, and
-    /// the body counts from there on. Derived here.
+    /// the body counts from there on.
     #[must_use]
     pub fn bodies(&self, tool: &TurningTool) -> Vec<Convex> {
         let body = self.body.and_then(|[low, high]| {

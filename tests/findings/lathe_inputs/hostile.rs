@@ -80,7 +80,7 @@ fn steps(lines: &[&str], most_work: u64) -> (usize, u64, bool) {
     let mut made = 0;
     while let Some(item) = interpreter.next() {
         let motion = item.unwrap_or_else(|fault| panic!("{fault:?}"));
-        simulation.take(&motion, &interpreter.control().clone());
+        simulation.take(&motion, &interpreter.in_force().clone());
         if simulation.is_spent() {
             break;
         }
@@ -268,7 +268,7 @@ fn no_program_thrown_together_brings_it_down_or_keeps_it_going() {
         let mut interpreter = Interpreter::over(text.as_bytes(), setting);
         while let Some(item) = interpreter.next() {
             let Ok(motion) = item else { continue };
-            let step = simulation.take(&motion, &interpreter.control().clone());
+            let step = simulation.take(&motion, &interpreter.in_force().clone());
             let finite = step.removed.volume.is_finite() && step.cutting_speed.is_finite() && step.depth.is_finite();
             assert!(finite, "{text}\n{step:?}");
             assert!(step.alarms.iter().all(|one| one.place.iter().all(|at| at.is_finite())), "{text}\n{step:?}");

@@ -5,7 +5,7 @@ use std::fs;
 use serde_json::Value as Json;
 
 use super::bench::{Book, HEAD, TAIL, bilingual, build, lines, program, run};
-use rodete::gcode::dialect::FANUC_LATHE_A;
+use rodete::gcode::control::FANUC_LATHE_A;
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting};
 use rodete::parameter::Value;
 

@@ -1,6 +1,6 @@
 //! Blank lines count as lines and are nothing else, wherever the program jumps to.
 
-use rodete::gcode::dialect::{Dialect, FANUC_LATHE_A};
+use rodete::gcode::control::{Control, FANUC_LATHE_A};
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::Motion;
 use rodete::machine::axis::Pose;
@@ -48,7 +48,7 @@ fn a_blank_line_behind_every_line_changes_nothing_but_the_line_numbers() {
 fn blank_lines_where_calls_and_returns_of_a_fanuc_lead_are_counted() {
     let text =
         "O0001\nG0 X10. Z10.\nM98 P0002\nG0 X20.\nM97 P100\nG0 X30.\nM30\nN100 G0 Z1.\nM99\nO0002\nG0 X15.\nM99\n";
-    let fanuc: &'static Dialect = &FANUC_LATHE_A;
+    let fanuc: &'static Control = &FANUC_LATHE_A;
     let plain = read(text.as_bytes(), Setting::new(fanuc)).expect("a program that is taken");
     assert_eq!(plain.iter().map(|one| one.0).collect::<Vec<_>>(), [2, 11, 4, 8, 6]);
     for end in ["\n", "\r\n", "\r"] {

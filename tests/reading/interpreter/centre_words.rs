@@ -1,13 +1,13 @@
 //! The centre word of the axis across the plane of an arc, which some posts write as 0 on every arc.
 
 use rodete::finding::Grade;
-use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC};
+use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, LINUXCNC};
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::MotionKind;
 
 /// How many arcs a program makes, what is refused and what is cautioned of.
-fn read(dialect: &'static Dialect, arc: &str) -> (usize, Vec<String>, Vec<String>) {
-    let plane = if dialect.reading.diameter { "G18" } else { "G17" };
+fn read(dialect: &'static Control, arc: &str) -> (usize, Vec<String>, Vec<String>) {
+    let plane = if dialect.diameter { "G18" } else { "G17" };
     let program = format!("{plane} G90 G94 F100\nG0 X0 Y0 Z0\n{arc}\nM30\n");
     let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
     let (mut arcs, mut refused) = (0, Vec::new());

@@ -2,7 +2,7 @@
 //! control does what its reference does not say.
 
 use rodete::finding::Grade;
-use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FANUC_LATHE_A, LINUXCNC};
+use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FANUC_LATHE_A, LINUXCNC};
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::machine::axis::Axis;
 
@@ -14,7 +14,7 @@ struct Read {
     ends: Vec<[f64; 2]>,
 }
 
-fn read(dialect: &'static Dialect, program: &str) -> Read {
+fn read(dialect: &'static Control, program: &str) -> Read {
     let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
     let mut read = Read::default();
     for item in &mut interpreter {

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use rodete::finding::Exit;
-use rodete::gcode::dialect::{ALL, Dialect, FAGOR_8055_T, LINUXCNC};
+use rodete::gcode::control::{ALL, Control, FAGOR_8055_T, LINUXCNC};
 use rodete::gcode::interpreter::{Budget, Fault, Interpreter, Setting};
 use rodete::gcode::motion::Motion;
 
@@ -77,7 +77,7 @@ fn an_endless_program_comes_to_its_budget() {
 }
 
 /// The refusals of a program: line, end and text.
-fn refusals(program: &str, dialect: &'static Dialect) -> Vec<(usize, Exit, String)> {
+fn refusals(program: &str, dialect: &'static Control) -> Vec<(usize, Exit, String)> {
     let read = Interpreter::over(program.as_bytes(), Setting::new(dialect));
     read.filter_map(Result::err).map(|fault| (fault.line, fault.exit, fault.what.en.to_string())).collect()
 }

@@ -3,7 +3,7 @@
 use super::agreement::agree;
 use super::common::rs274::{self, Judge, Refused};
 use super::ours;
-use rodete::gcode::dialect::LINUXCNC;
+use rodete::gcode::control::LINUXCNC;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 
 /// Lengths of the table are in inches: diameters 6 mm, 10 mm and −4 mm, and a lathe's tool.

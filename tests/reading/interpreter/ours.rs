@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use rodete::gcode::dialect::LINUXCNC;
+use rodete::gcode::control::LINUXCNC;
 use rodete::gcode::interpreter::{Interpreter, Setting, ToolOffset, Tools};
 use rodete::gcode::motion::Motion;
 use rodete::gcode::turning::nose::{Nose, Tip};

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use rodete::finding::Grade;
-use rodete::gcode::dialect::{ALL, Dialect, FAGOR_8055, LINUXCNC};
+use rodete::gcode::control::{ALL, Control, FAGOR_8055, LINUXCNC};
 use rodete::gcode::interpreter::{Interpreter, Rotary, Setting};
 use rodete::machine::axis::Axis;
 
@@ -15,7 +15,7 @@ struct Read {
     cautions: Vec<String>,
 }
 
-fn read(dialect: &'static Dialect, rotary: Option<Rotary>, program: &str) -> Read {
+fn read(dialect: &'static Control, rotary: Option<Rotary>, program: &str) -> Read {
     let mut setting = Setting::new(dialect);
     setting.rotary = rotary.unwrap_or(setting.rotary);
     let mut interpreter = Interpreter::over(program.as_bytes(), setting);

@@ -1,6 +1,6 @@
 //! G81 to G89 in programs of the dialect fagor-8055-t.
 
-use rodete::gcode::dialect::FAGOR_8055_T;
+use rodete::gcode::control::FAGOR_8055_T;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::{FeedMode, Motion, MotionKind, Plane};
 use rodete::machine::axis::Axis;

@@ -1,6 +1,6 @@
 //! Contours, and how far a point is from them, reckoned without the code under test.
 
-use rodete::gcode::control::Compensation;
+use rodete::gcode::in_force::Compensation;
 use rodete::gcode::turning::nose::{Element, Gouge, Misfit, Nose, Path, Point, Stage, Step, Tip};
 use rodete::number::trig::{atan2, hypot, sin_cos};
 

@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use rodete::gcode::control::Compensation::{Left, Right};
+use rodete::gcode::in_force::Compensation::{Left, Right};
 use rodete::gcode::turning::nose::{Element, Nose, Path, Tip};
 use rodete::number::trig::{atan2, hypot};
 

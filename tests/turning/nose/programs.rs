@@ -1,8 +1,8 @@
 //! Programs: the compensation as the interpreter of the lathe dialects makes it.
 
 use rodete::finding::Grade;
-use rodete::gcode::control::{Compensation, InForce};
-use rodete::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A};
+use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A};
+use rodete::gcode::in_force::{Compensation, InForce};
 use rodete::gcode::interpreter::{Fault, Interpreter, Setting, ToolOffset, Tools};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::machine::axis::{Axis, Pose};
@@ -18,7 +18,7 @@ pub struct Run {
 }
 
 /// Tools 1 (R 0.8, tip 3), 2 (R 0), 3 (no nose) and 4 (R 0.4, tip 2), all of length 0 but the first.
-pub fn run(dialect: &'static Dialect, text: &str) -> Run {
+pub fn run(dialect: &'static Control, text: &str) -> Run {
     let mut tools = Tools::new();
     let mut offset = Pose::default();
     offset.set(Axis::X, 30.0);
@@ -33,7 +33,7 @@ pub fn run(dialect: &'static Dialect, text: &str) -> Run {
     let (mut motions, mut faults) = (Vec::new(), Vec::new());
     while let Some(item) = reader.next() {
         match item {
-            Ok(motion) => motions.push((motion, *reader.control())),
+            Ok(motion) => motions.push((motion, *reader.in_force())),
             Err(fault) => faults.push(*fault),
         }
     }
@@ -42,7 +42,7 @@ pub fn run(dialect: &'static Dialect, text: &str) -> Run {
 }
 
 /// The same without a fault.
-pub fn clean(dialect: &'static Dialect, text: &str) -> Run {
+pub fn clean(dialect: &'static Control, text: &str) -> Run {
     let run = run(dialect, text);
     assert!(run.faults.is_empty(), "{:?}", run.faults);
     run

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
-use rodete::gcode::control::Compensation::{Left, Right};
+use rodete::gcode::in_force::Compensation::{Left, Right};
 use rodete::gcode::turning::nose::{Element, Nose, Path, Point, STRAIGHT, Tip};
 use rodete::number::trig::sin_cos;
 

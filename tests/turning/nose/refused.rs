@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use rodete::gcode::control::Compensation::{Left, Off, Right};
+use rodete::gcode::in_force::Compensation::{Left, Off, Right};
 use rodete::gcode::turning::nose::{Element, Misfit, Path, STRAIGHT, Stage, Step};
 use rodete::limits::STILL_PIECES;
 

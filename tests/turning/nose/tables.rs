@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use rodete::gcode::control::Compensation::{self, Left, Off, Right};
+use rodete::gcode::in_force::Compensation::{self, Left, Off, Right};
 use rodete::gcode::turning::nose::{Element, Nose, Path, Point, STRAIGHT, Stage, Step, Tip};
 use rodete::limits::STILL_PIECES;
 use rodete::number::trig::tan;

@@ -3,7 +3,7 @@
 use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::finding::Grade;
-use rodete::gcode::control::{Speed, Spindle};
+use rodete::gcode::in_force::{Speed, Spindle};
 use rodete::number::trig::{sin_cos, tan};
 use rodete::removal::turning::machine::Lathe;
 use rodete::removal::turning::simulation::Setup;

@@ -4,7 +4,7 @@
 
 use super::lathe::{Run, bar};
 use super::tools;
-use rodete::gcode::control::Spindle;
+use rodete::gcode::in_force::Spindle;
 use rodete::removal::turning::machine::Lathe;
 use rodete::removal::turning::simulation::Setup;
 use rodete::removal::turning::stock::Stock;

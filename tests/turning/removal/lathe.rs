@@ -1,6 +1,6 @@
 //! A program of motions on a lathe, as the interpreter would give them.
 
-use rodete::gcode::control::{InForce, Speed, Spindle};
+use rodete::gcode::in_force::{InForce, Speed, Spindle};
 use rodete::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane, Thread};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::removal::turning::alarm::Alarm;

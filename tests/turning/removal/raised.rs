@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::lathe::{Run, bar, turret};
 use super::tools;
 use rodete::finding::Grade;
-use rodete::gcode::control::{Speed, Spindle};
+use rodete::gcode::in_force::{Speed, Spindle};
 use rodete::number::trig::{hypot, sin_cos, tan};
 use rodete::removal::turning::alarm::{Alarm, Cause};
 use rodete::removal::turning::machine::Lathe;

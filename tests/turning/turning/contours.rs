@@ -1,6 +1,6 @@
 //! What the blocks of a contour say beside their motions: roughing passes it over, finishing obeys it in its place.
 
-use rodete::gcode::control::{Compensation, InForce, Speed, Spindle};
+use rodete::gcode::in_force::{Compensation, InForce, Speed, Spindle};
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::motion::{FeedMode, MotionKind};
 
@@ -116,7 +116,7 @@ fn blocks_without_motion_in_a_contour_are_shown_between_its_motions() {
         let item = interpreter.next();
         seen.extend(interpreter.stood().into_iter().map(|stood| (stood.line, "stands", stood.control.coolant)));
         let Some(motion) = item else { break };
-        seen.push((motion.unwrap().line, "moves", interpreter.control().coolant));
+        seen.push((motion.unwrap().line, "moves", interpreter.in_force().coolant));
     }
     assert_eq!(
         seen,

@@ -1,6 +1,6 @@
 //! `,C` and `,R`: corners broken in plain motion and in contours, against positions derived by hand.
 
-use rodete::gcode::control::{Compensation, Spindle};
+use rodete::gcode::in_force::{Compensation, Spindle};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter};
 use rodete::gcode::turning::nose::{Nose, Tip};
 
@@ -200,7 +200,7 @@ fn told(program: &str, setting: rodete::gcode::interpreter::Setting) -> Vec<Stri
     while let Some(item) = interpreter.next() {
         told.push(match item {
             Ok(motion) => {
-                let file = interpreter.file(interpreter.control().file).unwrap_or("-");
+                let file = interpreter.file(interpreter.in_force().file).unwrap_or("-");
                 format!("{file} {} {}", motion.line, line(&motion))
             }
             Err(fault) => {

@@ -1,6 +1,6 @@
 //! G70 to G76: from their words to motions, and the contour that they name.
 
-use rodete::gcode::control::Speed;
+use rodete::gcode::in_force::Speed;
 use rodete::gcode::motion::MotionKind;
 
 use super::lines::{line, moves, read, read_with, refusal, remarked, setting};

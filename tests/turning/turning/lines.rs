@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use rodete::finding::Finding;
-use rodete::gcode::control::InForce;
-use rodete::gcode::dialect::FANUC_LATHE_A;
+use rodete::gcode::control::FANUC_LATHE_A;
+use rodete::gcode::in_force::InForce;
 use rodete::gcode::interpreter::{Fault, Files, Interpreter, Setting, ToolOffset, Tools};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::machine::axis::{Axis, Pose};
@@ -70,7 +70,7 @@ pub fn read_with(program: &str, setting: Setting) -> Read {
         match item {
             Ok(motion) => {
                 read.motions.push(motion);
-                read.controls.push(*interpreter.control());
+                read.controls.push(*interpreter.in_force());
             }
             Err(fault) => read.faults.push(*fault),
         }

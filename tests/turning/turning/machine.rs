@@ -1,8 +1,8 @@
 //! Turret, coordinate systems, reference points, and what is in force during a motion.
 
 use rodete::finding::Grade;
-use rodete::gcode::control::{Speed, Spindle};
-use rodete::gcode::dialect::FAGOR_8055_T;
+use rodete::gcode::control::FAGOR_8055_T;
+use rodete::gcode::in_force::{Speed, Spindle};
 use rodete::gcode::motion::Motion;
 use rodete::machine::axis::Axis;
 
@@ -45,7 +45,7 @@ fn t_names_place_and_offset() {
 #[test]
 fn a_fagor_lathe_takes_tool_and_offset_by_t_and_d() {
     let mut with = setting();
-    with.dialect = &FAGOR_8055_T;
+    with.control = &FAGOR_8055_T;
     let read = read_with("G71 G90 T1 D2\nG0 X50 Z5\nT3\nX40\nD1\nX30\nM30\n", with);
     let control: Vec<_> = read.controls.iter().map(|control| (control.tool, control.offset)).collect();
     assert_eq!(control, [(1, 2), (3, 3), (3, 1)]);

@@ -8,7 +8,7 @@ pub(super) mod single_pass;
 
 use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G};
-use crate::gcode::control::Spindle;
+use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome, refuse};
@@ -143,7 +143,7 @@ impl Interpreter<'_> {
         if self.returns_initial() {
             run.clear = old;
         }
-        if self.modal.return_initial.is_none() && !self.reading.return_initial && old > r {
+        if self.modal.return_initial.is_none() && !self.control.return_initial && old > r {
             let line = self.line;
             self.remarks.add(
                 Grade::Caution,
@@ -165,7 +165,7 @@ impl Interpreter<'_> {
 
     /// Whether cycles return to the height that they started from.
     pub(super) fn returns_initial(&self) -> bool {
-        self.modal.return_initial.unwrap_or(self.reading.return_initial)
+        self.modal.return_initial.unwrap_or(self.control.return_initial)
     }
 
     /// P, Q, I, J and K of the cycle.
@@ -248,7 +248,7 @@ impl Interpreter<'_> {
             )
             .hanging_on(doubt::SPINDLE));
         }
-        if wanted.is_some() && self.modal.plane != Plane::XY && self.reading.expressions {
+        if wanted.is_some() && self.modal.plane != Plane::XY && self.control.expressions {
             self.remarks.add(
                 Grade::Caution,
                 self.line,

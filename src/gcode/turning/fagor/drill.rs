@@ -10,7 +10,7 @@
 //! rapid to the approach point and to where it was called. With B0 it taps: at feed to the bottom and back to the approach
 //! point.
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! C is 1 mm where it is not given, D is 0. With an H that is shorter than C the tool drills on from where H left it.
 
 use crate::gcode::turning::Move;

@@ -8,7 +8,7 @@
 //! feed at places at equal steps, as great as C allows, from the initial to the final point; at each it waits K, and goes
 //! back at rapid to D over the brim. The cycle ends where it was called.
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! The points are those of the tool's cutting point: the control makes the groove narrower by the width of the cutter in its
 //! tool table, which no program says; with the places as programmed the groove is wider than R − Z by that width.
 

@@ -2,7 +2,7 @@
 //!
 //! # References
 //! Fagor Automation, CNC 8055 T programming manual, canned cycles G81 to G89, as far as its rules are known (see
-//! [`crate::gcode::turning`]); G85 against the published program. What they leave open is named under "Derived here" in each
+//! [`crate::gcode::turning`]); G85 against the published program. What they leave open is named under "Left open" in each
 //! cycle.
 
 pub mod drill;

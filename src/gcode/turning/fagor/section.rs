@@ -11,7 +11,7 @@
 //! With F there is a last roughing pass along the moved profile at that feed, with H a finishing pass along the profile
 //! itself. The cycle ends at S. F of the program, in force before the cycle, is the feed of the passes.
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! The equal steps are counted from S. Above B the passes end where B is, and without D the tool leaves there straight across.
 //! Of the two arcs about the centre the shorter one is meant, and it must not turn back along an axis. A and B may differ by
 //! 0.01 mm in their distance from the centre. The retraction of D is at rapid. L and M go from the profile towards S.

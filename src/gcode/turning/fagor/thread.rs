@@ -11,7 +11,7 @@
 //! crest the tool comes and goes. With J the tool begins to leave the thread that far before its end. C is the lead: positive
 //! along the flank of the cone, negative along Z (G86) or X (G87).
 //!
-//! # Derived here
+//! # Left open, and chosen here
 //! I and J are as follows: a positive I is outside (G86) or towards −Z (G87); the way out of J ends D over the crest at the
 //! final point. L may have either sign. With the flanks in turn every other pass begins (2·I − p)·tan |A| further, so that the
 //! cutter's other edge cuts the other flank of the last pass. A is 30 degrees where it is not given.

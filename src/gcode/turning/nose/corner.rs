@@ -1,6 +1,6 @@
 //! Corners: how the path of the nose's centre goes on from one element's offset to the next one's.
 //!
-//! # Inner corners
+//! # Inner corners: derivation
 //! The path turns towards the tool: the offsets of both elements meet before the corner, and the nose touches both there.
 //!
 //! With u the way from the corner to a point, n the unit vector left of the travel at the corner, κ the curvature (positive
@@ -19,7 +19,7 @@
 //! (δ² + k² S²/C²) ζ² − 2 (1 − s R k/C²) ζ + R²/C² = 0
 //!
 //! whose smaller root belongs to the crossing near the corner. Nothing in it grows without bound where the elements are
-//! tangent. For two lines it comes to the well-known R tan(φ/2) before the corner. Derived here.
+//! tangent. For two lines it comes to the well-known R tan(φ/2) before the corner.
 //!
 //! # Outer corners
 //! The path turns away from the tool by the angle φ. Up to a quarter turn the offsets go on straight along the tangents to

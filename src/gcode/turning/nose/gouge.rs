@@ -1,7 +1,9 @@
 //! How near two pieces of paths come: whether the nose on one piece cuts into another that is not its neighbour.
 //!
+//! # Derivation
 //! The distance of two pieces is 0 where they cross. Else it is that of an end to the other piece, or, where an arc takes part, that
-//! along the line from its centre at right angles to the other piece. Derived here.
+//! along the line from its centre at right angles to the other piece: there the
+//! derivative of the distance along the arc is 0.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;

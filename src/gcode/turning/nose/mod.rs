@@ -38,7 +38,7 @@ use std::f64::consts::PI;
 pub use self::element::{Element, Path, Point};
 pub use self::gouge::Gouge;
 pub use self::tip::{Nose, Tip};
-use crate::gcode::control::Compensation;
+use crate::gcode::in_force::Compensation;
 use crate::gcode::turning::nose::corner::{Corner, corner, offset_radius};
 use crate::gcode::turning::nose::element::{distance, plus};
 use crate::gcode::turning::nose::gouge::Trail;

@@ -11,11 +11,11 @@
 //!
 //! # References
 //! The thesis, section 4.1: facing, then G85 along the quarter of the torus about (Z 0, X 2 R). What is asked of the part
-//! that is left is derived here.
+//! that is left follows: no metal over face, torus and cylinder, and none missing.
 
 use crate::finding::Grade;
-use crate::gcode::control::{InForce, Speed, Spindle};
-use crate::gcode::dialect::FAGOR_8055_T;
+use crate::gcode::control::FAGOR_8055_T;
+use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::interpreter::{Interpreter, Setting, Start, ToolOffset};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::program::Program;
@@ -65,7 +65,7 @@ pub fn judge(design: &Design, program: &Program, text: &mut Interpreter<'_>) -> 
     while let Some(item) = text.next() {
         match item {
             Ok(motion) => {
-                let control = *text.control();
+                let control = *text.in_force();
                 terms.see(&motion, &control);
                 if let Some(over) = &mut over {
                     over.take(&motion, &control);

@@ -284,7 +284,7 @@ impl Along {
 
 /// How far rounding a pose to the grid may have moved the tip from where it should be to `point`: √3·0.0005 mm in line, and half
 /// a thousandth of a degree of B at the distance from the pivot, of C at the distance from the axis, both of the exact place,
-/// which is so much farther out at most. Derived here: the part turns about both as a whole.
+/// which is so much farther out at most, for the part turns about both as a whole.
 #[must_use]
 pub fn grid_bound(machine: Rotary, pose: &Pose, point: &Vector3<f64>) -> f64 {
     let half = 0.0005_f64;

@@ -1,11 +1,12 @@
 //! What holds of the cut over a whole span of angles, not at single places of it.
 //!
+//! # Derivation
 //! The direction along the curve is that of n × o, with n out of the header and o out of the branch, and cos φ = −n·o. So with
 //! c = n·o and s = √(1 − c²) the direction away from the hole is (o − c n)/s, and the torch's
 //!
 //! a = (o − c n)/s · (s sin γ − c cos γ) + n (s cos γ + c sin γ),
 //!
-//! without an angle that would have to be unwound. Derived here; [`Groove::at`] gives the same at one place.
+//! without an angle that would have to be unwound. [`Groove::at`] gives the same at one place.
 //!
 //! # Units
 //! Millimetres and radians.

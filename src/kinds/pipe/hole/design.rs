@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Place};
-use crate::gcode::dialect::Dialect;
+use crate::gcode::control::Control;
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::word::{Word, codes};
 use crate::geometry::pipe_pair::PipePair;
@@ -71,7 +71,7 @@ pub struct Design {
     /// The program number.
     pub program: u32,
     /// The dialect.
-    pub dialect: &'static Dialect,
+    pub control: &'static Control,
     /// M codes that turn the torch on.
     pub torch_on: Vec<Word>,
     /// M codes that turn it off.
@@ -141,7 +141,7 @@ impl Design {
             part: values.line("part").to_owned(),
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
-            dialect: Dialect::milling(values.choice("dialect")?)?,
+            control: Control::milling(values.choice("dialect")?)?,
             torch_on: codes(values.line("torch_on"))?,
             torch_off: codes(values.line("torch_off"))?,
             hold_on: codes(values.line("hold_on"))?,
@@ -300,9 +300,9 @@ impl Design {
             ("hold_on", &self.hold_on),
             ("hold_off", &self.hold_off),
         ] {
-            findings.extend(refused_codes(self.dialect, key, codes, false));
+            findings.extend(refused_codes(self.control, key, codes, false));
         }
-        findings.extend(refused_codes(self.dialect, "end_codes", &self.end_codes, true));
+        findings.extend(refused_codes(self.control, "end_codes", &self.end_codes, true));
         findings
     }
 }

@@ -1,5 +1,6 @@
 //! How high the torch must be, so that no part of it comes nearer to the pipe than g₀.
 //!
+//! # Derivation
 //! The torch's axis stands at the angle σ to the pipe's tangent plane and meets it at the distance D from the tip. The tip
 //! is a disc of radius r_g square to the axis, whose lowest point is D sin σ − r_g cos σ above the plane; the shoulder, where
 //! the taper of half angle Ψ has reached the body's radius R_g, is h_s = (R_g − r_g)/tan Ψ further up, and its lowest point
@@ -8,7 +9,7 @@
 //! D = max(d₀, (g₀ + r_g cos σ)/sin σ, (g₀ + R_g cos σ)/sin σ − h_s).
 //!
 //! The first and the second are equal at σ₀ = asin(g₀/√(d₀² + r_g²)) + atan(r_g/d₀): D is continuous. Outside of a convex
-//! pipe the tangent plane lies between pipe and torch, so that the true distance is greater. Derived here.
+//! pipe the tangent plane lies between pipe and torch, so that the true distance is greater.
 //!
 //! # Units
 //! Millimetres and radians.

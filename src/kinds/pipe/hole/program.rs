@@ -1,6 +1,6 @@
 //! The program of the hole.
 
-use crate::gcode::dialect::{FeedLaw, Rotary};
+use crate::gcode::control::{FeedLaw, Rotary};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
@@ -22,7 +22,7 @@ pub const AXES: [Axis; 5] = [Axis::A, Axis::X, Axis::Z, Axis::B, Axis::C];
 /// Greatest height control input of a plasma table in LinuxCNC: its QtPlasmaC holds the height while output 2 is on.
 const HOLD_OUTPUT: u32 = 2;
 
-/// The block that holds the height control, or lets it go; `None` where neither workbook nor dialect has one.
+/// The block that holds the height control, or lets it go; `None` where neither workbook nor control has one.
 #[must_use]
 pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     let given = if on { &design.hold_on } else { &design.hold_off };
@@ -30,14 +30,14 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
         return Some(given.clone());
     }
     let code = if on { 62 } else { 63 };
-    (design.dialect.name == "linuxcnc").then(|| vec![Word::whole('M', code), Word::whole('P', HOLD_OUTPUT)])
+    (design.control.name == "linuxcnc").then(|| vec![Word::whole('M', code), Word::whole('P', HOLD_OUTPUT)])
 }
 
-/// How the program turns A, B and C: where the dialect's rotary axes are rollover as delivered, the number of an absolute
+/// How the program turns A, B and C: where the control's rotary axes are rollover as delivered, the number of an absolute
 /// word would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    match design.dialect.rotary {
+    match design.control.rotary {
         Rotary::Rollover => Distance::Incremental,
         Rotary::Linear => Distance::Absolute,
     }
@@ -70,19 +70,19 @@ fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<FeedWord, OutOfFormat> {
 /// # Errors
 /// For a number that no program may carry.
 pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
-    let dialect = design.dialect;
+    let control = design.control;
     let work = Work { part: &design.part, material: &design.material, number: design.program };
-    let mut header = Header::new(dialect, "hole", &TITLE, work, origin);
+    let mut header = Header::new(control, "hole", &TITLE, work, origin);
     comments(design, &mut header);
     let mut parts = header.parts;
     let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
-    let law = dialect.feed;
+    let law = control.feed;
     let safe = Milli::round(design.R_o() + design.Z_s)?;
     let rapid = |words: Vec<Word>| std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>();
     let distance = distance(design);
     let over = |[A, X, _, B, C]: Place| [A, X, safe, B, C];
     let home = |[_, X, ..]: Place| [Milli::ZERO, X, safe, Milli::ZERO, Milli::ZERO];
-    block(dialect.safety_block());
+    block(control.safety_block());
     block(rapid(vec![Word::size('Z', safe)]));
     if distance == Distance::Incremental {
         block(rapid(vec![Word::size('X', cut.pierce[1])]));
@@ -106,7 +106,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     }
     block(design.torch_on.clone());
     if design.pierce_delay > 0.0 {
-        block(std::iter::once(Word::whole('G', 4)).chain(dwell(dialect, design.pierce_delay)?).collect());
+        block(std::iter::once(Word::whole('G', 4)).chain(dwell(control, design.pierce_delay)?).collect());
     }
     if law.code() != 94 {
         block(vec![Word::whole('G', law.code())]);
@@ -149,7 +149,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     Ok(Program {
         key: "hole",
         title: TITLE,
-        dialect,
+        control,
         format: NumberFormat::Fixed,
         block_step: Some(design.block_step),
         start: Position::default(),

@@ -77,8 +77,8 @@ impl Design {
                 "style annex is the published one, on a flat sheet".to_owned(),
                 Text::fixed("style = full, o mode = plano", "style = full, or mode = flat"),
             ),
-            Style::Annex if self.dialect.reading.feed_required => {
-                let name = self.dialect.name;
+            Style::Annex if self.control.feed_required => {
+                let name = self.control.name;
                 stop(
                     &["style", "dialect"],
                     format!("el estilo annex no lleva avance F y el dialecto {name} no mueve sin él"),
@@ -88,9 +88,9 @@ impl Design {
             }
             _ => {}
         }
-        findings.extend(refused_codes(self.dialect, "torch_on", &self.torch_on, false));
-        findings.extend(refused_codes(self.dialect, "torch_off", &self.torch_off, false));
-        findings.extend(refused_codes(self.dialect, "end_codes", &self.end_codes, true));
+        findings.extend(refused_codes(self.control, "torch_on", &self.torch_on, false));
+        findings.extend(refused_codes(self.control, "torch_off", &self.torch_off, false));
+        findings.extend(refused_codes(self.control, "end_codes", &self.end_codes, true));
         findings
     }
 }

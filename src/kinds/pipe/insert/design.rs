@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Place};
-use crate::gcode::dialect::Dialect;
+use crate::gcode::control::Control;
 use crate::gcode::program::Style;
 use crate::gcode::word::{Word, codes};
 use crate::geometry::pipe_pair::PipePair;
@@ -146,7 +146,7 @@ pub struct Design {
     /// The program number.
     pub program: u32,
     /// The dialect.
-    pub dialect: &'static Dialect,
+    pub control: &'static Control,
     /// The style.
     pub style: Style,
     /// M codes that turn the torch on.
@@ -216,7 +216,7 @@ impl Design {
             part: values.line("part").to_owned(),
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
-            dialect: Dialect::milling(values.choice("dialect")?)?,
+            control: Control::milling(values.choice("dialect")?)?,
             style: if values.choice("style")? == "full" { Style::Full } else { Style::Annex },
             torch_on: codes(values.line("torch_on"))?,
             torch_off: codes(values.line("torch_off"))?,

@@ -1,6 +1,6 @@
 //! The program of the torch, as published or complete.
 
-use crate::gcode::dialect::{Dialect, FeedLaw, Rotary};
+use crate::gcode::control::{Control, FeedLaw, Rotary};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
@@ -37,7 +37,7 @@ pub fn published(design: &Design) -> Result<Program, OutOfFormat> {
     Ok(Program {
         key: "insert",
         title: TITLE,
-        dialect: design.dialect,
+        control: design.control,
         format: NumberFormat::Six,
         block_step: None,
         start: Position::default(),
@@ -74,12 +74,12 @@ pub const fn letters(mode: Mode) -> [char; 2] {
 pub const TRUE_FOR_BOTH: [&str; 2] =
     ["VALE CON EJES ROTATIVOS ROLLOVER Y CON LINEALES", "TRUE FOR ROLLOVER ROTARY AXES AND FOR LINEAR ONES"];
 
-/// How the complete program counts: on the turning pipe by increments where the dialect's rotary axes are rollover as
+/// How the complete program counts: on the turning pipe by increments where the control's rotary axes are rollover as
 /// delivered. There the number of an absolute word would be an angle from 0 to 360 and its sign the direction; increments
 /// are the same motions on either axis.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    match (design.mode, design.dialect.rotary) {
+    match (design.mode, design.control.rotary) {
         (Mode::Rotary, Rotary::Rollover) => Distance::Incremental,
         _ => Distance::Absolute,
     }
@@ -91,12 +91,12 @@ pub fn approach(design: &Design, pierce: [Milli; 2]) -> usize {
     if distance(design) == Distance::Incremental && pierce[0] != Milli::ZERO { 2 } else { 1 }
 }
 
-/// The word of a dwell in seconds; `None` where the dialect has none.
+/// The word of a dwell in seconds; `None` where the control has none.
 ///
 /// # Errors
 /// For a number that no program may carry.
-pub fn dwell(dialect: &Dialect, seconds: f64) -> Result<Option<Word>, OutOfFormat> {
-    let Some(&(letter, unit)) = dialect.reading.dwell.first() else { return Ok(None) };
+pub fn dwell(control: &Control, seconds: f64) -> Result<Option<Word>, OutOfFormat> {
+    let Some(&(letter, unit)) = control.dwell.first() else { return Ok(None) };
     let letter = char::from(b'A' + letter);
     let number = seconds / unit;
     if unit == 1.0 {
@@ -120,24 +120,24 @@ fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
 /// The complete program.
 ///
 /// On a flat sheet F is in mm a minute (G94). On the turning pipe it is made block by block, so that the torch runs over
-/// the pipe's outside at F: as the dialect wants it, the time of the move, its inverse, or the resultant of mm and degrees.
+/// the pipe's outside at F: as the control wants it, the time of the move, its inverse, or the resultant of mm and degrees.
 /// By increments (see [`distance`]) A is taken to stand at 0; it is left where the cut ends, as nothing says that the torch
 /// is clear of the pipe there.
 ///
 /// # Errors
 /// For a number that no program may carry.
 pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
-    let dialect = design.dialect;
+    let control = design.control;
     let work = Work { part: &design.part, material: &design.material, number: design.program };
-    let mut header = Header::new(dialect, "insert", &TITLE, work, origin);
+    let mut header = Header::new(control, "insert", &TITLE, work, origin);
     comments(design, &mut header);
     let mut parts = header.parts;
     let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
     let letters = letters(design.mode);
     let place = |to: [Milli; 2]| letters.into_iter().zip(to).map(|(letter, size)| Word::size(letter, size));
-    let law = if design.mode == Mode::Rotary { dialect.feed } else { FeedLaw::Resultant };
+    let law = if design.mode == Mode::Rotary { control.feed } else { FeedLaw::Resultant };
     let distance = distance(design);
-    block(dialect.safety_block());
+    block(control.safety_block());
     match distance {
         Distance::Absolute => block(std::iter::once(Word::whole('G', 0)).chain(place(cut.pierce)).collect()),
         Distance::Incremental => {
@@ -151,7 +151,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     }
     block(design.torch_on.clone());
     if design.pierce_delay > 0.0 {
-        block(std::iter::once(Word::whole('G', 4)).chain(dwell(dialect, design.pierce_delay)?).collect());
+        block(std::iter::once(Word::whole('G', 4)).chain(dwell(control, design.pierce_delay)?).collect());
     }
     if law.code() != 94 {
         block(vec![Word::whole('G', law.code())]);
@@ -199,7 +199,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     Ok(Program {
         key: "insert",
         title: TITLE,
-        dialect,
+        control,
         format: NumberFormat::Fixed,
         block_step: Some(design.block_step),
         start,

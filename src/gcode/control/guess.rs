@@ -1,17 +1,17 @@
-//! Which dialect a program is in, where nobody says so.
+//! Which control a program is in, where nobody says so.
 
 use std::collections::BTreeSet;
 
-use crate::gcode::dialect::{Dialect, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A, LINUXCNC};
+use crate::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A, LINUXCNC};
 
-/// The dialect that the beginning of a program and its file's ending (without the dot) tell.
+/// The control that the beginning of a program and its file's ending (without the dot) tell.
 ///
 /// The header of a program that rodete wrote names it. `.ngc` is LinuxCNC. A first line `%name,MX--,` is a Fagor 8055, or 8055 T
 /// where a block has G96 with S; `%number-name` is a Fagor 8070. An M code from M10 to M18
 /// or M20 to M29, which LinuxCNC does not have and a machine's builder gives a Fagor (clamps of rotary axes), is a Fagor
 /// 8055. A T of four digits, place and offset as in `T0101`, is a Fanuc lathe of system A. Everything else is LinuxCNC.
 #[must_use]
-pub fn guess(head: &[u8], ending: &str) -> &'static Dialect {
+pub fn guess(head: &[u8], ending: &str) -> &'static Control {
     let text = String::from_utf8_lossy(head);
     if let Some(dialect) = text.lines().find_map(headed) {
         return dialect;
@@ -37,17 +37,17 @@ pub fn guess(head: &[u8], ending: &str) -> &'static Dialect {
 /// The same of a turning program. A first line `%name,MX--,`, or a tool with its offset as `T1 D1` or `T1.1`, is a Fagor
 /// 8055 T; everything else is a Fanuc of system A, whose T carries both numbers.
 #[must_use]
-pub fn guess_turning(head: &[u8]) -> &'static Dialect {
+pub fn guess_turning(head: &[u8]) -> &'static Control {
     let text = String::from_utf8_lossy(head);
     let named = text.lines().any(|line| line.trim_start().starts_with('%') && line.contains(",MX"));
     if named || text.lines().any(tool_and_offset) { &FAGOR_8055_T } else { &FANUC_LATHE_A }
 }
 
 /// The dialect that a header of rodete's names, as `;RODETE 0.1.0 - DIALECT FAGOR-8055-T`.
-fn headed(line: &str) -> Option<&'static Dialect> {
+fn headed(line: &str) -> Option<&'static Control> {
     let comment = line.trim().trim_start_matches([';', '(']).trim_end_matches(')').to_ascii_lowercase();
     let (_, named) = comment.strip_prefix("rodete ")?.split_once(" - dialect")?;
-    Dialect::named(named.trim_start_matches('o').trim())
+    Control::named(named.trim_start_matches('o').trim())
 }
 
 /// The offsets D of the tools that a header of rodete's names, as `;TOOL T1 D1`; none of another program.

@@ -11,12 +11,23 @@
 //! refused by their names. Letters that only options of the control take (C, A, B and others) are refused.
 
 use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle};
-use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
+use crate::gcode::control::{Across, Codes, CommentForm, Comments, Control, FeedLaw, Letters, Opening, Rotary, Turret};
+use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
-/// How programs of Fanuc's system A are read.
-pub static LATHE_A: Reading = Reading {
+/// Fanuc, turning, G-code system A. Read only: rodete writes no program in it.
+pub static FANUC_LATHE_A: Control = Control {
+    name: "fanuc-lathe-a",
+    opening: Opening::None,
+    comment: CommentForm::Parentheses,
+    end_of_line: "\r\n",
+    greatest_number: 99_999,
+    safety: &[],
+    change_in_tool_block: true,
+    offset_word: false,
+    feed: FeedLaw::Resultant,
+    rotary: Rotary::Linear,
+    memory: 1 << 19,
     letters: Letters::of("FIKLPQRSTUWXZ"),
     refused_letters: Letters::of("ABCDEHJVY"),
     free: Letters::of("FST"),

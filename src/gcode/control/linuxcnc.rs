@@ -1,12 +1,23 @@
 //! LinuxCNC: its G and M codes as its G-code reference has them.
 
 use crate::gcode::code::{Cycle, G, Group, M, Name};
-use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
+use crate::gcode::control::{Across, Codes, CommentForm, Comments, Control, FeedLaw, Letters, Opening, Rotary, Turret};
+use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
-/// How LinuxCNC's programs are read.
-pub static READING: Reading = Reading {
+/// LinuxCNC, milling.
+pub static LINUXCNC: Control = Control {
+    name: "linuxcnc",
+    opening: Opening::None,
+    comment: CommentForm::Parentheses,
+    end_of_line: "\n",
+    greatest_number: 99_999,
+    safety: &[('G', 17), ('G', 21), ('G', 40), ('G', 49), ('G', 54), ('G', 80), ('G', 90), ('G', 94), ('G', 97)],
+    change_in_tool_block: true,
+    offset_word: false,
+    feed: FeedLaw::InverseTime,
+    rotary: Rotary::Linear,
+    memory: 1 << 30,
     letters: Letters::of("ABCDEFHIJKLPQRSTUVWXYZ"),
     refused_letters: Letters::of(""),
     free: Letters::of("FST"),

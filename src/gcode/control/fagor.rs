@@ -6,12 +6,58 @@
 //! For the 8055 T and the 8070 no such page was at hand.
 
 use crate::gcode::code::{G, Group, M, Name, TurningCycle};
-use crate::gcode::control::Compensation;
-use crate::gcode::dialect::reading::{Across, Codes, Comments, Letters, Reading, Turret};
+use crate::gcode::control::{Across, Codes, CommentForm, Comments, Control, FeedLaw, Letters, Opening, Rotary, Turret};
+use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
-/// How programs of the 8055 M are read.
-pub static MILLING_8055: Reading = Reading {
+/// Fagor CNC 8055, milling.
+pub static FAGOR_8055: Control = Control {
+    name: "fagor-8055",
+    safety: &[('G', 17), ('G', 40), ('G', 44), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
+    change_in_tool_block: false,
+    ..FAGOR_8055_BASE
+};
+
+/// Fagor CNC 8055 T, turning.
+pub static FAGOR_8055_T: Control = Control {
+    name: "fagor-8055-t",
+    letters: Letters::of("ABCDFIJKQRSTUVWXYZ"),
+    codes: &CODES_8055_T,
+    plane: Plane::ZX,
+    diameter: true,
+    turret: Turret::Words,
+    across: Across::Unknown,
+    ..FAGOR_8055_BASE
+};
+
+/// Fagor CNC 8070, milling.
+pub static FAGOR_8070: Control = Control {
+    name: "fagor-8070",
+    opening: Opening::Name,
+    safety: &[('G', 17), ('G', 40), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
+    change_in_tool_block: true,
+    feed: FeedLaw::Seconds,
+    rotary: Rotary::Linear,
+    memory: 1 << 30,
+    codes: &CODES_8070,
+    dwell: &[(b'K' - b'A', 1.0)],
+    across: Across::Unknown,
+    ..FAGOR_8055_BASE
+};
+
+/// What milling and turning have in common.
+const FAGOR_8055_BASE: Control = Control {
+    name: "",
+    opening: Opening::NameAndAttributes,
+    comment: CommentForm::Semicolon,
+    end_of_line: "\r\n",
+    greatest_number: 99_999_999,
+    safety: &[],
+    change_in_tool_block: true,
+    offset_word: true,
+    feed: FeedLaw::Resultant,
+    rotary: Rotary::Rollover,
+    memory: 1 << 20,
     letters: Letters::of("ABCDFIJKRSTUVWXYZ"),
     refused_letters: Letters::of("P"),
     free: Letters::of("DFST"),
@@ -32,21 +78,6 @@ pub static MILLING_8055: Reading = Reading {
     across: Across::Pitch,
     most_machine_codes: 7,
 };
-
-/// How programs of the 8055 T are read.
-pub static TURNING_8055: Reading = Reading {
-    letters: Letters::of("ABCDFIJKQRSTUVWXYZ"),
-    codes: &CODES_8055_T,
-    plane: Plane::ZX,
-    diameter: true,
-    turret: Turret::Words,
-    across: Across::Unknown,
-    ..MILLING_8055
-};
-
-/// How programs of the 8070 are read.
-pub static MILLING_8070: Reading =
-    Reading { codes: &CODES_8070, dwell: &[(b'K' - b'A', 1.0)], across: Across::Unknown, ..MILLING_8055 };
 
 const GEOMETRY: Name = (
     "ayudas geométricas (redondeos, chaflanes, arcos tangentes)",
