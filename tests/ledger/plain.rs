@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::golden::hexadecimal;
 
 /// What a finding says. What else a document comes to say of one is no matter of the ledger.
-const FINDING: [&str; 6] = ["grade", "what", "place", "value", "limit", "remedy"];
+const FINDING: [&str; 7] = ["grade", "name", "what", "place", "value", "limit", "remedy"];
 
 /// The SHA-256 sums that may stand in outputs: whole, or in two halves as at the head of a program.
 #[derive(Default)]
@@ -56,6 +56,10 @@ fn settle(value: &mut Value) {
                 object.remove("bytes");
             }
             if object.contains_key("grade") && object.contains_key("what") {
+                // The name of a finding's row, which goes with its code.
+                if object.contains_key("code") {
+                    object.remove("name");
+                }
                 object.retain(|key, _| FINDING.contains(&key.as_str()));
             }
             object.values_mut().for_each(settle);
