@@ -2,6 +2,8 @@
 //!
 //! `cargo bench --bench cells` prints both times, in turn, and their ratio.
 
+#![allow(clippy::disallowed_methods, reason = "benchmarks read files and the clock")]
+
 use std::io::{Cursor, Seek, Write};
 use std::time::{Duration, Instant};
 

@@ -1,5 +1,7 @@
 //! The pure job of an impeller, and its programs as text.
 
+#![allow(clippy::disallowed_methods, reason = "benchmarks read files and the clock")]
+
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};

@@ -1,5 +1,7 @@
 //! Reading programs back: five-axis lines and arcs with R, in lines a second.
 
+#![allow(clippy::disallowed_methods, reason = "benchmarks read files and the clock")]
+
 use std::fmt::Write as _;
 use std::hint::black_box;
 

@@ -1,6 +1,8 @@
 //! Turning: cutting motions a second, and whether a motion's cost grows with the motions before it; of motions as the
 //! removal gets them, and of G71 programs read by the interpreter and followed with tables and alarms.
 
+#![allow(clippy::disallowed_methods, reason = "benchmarks read files and the clock")]
+
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::hint::black_box;

@@ -50,26 +50,36 @@
 //! assert_eq!(blade.text().lines().nth(1), Some("N20 G1 X11.2 Y14.933 Z0 B0 C0"));
 //! ```
 
-pub mod cli;
-pub mod drawing;
+// From the ground up: a room uses those of the groups before its own, and no other (`tests/commands/house.rs`).
 pub mod escape;
-pub mod figure;
-pub mod finding;
-pub mod gcode;
-pub mod geometry;
-pub mod kind;
-pub mod kinds;
-pub mod limits;
-pub mod machine;
 pub mod number;
-pub mod parameter;
-pub mod proof;
-pub mod removal;
-pub mod report;
-pub mod scene;
-pub mod store;
-pub mod table;
 pub mod text;
+
+pub mod finding;
+pub mod limits;
+pub mod table;
+
+pub mod machine;
+pub mod parameter;
+
+pub mod figure;
+pub mod gcode;
+
+pub mod geometry;
+pub mod proof;
+pub mod scene;
+
+pub mod removal;
+
+pub mod kind;
 pub mod typeset;
+
+pub mod kinds;
+
+pub mod drawing;
+pub mod report;
+pub mod store;
 pub mod view;
 pub mod workbook;
+
+pub mod cli;

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 #[cfg(feature = "embedded-typst")]
 mod embedded_typst;
 
+#[expect(clippy::disallowed_methods, reason = "the door to the command line")]
 fn main() -> ExitCode {
     #[cfg(feature = "embedded-typst")]
     if std::env::args_os().nth(1).is_some_and(|first| first == "typst") {

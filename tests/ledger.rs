@@ -27,6 +27,7 @@
 //! `RODETE_LEDGER_TEXTS=FOLDER` writes each output into a folder as it is compared, so that two runs can be held against each
 //! other with `diff -r`.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic)]
 

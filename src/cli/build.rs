@@ -65,6 +65,7 @@ pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
 
 /// The typst that was asked for: on the command line, in the environment, else the one inside rodete, or an installed
 /// one where rodete was built without.
+#[expect(clippy::disallowed_methods, reason = "the door to the environment: the compiler that is asked for")]
 fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
     let named = named.or_else(|| env::var_os(TYPST).filter(|path| !path.is_empty()).map(PathBuf::from));
     let typst = match (named, env::current_exe()) {

@@ -98,6 +98,7 @@ impl Delivery<'_> {
 
 /// A caution for each file in the folder that bears the name of an output and is not of this set: a program of an earlier
 /// one must not be taken for one of this.
+#[expect(clippy::disallowed_methods, reason = "the door to the files that a build names")]
 pub(super) fn leftovers(item: &Item, verdict: &Ending) -> Vec<Finding> {
     endings()
         .into_iter()

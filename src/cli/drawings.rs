@@ -109,6 +109,7 @@ pub(super) fn attachments<'a>(item: &Item, outcome: &Outcome, set: &'a Set<'_>) 
 }
 
 #[cfg(test)]
+#[expect(clippy::disallowed_methods, reason = "tests write into a folder of their own")]
 mod tests {
     use std::path::{Path, PathBuf};
 

@@ -1,5 +1,7 @@
 //! Ctrl-C and requests to end: unfinished files are removed, finished sets stay whole.
 
+#![expect(clippy::disallowed_methods, reason = "the door by which an interrupted process ends")]
+
 use std::io::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

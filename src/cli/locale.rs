@@ -5,6 +5,7 @@ use std::env;
 use crate::text::Language;
 
 /// The language that was asked for, else that of the workbook, else that of the locale.
+#[expect(clippy::disallowed_methods, reason = "the door to the environment: the language that is spoken")]
 pub(super) fn spoken(asked: Option<Language>, workbook: Option<Language>) -> Language {
     asked.or(workbook).unwrap_or_else(|| {
         let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];

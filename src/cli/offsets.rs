@@ -70,6 +70,7 @@ fn edits(set: &[String], unit: LengthUnit) -> Result<Vec<Edit>, Refusal> {
     if findings.is_empty() { Ok(edits) } else { Err(Refusal { exit: Exit::CommandLine, findings }) }
 }
 
+#[expect(clippy::disallowed_methods, reason = "the door to the files that the command names")]
 fn work(
     arguments: &Offsets,
     edits: &[Edit],

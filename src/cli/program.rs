@@ -62,6 +62,7 @@ impl Beside {
 }
 
 impl Files for Beside {
+    #[expect(clippy::disallowed_methods, reason = "the door to the files that the command names")]
     fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
         for (folder, ending) in
             self.folders.iter().flat_map(|folder| [".ngc", ".nc", ""].map(|ending| (folder, ending)))

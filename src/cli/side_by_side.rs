@@ -13,6 +13,7 @@ use crate::limits::WORKBOOKS_AT_ONCE;
 
 /// Does `work` for every item; `show` gets the verdicts one by one, in the order of the items, as soon as all before
 /// them are there. With more than one item, a bar on standard error shows the progress if that is a terminal.
+#[expect(clippy::disallowed_methods, reason = "the door to the processors: how many workbooks are computed at once")]
 pub(super) fn run<T: Sync>(
     items: &[T],
     work: impl Fn(&T) -> Ending + Sync,

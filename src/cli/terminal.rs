@@ -1,5 +1,7 @@
 //! Standard output and standard error: colour, width, and a quiet end when nobody reads any more.
 
+#![expect(clippy::disallowed_methods, reason = "the door to the terminal")]
+
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 use anstream::AutoStream;

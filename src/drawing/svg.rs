@@ -7,8 +7,8 @@ use super::layer::layer;
 use super::{Drawing, LETTERS, NotDrawn, bounds, number};
 use crate::escape::printable;
 use crate::figure::{Arc, Figure, Ink, Stroke};
-use crate::report::svg::{arrow_head, escape, word};
 use crate::text::{Language, Text};
+use crate::typeset::mark::{arrow_head, escape, word};
 use crate::typeset::pen::{face, pen};
 
 /// Room around the drawing in mm, for the width of its lines.

@@ -216,6 +216,7 @@ fn sheet(table: &Table, words: &mut Words) -> Sheet {
     }
 }
 
+#[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 fn drawing(figure: &Figure, at: usize, folder: &Path, words: &mut Words) -> io::Result<Option<Drawing>> {
     let Some(text) = svg(figure, words.language) else { return Ok(None) };
     let file = format!("figure-{at}.svg");

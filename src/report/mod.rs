@@ -76,6 +76,7 @@ pub struct Report {
 ///
 /// # Errors
 /// A [`ReportFailure`] when the folder cannot be filled, typst cannot be started, fails, hangs, or leaves no whole PDF.
+#[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 pub fn typeset(
     outcome: &Outcome,
     attachments: &[Attachment<'_>],

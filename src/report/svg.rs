@@ -8,6 +8,7 @@ use std::fmt::Write as _;
 use super::ticks::ticks;
 use crate::figure::{Axes, Figure, Ink};
 use crate::text::Language;
+use crate::typeset::mark::{arrow_head, word};
 use crate::typeset::pen::{face, pen};
 
 /// Width of the drawing area on paper in mm.
@@ -183,54 +184,4 @@ fn fill(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
         "<path d=\"{} Z\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.14\" stroke-linejoin=\"round\"/>",
         path(points)
     );
-}
-
-/// A filled arrow head at the end of a polyline on paper.
-pub(crate) fn arrow_head(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
-    let [.., from, to] = points else { return };
-    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-    let length = (dx * dx + dy * dy).sqrt();
-    if length < 1e-6 {
-        return;
-    }
-    let (dx, dy) = (dx / length * 2.2, dy / length * 2.2);
-    let (wing_x, wing_y) = (-dy * 0.32, dx * 0.32);
-    let (base_x, base_y) = (to[0] - dx, to[1] - dy);
-    let _ = writeln!(
-        body,
-        "<path d=\"M{:.3} {:.3} {:.3} {:.3} {:.3} {:.3} Z\" fill=\"{}\"/>",
-        to[0],
-        to[1],
-        base_x + wing_x,
-        base_y + wing_y,
-        base_x - wing_x,
-        base_y - wing_y,
-        pen(ink).colour
-    );
-}
-
-/// A word; what follows an underscore up to a blank is a subscript.
-pub(crate) fn word(body: &mut String, at: [f64; 2], size: f64, anchor: &str, colour: &str, text: &str) {
-    let _ = write!(
-        body,
-        "<text x=\"{:.3}\" y=\"{:.3}\" font-family=\"Libertinus Serif\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{colour}\">",
-        at[0], at[1]
-    );
-    for (index, part) in text.split('_').enumerate() {
-        let (low, rest) = match index {
-            0 => ("", part),
-            _ => part.split_at(part.find([' ', ',', ')', '″', '′']).unwrap_or(part.len())),
-        };
-        if !low.is_empty() {
-            let _ =
-                write!(body, "<tspan font-size=\"{:.2}\" baseline-shift=\"sub\">{}</tspan>", size * 0.7, escape(low));
-        }
-        body.push_str(&escape(rest));
-    }
-    body.push_str("</text>\n");
-}
-
-/// A text as XML.
-pub(crate) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -45,6 +45,7 @@ templates![
 ];
 
 /// Writes the templates into a folder.
+#[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 pub(super) fn write(folder: &Path) -> io::Result<()> {
     TEMPLATES.iter().try_for_each(|(name, text)| fs::write(folder.join(name), text))
 }

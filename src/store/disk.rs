@@ -1,5 +1,7 @@
 //! Every change that the store makes on the disk, one method a step.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::fmt;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};

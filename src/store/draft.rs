@@ -1,5 +1,7 @@
 //! Temporary files: locked while they are written, known to the whole process, so that an interruption removes them.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};

@@ -1,5 +1,7 @@
 //! The folder that outputs go to.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::ffi::OsStr;
 use std::fs::{self, OpenOptions};
 use std::io::{self, ErrorKind};

@@ -1,5 +1,7 @@
 //! The lock under which a set comes under its final names.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::fs::{self, File, TryLockError};
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};

@@ -1,5 +1,7 @@
 //! Names of output files: from the workbook's own file name, never from a cell.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};

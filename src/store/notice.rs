@@ -5,6 +5,8 @@
 //! however it ended, whoever comes next into the folder finds the notice and completes the set, or puts back what was
 //! there before; where neither can be done, it tells which files do not belong together.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};

@@ -1,5 +1,7 @@
 //! A set of files that come under their final names together, or not at all.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::ffi::{OsStr, OsString};
 use std::fmt::Display;
 use std::fs;

@@ -1,5 +1,7 @@
 //! What may not be replaced.
 
+#![expect(clippy::disallowed_methods, reason = "the store is the door to files")]
+
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io::ErrorKind;

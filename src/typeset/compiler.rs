@@ -1,6 +1,8 @@
 //! The typst command line as a child process: started in a private folder, held to a deadline, killed with its
 //! children, and believed only when it ends with 0 and leaves a whole PDF.
 
+#![expect(clippy::disallowed_methods, reason = "the door to the compiler: a child process in a folder of its own")]
+
 use std::ffi::OsString;
 use std::fs;
 use std::io::{self, Read};

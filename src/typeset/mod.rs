@@ -5,6 +5,7 @@
 pub mod characters;
 pub mod compiler;
 pub mod failure;
+pub(crate) mod mark;
 pub(crate) mod pen;
 
 use std::fs;
@@ -23,6 +24,7 @@ pub(crate) const MAIN: &str = "report.typ";
 ///
 /// # Errors
 /// A [`ReportFailure`] when the folder cannot be filled, typst cannot be started, fails, hangs, or leaves no whole PDF.
+#[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 pub(crate) fn document(files: &[(String, Vec<u8>)], typst: &Typst) -> Result<Vec<u8>, ReportFailure> {
     let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;
     for (name, bytes) in files {

@@ -1,5 +1,7 @@
 //! The commands as whole processes, the store, and the house.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
+
 mod cli;
 mod house;
 mod store;

@@ -1,5 +1,7 @@
 //! Bad inputs, each with the exit code, the place, the message and the remedy.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
+
 mod bad_workbooks;
 #[path = "../common/mod.rs"]
 mod common;

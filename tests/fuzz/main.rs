@@ -3,6 +3,8 @@
 //! input is kept that once brought something down.
 //!
 //! The count is small here; `RODETE_FUZZ=1000000` runs as many of every target.
+
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, non_snake_case, missing_docs)]
 
 mod chance;

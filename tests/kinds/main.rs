@@ -1,5 +1,7 @@
 //! What each kind makes: the published figures, and what must hold for every design.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
+
 #[path = "../common/mod.rs"]
 mod common;
 mod impeller_shortfalls;

@@ -1,5 +1,7 @@
 //! Programs, offsets and parameter files, read as the control would.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
+
 #[path = "../common/mod.rs"]
 mod common;
 mod interpreter;

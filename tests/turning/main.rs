@@ -1,5 +1,7 @@
 //! Turning: cycles, nose, metal, alarms.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
+
 #[path = "../common/mod.rs"]
 mod common;
 mod fagor_cycles;

@@ -1,5 +1,7 @@
 //! The viewer in Chromium: it draws, plays, goes to blocks, speaks both languages, and asks nobody for anything.
 
+#![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
+
 mod browser;
 mod turned;
 
@@ -504,7 +506,7 @@ fn a_hundred_thousand_motions_are_gone_through_without_waiting() {
         );
         assert!(seeks.as_array().into_iter().flatten().all(|time| real(time) < 1500.0), "{seeks}");
         // What the page itself takes for a frame; the rest is the work of the graphics, here of software.
-        let frames: Vec<f64> = (0..12_u32)
+        let frames: Vec<f64> = (0..5_u32)
             .map(|at| {
                 browser.run(&format!("goTo({})", 5000.4 + 0.37 * f64::from(at)));
                 real(&browser.status()["frame"])
@@ -512,7 +514,7 @@ fn a_hundred_thousand_motions_are_gone_through_without_waiting() {
             .collect();
         let mut sorted = frames.clone();
         sorted.sort_by(f64::total_cmp);
-        assert!(sorted[6] < 100.0, "{frames:?}");
+        assert!(sorted[2] < 100.0, "{frames:?}");
         // The last line is shown and can be clicked.
         let last = browser.open(&page, "goto=100000");
         let seen = browser.run("return [...document.querySelectorAll('.row.now')].map((row) => row.textContent)");

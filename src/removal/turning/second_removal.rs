@@ -43,6 +43,10 @@ pub struct Repeat {
 impl Repeat {
     /// From contours, `[z, r]` in mm, counter-clockwise, holes clockwise.
     #[must_use]
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "its thread gets polygons in their order and is awaited: what comes out hangs on nothing else"
+    )]
     pub fn new(start: &[Ring]) -> Self {
         let start = contours(start);
         let (cuts, waiting) = sync_channel::<Convex>(WAITING);
