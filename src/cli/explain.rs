@@ -7,16 +7,17 @@ use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
+use crate::gcode::rules::{expressions, lexis};
 use crate::gcode::turning;
 use crate::parameter::t;
 use crate::removal::turning::rules as alarms;
 use crate::text::{Language, Text};
 
 /// The rows of every room.
-pub const RULES: [&[&Rule]; 2] = [turning::rules::RULES, alarms::RULES];
+pub const RULES: &[&[&Rule]] = &[alarms::RULES, turning::rules::RULES, lexis::RULES, expressions::RULES];
 
 fn all() -> impl Iterator<Item = &'static Rule> {
-    RULES.into_iter().flatten().copied()
+    RULES.iter().copied().flatten().copied()
 }
 
 pub(super) fn run(arguments: &Explain, terminal: &mut Terminal) -> Exit {
@@ -73,9 +74,17 @@ fn told(rule: &Rule, language: Language) -> String {
             let _ = writeln!(text, "  {} ({control}, {stock}{given}):", head.get(language));
             blocks(&mut text, program);
         }
-        Example::Program { control, program } => {
-            let _ = writeln!(text, "  {} ({control}):", t("ejemplo", "example").get(language));
+        Example::Program { control, program, given, .. } => {
+            let given: String = given.iter().map(|(option, value)| format!(", {option} {value}")).collect();
+            let head = t("ejemplo", "example");
+            let _ = writeln!(text, "  {} ({control}{given}):", head.get(language));
             blocks(&mut text, program);
+        }
+        Example::Repeated { control, word, times } => {
+            let head = t("ejemplo", "example");
+            let often = t("repetido, veces", "repeated, times");
+            let _ = writeln!(text, "  {} ({control}; {}: {times}):", head.get(language), often.get(language));
+            blocks(&mut text, word);
         }
         Example::Never(why) => {
             let _ = writeln!(text, "  {}: {}", t("sin ejemplo", "no example").get(language), why.get(language));
@@ -87,6 +96,6 @@ fn told(rule: &Rule, language: Language) -> String {
 /// The lines of an example's program.
 fn blocks(text: &mut String, program: &str) {
     for block in program.split('|') {
-        let _ = writeln!(text, "    {block}");
+        let _ = writeln!(text, "    {}", printable(block));
     }
 }

@@ -150,6 +150,12 @@ impl Finding {
         self.grade == Grade::Stop && self.remedy == FAULT
     }
 
+    /// True for a finding of a row.
+    #[must_use]
+    pub fn is(&self, rule: &Rule) -> bool {
+        self.rule == Some(rule)
+    }
+
     /// A finding for a person to judge.
     #[must_use]
     pub const fn caution(place: Place, what: Text, remedy: Text) -> Self {
@@ -160,12 +166,6 @@ impl Finding {
     #[must_use]
     pub const fn note(place: Place, what: Text) -> Self {
         Self::new(Grade::Note, place, what, Text::fixed("", ""))
-    }
-
-    /// True where it is of a row: `finding.is(NoFeed::RULE)`.
-    #[must_use]
-    pub fn is(&self, rule: &Rule) -> bool {
-        self.rule.is_some_and(|own| own == rule)
     }
 
     /// The finding with the value found and the limit it was held against.

@@ -64,12 +64,25 @@ pub enum Example {
         /// Parameters of the lathe workbook that differ from the example's, by symbol.
         machine: &'static [(&'static str, &'static str)],
     },
-    /// A program that is read.
+    /// A program as a control reads it, by itself.
     Program {
-        /// The control that reads it.
+        /// The control that it is written for.
         control: &'static str,
-        /// The program, its lines parted by `|`.
+        /// Its blocks, parted by `|`.
         program: &'static str,
+        /// Where it is told: the line, or `LINE:COLUMN`.
+        at: &'static str,
+        /// How it is read beside that: options of `verify`, each with its value; of a file, with the file's text.
+        given: &'static [(&'static str, &'static str)],
+    },
+    /// A program that is too much of one text.
+    Repeated {
+        /// The control that it is written for.
+        control: &'static str,
+        /// The text, with `|` where a block ends.
+        word: &'static str,
+        /// How often it is repeated.
+        times: u32,
     },
     /// No input raises it; why.
     Never(Text),
@@ -100,6 +113,14 @@ impl Rule {
             name.push(letter.to_ascii_lowercase());
         }
         name
+    }
+}
+
+impl Example {
+    /// A program that a control reads with nothing else known.
+    #[must_use]
+    pub const fn program(control: &'static str, program: &'static str, at: &'static str) -> Self {
+        Self::Program { control, program, at, given: &[] }
     }
 }
 

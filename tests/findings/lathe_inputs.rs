@@ -5,7 +5,7 @@
 
 use crate::common::workbook;
 
-pub mod bench;
+mod bench;
 mod command;
 mod figures;
 mod hostile;
@@ -14,6 +14,7 @@ mod lost;
 mod messages;
 mod parted;
 mod programs;
+mod rules;
 mod second;
 mod second_marks;
 mod sheets;

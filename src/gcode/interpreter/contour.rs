@@ -283,7 +283,7 @@ impl Interpreter<'_> {
         contour.edge = self.block.edge.map(|word| (word, self.line));
         if let Some(word) = self.block.edge.filter(|word| word.square.is_none()) {
             let line = self.line;
-            self.remarks.row(line, Some(word.column), CornerInContour {});
+            self.remarks.row(&CornerInContour {}, line, Some(word.column));
         }
         contour.profile.elements.push(Element { to, arc, rapid: motion == G::Rapid, line: self.line });
         Ok(())

@@ -16,7 +16,7 @@ use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{Block, EdgeWord, letter};
-use crate::gcode::interpreter::fault::{Fault, Outcome, refuse};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::modal::Modal;
 use crate::gcode::motion::Feed;
 use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
@@ -70,9 +70,9 @@ impl EdgeWord {
     pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Fault> {
         let (word, at) = (self.name, [self.column]);
         let fault = if motion {
-            refuse(CornerBeforeOtherMotion { word }, &at)
+            Fault::of(&CornerBeforeOtherMotion { word }, &at)
         } else {
-            refuse(CornerBeforeNoMotion { word }, &at)
+            Fault::of(&CornerBeforeNoMotion { word }, &at)
         };
         Box::new(Fault { line, ..*fault.as_alarm_of(Some(AlarmFamily::Fanuc)) })
     }
@@ -109,7 +109,7 @@ impl Interpreter<'_> {
             let word = EdgeWord { name, round: axis.is_none(), value: value.abs(), square, column, pointless: false };
             if let Some(first) = self.block.edge.replace(word) {
                 let twice = CornerTwice { first: first.name, second: name };
-                return Err(refuse(twice, &[first.column, column]).as_alarm_of(self.alarms()));
+                return Err(Fault::of(&twice, &[first.column, column]).as_alarm_of(self.alarms()));
             }
         }
         Ok(())
@@ -210,7 +210,7 @@ impl Interpreter<'_> {
 
 /// The refusal of a word of a corner whose block is no line at feed.
 pub(super) fn without_line(name: &str, column: usize) -> Box<Fault> {
-    refuse(CornerWithoutLine { word: name.to_owned() }, &[column])
+    Fault::of(&CornerWithoutLine { word: name.to_owned() }, &[column])
 }
 
 /// A pose as `[X, Z]`.

@@ -58,23 +58,27 @@ impl Fault {
         })
     }
 
-    /// A refusal of the block as a whole.
-    pub(super) fn block(what: Text, remedy: Text) -> Box<Self> {
-        Self::at(&[], what, remedy)
+    /// A row at columns of the line in hand (counted from 0); at none, of the block as a whole.
+    pub(super) fn of(row: &dyn Raise, columns: &[usize]) -> Box<Self> {
+        let mut fault = Self::at(columns, row.what(), row.remedy());
+        fault.rule = Some(row.rule());
+        fault.data = row.carries();
+        fault
     }
 
-    /// The end of a budget.
-    pub(super) fn limit(what: Text, remedy: Text) -> Box<Self> {
-        let mut fault = Self::at(&[], what, remedy);
+    /// The same, as the end of a budget.
+    pub(super) fn ended(row: &dyn Raise) -> Box<Self> {
+        let mut fault = Self::of(row, &[]);
         fault.exit = Exit::Limit;
         fault.fatal = true;
         fault
     }
 
-    /// The refusal where a limit of rodete's own is reached.
-    pub(super) fn spent(mut self: Box<Self>) -> Box<Self> {
-        self.exit = Exit::Limit;
-        self
+    /// The same where a limit of rodete's own is reached.
+    pub(super) fn beyond(row: &dyn Raise, columns: &[usize]) -> Box<Self> {
+        let mut fault = Self::of(row, columns);
+        fault.exit = Exit::Limit;
+        fault
     }
 
     /// The refusal with the alarm that a control of a family raises for it, its number before the sentence.
@@ -86,6 +90,19 @@ impl Fault {
         }
         self.alarm = alarm;
         self
+    }
+
+    /// A refusal of the block as a whole.
+    pub(super) fn block(what: Text, remedy: Text) -> Box<Self> {
+        Self::at(&[], what, remedy)
+    }
+
+    /// The end of a budget.
+    pub(super) fn limit(what: Text, remedy: Text) -> Box<Self> {
+        let mut fault = Self::at(&[], what, remedy);
+        fault.exit = Exit::Limit;
+        fault.fatal = true;
+        fault
     }
 
     /// What is wrong, with the other lines at fault.
@@ -116,16 +133,8 @@ impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
         let told = fault.message();
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
-        let Fault { rule, data, alarm, remedy, .. } = fault;
-        Self { rule, data, alarm, ..Self::stop(place, told, remedy) }
+        Self { rule: fault.rule, data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
     }
-}
-
-/// The refusal of a block by a row, at columns of the line in hand (counted from 0); without any of the block as a whole.
-#[expect(clippy::needless_pass_by_value, reason = "the row is written where it is raised")]
-pub(super) fn refuse(row: impl Raise, columns: &[usize]) -> Box<Fault> {
-    let fault = Fault::at(columns, row.what(), row.remedy());
-    Box::new(Fault { rule: Some(row.rule()), data: row.carries(), ..*fault })
 }
 
 /// The place of a line of the program, or of a subprogram's own file.
@@ -188,16 +197,15 @@ impl Remarks {
         }
     }
 
-    /// Remarks a row at a line and column (counted from 0). The row and what it carries tell one thing from another.
-    #[expect(clippy::needless_pass_by_value, reason = "the row is written where it is raised")]
-    pub(super) fn row(&mut self, line: usize, column: Option<usize>, row: impl Raise) {
-        let columns = column.map(|column| column + 1).into_iter().collect();
-        let finding = row.at(place(self.file.as_deref(), line, columns));
-        let same = |one: &Finding| one.rule == finding.rule && one.data == finding.data;
-        if let Some((count, _)) = self.list.iter_mut().find(|(_, one)| same(one)) {
+    /// Remarks a row at a line and column (counted from 0). Row and values tell one thing from another.
+    pub(super) fn row(&mut self, row: &dyn Raise, line: usize, column: Option<usize>) {
+        let (rule, data) = (row.rule(), row.carries());
+        let same = |finding: &Finding| finding.is(rule) && finding.data == data;
+        if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| same(finding)) {
             *count += 1;
         } else if self.list.len() < REMARKS {
-            self.list.push((1, finding));
+            let columns = column.map(|column| column + 1).into_iter().collect();
+            self.list.push((1, row.at(place(self.file.as_deref(), line, columns))));
         }
     }
 

@@ -11,7 +11,7 @@ use crate::gcode::code::{Cycle, G};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome, refuse};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::out;
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
@@ -187,7 +187,7 @@ impl Interpreter<'_> {
                     ));
                 }
                 if (run.r - run.bottom) / run.q > PECKS {
-                    return Err(refuse(TooManyPecks { most: PECKS }, &[]).spent());
+                    return Err(Fault::beyond(&TooManyPecks { most: PECKS }, &[]));
                 }
             }
             Cycle::DrillDwell
