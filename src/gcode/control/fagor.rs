@@ -7,7 +7,7 @@
 
 use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::{
-    Across, AcrossWord, Alarms, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
     FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
     OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
@@ -96,7 +96,7 @@ const FAGOR_8055_BASE: Control = Control {
     radius: RadiusRule::None,
     drilling: Drilling::None,
     calls: Calls { by: CallBy::Nothing, depth: 10 },
-    alarms: Alarms::None,
+    alarms: None,
 };
 
 /// What the text of an 8055 M is made of.

@@ -10,9 +10,10 @@
 //! The lathe simulator's list of codes: these are followed. Fanuc Series 0i-T operator's manual, G-code system A: the others are
 //! refused by their names. Letters that only options of the control take (C, A, B and others) are refused.
 
+use crate::finding::AlarmFamily;
 use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle};
 use crate::gcode::control::{
-    Across, AcrossWord, Alarms, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
     FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
     OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
@@ -75,7 +76,7 @@ pub static FANUC_LATHE_A: Control = Control {
     radius: RadiusRule::Nose(NoseCorner::Straight),
     drilling: Drilling::Lathe,
     calls: Calls { by: CallBy::Number, depth: 4 },
-    alarms: Alarms::Ps,
+    alarms: Some(AlarmFamily::Fanuc),
 };
 
 const MACRO: Name =

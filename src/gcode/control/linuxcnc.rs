@@ -2,7 +2,7 @@
 
 use crate::gcode::code::{Cycle, G, Group, M, Name};
 use crate::gcode::control::{
-    Across, AcrossWord, Alarms, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
     FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, OffsetRule,
     Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
@@ -66,7 +66,7 @@ pub static LINUXCNC: Control = Control {
     radius: RadiusRule::Cutter,
     drilling: Drilling::Rs274,
     calls: Calls { by: CallBy::Label, depth: 10 },
-    alarms: Alarms::None,
+    alarms: None,
 };
 
 const SPLINE: Name = ("curvas spline y NURBS", "spline and NURBS curves");

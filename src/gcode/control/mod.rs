@@ -37,6 +37,7 @@ pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
 pub use self::rotary::{Rollover, Rotary, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::tool::{LengthWord, ToolCall, ToolChange};
+use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::gcode::word::Word;
@@ -48,26 +49,6 @@ pub enum Class {
     Mill,
     /// The part, turned about Z: X is written as a diameter and shown so.
     Lathe,
-}
-
-/// The numbers of a control's own alarms before the text of a refusal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Alarms {
-    /// None are known.
-    None,
-    /// Fanuc's, as `PS0066`.
-    Ps,
-}
-
-impl Alarms {
-    /// What stands before the text of a refusal that the control has under a number.
-    #[must_use]
-    pub fn before(self, number: u16) -> String {
-        match self {
-            Self::None => String::new(),
-            Self::Ps => format!("PS{number:04}: "),
-        }
-    }
 }
 
 /// What is in force at the start.
@@ -174,8 +155,8 @@ pub struct Control {
     pub drilling: Drilling,
     /// Subprograms.
     pub calls: Calls,
-    /// The control's alarms.
-    pub alarms: Alarms,
+    /// The family of its alarms, where their numbers are known.
+    pub alarms: Option<AlarmFamily>,
 }
 
 /// All controls, as they are named on the command line.

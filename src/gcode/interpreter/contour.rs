@@ -439,12 +439,12 @@ impl Interpreter<'_> {
 
     /// Whose alarms the control raises; none where its numbers are not known.
     pub(super) fn alarms(&self) -> Option<AlarmFamily> {
-        self.control.system_a.then_some(AlarmFamily::Fanuc)
+        self.control.alarms
     }
 
     /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.
     pub(super) fn alarm(&self, number: u16) -> String {
-        self.control.alarms.before(number)
+        self.control.alarms.map_or_else(String::new, |family| format!("{}: ", family.shown(number)))
     }
 
     /// True where the block has an axis word.
