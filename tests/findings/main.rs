@@ -7,4 +7,7 @@ mod bad_workbooks;
 mod common;
 mod earlier_schema;
 mod lathe_inputs;
+mod made;
 mod refusals;
+
+use common::workbook;
