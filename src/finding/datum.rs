@@ -52,6 +52,12 @@ impl Size {
         Self { value, unit: "mm", decimals: 3 }
     }
 
+    /// A number without a unit, or with one that stands in the sentence; said with at most so many decimals.
+    #[must_use]
+    pub const fn number(value: f64, decimals: usize) -> Self {
+        Self { value, unit: "", decimals }
+    }
+
     /// A speed of a spindle in revolutions a minute, said to the whole one.
     #[must_use]
     pub const fn rpm(value: f64) -> Self {
@@ -114,13 +120,13 @@ impl Said for f64 {
     }
 }
 
-impl Said for u64 {
+impl Said for i64 {
     fn said(&self, _: Language) -> Cow<'_, str> {
         self.to_string().into()
     }
 
     fn datum(&self) -> Datum {
-        Datum::Whole(i64::try_from(*self).unwrap_or(i64::MAX))
+        Datum::Whole(*self)
     }
 }
 
@@ -131,6 +137,16 @@ impl Said for u32 {
 
     fn datum(&self) -> Datum {
         Datum::Whole(i64::from(*self))
+    }
+}
+
+impl Said for u64 {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        self.to_string().into()
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Whole(i64::try_from(*self).unwrap_or(i64::MAX))
     }
 }
 

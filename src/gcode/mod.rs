@@ -17,6 +17,7 @@ pub mod motion;
 pub mod offset_preamble;
 pub mod program;
 mod read_back;
+pub mod rules;
 pub mod summary;
 pub mod turning;
 pub mod word;

@@ -9,5 +9,6 @@ mod earlier_schema;
 mod lathe_inputs;
 mod made;
 mod refusals;
+mod rules;
 
 use common::workbook;

@@ -56,7 +56,9 @@ fn settle(value: &mut Value) {
                 object.remove("bytes");
             }
             if object.contains_key("grade") && object.contains_key("what") {
-                object.retain(|key, _| FINDING.contains(&key.as_str()));
+                // The name goes with the code; only the alarms' names stood here before other rows had any.
+                let named = object.get("code").and_then(Value::as_str).is_none_or(|code| code.starts_with('L'));
+                object.retain(|key, _| FINDING.contains(&key.as_str()) && (named || key != "name"));
             }
             object.values_mut().for_each(settle);
         }

@@ -2,7 +2,10 @@
 
 use crate::gcode::control::Comments;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::text::Text;
+use crate::gcode::rules::lexis::{
+    BlockAfterEnd, Comma, CommentInWord, CommentNested, CommentNotOpened, CommentOpen, EdgeNotSupported, Exponent,
+    HighLevel, NameEmpty, NameOpen, NoNumber, Strange, TooGreat, TwoPoints,
+};
 
 /// A place in a line.
 #[derive(Debug)]
@@ -249,11 +252,7 @@ impl<'l> Cursor<'l> {
                     break;
                 }
                 0 => {
-                    return Err(Fault::at(
-                        &[start],
-                        Text::fixed("falta «>» al final del nombre", "'>' is missing at the end of the name"),
-                        Text::fixed("cierre el nombre con «>»", "close the name with '>'"),
-                    ));
+                    return Err(Fault::of(&NameOpen {}, &[start]));
                 }
                 character if character.is_ascii_graphic() => {
                     name.push(char::from(character));
@@ -263,11 +262,7 @@ impl<'l> Cursor<'l> {
             }
         }
         if name.is_empty() {
-            return Err(Fault::at(
-                &[start],
-                Text::fixed("el nombre está vacío", "the name is empty"),
-                Text::fixed("dé un nombre entre «<» y «>»", "give a name between '<' and '>'"),
-            ));
+            return Err(Fault::of(&NameEmpty {}, &[start]));
         }
         Ok(name)
     }
@@ -307,58 +302,29 @@ pub(super) fn comments(line: &[u8], form: Comments) -> Outcome<Vec<(usize, &[u8]
         let start = at + next;
         match (line[start], form) {
             (b';', Comments::Parentheses) if reads_as_words(&line[start + 1..]) => {
-                return Err(Fault::at(
-                    &[start],
-                    Text::fixed(
-                        "hay un bloque detrás del fin de bloque «;»",
-                        "there is a block after the end of block ';'",
-                    ),
-                    Text::fixed(
-                        "escriba un bloque por línea, y los comentarios entre paréntesis",
-                        "write one block a line, and comments in parentheses",
-                    ),
-                ));
+                return Err(Fault::of(&BlockAfterEnd {}, &[start]));
             }
             (b';', _) => {
                 found.push((start, &line[start + 1..]));
                 break;
             }
             (b'(', Comments::Semicolon) => {
-                return Err(Fault::at(
-                    &[start],
-                    Text::fixed(
-                        "las sentencias en lenguaje de alto nivel de Fagor no están implementadas",
-                        "statements of Fagor's high-level language are not supported",
-                    ),
-                    Text::fixed("escriba los comentarios detrás de «;»", "write comments after ';'"),
-                ));
+                return Err(Fault::of(&HighLevel {}, &[start]));
             }
             (b'(', _) => {
                 let Some(length) = memchr::memchr2(b'(', b')', &line[start + 1..]) else {
-                    return Err(Fault::at(
-                        &[start],
-                        Text::fixed("comentario sin cerrar", "unclosed comment"),
-                        Text::fixed("ciérrelo con «)»", "close it with ')'"),
-                    ));
+                    return Err(Fault::of(&CommentOpen {}, &[start]));
                 };
                 let end = start + 1 + length;
                 if line[end] == b'(' {
-                    return Err(Fault::at(
-                        &[start, end],
-                        Text::fixed("comentario dentro de un comentario", "nested comment"),
-                        Text::fixed("quite el paréntesis interior", "take out the inner parenthesis"),
-                    ));
+                    return Err(Fault::of(&CommentNested {}, &[start, end]));
                 }
                 found.push((start, &line[start + 1..end]));
                 at = end + 1;
                 continue;
             }
             _ => {
-                return Err(Fault::at(
-                    &[start],
-                    Text::fixed("«)» sin comentario abierto", "')' without an open comment"),
-                    Text::fixed("quítelo o abra el comentario con «(»", "take it out or open the comment with '('"),
-                ));
+                return Err(Fault::of(&CommentNotOpened {}, &[start]));
             }
         }
     }
@@ -391,23 +357,9 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Fault> {
         let next = line.get(column + 1).map(u8::to_ascii_uppercase);
         if let Some(letter) = next.filter(|letter| b"CRA".contains(letter)) {
             let name = char::from(letter);
-            return Fault::at(
-                &[column],
-                Text::new(
-                    format!("«,{name}» no está implementado: chaflanes, redondeos y ángulos en el bloque"),
-                    format!("',{name}' is not supported: chamfers, corners and angles in a block"),
-                ),
-                Text::fixed(
-                    "escriba el chaflán o el arco en un bloque propio",
-                    "write the chamfer or arc as a block of its own",
-                ),
-            );
+            return Fault::of(&EdgeNotSupported { edge: name }, &[column]);
         }
-        return Fault::at(
-            &[column],
-            Text::fixed("carácter «,» no admitido", "character ',' is not allowed"),
-            Text::fixed("escriba el decimal con punto: 1.5", "write the decimal with a point: 1.5"),
-        );
+        return Fault::of(&Comma {}, &[column]);
     }
     let rest = line.get(column..).unwrap_or_default();
     let text = rest.utf8_chunks().next().map_or("", |chunk| chunk.valid());
@@ -420,51 +372,27 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Fault> {
         Some(letter) => format!("U+{:04X}", u32::from(letter)),
         None => format!("byte 0x{:02X}", rest.first().copied().unwrap_or(character)),
     };
-    Fault::at(
-        &[column],
-        Text::new(format!("carácter {name} no admitido"), format!("character {name} is not allowed")),
-        Text::fixed("quítelo o escríbalo dentro de un comentario", "take it out, or write it inside a comment"),
-    )
+    Fault::of(&Strange { character: name }, &[column])
 }
 
 /// Something stands where a number should.
 pub(super) fn no_number(column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed("falta el número", "the number is missing"),
-        Text::fixed("escriba un número detrás de la letra", "write a number after the letter"),
-    )
+    Fault::of(&NoNumber {}, &[column])
 }
 
 fn too_great(column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed("número demasiado grande", "number too great"),
-        Text::fixed("compruebe el número", "check the number"),
-    )
+    Fault::of(&TooGreat {}, &[column])
 }
 
 fn comment_inside(column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed("comentario dentro de una palabra", "comment inside a word"),
-        Text::fixed("escríbalo delante o detrás de la palabra", "write it before or behind the word"),
-    )
+    Fault::of(&CommentInWord {}, &[column])
 }
 
 fn two_points(column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed("número con dos puntos decimales", "number with two decimal points"),
-        Text::fixed("deje un solo punto", "leave one point"),
-    )
+    Fault::of(&TwoPoints {}, &[column])
 }
 
 /// An exponent, which no control's numbers have.
 pub(super) fn exponent(column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed("exponente no admitido", "exponent not allowed"),
-        Text::fixed("escriba el número entero: 1000 en vez de 1e3", "write the number out: 1000 for 1e3"),
-    )
+    Fault::of(&Exponent {}, &[column])
 }

@@ -3,14 +3,18 @@
 //! # References
 //! LinuxCNC, G-code overview: expressions, binary operators with their precedence, functions; angles in degrees.
 
-use crate::finding::{Exit, Grade};
+use crate::finding::Exit;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, no_number};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::parameters::COUNT;
+use crate::gcode::rules::expressions::{
+    AtanWithoutSlash, BracketMissing, DivisionByZero, EqualsMissing, Exists, ExpressionOpen, FunctionUndefined,
+    FunctionUnknown, InputUsed, NameUnset, NegativePower, NotFinite, OperatorUnknown, ParameterOutOfRange,
+    ParameterReadOnly, ParameterUnset, TooDeep, TwoSigns, ValueMissing,
+};
 use crate::number::trig;
-use crate::text::Text;
 
 /// How deep brackets may be nested.
 pub const DEEPEST: usize = 64;
@@ -59,17 +63,9 @@ fn truth(value: bool) -> f64 {
     if value { 1.0 } else { 0.0 }
 }
 
-fn undefined(column: usize, what: Text) -> Box<Fault> {
-    Fault::at(&[column], what, Text::fixed("corrija la expresión", "correct the expression"))
-}
-
 /// A result that is a number; overflow and what has no value is refused.
 fn finite(value: f64, column: usize) -> Outcome<f64> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(undefined(column, Text::fixed("el resultado no es un número finito", "the result is not a finite number")))
-    }
+    if value.is_finite() { Ok(value) } else { Err(Fault::of(&NotFinite {}, &[column])) }
 }
 
 impl Operator {
@@ -77,16 +73,10 @@ impl Operator {
         let close = (left - right).abs() < EQUAL;
         let value = match self {
             Self::Power if left < 0.0 && right.fract() != 0.0 => {
-                return Err(undefined(
-                    column,
-                    Text::fixed(
-                        "potencia no entera de un número negativo",
-                        "negative number to a power that is not whole",
-                    ),
-                ));
+                return Err(Fault::of(&NegativePower {}, &[column]));
             }
             Self::Divide | Self::Modulo if right == 0.0 => {
-                return Err(undefined(column, Text::fixed("división por cero", "division by zero")));
+                return Err(Fault::of(&DivisionByZero {}, &[column]));
             }
             Self::Power => trig::pow(left, right),
             Self::Times => left * right,
@@ -124,11 +114,7 @@ impl Interpreter<'_> {
                 let number = match cursor.peek() {
                     b'0'..=b'9' | b'.' => cursor.number()?,
                     b'-' | b'+' => {
-                        return Err(Fault::at(
-                            &[column, cursor.column()],
-                            Text::fixed("número con dos signos", "number with two signs"),
-                            Text::fixed("deje un solo signo", "leave one sign"),
-                        ));
+                        return Err(Fault::of(&TwoSigns {}, &[column, cursor.column()]));
                     }
                     _ if self.control.expressions => self.computed(cursor)?,
                     _ => return Err(no_value(cursor)),
@@ -145,14 +131,7 @@ impl Interpreter<'_> {
         let column = cursor.column();
         cursor.depth += 1;
         if cursor.depth > DEEPEST {
-            let mut fault = Fault::at(
-                &[column],
-                Text::new(
-                    format!("expresión con más de {DEEPEST} niveles"),
-                    format!("expression nested more than {DEEPEST} deep"),
-                ),
-                Text::fixed("divídala con parámetros", "split it with parameters"),
-            );
+            let mut fault = Fault::of(&TooDeep { most: DEEPEST }, &[column]);
             fault.exit = Exit::Limit;
             return Err(fault);
         }
@@ -170,11 +149,7 @@ impl Interpreter<'_> {
     pub(super) fn expression(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
         let open = cursor.column();
         if !cursor.accept(b'[') {
-            return Err(Fault::at(
-                &[open],
-                Text::fixed("falta «[»", "'[' is missing"),
-                Text::fixed("ponga la expresión entre corchetes", "put the expression in brackets"),
-            ));
+            return Err(Fault::of(&BracketMissing {}, &[open]));
         }
         // At most one operator waits for each binding.
         let mut waiting: Vec<(f64, Operator, u8, usize)> = Vec::new();
@@ -185,15 +160,11 @@ impl Interpreter<'_> {
             let next = if cursor.accept(b']') {
                 None
             } else if cursor.peek() == 0 {
-                return Err(Fault::at(
-                    &[open],
-                    Text::fixed("expresión sin cerrar", "unclosed expression"),
-                    Text::fixed("ciérrela con «]»", "close it with ']'"),
-                ));
+                return Err(Fault::of(&ExpressionOpen {}, &[open]));
             } else {
                 let found = OPERATORS.iter().find(|(text, ..)| cursor.accept_word(text));
                 let Some(&(_, operator, binding)) = found else {
-                    return Err(undefined(column, Text::fixed("operador desconocido", "unknown operator")));
+                    return Err(Fault::of(&OperatorUnknown {}, &[column]));
                 };
                 Some((operator, binding))
             };
@@ -228,15 +199,7 @@ impl Interpreter<'_> {
             return self.exists(cursor);
         }
         let x = self.expression(cursor)?;
-        let outside = || {
-            undefined(
-                column,
-                Text::new(
-                    format!("{} no está definida para {x}", name.to_uppercase()),
-                    format!("{} is not defined for {x}", name.to_uppercase()),
-                ),
-            )
-        };
+        let outside = || Fault::of(&FunctionUndefined { function: name.to_uppercase(), argument: x }, &[column]);
         let value = match name {
             "abs" => x.abs(),
             "acos" | "asin" if !(-1.0..=1.0).contains(&x) => return Err(outside()),
@@ -244,11 +207,7 @@ impl Interpreter<'_> {
             "asin" => trig::asin(x).to_degrees(),
             "atan" => {
                 if !cursor.accept(b'/') {
-                    return Err(Fault::at(
-                        &[cursor.column()],
-                        Text::fixed("falta «/» en ATAN[y]/[x]", "'/' is missing in ATAN[y]/[x]"),
-                        Text::fixed("escriba ATAN[y]/[x]", "write ATAN[y]/[x]"),
-                    ));
+                    return Err(Fault::of(&AtanWithoutSlash {}, &[cursor.column()]));
                 }
                 trig::atan2(x, self.expression(cursor)?).to_degrees()
             }
@@ -270,16 +229,7 @@ impl Interpreter<'_> {
     /// 1 where the parameter in brackets exists, else 0.
     fn exists(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
         let column = cursor.column();
-        let wanted = || {
-            Fault::at(
-                &[column],
-                Text::fixed(
-                    "EXISTS espera un parámetro: EXISTS[#<nombre>]",
-                    "EXISTS wants a parameter: EXISTS[#<name>]",
-                ),
-                Text::fixed("escriba EXISTS[#<nombre>]", "write EXISTS[#<name>]"),
-            )
-        };
+        let wanted = || Fault::of(&Exists {}, &[column]);
         if !cursor.accept(b'[') || !cursor.accept(b'#') {
             return Err(wanted());
         }
@@ -311,15 +261,8 @@ impl Interpreter<'_> {
                 self.position_is_known(column)?;
             }
             return self.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
-                Fault::at(
-                    &[column],
-                    Text::new(
-                        format!("el parámetro #<{name}> no está definido"),
-                        format!("parameter #<{name}> is not defined"),
-                    ),
-                    Text::fixed("dele un valor antes de usarlo", "give it a value before it is used"),
-                )
-                .hanging_on(self.doubt_of(&format!("<{name}>")))
+                let doubt = self.doubt_of(&format!("<{name}>"));
+                Fault::of(&NameUnset { name }, &[column]).hanging_on(doubt)
             });
         }
         let number = self.parameter_number(cursor)?;
@@ -334,30 +277,11 @@ impl Interpreter<'_> {
             return Ok(value);
         }
         if self.is_input(number) {
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("#{number} es lo que M66 ha leído de una entrada: no está en el programa"),
-                    format!("#{number} is what M66 has read of an input: it is not in the program"),
-                ),
-                Text::fixed(
-                    "para comprobar el programa, ponga en su lugar el valor que se espera",
-                    "to verify the program, put the value that is expected in its place",
-                ),
-            ));
+            return Err(Fault::of(&InputUsed { number }, &[column]));
         }
         if !self.parameters.known(number) {
             let line = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                Some(column),
-                Text::new(
-                    format!("el parámetro #{number} no tiene valor: vale 0"),
-                    format!("parameter #{number} was never set: it counts as 0"),
-                ),
-                Text::fixed("dele un valor antes de usarlo", "give it a value before it is used"),
-            );
+            self.remarks.row(&ParameterUnset { number }, line, Some(column));
         }
         Ok(self.parameters.get(number))
     }
@@ -384,11 +308,7 @@ impl Interpreter<'_> {
             Parameter::Number(number)
         };
         if !cursor.accept(b'=') {
-            return Err(Fault::at(
-                &[cursor.column()],
-                Text::fixed("falta «=» detrás del parámetro", "'=' is missing after the parameter"),
-                Text::fixed("escriba #1=2", "write #1=2"),
-            ));
+            return Err(Fault::of(&EqualsMissing {}, &[cursor.column()]));
         }
         let value = self.value(cursor)?.value;
         Ok((parameter, value))
@@ -399,40 +319,21 @@ impl Interpreter<'_> {
 fn no_value(cursor: &mut Cursor<'_>) -> Box<Fault> {
     match cursor.peek() {
         0 | b'a'..=b'z' => no_number(cursor.column()),
-        b']' => Fault::at(
-            &[cursor.column()],
-            Text::fixed("falta un valor delante de «]»", "a value is missing before ']'"),
-            Text::fixed("complete la expresión", "complete the expression"),
-        ),
+        b']' => Fault::of(&ValueMissing {}, &[cursor.column()]),
         _ => cursor.refuse_character(),
     }
 }
 
 fn unknown_function(column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed("función desconocida", "unknown function"),
-        Text::fixed(
-            "use ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT o TAN",
-            "use ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT or TAN",
-        ),
-    )
+    Fault::of(&FunctionUnknown {}, &[column])
 }
 
 fn out_of_range(column: usize, number: f64) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::new(format!("no hay parámetro #{number}"), format!("there is no parameter #{number}")),
-        Text::new(format!("use #1 a #{}", COUNT - 1), format!("use #1 to #{}", COUNT - 1)),
-    )
+    Fault::of(&ParameterOutOfRange { number, most: COUNT - 1 }, &[column])
 }
 
 fn read_only(column: usize, name: &str) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::new(format!("el parámetro {name} es de solo lectura"), format!("parameter {name} is read-only")),
-        Text::fixed("use otro parámetro", "use another parameter"),
-    )
+    Fault::of(&ParameterReadOnly { name: name.to_owned() }, &[column])
 }
 
 /// The whole number that a value is meant to be; `None` where it is none.

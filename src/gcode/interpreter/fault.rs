@@ -1,6 +1,6 @@
 //! What the interpreter refuses, and what it remarks.
 
-use crate::finding::{Exit, Finding, Grade, Place};
+use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
 use crate::limits::REMARKS;
 use crate::number::shown;
 use crate::text::Text;
@@ -19,6 +19,12 @@ pub struct Fault {
     /// Other lines of one file that are at fault with it, which `what` does not name: the file as in `file`, and the line,
     /// counted from 1.
     pub others: Vec<(Option<String>, usize)>,
+    /// The row that it is of; none where it has no code yet.
+    pub rule: Option<&'static Rule>,
+    /// What it carries, by name, unrounded.
+    pub data: Vec<(&'static str, Datum)>,
+    /// The alarm that it is for the control.
+    pub alarm: Option<(AlarmFamily, u16)>,
     /// What is wrong.
     pub what: Text,
     /// What to do about it.
@@ -41,12 +47,49 @@ impl Fault {
             line: 0,
             columns: columns.iter().map(|column| column + 1).collect(),
             others: Vec::new(),
+            rule: None,
+            data: Vec::new(),
+            alarm: None,
             what,
             remedy,
             fatal: false,
             uncut: false,
             hangs: 0,
         })
+    }
+
+    /// A row at columns of the line in hand (counted from 0); at none, of the block as a whole.
+    pub(super) fn of(row: &dyn Raise, columns: &[usize]) -> Box<Self> {
+        let mut fault = Self::at(columns, row.what(), row.remedy());
+        fault.rule = Some(row.rule());
+        fault.data = row.carries();
+        fault
+    }
+
+    /// The same, as the end of a budget.
+    pub(super) fn ended(row: &dyn Raise) -> Box<Self> {
+        let mut fault = Self::of(row, &[]);
+        fault.exit = Exit::Limit;
+        fault.fatal = true;
+        fault
+    }
+
+    /// The same where a limit of rodete's own is reached.
+    pub(super) fn beyond(row: &dyn Raise, columns: &[usize]) -> Box<Self> {
+        let mut fault = Self::of(row, columns);
+        fault.exit = Exit::Limit;
+        fault
+    }
+
+    /// The refusal with the alarm that a control of a family raises for it, its number before the sentence.
+    pub(super) fn as_alarm_of(mut self: Box<Self>, family: Option<AlarmFamily>) -> Box<Self> {
+        let alarm = family.and_then(|family| Some((family, self.rule?.alarm_of(family)?)));
+        if let Some((family, number)) = alarm {
+            let (alarm, Text { es, en }) = (family.shown(number), &self.what);
+            self.what = Text::new(format!("{alarm}: {es}"), format!("{alarm}: {en}"));
+        }
+        self.alarm = alarm;
+        self
     }
 
     /// A refusal of the block as a whole.
@@ -89,7 +132,8 @@ impl Fault {
 impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
         let told = fault.message();
-        Self::stop(place(fault.file.as_deref(), fault.line, fault.columns), told, fault.remedy)
+        let place = place(fault.file.as_deref(), fault.line, fault.columns);
+        Self { rule: fault.rule, data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
     }
 }
 
@@ -150,6 +194,18 @@ impl Remarks {
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
             self.list.push((1, Finding::new(grade, place(self.file.as_deref(), line, columns), what, remedy)));
+        }
+    }
+
+    /// Remarks a row at a line and column (counted from 0). Row and values tell one thing from another.
+    pub(super) fn row(&mut self, row: &dyn Raise, line: usize, column: Option<usize>) {
+        let (rule, data) = (row.rule(), row.carries());
+        let same = |finding: &Finding| finding.is(rule) && finding.data == data;
+        if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| same(finding)) {
+            *count += 1;
+        } else if self.list.len() < REMARKS {
+            let columns = column.map(|column| column + 1).into_iter().collect();
+            self.list.push((1, row.at(place(self.file.as_deref(), line, columns))));
         }
     }
 

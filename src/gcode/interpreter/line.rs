@@ -1,7 +1,6 @@
 //! From a line to what is executed of it: comments, `%`, program numbers, block numbers.
 
 use crate::escape::excerpt;
-use crate::finding::Grade;
 use crate::gcode::control::Comments;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
@@ -9,7 +8,9 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::tape::has_code;
 use crate::gcode::interpreter::{Interpreter, Stage, block_number, without_end};
-use crate::text::Text;
+use crate::gcode::rules::lexis::{
+    Aborts, ActiveComment, BeforePercent, EndsWithoutCode, LineTooLong, Percent, ProgramNumber,
+};
 
 /// Most characters of a comment that a message repeats.
 const SHOWN: usize = 250;
@@ -39,14 +40,7 @@ impl Interpreter<'_> {
     pub(super) fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
         if line.len() > self.control.longest_line {
             let most = self.control.longest_line;
-            return Err(Fault::at(
-                &[most],
-                Text::new(
-                    format!("la línea tiene más de {most} caracteres"),
-                    format!("the line has more than {most} characters"),
-                ),
-                Text::fixed("divida el bloque", "split the block"),
-            ));
+            return Err(Fault::of(&LineTooLong { most }, &[most]));
         }
         if memchr::memchr3(b'(', b')', b';', line).is_some() {
             self.see_comments(line)?;
@@ -119,28 +113,12 @@ impl Interpreter<'_> {
                 return self.end();
             }
         }
-        Err(Fault::at(
-            &[cursor.column().saturating_sub(1)],
-            Text::fixed("«%» no puede estar aquí", "'%' cannot stand here"),
-            Text::fixed(
-                "«%» va solo, en la primera y la última línea",
-                "'%' stands alone, in the first and the last line",
-            ),
-        ))
+        Err(Fault::of(&Percent {}, &[cursor.column().saturating_sub(1)]))
     }
 
     /// A lathe's program has come to the end of its text without a code that ends it.
     pub(super) fn remark_no_end(&mut self) {
-        self.remarks.add(
-            Grade::Caution,
-            self.line,
-            None,
-            Text::fixed(
-                "el programa termina sin M2 ni M30: leído como su final; el control se para ahí con una alarma",
-                "the program ends without M2 or M30: read as its end; the control stops there with an alarm",
-            ),
-            Text::fixed("añada M30 al final", "add M30 at the end"),
-        );
+        self.remarks.row(&EndsWithoutCode {}, self.line, None);
     }
 
     /// Passes over what stands before the first `%`, as a Fanuc does: text that is no block, with a program behind it.
@@ -157,16 +135,7 @@ impl Interpreter<'_> {
             if words == b"%" {
                 let behind = text && self.source().next_line(&mut line)? && !line.trim_ascii().is_empty();
                 if behind {
-                    self.remarks.add(
-                        Grade::Caution,
-                        1,
-                        None,
-                        Text::fixed(
-                            "lo que está delante del primer «%» no se lee, como en el control",
-                            "what stands before the first '%' is not read, as on the control",
-                        ),
-                        Text::fixed("empiece el archivo con «%»", "begin the file with '%'"),
-                    );
+                    self.remarks.row(&BeforePercent {}, 1, None);
                     return self.go_to(at);
                 }
                 break;
@@ -192,14 +161,7 @@ impl Interpreter<'_> {
             let inside = self.at != 0 || !self.flow.frames.is_empty();
             return if inside { self.end_of_file().map_err(Fault::fatal) } else { Err(without_end(false).fatal()) };
         }
-        Err(Fault::at(
-            &[column],
-            Text::fixed(
-                "un número de programa solo puede estar al principio",
-                "a program number can only stand at the beginning",
-            ),
-            Text::fixed("guarde cada programa en su archivo", "keep each program in its own file"),
-        ))
+        Err(Fault::of(&ProgramNumber {}, &[column]))
     }
 
     /// Shows the comments that a control would obey; none is executed.
@@ -223,28 +185,13 @@ impl Interpreter<'_> {
             self.aborted |= self.control.expressions && word.starts_with("ABORT,");
             if self.aborted {
                 let shown = excerpt(text.trim(), SHOWN);
-                self.remarks.add(
-                    Grade::Caution,
-                    self.line,
-                    Some(column),
-                    Text::new(format!("el programa termina aquí: {shown}"), format!("the program ends here: {shown}")),
-                    Text::fixed("quite el comentario si no ha de parar", "take the comment out if it is not to stop"),
-                );
+                self.remarks.row(&Aborts { comment: shown }, self.line, Some(column));
                 return Ok(());
             }
             if self.control.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
                 let at = self.line;
                 let shown = excerpt(text.trim(), SHOWN);
-                self.remarks.add(
-                    Grade::Note,
-                    at,
-                    Some(column),
-                    Text::new(
-                        format!("comentario activo, no ejecutado: {shown}"),
-                        format!("active comment, not executed: {shown}"),
-                    ),
-                    Text::fixed("", ""),
-                );
+                self.remarks.row(&ActiveComment { comment: shown }, at, Some(column));
             }
         }
         Ok(())

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::io::{self, BufRead, Seek, SeekFrom};
 
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::rules::lexis::{LineEndless, ProgramTooLarge, Unreadable};
 use crate::text::Text;
 
 /// Most bytes of a line.
@@ -135,31 +136,15 @@ pub fn line_feeds(text: &str) -> String {
 }
 
 fn unreadable(error: &io::Error) -> Box<Fault> {
-    let mut fault = Fault::block(
-        Text::new(format!("no se puede leer el programa: {error}"), format!("cannot read the program: {error}")),
-        Text::fixed("compruebe el archivo y el disco", "check the file and the disk"),
-    )
-    .fatal();
+    let mut fault = Fault::of(&Unreadable { reason: error.to_string() }, &[]).fatal();
     fault.exit = crate::finding::Exit::Unreadable;
     fault
 }
 
 fn too_long_a_line() -> Box<Fault> {
-    Fault::limit(
-        Text::new(
-            format!("la línea tiene más de {LONGEST_LINE} caracteres"),
-            format!("the line has more than {LONGEST_LINE} characters"),
-        ),
-        Text::fixed("compruebe que el archivo es un programa ISO", "check that the file is an ISO program"),
-    )
+    Fault::ended(&LineEndless { most: LONGEST_LINE })
 }
 
 fn too_large() -> Box<Fault> {
-    Fault::limit(
-        Text::new(
-            format!("el programa tiene más de {} MB", LARGEST_PROGRAM / 1_000_000),
-            format!("the program has more than {} MB", LARGEST_PROGRAM / 1_000_000),
-        ),
-        Text::fixed("divida el programa", "split the program"),
-    )
+    Fault::ended(&ProgramTooLarge { most: LARGEST_PROGRAM / 1_000_000 })
 }

@@ -1,0 +1,159 @@
+//! Every row is raised by its own example, at its place, and by nothing graver: the test of what the interpreter alone
+//! tells, and of what a row must have whatever its room.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use rodete::cli::RULES;
+use rodete::finding::{Datum, Example, Finding, Grade, Place, Rule};
+use rodete::gcode::control::{Control, Rotary};
+use rodete::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, Setting, tool_table};
+use rodete::gcode::turning::rules::CornerTwice;
+use rodete::machine::var_file::VarFile;
+
+fn rules() -> impl Iterator<Item = &'static Rule> {
+    RULES.iter().copied().flatten().copied()
+}
+
+/// Subprograms by the name of their file.
+struct Beside(BTreeMap<&'static str, &'static str>);
+
+impl Files for Beside {
+    fn find(&mut self, name: &str) -> Result<Option<Vec<u8>>, String> {
+        Ok(self.0.get(name).map(|text| text.replace('|', "\n").into_bytes()))
+    }
+}
+
+/// What a program is read with.
+fn setting(control: &str, given: &[(&'static str, &'static str)]) -> Setting {
+    let mut setting = Setting::new(Control::named(control).unwrap());
+    setting.keep_g92 = setting.control.name == "linuxcnc";
+    setting.budget.repeated_blocks = 20_000;
+    let mut files = BTreeMap::new();
+    for (option, value) in given {
+        match *option {
+            "--tools" => {
+                let table = value.replace('|', "\n");
+                setting.tools = Some(tool_table::parse(table.as_bytes(), setting.unit).unwrap());
+            }
+            "--var" => setting.var_file = VarFile::parse(value.replace('|', "\n").as_bytes()).unwrap(),
+            "--decimal-point" => {
+                assert!(["calculator", "micrometre"].contains(value), "{value}");
+                let calculator = *value == "calculator";
+                setting.point = Some(if calculator { DecimalPoint::Calculator } else { DecimalPoint::Micrometre });
+            }
+            "--hole-r" => {
+                assert!(["absolute", "incremental"].contains(value), "{value}");
+                setting.plane = Some(if *value == "absolute" { HolePlane::Absolute } else { HolePlane::Incremental });
+            }
+            "--rotary" => {
+                assert!(["linear", "rollover"].contains(value), "{value}");
+                setting.rotary = if *value == "linear" { Rotary::Linear } else { Rotary::Rollover };
+            }
+            file => {
+                assert!(!file.starts_with('-'), "{file}");
+                files.insert(*option, *value);
+            }
+        }
+    }
+    setting.files = Box::new(Beside(files));
+    setting
+}
+
+/// All that is told of a program.
+fn told(program: &str, setting: Setting) -> Vec<Finding> {
+    let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+    let mut findings: Vec<_> =
+        interpreter.by_ref().filter_map(Result::err).map(|fault| Finding::from(*fault)).collect();
+    findings.extend(interpreter.remarks());
+    findings
+}
+
+/// A place of a program as an example says it.
+fn place(finding: &Finding) -> String {
+    match &finding.place {
+        Place::Line { line, columns } => match columns.first() {
+            Some(column) => format!("{line}:{column}"),
+            None => line.to_string(),
+        },
+        Place::Subprogram { file, line, columns } => match columns.first() {
+            Some(column) => format!("{file}:{line}:{column}"),
+            None => format!("{file}:{line}"),
+        },
+        _ => String::new(),
+    }
+}
+
+#[test]
+fn the_program_of_every_row_raises_it_at_its_place_and_nothing_graver() {
+    let mut wrong = Vec::new();
+    for rule in rules() {
+        let (findings, at) = match rule.example {
+            Example::Program { control, program, at, given } => {
+                (told(&program.replace('|', "\n"), setting(control, given)), Some(at))
+            }
+            Example::Repeated { control, word, times } => {
+                let program = word.repeat(usize::try_from(times).unwrap()).replace('|', "\n");
+                (told(&program, setting(control, &[])), None)
+            }
+            _ => continue,
+        };
+        let own = findings.iter().find(|finding| finding.is(rule) && at.is_none_or(|at| at == place(finding)));
+        let graver = findings.iter().any(|finding| finding.grade > rule.grade);
+        let whole = own.is_some_and(|own| {
+            assert!(own.data.iter().map(|(name, _)| *name).eq(rule.fields.iter().copied()), "{}", rule.code);
+            own.grade <= rule.grade && !place(own).is_empty() && !own.what.en.contains(['{', '}'])
+        });
+        if !whole || graver {
+            let told: Vec<_> = findings
+                .iter()
+                .map(|one| {
+                    let code = one.rule.map_or("-----", |rule| rule.code);
+                    format!("    {} {code} {:?} {}", place(one), one.grade, one.what.en)
+                })
+                .collect();
+            wrong.push(format!("{} {} at {at:?}:\n{}", rule.code, rule.ident, told.join("\n")));
+        }
+    }
+    assert!(wrong.is_empty(), "{} rows\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn codes_are_one_rows_alone_and_their_texts_whole() {
+    let mut codes = BTreeSet::new();
+    let mut idents = BTreeMap::new();
+    for rule in rules() {
+        assert!(codes.insert(rule.code), "{} is given twice", rule.code);
+        let (letter, digits) = rule.code.split_at(1);
+        assert!(letter.chars().all(|one| one.is_ascii_uppercase()) && digits.len() == 4, "{}", rule.code);
+        assert!(digits.chars().all(|one| one.is_ascii_digit()), "{}", rule.code);
+        assert_eq!(idents.insert((letter, rule.ident), rule.code), None, "{}", rule.code);
+        for text in [&rule.what, &rule.why] {
+            assert!(!text.es.is_empty() && !text.en.is_empty(), "{}", rule.code);
+        }
+        assert!(
+            rule.why.es != rule.why.en && rule.why.es.ends_with('.') && rule.why.en.ends_with('.'),
+            "{}",
+            rule.code
+        );
+        assert_eq!(rule.remedy.es.is_empty(), rule.remedy.en.is_empty(), "{}", rule.code);
+        assert!(rule.grade == Grade::Note || !rule.remedy.is_empty(), "{} says no remedy", rule.code);
+    }
+    let never: Vec<_> =
+        rules().filter(|rule| matches!(rule.example, Example::Never(_))).map(|rule| rule.code).collect();
+    assert_eq!(
+        never,
+        ["L0141", "G0016", "G0018", "W0103", "W0111", "W0219", "W0261", "W0262"],
+        "what no input raises is counted"
+    );
+}
+
+#[test]
+fn a_refusal_carries_its_row_and_the_alarm_of_a_control_that_has_one() {
+    let program = "T0101 S500 M3 F.2\nG0 X50. Z5.\nG1 X20. K-1. R-1.\nM30";
+    let found = told(program, setting("fanuc-lathe-a", &[]));
+    let twice = found.iter().find(|one| one.is(CornerTwice::RULE)).unwrap();
+    assert_eq!(twice.alarm.map(|(family, number)| family.shown(number)).as_deref(), Some("PS0053"));
+    assert_eq!(twice.what.en, "PS0053: 'K' and 'R' in one block");
+    let word = |text: &str| Datum::Word(text.to_owned());
+    assert_eq!(twice.data, [("first", word("K")), ("second", word("R"))]);
+}
