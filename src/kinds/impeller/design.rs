@@ -1,7 +1,7 @@
 //! The design of an impeller: validated parameters with units settled, and the checks of one against another.
 
 use crate::finding::{Finding, Place};
-use crate::gcode::control::{Control, Rotary as Counting};
+use crate::gcode::control::{Control, Rotary as Counting, Writing};
 pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word, block, codes};
 use crate::geometry::torus::Torus;
@@ -65,6 +65,8 @@ pub struct Design {
     pub program: u32,
     /// The dialect.
     pub control: &'static Control,
+    /// How its programs are written.
+    pub writing: &'static Writing,
     /// The style.
     pub style: Style,
     /// Absolute or incremental, in full style.
@@ -165,6 +167,7 @@ impl Design {
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
             control: dialect,
+            writing: dialect.written?,
             counting: match values.choice("rotary") {
                 Some("linear") => Counting::Linear,
                 Some(_) => Counting::Rollover,

@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Place};
-use crate::gcode::control::Control;
+use crate::gcode::control::{Control, Writing};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::word::{Word, codes};
 use crate::geometry::pipe_pair::PipePair;
@@ -72,6 +72,8 @@ pub struct Design {
     pub program: u32,
     /// The dialect.
     pub control: &'static Control,
+    /// How its programs are written.
+    pub writing: &'static Writing,
     /// M codes that turn the torch on.
     pub torch_on: Vec<Word>,
     /// M codes that turn it off.
@@ -142,6 +144,7 @@ impl Design {
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
             control: Control::milling(values.choice("dialect")?)?,
+            writing: Control::milling(values.choice("dialect")?)?.written?,
             torch_on: codes(values.line("torch_on"))?,
             torch_off: codes(values.line("torch_off"))?,
             hold_on: codes(values.line("hold_on"))?,

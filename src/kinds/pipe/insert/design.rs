@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Place};
-use crate::gcode::control::Control;
+use crate::gcode::control::{Control, Writing};
 use crate::gcode::program::Style;
 use crate::gcode::word::{Word, codes};
 use crate::geometry::pipe_pair::PipePair;
@@ -147,6 +147,8 @@ pub struct Design {
     pub program: u32,
     /// The dialect.
     pub control: &'static Control,
+    /// How its programs are written.
+    pub writing: &'static Writing,
     /// The style.
     pub style: Style,
     /// M codes that turn the torch on.
@@ -217,6 +219,7 @@ impl Design {
             material: values.line("material").to_owned(),
             program: values.whole("program")?,
             control: Control::milling(values.choice("dialect")?)?,
+            writing: Control::milling(values.choice("dialect")?)?.written?,
             style: if values.choice("style")? == "full" { Style::Full } else { Style::Annex },
             torch_on: codes(values.line("torch_on"))?,
             torch_off: codes(values.line("torch_off"))?,
