@@ -7,13 +7,13 @@ use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{Example, Exit, Grade, Rule};
-use crate::gcode::rules::{expressions, lexis};
+use crate::gcode::rules::{expressions, flow, lexis};
 use crate::parameter::t;
 use crate::removal::turning::rules;
 use crate::text::{Language, Text};
 
 /// The rows of every room.
-pub const RULES: &[&[&Rule]] = &[rules::RULES, lexis::RULES, expressions::RULES];
+pub const RULES: &[&[&Rule]] = &[rules::RULES, lexis::RULES, expressions::RULES, flow::RULES];
 
 fn all() -> impl Iterator<Item = &'static Rule> {
     RULES.iter().copied().flatten().copied()
