@@ -172,7 +172,8 @@ fn job(text: &str) -> (u64, u64) {
         }
     });
     let outcome = outcome.expect("a program that can be followed");
-    assert!(outcome.findings.iter().all(|finding| finding.grade != Grade::Stop), "{:?}", outcome.findings.first());
+    let findings = outcome.outcome.findings;
+    assert!(findings.iter().all(|finding| finding.grade != Grade::Stop), "{:?}", findings.first());
     (motions, cutting)
 }
 

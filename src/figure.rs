@@ -115,6 +115,9 @@ pub struct Axes {
 pub struct Figure {
     /// Its name in the report's data, as `cover`.
     pub key: &'static str,
+    /// Greatest height in print, mm: what its page leaves beside the table that it belongs to. A graph has that of its
+    /// plot.
+    pub height: f64,
     /// The caption.
     pub caption: Text,
     /// Titles of the axes, for a graph.
@@ -125,6 +128,11 @@ pub struct Figure {
     pub labels: Vec<Label>,
     /// Legend: ink and meaning.
     pub legend: Vec<(Ink, Text)>,
+}
+
+impl Figure {
+    /// The height of a figure that shares its page with a table, mm.
+    pub const HEIGHT: f64 = 62.0;
 }
 
 /// A sheet of paper to print on.

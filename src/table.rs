@@ -173,6 +173,17 @@ pub enum Index {
     None,
 }
 
+/// How much of a table is printed; its sheet has all of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Print {
+    /// All of it: it is read row by row.
+    Whole,
+    /// The head and the tail, where it is long.
+    Short,
+    /// Nothing: it is of the sheets alone.
+    No,
+}
+
 /// A table of the method.
 #[derive(Clone, Debug)]
 pub struct Table {
@@ -186,6 +197,8 @@ pub struct Table {
     pub source: Text,
     /// What column A holds.
     pub index: Index,
+    /// How much of it the report prints.
+    pub print: Print,
     /// The columns, all of one length.
     pub columns: Vec<Column>,
 }

@@ -12,6 +12,7 @@ use crate::finding::{Finding, Grade, Place, Refusal};
 use crate::gcode::program::Program;
 use crate::kind::Outcome;
 use crate::kinds::lathe::scene::Watching;
+use crate::parameter::Form;
 use crate::removal::turning::mesh;
 use crate::report::{Attachment, Content, Role};
 use crate::store::{self, Set};
@@ -25,13 +26,18 @@ const RESULTS: &str = "-results.xlsx";
 pub(super) const REPORT: &str = "-report.pdf";
 /// The ending of a turning's viewer.
 const VIEWER: &str = "-viewer.html";
-/// The ending of a turned part's solid.
-const SOLID: &str = "-part.stl";
 
 /// Endings of every file that may be delivered; one that is not of this set may be left from an earlier one.
 pub(super) fn endings() -> BTreeSet<String> {
     let programs = FORMS.iter().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
-    [RESULTS, REPORT, VIEWER, SOLID].into_iter().map(str::to_owned).chain(programs).chain(drawings::endings()).collect()
+    let solids = FORMS.iter().flat_map(|form| form.solids).map(|(key, _)| solid_ending(key));
+    let own = [RESULTS, REPORT, VIEWER].into_iter().map(str::to_owned);
+    own.chain(programs).chain(solids).chain(drawings::endings()).collect()
+}
+
+/// The ending of a body's file.
+fn solid_ending(key: &str) -> String {
+    format!("-{key}.stl")
 }
 
 /// The name of a program's file.
@@ -49,16 +55,17 @@ pub(super) struct Delivery<'a> {
     pub(super) language: Language,
 }
 
-/// What the report lists without carrying it: the results, and of a turning its solid and viewer.
-pub(super) fn attachments<'a>(item: &Item, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
+/// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
+pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
     let results = Text::fixed("Libro de resultados", "Results workbook");
-    let solid = Text::fixed("Pieza torneada, STL en mm", "Turned part, STL in mm");
     let viewer = Text::fixed("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
     let sheets = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
-    [(RESULTS, sheets, results), (SOLID, "model/stl", solid), (VIEWER, "text/html", viewer)]
-        .into_iter()
+    let solids = form.solids.iter().map(|(key, name)| (solid_ending(key), "model/stl", name.clone()));
+    std::iter::once((RESULTS.to_owned(), sheets, results))
+        .chain(solids)
+        .chain([(VIEWER.to_owned(), "text/html", viewer)])
         .filter_map(|(ending, mime, description)| {
-            let name = store::file_name(&item.stem, ending);
+            let name = store::file_name(&item.stem, &ending);
             Some(Attachment {
                 role: Role::Beside,
                 mime,
@@ -82,9 +89,9 @@ impl Delivery<'_> {
             set.write(&program_name(item, program), |out| program.write(out))?;
         }
         drawings::write(item, outcome, language, set)?;
-        if let Some(turned) = &outcome.turned {
-            set.write(&store::file_name(&item.stem, SOLID), |mut out| {
-                mesh::write_stl(&turned.contours, turned.tolerance, &mut out).map(|_| ())
+        for solid in &outcome.solids {
+            set.write(&store::file_name(&item.stem, &solid_ending(solid.key)), |mut out| {
+                mesh::write_stl(&solid.contours, solid.tolerance, &mut out).map(|_| ())
             })?;
         }
         if let Some(watching) = watching {

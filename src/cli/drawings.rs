@@ -5,10 +5,10 @@ use std::io::Write;
 
 use super::kinds::FORMS;
 use super::plan::Item;
-use crate::drawing::{Drawing, NotDrawn, dxf, svg, template};
+use crate::drawing::{self, NotDrawn, dxf, svg, template};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::kind::{Outcome, Template};
+use crate::kind::{Drawing, Outcome};
 use crate::report::{Attachment, Content, Role};
 use crate::store::{self, Set};
 use crate::text::{Language, Text};
@@ -22,7 +22,7 @@ pub(super) fn endings() -> impl Iterator<Item = String> {
     let extensions = FORMATS.into_iter().map(|(extension, _)| extension).chain(["pdf"]);
     FORMS
         .iter()
-        .flat_map(|form| form.templates)
+        .flat_map(|form| form.drawings)
         .flat_map(move |key| extensions.clone().map(move |extension| ending(key, extension)))
 }
 
@@ -30,15 +30,15 @@ fn ending(key: &str, extension: &str) -> String {
     format!("-{key}.{extension}")
 }
 
-fn name(item: &Item, template: &Template, extension: &str) -> OsString {
-    store::file_name(&item.stem, &ending(template.key, extension))
+fn name(item: &Item, drawing: &Drawing, extension: &str) -> OsString {
+    store::file_name(&item.stem, &ending(drawing.key, extension))
 }
 
-fn drawing<'a>(outcome: &'a Outcome, template: &'a Template, language: Language) -> Drawing<'a> {
-    Drawing {
-        figure: &template.figure,
-        arcs: &template.arcs,
-        title: &template.title,
+fn titled<'a>(outcome: &'a Outcome, drawing: &'a Drawing, language: Language) -> drawing::Drawing<'a> {
+    drawing::Drawing {
+        figure: &drawing.figure,
+        arcs: &drawing.arcs,
+        title: &drawing.title,
         part: outcome.values.line("part"),
         source: &outcome.source,
         language,
@@ -50,12 +50,12 @@ fn drawing<'a>(outcome: &'a Outcome, template: &'a Template, language: Language)
 /// # Errors
 /// Exit 5 where one cannot be written; exit 1 where one cannot be drawn.
 pub(super) fn write(item: &Item, outcome: &Outcome, language: Language, set: &mut Set<'_>) -> Result<(), Refusal> {
-    for template in &outcome.templates {
-        let drawing = drawing(outcome, template, language);
-        let fault = |why: NotDrawn| Refusal::new(Exit::Fault, why.finding(&template.title));
-        for (extension, bytes) in [("dxf", dxf::dxf(&drawing)), ("svg", svg::svg(&drawing))] {
+    for drawing in &outcome.drawings {
+        let titled = titled(outcome, drawing, language);
+        let fault = |why: NotDrawn| Refusal::new(Exit::Fault, why.finding(&drawing.title));
+        for (extension, bytes) in [("dxf", dxf::dxf(&titled)), ("svg", svg::svg(&titled))] {
             let bytes = bytes.map_err(fault)?;
-            set.write(&name(item, template, extension), |out| out.write_all(&bytes))?;
+            set.write(&name(item, drawing, extension), |out| out.write_all(&bytes))?;
         }
     }
     Ok(())
@@ -74,13 +74,13 @@ pub(super) fn print(
     set: &mut Set<'_>,
 ) -> Result<Vec<Finding>, Refusal> {
     let mut failed = Vec::new();
-    for template in &outcome.templates {
-        let Some(paper) = template.paper else { continue };
-        match template::pdf(&drawing(outcome, template, language), paper, typst) {
+    for drawing in &outcome.drawings {
+        let Some(paper) = drawing.paper else { continue };
+        match template::pdf(&titled(outcome, drawing, language), paper, typst) {
             Ok(pdf) => {
-                set.write(&name(item, template, "pdf"), |out| out.write_all(&pdf))?;
+                set.write(&name(item, drawing, "pdf"), |out| out.write_all(&pdf))?;
             }
-            Err(why) => failed.push(why.finding(&template.title)),
+            Err(why) => failed.push(why.finding(&drawing.title)),
         }
     }
     Ok(failed)
@@ -89,9 +89,9 @@ pub(super) fn print(
 /// What the report lists and carries of the drawings in a set.
 pub(super) fn attachments<'a>(item: &Item, outcome: &Outcome, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
     let formats = FORMATS.into_iter().chain([("pdf", "application/pdf")]);
-    let one = |template: &Template, (extension, mime): (&str, &'static str)| {
-        let name = name(item, template, extension);
-        let Text { es, en } = &template.title;
+    let one = |drawing: &Drawing, (extension, mime): (&str, &'static str)| {
+        let name = name(item, drawing, extension);
+        let Text { es, en } = &drawing.title;
         let kind = extension.to_uppercase();
         Some(Attachment {
             role: Role::Result,
@@ -101,11 +101,7 @@ pub(super) fn attachments<'a>(item: &Item, outcome: &Outcome, set: &'a Set<'_>) 
             name: printable(&name.to_string_lossy()),
         })
     };
-    outcome
-        .templates
-        .iter()
-        .flat_map(|template| formats.clone().filter_map(move |format| one(template, format)))
-        .collect()
+    outcome.drawings.iter().flat_map(|drawing| formats.clone().filter_map(move |format| one(drawing, format))).collect()
 }
 
 #[cfg(test)]
@@ -128,14 +124,15 @@ mod tests {
         let source = Provenance { workbook: "case.xlsx".into(), sha256: "0".repeat(64), version: "1" };
         let mut outcome = kinds::run(&FORM, values, source).unwrap();
         let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };
-        outcome.templates = [Some(Paper::A4), None]
+        outcome.drawings = [Some(Paper::A4), None]
             .into_iter()
             .zip(["wrap", "contour"])
-            .map(|(paper, key)| Template {
+            .map(|(paper, key)| Drawing {
                 key,
                 title: Text::same(key),
                 figure: Figure {
                     key,
+                    height: Figure::HEIGHT,
                     caption: Text::same(""),
                     axes: None,
                     strokes: vec![stroke.clone()],

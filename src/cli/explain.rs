@@ -6,14 +6,15 @@ use super::args::Explain;
 use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
-use crate::finding::{Example, Exit, Grade, Rule};
+use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
 use crate::gcode::rules::{expressions, flow, lexis};
+use crate::gcode::turning;
 use crate::parameter::t;
-use crate::removal::turning::rules;
+use crate::removal::turning::rules as alarms;
 use crate::text::{Language, Text};
 
 /// The rows of every room.
-pub const RULES: &[&[&Rule]] = &[rules::RULES, lexis::RULES, expressions::RULES, flow::RULES];
+pub const RULES: &[&[&Rule]] = &[alarms::RULES, turning::rules::RULES, lexis::RULES, expressions::RULES, flow::RULES];
 
 fn all() -> impl Iterator<Item = &'static Rule> {
     RULES.iter().copied().flatten().copied()
@@ -44,13 +45,17 @@ pub(super) fn run(arguments: &Explain, terminal: &mut Terminal) -> Exit {
 
 /// True where a row is meant: by its code, whatever the case of its letter, or by the number of its alarm.
 fn named(rule: &Rule, code: &str) -> bool {
-    rule.code.eq_ignore_ascii_case(code) || rule.alarm.is_some_and(|alarm| alarm.to_string() == code)
+    rule.code.eq_ignore_ascii_case(code)
+        || rule.alarm.iter().any(|(family, number)| family.shown(*number).eq_ignore_ascii_case(code))
 }
 
 /// A row, explained.
 fn told(rule: &Rule, language: Language) -> String {
     let mut text = String::new();
-    let alarm = rule.alarm.map(|alarm| format!(", {} {alarm}", t("alarma", "alarm").get(language))).unwrap_or_default();
+    let alarm = |(family, number): &(AlarmFamily, u16)| {
+        format!(", {} {}", t("alarma", "alarm").get(language), family.shown(*number))
+    };
+    let alarm: String = rule.alarm.iter().map(alarm).collect();
     let grade = match rule.grade {
         Grade::Stop => t("parada", "stop"),
         Grade::Caution => t("precaución", "caution"),
@@ -67,29 +72,30 @@ fn told(rule: &Rule, language: Language) -> String {
             let given: String = machine.iter().map(|(symbol, value)| format!(", {symbol} = {value}")).collect();
             let head = t("ejemplo", "example");
             let _ = writeln!(text, "  {} ({control}, {stock}{given}):", head.get(language));
-            for block in program.split('|') {
-                let _ = writeln!(text, "    {block}");
-            }
+            blocks(&mut text, program);
         }
         Example::Program { control, program, given, .. } => {
             let given: String = given.iter().map(|(option, value)| format!(", {option} {value}")).collect();
             let head = t("ejemplo", "example");
             let _ = writeln!(text, "  {} ({control}{given}):", head.get(language));
-            for block in program.split('|') {
-                let _ = writeln!(text, "    {}", printable(block));
-            }
+            blocks(&mut text, program);
         }
         Example::Repeated { control, word, times } => {
             let head = t("ejemplo", "example");
             let often = t("repetido, veces", "repeated, times");
             let _ = writeln!(text, "  {} ({control}; {}: {times}):", head.get(language), often.get(language));
-            for block in word.split('|') {
-                let _ = writeln!(text, "    {}", printable(block));
-            }
+            blocks(&mut text, word);
         }
         Example::Never(why) => {
             let _ = writeln!(text, "  {}: {}", t("sin ejemplo", "no example").get(language), why.get(language));
         }
     }
     text
+}
+
+/// The lines of an example's program.
+fn blocks(text: &mut String, program: &str) {
+    for block in program.split('|') {
+        let _ = writeln!(text, "    {}", printable(block));
+    }
 }

@@ -99,7 +99,9 @@ pub(super) fn watch(
     let begun = verdict.findings.len();
     verdict.findings.extend(filled.findings.iter().cloned());
     let mut outcome = match watching {
-        Some(watching) => lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?,
+        Some(watching) => {
+            lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?.outcome
+        }
         None => kinds::run(filled.form, filled.values, source)?,
     };
     outcome.findings.extend(filled.findings);

@@ -14,7 +14,7 @@ use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::finding::{Exit, Grade, Place, Refusal};
 use crate::gcode::control::Control;
-use crate::kind::Raised;
+use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::scene::Watching;
 use crate::store::{self, Existing, Folder, Set};
 use crate::table::Unit;
@@ -128,9 +128,7 @@ fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>)
             Some((name.to_owned(), value))
         })
         .collect();
-    let alarms: Vec<serde_json::Value> = followed
-        .and_then(|one| one.outcome.turned.as_ref())
-        .map_or_else(Vec::new, |turned| turned.alarms.iter().map(alarm).collect());
+    let alarms: Vec<serde_json::Value> = followed.iter().flat_map(|one| &one.alarms).map(alarm).collect();
     let motions = followed.and_then(|followed| followed.outcome.table("blocks")).map(crate::table::Table::rows);
     json!({
         "rodete": env!("CARGO_PKG_VERSION"),

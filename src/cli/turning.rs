@@ -15,12 +15,12 @@ use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, dec
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::lexis::Utf16;
 use crate::kind::{Outcome, Provenance};
-use crate::kinds::lathe;
 use crate::kinds::lathe::cases;
 use crate::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::text;
+use crate::kinds::lathe::{self, Raised, Simulated};
 use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::SHEET_BLOCKS;
 use crate::machine::axis::Axis;
@@ -65,6 +65,8 @@ pub(super) struct Followed {
     pub(super) stock: String,
     /// What came of it.
     pub(super) outcome: Outcome,
+    /// Every alarm, in the order of the motions.
+    pub(super) alarms: Vec<Raised>,
 }
 
 /// Follows the program and puts what was found into the verdict; shows everything to `watching`.
@@ -117,7 +119,7 @@ pub(super) fn follow(
         version: env!("CARGO_PKG_VERSION"),
     };
     let mut watching = watching;
-    let outcome = lathe::watched(&FORM, values, source, Some(program), &mut |seen| {
+    let Simulated { outcome, alarms } = lathe::watched(&FORM, values, source, Some(program), &mut |seen| {
         if let Some(watching) = &mut watching {
             watching.see(seen);
         }
@@ -127,7 +129,7 @@ pub(super) fn follow(
     verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     verdict.quantities.clone_from(&outcome.quantities);
     verdict.exit = outcome.exit();
-    Ok(Followed { dialect, stock, outcome })
+    Ok(Followed { dialect, stock, outcome, alarms })
 }
 
 /// A workbook in place of a program.

@@ -123,6 +123,7 @@ mod tests {
     fn figure(points: Vec<[f64; 2]>) -> Figure {
         Figure {
             key: "f",
+            height: Figure::HEIGHT,
             caption: Text::same("f"),
             axes: None,
             strokes: vec![Stroke { ink: Ink::Cut, points, filled: false, arrow: false }],

@@ -7,7 +7,7 @@ use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 pub use self::datum::{Datum, Said, Size};
-pub use self::rule::{Example, Raise, Rule};
+pub use self::rule::{AlarmFamily, Example, Raise, Rule};
 use crate::text::Text;
 
 /// How grave a finding is.
@@ -99,6 +99,8 @@ pub struct Finding {
     pub rule: Option<&'static Rule>,
     /// What it carries, by name, unrounded.
     pub data: Vec<(&'static str, Datum)>,
+    /// The alarm that it is for the control, or among rodete's own of the lathe; none where it has no number.
+    pub alarm: Option<(AlarmFamily, u16)>,
     /// How grave it is.
     pub grade: Grade,
     /// What was found, as a sentence without a full stop.
@@ -117,7 +119,17 @@ impl Finding {
     /// A finding without value and limit.
     #[must_use]
     pub const fn new(grade: Grade, place: Place, what: Text, remedy: Text) -> Self {
-        Self { rule: None, data: Vec::new(), grade, what, place, value: String::new(), limit: String::new(), remedy }
+        Self {
+            rule: None,
+            data: Vec::new(),
+            alarm: None,
+            grade,
+            what,
+            place,
+            value: String::new(),
+            limit: String::new(),
+            remedy,
+        }
     }
 
     /// A finding that stops the work.

@@ -16,8 +16,8 @@ pub struct Rule {
     pub ident: &'static str,
     /// The gravest that it is told as.
     pub grade: Grade,
-    /// The number of a machine's alarm under which it is told.
-    pub alarm: Option<u16>,
+    /// The numbers under which it is told as an alarm, each of a family's.
+    pub alarm: &'static [(AlarmFamily, u16)],
     /// The sentence, with what it carries in braces.
     pub what: Text,
     /// What to do about it, with what it carries in braces; empty where there is nothing to do.
@@ -28,6 +28,26 @@ pub struct Rule {
     pub example: Example,
     /// The names of what it carries.
     pub fields: &'static [&'static str],
+}
+
+/// Whose numbers an alarm has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlarmFamily {
+    /// Rodete's own, of a turning program followed over its stock: 101.
+    Lathe,
+    /// Fanuc's of the program and the setting: PS0064.
+    Fanuc,
+}
+
+impl AlarmFamily {
+    /// An alarm as it is shown.
+    #[must_use]
+    pub fn shown(self, number: u16) -> String {
+        match self {
+            Self::Lathe => number.to_string(),
+            Self::Fanuc => format!("PS{number:04}"),
+        }
+    }
 }
 
 /// An input that raises a rule.
@@ -76,6 +96,12 @@ impl PartialEq for Rule {
 }
 
 impl Rule {
+    /// Its number among the alarms of a family.
+    #[must_use]
+    pub fn alarm_of(&self, family: AlarmFamily) -> Option<u16> {
+        self.alarm.iter().find(|(of, _)| *of == family).map(|(_, number)| *number)
+    }
+
     /// The name in JSON, as `depth-of-cut`.
     #[must_use]
     pub fn name(&self) -> String {
@@ -112,8 +138,9 @@ pub trait Raise {
     /// The finding at a place.
     fn at(&self, place: Place) -> Finding {
         let rule = self.rule();
-        let (rule, data) = (Some(rule), self.carries());
-        Finding { rule, data, ..Finding::new(self.rule().grade, place, self.what(), self.remedy()) }
+        let alarm = rule.alarm_of(AlarmFamily::Lathe).map(|number| (AlarmFamily::Lathe, number));
+        let finding = Finding::new(rule.grade, place, self.what(), self.remedy());
+        Finding { rule: Some(rule), data: self.carries(), alarm, ..finding }
     }
 }
 
@@ -126,7 +153,7 @@ macro_rules! rules {
         $(#[$about:meta])*
         $list:ident;
         $(
-            $code:literal $name:ident $grade:ident $(alarm $alarm:literal)? { $($field:ident: $type:ty),* $(,)? }
+            $code:literal $name:ident $grade:ident $(alarm $($family:ident $number:literal),+)? { $($field:ident: $type:ty),* $(,)? }
             es $es:literal
             en $en:literal
             remedy $remedy_es:literal, $remedy_en:literal;
@@ -148,7 +175,7 @@ macro_rules! rules {
                     code: $code,
                     ident: stringify!($name),
                     grade: $crate::finding::Grade::$grade,
-                    alarm: $crate::finding::rule::number!($($alarm)?),
+                    alarm: &[$($(($crate::finding::AlarmFamily::$family, $number)),+)?],
                     what: $crate::text::Text::fixed($es, $en),
                     remedy: $crate::text::Text::fixed($remedy_es, $remedy_en),
                     why: $crate::text::Text::fixed($why_es, $why_en),
@@ -196,17 +223,7 @@ macro_rules! both {
     }};
 }
 
-/// An alarm's number, or none.
-macro_rules! number {
-    () => {
-        None
-    };
-    ($alarm:literal) => {
-        Some($alarm)
-    };
-}
-
-pub(crate) use {both, number, rules};
+pub(crate) use {both, rules};
 
 #[cfg(test)]
 mod tests {

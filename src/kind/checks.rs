@@ -1,7 +1,7 @@
 //! The findings of an outcome as a table, for sheets and reports.
 
 use crate::finding::{Finding, Grade, Place};
-use crate::table::{Column, Index, Table};
+use crate::table::{Column, Index, Print, Table};
 use crate::text::{Language, Text};
 
 /// The table of all findings, in their order: grade, place, what, value, limit, remedy.
@@ -15,6 +15,7 @@ pub fn table(findings: &[Finding]) -> Table {
         title: Text::fixed("Comprobaciones", "Checks"),
         source: summary(findings),
         index: Index::None,
+        print: Print::No,
         columns: vec![
             column(Text::fixed("Grado", "Grade"), |finding| finding.grade.name()),
             column(Text::fixed("Lugar", "Place"), |finding| place(&finding.place)),

@@ -2,6 +2,7 @@
 
 pub mod checks;
 
+use std::ops::Deref;
 use std::sync::LazyLock;
 
 use crate::figure::{Arc, Figure, Paper};
@@ -10,7 +11,6 @@ use crate::gcode::program::Program;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::{Form, Values};
 use crate::proof::account::Account;
-use crate::removal::turning::alarm::Alarm;
 use crate::table::{Quantity, Table};
 use crate::text::Text;
 
@@ -57,8 +57,8 @@ pub type Figures = LazyLock<Vec<Figure>, Box<dyn FnOnce() -> Vec<Figure> + Send 
 
 /// A drawing at 1:1 that is delivered on its own, as DXF and SVG and, where it is to be printed, as PDF.
 #[derive(Clone, Debug)]
-pub struct Template {
-    /// One of [`Form::templates`]: what its files are called, as `<stem>-<key>.dxf`.
+pub struct Drawing {
+    /// One of [`Form::drawings`]: what its files are called, as `<stem>-<key>.dxf`.
     pub key: &'static str,
     /// What it is.
     pub title: Text,
@@ -70,48 +70,84 @@ pub struct Template {
     pub paper: Option<Paper>,
 }
 
-/// A turning program that was followed to its end.
+/// A body that is delivered on its own, as STL: contours turned about the axis.
 #[derive(Clone, Debug)]
-pub struct FollowedProgram {
-    /// The program's key.
+pub struct Solid {
+    /// One of [`Form::solids`]: what its file is called, as `<stem>-<key>.stl`.
     pub key: &'static str,
-    /// How far it reaches and how long its path is, from where the turret stands at the start.
-    pub account: Account,
-    /// How long it takes, rapid moves included, s.
+    /// The contours of its half section, `[z, r]` in mm, counter-clockwise, holes clockwise.
+    pub contours: Vec<Vec<[f64; 2]>>,
+    /// How far its facets may be from it, mm.
+    pub tolerance: f64,
+}
+
+/// How long a program takes, rapid moves included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Duration {
+    /// The time of the motions whose time is known, s.
     pub seconds: f64,
     /// How many of its motions have no known time, and are not in `seconds`.
     pub timeless: usize,
 }
 
-/// An alarm and where its block stands.
+/// A program that is handed over, with what was found when it was followed. It is the program wherever one is asked for.
 #[derive(Clone, Debug)]
-pub struct Raised {
-    /// The alarm.
-    pub alarm: Alarm,
-    /// Its block: a cell, or a line of a file.
-    pub place: Place,
-    /// The tool's place and the offset in force, where it is not the tool's own.
-    pub other_offset: Option<(u32, u32)>,
+pub struct Proved {
+    /// The program.
+    pub program: Program,
+    /// How far it reaches and how long its path is, where that was taken down when it was followed.
+    pub account: Option<Account>,
+    /// How long it takes, where the machine's rapid moves are known.
+    pub duration: Option<Duration>,
 }
 
-/// A part turned on a lathe.
-#[derive(Clone, Debug)]
-pub struct Turned {
-    /// What the programs came to, in their order.
-    pub runs: Vec<FollowedProgram>,
-    /// The tailstock supports the stock.
-    pub supported: bool,
-    /// How far the part is shifted once it is turned about, Z_s in mm, where there is a second set-up.
-    pub second: Option<f64>,
-    /// The contours of its half section, `[z, r]` in mm, counter-clockwise, holes clockwise.
-    pub contours: Vec<Vec<[f64; 2]>>,
-    /// How far the facets of its solid may be from it, mm.
-    pub tolerance: f64,
-    /// Every alarm of its programs, in their order.
-    pub alarms: Vec<Raised>,
+impl From<Program> for Proved {
+    fn from(program: Program) -> Self {
+        Self { program, account: None, duration: None }
+    }
 }
 
-/// What came of a design.
+impl Deref for Proved {
+    type Target = Program;
+
+    fn deref(&self) -> &Program {
+        &self.program
+    }
+}
+
+/// A value that the set-up chapter of a kind prints, and nothing else does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shown {
+    /// Whether something is so.
+    Whether(bool),
+    /// A length, mm.
+    Length(f64),
+}
+
+/// How the work ended: the one thing that says whether programs are handed over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The work was done, and its programs are handed over.
+    Whole,
+    /// A finding stops the work.
+    Stopped,
+    /// A program was not read to its end, for it has none: a budget ended.
+    Endless,
+}
+
+impl End {
+    /// How work ends with these findings; `endless` where a budget ended.
+    #[must_use]
+    pub fn of(findings: &[Finding], endless: bool) -> Self {
+        match (findings.iter().any(|finding| finding.grade == Grade::Stop), endless) {
+            (false, _) => Self::Whole,
+            (true, false) => Self::Stopped,
+            (true, true) => Self::Endless,
+        }
+    }
+}
+
+/// What came of a design: parts that are the same of every kind, so that who delivers them asks no kind.
 #[derive(Debug)]
 pub struct Outcome {
     /// The workbook kind.
@@ -125,37 +161,39 @@ pub struct Outcome {
     /// The tables, in the order of their sheets.
     pub tables: Vec<Table>,
     /// The programs; empty where a finding stops the work.
-    pub programs: Vec<Program>,
+    pub programs: Vec<Proved>,
     /// Charts for the sheets.
     pub charts: Vec<Chart>,
     /// Drawings for the report.
     pub figures: Figures,
     /// Drawings at 1:1 with files of their own.
-    pub templates: Vec<Template>,
-    /// The turned part, of a turning.
-    pub turned: Option<Turned>,
+    pub drawings: Vec<Drawing>,
+    /// Bodies with files of their own.
+    pub solids: Vec<Solid>,
+    /// What the set-up chapter of the kind prints beside values and derived quantities, by the names that it knows.
+    pub setup: Vec<(&'static str, Shown)>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
-    /// A program was not read to its end, for it has none: a budget ended.
-    pub endless: bool,
+    /// How the work ended.
+    pub end: End,
 }
 
 impl Outcome {
     /// True where a finding stops the work: no program may be written.
     #[must_use]
     pub fn stopped(&self) -> bool {
-        self.findings.iter().any(|finding| finding.grade == Grade::Stop)
+        self.end != End::Whole
     }
 
     /// How the work ends, once what there is has been delivered. Where one of the stops is a fault of rodete's own, the
     /// input is not to blame.
     #[must_use]
     pub fn exit(&self) -> Exit {
-        match (self.stopped(), self.endless) {
-            (false, _) => Exit::Done,
+        match self.end {
+            End::Whole => Exit::Done,
             _ if self.findings.iter().any(Finding::is_fault) => Exit::Fault,
-            (true, false) => Exit::Refused,
-            (true, true) => Exit::Limit,
+            End::Stopped => Exit::Refused,
+            End::Endless => Exit::Limit,
         }
     }
 

@@ -28,6 +28,8 @@ pub struct List {
     pub title: Text,
     /// How it is filled in.
     pub note: Text,
+    /// It holds a program that the engineer has written; not one that another calls.
+    pub is_program: bool,
     /// The sheet may be missing, or present without rows, which means the same.
     pub optional: bool,
     /// The columns, at most 24; keys as `tools/R`. The first one's heading finds the row of headings. A column that is

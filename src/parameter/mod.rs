@@ -164,7 +164,9 @@ pub struct Form {
     /// The keys of the programs that its builds may write, in the order of their sheets.
     pub programs: &'static [&'static str],
     /// The keys of the drawings at 1:1 that its builds may write; other than `report` and other than those of programs.
-    pub templates: &'static [&'static str],
+    pub drawings: &'static [&'static str],
+    /// The keys of the bodies that its builds may write, with what they are.
+    pub solids: &'static [(&'static str, Text)],
     /// The sheets; the first is required and holds the schema cell.
     pub sheets: &'static [Sheet],
     /// The lists that follow on sheets of their own.

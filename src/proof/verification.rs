@@ -6,7 +6,7 @@ use crate::gcode::program::Program;
 use crate::gcode::word::Word;
 use crate::proof::check::{At, Check, FAULT, Verdict};
 use crate::proof::text;
-use crate::table::{Column, Index, Table};
+use crate::table::{Column, Index, Print, Table};
 use crate::text::Text;
 
 /// What came of the verification.
@@ -197,6 +197,7 @@ impl Verification {
             title: Text::fixed("Verificación de los programas", "Verification of the programs"),
             source,
             index: Index::None,
+            print: Print::Whole,
             columns: vec![
                 column(Text::fixed("Programa", "Program"), &title),
                 column(Text::fixed("Comprobación", "Check"), &|check| check.name.clone()),

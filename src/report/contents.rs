@@ -6,7 +6,7 @@ use std::io;
 use std::path::Path;
 
 use super::attachments::files;
-use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, Sheet};
+use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet};
 use super::number;
 use super::shorten::{self, Listing};
 use super::svg::svg;
@@ -15,11 +15,11 @@ use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::summary::Summary;
-use crate::kind::{FollowedProgram, Outcome, checks};
+use crate::kind::{Duration, Outcome, Proved, Shown, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::{FieldKind, Parameter, Value};
 use crate::proof::account::Account;
-use crate::table::{Entry, Index, Table};
+use crate::table::{Entry, Index, Print, Table};
 use crate::text::{Language, Text};
 use crate::typeset::characters::{Words, code_point};
 use crate::typeset::failure::ReportFailure;
@@ -47,8 +47,7 @@ pub(super) fn write(
     for program in &outcome.programs {
         let file =
             attachments.iter().position(|one| one.role == Role::Program(program.key)).and_then(|at| files.get(at));
-        let run = outcome.turned.iter().flat_map(|turned| &turned.runs).find(|run| run.key == program.key);
-        programs.push(listed(program, run, file, &mut words)?);
+        programs.push(listed(program, file, &mut words)?);
     }
     let mut figures = BTreeMap::new();
     for (at, figure) in outcome.figures.iter().enumerate() {
@@ -78,13 +77,12 @@ pub(super) fn write(
         tables: outcome
             .tables
             .iter()
-            .filter(|table| !matches!(table.key, "checks" | "views" | "blocks" | "blocks-2") && table.rows() > 0)
+            .filter(|table| table.print != Print::No && table.rows() > 0)
             .map(|one| sheet(one, &mut words))
             .collect(),
         figures,
         programs,
-        supported: outcome.turned.as_ref().map(|turned| turned.supported),
-        second: outcome.turned.as_ref().and_then(|turned| turned.second).map(|by| number::trimmed(by, 4)),
+        setup: outcome.setup.iter().map(|&(name, shown)| (name, SetUp::from(shown))).collect(),
         checks: Vec::new(),
         files,
     };
@@ -111,6 +109,15 @@ fn without_glyph(missing: &[char]) -> Finding {
         ),
     )
     .with(list, "")
+}
+
+impl From<Shown> for SetUp {
+    fn from(shown: Shown) -> Self {
+        match shown {
+            Shown::Whether(so) => Self::Whether(so),
+            Shown::Length(length) => Self::Length(number::trimmed(length, 4)),
+        }
+    }
 }
 
 fn value(outcome: &Outcome, parameter: &Parameter, words: &mut Words) -> Option<String> {
@@ -176,9 +183,8 @@ fn quantities(outcome: &Outcome, words: &mut Words) -> Vec<Row> {
 }
 
 fn sheet(table: &Table, words: &mut Words) -> Sheet {
-    // The verification is read row by row and so printed whole.
-    let whole = table.key == "verification";
     let count = table.rows();
+    let whole = table.print == Print::Whole;
     let (head, omitted, tail) = if whole { (0..count, 0, count..count) } else { shorten::rows(count) };
     let counted = table.index == Index::Point;
     let mut line = |row: usize| -> Vec<String> {
@@ -229,17 +235,13 @@ fn drawing(figure: &Figure, at: usize, folder: &Path, words: &mut Words) -> io::
     Ok(Some(Drawing { file, caption: words.text(&figure.caption), legend }))
 }
 
-fn listed(
-    program: &Program,
-    run: Option<&FollowedProgram>,
-    file: Option<&File>,
-    words: &mut Words,
-) -> io::Result<Listed> {
+fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result<Listed> {
+    let program = &proved.program;
     let mut listing = Listing::of(program)?;
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);
     }
-    let mut summary = summary(program, run.map(|run| &run.account));
+    let mut summary = summary(program, proved.account.as_ref());
     if summary.blocks == 0 {
         // A program that stands on a sheet line by line.
         summary.blocks = program.parts.len() as u64;
@@ -255,9 +257,9 @@ fn listed(
         bytes: number::grouped(summary.bytes),
         path: if summary.path > 0.0 { number::fixed(summary.path, 1) } else { String::new() },
         start: if summary.path > 0.0 { start(program) } else { String::new() },
-        time: match run {
-            Some(run) => {
-                format!("{}{}", if run.timeless > 0 { "≥ " } else { "" }, number::duration(run.seconds))
+        time: match proved.duration {
+            Some(Duration { seconds, timeless }) => {
+                format!("{}{}", if timeless > 0 { "≥ " } else { "" }, number::duration(seconds))
             }
             None => summary.seconds.map(number::duration).unwrap_or_default(),
         },

@@ -25,12 +25,20 @@ pub(super) struct Document {
     pub tables: Vec<Sheet>,
     pub figures: BTreeMap<&'static str, Drawing>,
     pub programs: Vec<Listed>,
-    /// The tailstock supports the stock; `None` where there is no lathe.
-    pub supported: Option<bool>,
-    /// How far the part is shifted for its second set-up, mm, where there is one.
-    pub second: Option<String>,
+    /// What only the set-up chapter of the kind prints.
+    pub setup: BTreeMap<&'static str, SetUp>,
     pub checks: Vec<Check>,
     pub files: Vec<File>,
+}
+
+/// A value of the set-up.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(super) enum SetUp {
+    /// Whether something is so.
+    Whether(bool),
+    /// A length in mm, ready to print.
+    Length(String),
 }
 
 /// Parameters under one heading.

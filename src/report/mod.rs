@@ -10,7 +10,7 @@ mod contents;
 mod document;
 mod number;
 mod shorten;
-pub(crate) mod svg;
+mod svg;
 mod templates;
 mod ticks;
 

@@ -22,18 +22,6 @@ const GRAPH_MARGIN: [f64; 4] = [19.0, 3.0, 5.0, 13.0];
 /// Points of a stroke nearer to the last one drawn are left out, in mm of paper.
 const FINEST: f64 = 0.05;
 
-/// Greatest height of a drawing in mm: what its page leaves beside the table that it belongs to.
-fn height(key: &str) -> f64 {
-    match key {
-        "cover" => 118.0,
-        "villarceau" => 56.0,
-        "plan" | "positions" => 104.0,
-        "crossing" | "tool-path" => 92.0,
-        "safe-ends" | "frame" => 82.0,
-        _ => 62.0,
-    }
-}
-
 /// Where figure coordinates fall on paper.
 struct Plot {
     scale: [f64; 2],
@@ -53,7 +41,7 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
     let mut body = String::new();
     let frame = match &figure.axes {
         Some(axes) => graph(&mut body, axes, bounds, language),
-        None => drawing(bounds, height(figure.key)),
+        None => drawing(bounds, figure.height),
     };
     for stroke in &figure.strokes {
         let points: Vec<[f64; 2]> = stroke.points.iter().map(|&point| frame.at(point)).collect();

@@ -44,11 +44,11 @@ impl<'a> ProgramSheet<'a> {
     /// Lays the programs out in columns of at most `most` rows, in the order of their keys; one that is left out leaves its
     /// columns empty. `None` where there is no line at all.
     #[must_use]
-    pub fn new(programs: &'a [Program], order: &[&str], most: u64) -> Option<Self> {
+    pub fn new(programs: impl IntoIterator<Item = &'a Program>, order: &[&str], most: u64) -> Option<Self> {
         let most = most.clamp(1, ROWS);
         let mut others = order.len()..;
         let mut placed: Vec<(usize, &Program, Extent)> = programs
-            .iter()
+            .into_iter()
             .filter_map(|program| {
                 let place = order.iter().position(|key| *key == program.key).or_else(|| others.next())?;
                 Some((place, program, Extent::of(program)))

@@ -17,9 +17,7 @@ use super::program_sheet::{self, ProgramSheet};
 use super::style::Styles;
 use super::table_sheet::{FIRST, TableSheet};
 use super::template::{HOW, OPTIONAL, write_lists};
-use crate::gcode::program::Program;
 use crate::kind::{Chart, Outcome, checks};
-use crate::kinds::lathe::parameters::PROGRAM_KEY;
 use crate::table::Table;
 use crate::text::{Language, Text};
 
@@ -145,19 +143,19 @@ impl<'a> Results<'a> {
         Ok(())
     }
 
-    /// The programs, where they do not stand on sheets of the form: a turning's are the user's own.
+    /// The programs, where they do not stand on sheets of the form as the user's own.
     fn write_programs(&mut self) -> Result<(), WriteError> {
-        if !self.outcome.values.rows(PROGRAM_KEY).is_empty() {
+        let Outcome { form, values, programs, .. } = self.outcome;
+        let mut sheets = form.lists.iter().filter(|list| list.is_program).peekable();
+        let own = sheets.peek().is_some();
+        if sheets.any(|list| !values.rows(list.key).is_empty()) {
             return Ok(());
         }
-        let Some(programs) = ProgramSheet::new(&self.outcome.programs, self.outcome.form.programs, program_sheet::ROWS)
-        else {
+        let programs = programs.iter().map(|proved| &proved.program);
+        let Some(programs) = ProgramSheet::new(programs, form.programs, program_sheet::ROWS) else {
             return Ok(());
         };
-        let name = match self.outcome.turned {
-            Some(_) => program_sheet::OWN.get(self.language),
-            None => program_sheet::NAME,
-        };
+        let name = if own { program_sheet::OWN.get(self.language) } else { program_sheet::NAME };
         let name = self.names.take(name);
         let index = self.workbook.worksheets().len();
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
@@ -181,7 +179,7 @@ fn within_limits(outcome: &Outcome) -> bool {
     const CELL: u64 = 50;
     const LINE: u64 = 170;
     let cells = |table: &Table| (table.rows() as u64).saturating_mul(table.columns.len() as u64 + 1);
-    let lines = outcome.programs.iter().map(Program::blocks).fold(0_u64, u64::saturating_add);
+    let lines = outcome.programs.iter().map(|program| program.blocks()).fold(0_u64, u64::saturating_add);
     let programs = lines.saturating_mul(LINE);
     let tables: Vec<u64> = outcome.tables.iter().map(|table| cells(table).saturating_mul(CELL)).collect();
     let all = tables.iter().fold(programs, |sum, table| sum.saturating_add(*table));

@@ -90,6 +90,16 @@ fn every_room_uses_those_below_it_alone() {
 }
 
 #[test]
+fn walls_show_what_came_of_any_kind_and_name_none() {
+    for wall in ["drawing", "report", "typeset", "view", "workbook"] {
+        for (path, code) in sources(wall) {
+            let kinds = code.iter().flat_map(|line| named(line)).find(|room| matches!(*room, "kinds" | "removal"));
+            assert_eq!(kinds, None, "{}", path.display());
+        }
+    }
+}
+
+#[test]
 fn the_store_changes_files_through_its_disk_alone() {
     const CHANGES: [&str; 6] =
         ["fs::write(", "fs::rename(", "fs::copy(", "fs::create_dir", "fs::hard_link(", "File::create"];

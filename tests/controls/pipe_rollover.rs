@@ -160,7 +160,7 @@ fn an_absolute_program_is_stopped_where_the_axes_may_be_rollover() {
         let absolute = outcome(kind, "fagor-8070", &[]).programs.remove(0);
         let check = rollover::check(&absolute, Rotary::Rollover);
         assert_eq!(check.verdict, Verdict::Stop, "{kind}");
-        let mut words = outcome(kind, "fagor-8055", &[]).programs.remove(0);
+        let mut words = outcome(kind, "fagor-8055", &[]).programs.remove(0).program;
         assert_eq!(rollover::check(&words, Rotary::Rollover).verdict, Verdict::Passed, "{kind}");
         let incremental = [Word::whole('G', 91)];
         words.parts.retain(|part| !matches!(part, Part::Block(words) if *words == incremental));

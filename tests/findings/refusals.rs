@@ -3,6 +3,7 @@
 use crate::common;
 
 use rodete::finding::{CellPlace, Exit, FAULT, Finding, Grade, Place};
+use rodete::kind::End;
 use rodete::kinds;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::parameters::FORM;
@@ -317,7 +318,7 @@ fn a_fault_in_rodete_never_ends_as_a_refused_input() {
     let exit = |findings: Vec<Finding>, endless: bool| {
         let mut outcome = common::outcome("full", &[]);
         outcome.findings.extend(findings);
-        outcome.endless = endless;
+        outcome.end = End::of(&outcome.findings, endless);
         outcome.exit()
     };
     assert_eq!(exit(vec![], false), Exit::Done);

@@ -4,10 +4,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use rodete::cli::RULES;
-use rodete::finding::{Example, Finding, Grade, Place, Rule};
+use rodete::finding::{Datum, Example, Finding, Grade, Place, Rule};
 use rodete::gcode::control::{Control, Rotary};
 use rodete::gcode::interpreter::{self, DecimalPoint, Files, HolePlane, Interpreter, Setting, tool_table};
 use rodete::gcode::rules::lexis::MoreRefusals;
+use rodete::gcode::turning::rules::CornerTwice;
 use rodete::limits::LISTED_REFUSALS;
 use rodete::machine::var_file::VarFile;
 
@@ -149,4 +150,15 @@ fn codes_are_one_rows_alone_and_their_texts_whole() {
         ["L0141", "G0016", "G0018", "G0026", "G0301", "G0319", "G0320"],
         "what no input raises is counted"
     );
+}
+
+#[test]
+fn a_refusal_carries_its_row_and_the_alarm_of_a_control_that_has_one() {
+    let program = "T0101 S500 M3 F.2\nG0 X50. Z5.\nG1 X20. K-1. R-1.\nM30";
+    let found = told(program, setting("fanuc-lathe-a", &[]));
+    let twice = found.iter().find(|one| one.is(CornerTwice::RULE)).unwrap();
+    assert_eq!(twice.alarm.map(|(family, number)| family.shown(number)).as_deref(), Some("PS0053"));
+    assert_eq!(twice.what.en, "PS0053: 'K' and 'R' in one block");
+    let word = |text: &str| Datum::Word(text.to_owned());
+    assert_eq!(twice.data, [("first", word("K")), ("second", word("R"))]);
 }

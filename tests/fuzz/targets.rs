@@ -12,9 +12,9 @@ use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, fi
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::kind::Provenance;
 use rodete::kinds;
-use rodete::kinds::lathe;
 use rodete::kinds::lathe::scene::Watching;
 use rodete::kinds::lathe::setup::Given;
+use rodete::kinds::lathe::{self, Simulated};
 use rodete::kinds::lathe::{cases, parameters, text};
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
@@ -144,7 +144,7 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let mut watching = Watching::default();
     let followed = lathe::watched(&parameters::FORM, values, source, Some(program), &mut |seen| watching.see(seen));
     match followed {
-        Ok(outcome) => {
+        Ok(Simulated { outcome, .. }) => {
             said(&outcome.findings);
             for quantity in &outcome.quantities {
                 assert!(quantity.value.is_finite(), "{quantity:?}");

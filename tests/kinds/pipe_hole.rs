@@ -467,7 +467,7 @@ fn a_torch_not_lit_for_the_cut_or_not_put_out_after_it_is_caught() {
     use rodete::gcode::program::Part;
     use rodete::proof::verification::torch;
     let design = Design::new(&values(&[])).expect("a design");
-    let program = outcome(&[]).programs.remove(0);
+    let program = outcome(&[]).programs.remove(0).program;
     let codes = || Some([&design.torch_on[..], &design.torch_off[..]]);
     assert_eq!(torch(&program, codes()).verdict, Verdict::Passed);
     for code in [&design.torch_on, &design.torch_off] {

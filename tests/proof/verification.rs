@@ -270,7 +270,8 @@ impl Prepared {
         let outcome = common::outcome(case, changes);
         let stops: Vec<_> = outcome.findings.iter().filter(|finding| finding.grade == Grade::Stop).collect();
         assert!(stops.is_empty(), "{stops:?}");
-        Self { design, blade, splitter, programs: outcome.programs }
+        let programs = outcome.programs.into_iter().map(|proved| proved.program).collect();
+        Self { design, blade, splitter, programs }
     }
 
     /// The worst verdict of each check on a program's text after a change.

@@ -36,6 +36,7 @@ fn curve(length: f64, height: f64) -> Vec<[f64; 2]> {
 fn development(length: f64, height: f64) -> Figure {
     Figure {
         key: "wrap",
+        height: Figure::HEIGHT,
         caption: Text::fixed("Desarrollo", "Development"),
         axes: None,
         strokes: vec![

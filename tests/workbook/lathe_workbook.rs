@@ -7,11 +7,11 @@ use std::io::{Cursor, Read};
 use calamine::{Reader, Xlsx};
 use rodete::figure::Ink;
 use rodete::finding::{CellPlace, Place, Refusal};
-use rodete::kind::Provenance;
+use rodete::kind::{Provenance, Shown};
 use rodete::kinds;
-use rodete::kinds::lathe::catalogue;
 use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
 use rodete::kinds::lathe::setup::Given;
+use rodete::kinds::lathe::{Simulated, catalogue, watched};
 use rodete::machine::axis::Axis;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
@@ -159,16 +159,16 @@ fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_amon
         let values = read(&book(index, Language::En, |_| ())).unwrap();
         let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
         let outcome = kinds::run(&FORM, values, source).unwrap();
-        let turned = outcome.turned.as_ref().unwrap();
-        let [run] = turned.runs.as_slice() else { panic!("{}: one program", case.name) };
+        let [program] = outcome.programs.as_slice() else { panic!("{}: one program", case.name) };
+        let (run, account) = (program.duration.unwrap(), program.account.as_ref().unwrap());
         let time = outcome.quantities.iter().find(|quantity| quantity.symbol == "t").unwrap().value;
-        assert_eq!((run.key, run.seconds.to_bits(), run.timeless), ("program", time.to_bits(), 0), "{}", case.name);
+        assert_eq!((program.key, run.seconds.to_bits(), run.timeless), ("program", time.to_bits(), 0), "{}", case.name);
         let motions = outcome.table("blocks").unwrap().rows();
-        assert_eq!(usize::try_from(run.account.motions), Ok(motions), "{}", case.name);
-        assert!(run.account.feed_path > 100.0 && run.account.rapid_path > 100.0, "{:?}", run.account);
-        let reach = run.account.program.unwrap();
+        assert_eq!(usize::try_from(account.motions), Ok(motions), "{}", case.name);
+        assert!(account.feed_path > 100.0 && account.rapid_path > 100.0, "{account:?}");
+        let reach = account.program.unwrap();
         assert!(reach.of(Axis::Z)[0] < -10.0 && reach.of(Axis::Z)[1] > 30.0, "{reach:?}");
-        assert_eq!((turned.supported, turned.second), (false, None));
+        assert_eq!(outcome.setup, [("supported", Shown::Whether(false))]);
         // The figures of the report: one path, and every key once.
         let keys: Vec<_> = outcome.figures.iter().map(|figure| figure.key).collect();
         assert_eq!(keys, ["cover", "half-section", "path"]);
@@ -193,7 +193,7 @@ fn the_programs_of_a_lathe_stand_once_in_its_results_and_its_profile_on_a_layer_
     let sheets = Xlsx::new(Cursor::new(bytes)).unwrap().sheet_names();
     assert!(sheets.iter().any(|name| name == "PROGRAM"), "{sheets:?}");
     assert!(!sheets.iter().any(|name| name == "INCR" || name == "LISTING"), "{sheets:?}");
-    let [template] = outcome.templates.as_slice() else { panic!("one drawing") };
+    let [template] = outcome.drawings.as_slice() else { panic!("one drawing") };
     assert!(template.arcs.iter().all(|arc| arc.ink == Ink::Profile) && template.arcs[0].radius == 15.0);
     assert!(template.figure.strokes.iter().all(|stroke| matches!(stroke.ink, Ink::Cut | Ink::Profile | Ink::Centre)));
     let along = |pair: &[[f64; 2]]| pair[0][1].abs() < 1e-9 && pair[1][1].abs() < 1e-9;
@@ -223,7 +223,7 @@ fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
         }
     });
     let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
-    let outcome = kinds::run(&FORM, read(&bytes).unwrap(), source).unwrap();
+    let Simulated { outcome, alarms } = watched(&FORM, read(&bytes).unwrap(), source, None, &mut |_| ()).unwrap();
     let table = outcome.table("blocks").unwrap();
     let column = |name: &str| &table.column(name).unwrap().values;
     let told: Vec<_> = (0..table.rows())
@@ -235,7 +235,6 @@ fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
         })
         .collect();
     assert_eq!(told, [("X45.5".to_owned(), "132".to_owned()), ("G0 Z-22.".to_owned(), "101".to_owned())]);
-    let turned = outcome.turned.as_ref().unwrap();
-    let numbers: Vec<_> = turned.alarms.iter().map(|raised| raised.alarm.cause.number()).collect();
+    let numbers: Vec<_> = alarms.iter().map(|raised| raised.alarm.cause.number()).collect();
     assert_eq!(numbers, [132, 101], "in the order of their motions");
 }

@@ -9,14 +9,14 @@ use std::time::{Duration, Instant};
 
 use rodete::figure::{Axes, Figure, Ink, Stroke};
 use rodete::finding::{Finding, Grade, Place};
-use rodete::kind::{Outcome, Provenance};
+use rodete::kind::{End, Outcome, Provenance};
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::{Value, Values};
 use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
 use rodete::report::{Attachment, Content, Role};
-use rodete::table::{Column, Index, Quantity, Table, Unit};
+use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
 use rodete::text::{Language, Text};
 use rodete::typeset::compiler::Typst;
 use rodete::typeset::failure::ReportFailure;
@@ -37,7 +37,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             sha256: "0123456789abcdef".repeat(4),
             version: "0.1.0",
         },
-        endless: false,
+        end: End::Whole,
         quantities: vec![Quantity {
             symbol: "L",
             meaning: Text::fixed("Longitud de pivote", "Pivot length"),
@@ -51,6 +51,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             title: Text::fixed("Discretización", "Discretisation"),
             source: Text::fixed("Anexo 1", "Annex 1"),
             index: Index::Point,
+            print: Print::Short,
             columns: vec![Column::numbers("v", Unit::Radian, "v", steps)],
         }],
         programs: Vec::new(),
@@ -58,6 +59,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         figures: LazyLock::new(Box::new(move || {
             vec![Figure {
                 key: "angles",
+                height: Figure::HEIGHT,
                 caption: Text::fixed("Ángulos", "Angles"),
                 axes: Some(Axes { x: Text::fixed("i", "i"), y: Text::fixed("v (rad)", "v (rad)") }),
                 strokes: vec![Stroke { ink: Ink::Safe, points: line, filled: false, arrow: true }],
@@ -65,8 +67,9 @@ fn outcome(part: &str, rows: usize) -> Outcome {
                 legend: vec![(Ink::Safe, Text::fixed("v", "v"))],
             }]
         })),
-        turned: None,
-        templates: Vec::new(),
+        drawings: Vec::new(),
+        solids: Vec::new(),
+        setup: Vec::new(),
         findings: vec![
             Finding::new(Grade::Caution, Place::File, Text::same("a caution"), Text::same("look")).with("1 mm", "2 mm"),
         ],

@@ -10,7 +10,7 @@ use rodete::finding::{Finding, Place};
 use rodete::kind::{Outcome, checks};
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
-use rodete::table::{Column, Entry, Index, Table, Unit};
+use rodete::table::{Column, Entry, Index, Print, Table, Unit};
 use rodete::text::{Language, Text};
 use rodete::workbook::error::WriteError;
 use rodete::workbook::program_sheet::ProgramSheet;
@@ -125,6 +125,7 @@ fn a_long_table_of_numbers_and_texts_keeps_the_smallest_and_largest_of_each() {
         title: Text::same("=title"),
         source: Text::same("@source"),
         index: Index::Point,
+        print: Print::Short,
         columns: vec![
             Column::numbers("x", Unit::Millimetre, "", numbers),
             Column::texts(Text::same("word"), "", texts),
@@ -160,7 +161,8 @@ fn programs_stand_side_by_side_line_for_line() {
 #[test]
 fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
     let outcome = common::outcome("tfg-2021", &[]);
-    let programs = ProgramSheet::new(&outcome.programs, outcome.form.programs, 50).expect("programs");
+    let programs = ProgramSheet::new(outcome.programs.iter().map(|proved| &proved.program), outcome.form.programs, 50)
+        .expect("programs");
     assert_eq!(programs.rows(), 50);
     let mut book = rust_xlsxwriter::Workbook::new();
     let page = rodete::workbook::page::Page { part: "", origin: "", repeat: (0, 0), landscape: false, single: false };

@@ -12,7 +12,7 @@
 //! finishing, and so are G96 and G97. Yaskawa LX3, operator's manual, G70: F and S alike. Schools teach the same of F, S, T and
 //! the compensation.
 
-use crate::finding::Grade;
+use crate::finding::{AlarmFamily, Grade};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::in_force::Compensation;
@@ -23,7 +23,9 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::source::Position;
+use crate::gcode::rules::flow::ContourBlockMissing;
 use crate::gcode::turning::profile::{Element, Profile};
+use crate::gcode::turning::rules::CornerInContour;
 use crate::limits::CONTOUR_BLOCKS;
 use crate::machine::axis::Axis;
 use crate::text::Text;
@@ -83,8 +85,9 @@ impl Interpreter<'_> {
             *number = self.number_of_block(cycle, letter)?;
         }
         let columns = letters.map(|letter| self.block.column(letter));
-        let [first, last] =
-            [self.block_numbered(numbers[0], columns[0], 63)?, self.block_numbered(numbers[1], columns[1], 63)?];
+        let missing = |at: usize| ContourBlockMissing { number: numbers[at] };
+        let first = self.block_numbered(numbers[0], columns[0], &missing(0))?;
+        let last = self.block_numbered(numbers[1], columns[1], &missing(1))?;
         let alarm = self.alarm(63);
         if last.line() < first.line() {
             return Err(Fault::at(
@@ -282,16 +285,7 @@ impl Interpreter<'_> {
         contour.edge = self.block.edge.map(|word| (word, self.line));
         if let Some(word) = self.block.edge.filter(|word| word.square.is_none()) {
             let line = self.line;
-            self.remarks.add(
-                Grade::Note,
-                line,
-                Some(word.column),
-                Text::fixed(
-                    "«,C» o «,R» en un contorno: los Fanuc más antiguos no los admiten entre P y Q",
-                    "',C' or ',R' in a contour: the oldest Fanuc controls do not take them between P and Q",
-                ),
-                Text::fixed("", ""),
-            );
+            self.remarks.row(&CornerInContour {}, line, Some(word.column));
         }
         contour.profile.elements.push(Element { to, arc, rapid: motion == G::Rapid, line: self.line });
         Ok(())
@@ -443,6 +437,11 @@ impl Interpreter<'_> {
         self.source().go_to(ends.last.at)?;
         self.source().next_line(&mut Vec::new())?;
         Ok(())
+    }
+
+    /// Whose alarms the control raises; none where its numbers are not known.
+    pub(super) fn alarms(&self) -> Option<AlarmFamily> {
+        self.control.system_a.then_some(AlarmFamily::Fanuc)
     }
 
     /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.

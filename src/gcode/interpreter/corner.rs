@@ -11,6 +11,7 @@
 //! # References
 //! Fanuc Series 0i-T, operator's manual, direct drawing dimensions programming; see [`crate::gcode::turning::edge`].
 
+use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
@@ -19,6 +20,7 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::modal::Modal;
 use crate::gcode::motion::Feed;
 use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
+use crate::gcode::turning::rules::{CornerBeforeNoMotion, CornerBeforeOtherMotion, CornerTwice, CornerWithoutLine};
 use crate::gcode::turning::trouble::Trouble;
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::{Axis, Pose};
@@ -66,23 +68,13 @@ impl EdgeWord {
 
     /// The refusal of a corner behind which no line at feed comes.
     pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Fault> {
-        let name = self.name;
-        let what = if motion {
-            Text::new(
-                format!("PS0052: detrás de «{name}» no viene una recta con G1"),
-                format!("PS0052: no line with G1 comes behind '{name}'"),
-            )
+        let (word, at) = (self.name, [self.column]);
+        let fault = if motion {
+            Fault::of(&CornerBeforeOtherMotion { word }, &at)
         } else {
-            Text::new(
-                format!("PS0051: el bloque siguiente a «{name}» no se mueve con G1"),
-                format!("PS0051: the block behind '{name}' makes no motion with G1"),
-            )
+            Fault::of(&CornerBeforeNoMotion { word }, &at)
         };
-        let remedy = Text::fixed(
-            "ponga detrás la segunda recta de la esquina, o escriba el chaflán o el arco en un bloque propio",
-            "let the corner's second line follow, or write the chamfer or arc as a block of its own",
-        );
-        self.refusal(line, what, remedy)
+        Box::new(Fault { line, ..*fault.as_alarm_of(Some(AlarmFamily::Fanuc)) })
     }
 }
 
@@ -116,14 +108,8 @@ impl Interpreter<'_> {
             let square = Some(Square { axis, toward: 1.0_f64.copysign(value) });
             let word = EdgeWord { name, round: axis.is_none(), value: value.abs(), square, column, pointless: false };
             if let Some(first) = self.block.edge.replace(word) {
-                return Err(Fault::at(
-                    &[first.column, column],
-                    Text::new(
-                        format!("PS0053: «{}» y «{name}» en un bloque", first.name),
-                        format!("PS0053: '{}' and '{name}' in one block", first.name),
-                    ),
-                    Text::fixed("deje uno", "leave one"),
-                ));
+                let twice = CornerTwice { first: first.name, second: name };
+                return Err(Fault::of(&twice, &[first.column, column]).as_alarm_of(self.alarms()));
             }
         }
         Ok(())
@@ -224,17 +210,7 @@ impl Interpreter<'_> {
 
 /// The refusal of a word of a corner whose block is no line at feed.
 pub(super) fn without_line(name: &str, column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::new(
-            format!("«{name}» sin una recta con G1 no está implementado"),
-            format!("'{name}' without a line with G1 is not supported"),
-        ),
-        Text::fixed(
-            "escriba el chaflán o el arco en un bloque propio",
-            "write the chamfer or arc as a block of its own",
-        ),
-    )
+    Fault::of(&CornerWithoutLine { word: name.to_owned() }, &[column])
 }
 
 /// A pose as `[X, Z]`.

@@ -1,6 +1,6 @@
 //! What the interpreter refuses, and what it remarks.
 
-use crate::finding::{Datum, Exit, Finding, Grade, Place, Raise, Rule};
+use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
 use crate::limits::REMARKS;
 use crate::number::shown;
 use crate::text::Text;
@@ -23,6 +23,8 @@ pub struct Fault {
     pub rule: Option<&'static Rule>,
     /// What it carries, by name, unrounded.
     pub data: Vec<(&'static str, Datum)>,
+    /// The alarm that it is for the control.
+    pub alarm: Option<(AlarmFamily, u16)>,
     /// What is wrong.
     pub what: Text,
     /// What to do about it.
@@ -47,6 +49,7 @@ impl Fault {
             others: Vec::new(),
             rule: None,
             data: Vec::new(),
+            alarm: None,
             what,
             remedy,
             fatal: false,
@@ -69,6 +72,24 @@ impl Fault {
         fault.exit = Exit::Limit;
         fault.fatal = true;
         fault
+    }
+
+    /// The same where a limit of rodete's own is reached.
+    pub(super) fn beyond(row: &dyn Raise, columns: &[usize]) -> Box<Self> {
+        let mut fault = Self::of(row, columns);
+        fault.exit = Exit::Limit;
+        fault
+    }
+
+    /// The refusal with the alarm that a control of a family raises for it, its number before the sentence.
+    pub(super) fn as_alarm_of(mut self: Box<Self>, family: Option<AlarmFamily>) -> Box<Self> {
+        let alarm = family.and_then(|family| Some((family, self.rule?.alarm_of(family)?)));
+        if let Some((family, number)) = alarm {
+            let (alarm, Text { es, en }) = (family.shown(number), &self.what);
+            self.what = Text::new(format!("{alarm}: {es}"), format!("{alarm}: {en}"));
+        }
+        self.alarm = alarm;
+        self
     }
 
     /// A refusal of the block as a whole.
@@ -112,7 +133,7 @@ impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
         let told = fault.message();
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
-        Self { rule: fault.rule, data: fault.data, ..Self::stop(place, told, fault.remedy) }
+        Self { rule: fault.rule, data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
     }
 }
 

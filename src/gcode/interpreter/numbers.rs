@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
+use crate::finding::Raise;
 use crate::gcode::control::Comments;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{Interpreter, block_number};
-use crate::gcode::rules::flow::{BlockMissing, BlockNumbersTooMany, BlockTwice};
+use crate::gcode::rules::flow::{BlockNumbersTooMany, BlockTwice};
 use crate::limits::BLOCK_NUMBERS;
 
 /// A block that has a number.
@@ -106,13 +107,12 @@ impl Interpreter<'_> {
     }
 
     /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
-    /// `alarm` what a Fanuc control raises where there is none.
-    pub(super) fn block_numbered(&mut self, number: u32, column: usize, alarm: u16) -> Outcome<Numbered> {
-        let alarm = self.alarm(alarm);
+    /// `missing` what is told where there is none.
+    pub(super) fn block_numbered(&mut self, number: u32, column: usize, missing: &dyn Raise) -> Outcome<Numbered> {
         let line = self.line;
         let found = self.numbers()?.block(number, line);
         match found {
-            None => Err(Fault::of(&BlockMissing { alarm, number }, &[column])),
+            None => Err(Fault::of(missing, &[column]).as_alarm_of(self.alarms())),
             Some(Numbered { again: Some(again), at }) => {
                 let mut fault = Fault::of(&BlockTwice { number }, &[column]);
                 let file = &self.source().file;

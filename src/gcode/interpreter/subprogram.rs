@@ -16,8 +16,8 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::flow::{Call, LARGEST_FILE};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::rules::flow::{
-    BlockCallWithoutP, CallWithoutP, FileOfAnother, MainReturns, NotAProgramNumber, ProgramNowhere, ProgramTwice,
-    RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
+    BlockCallWithoutP, BlockMissing, CallWithoutP, FileOfAnother, MainReturns, NotAProgramNumber, ProgramNowhere,
+    ProgramTwice, RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
 };
 use crate::limits::CALL_REPEATS;
 use crate::text::Text;
@@ -60,7 +60,7 @@ impl Interpreter<'_> {
     fn call_block(&mut self) -> Outcome<()> {
         let number = self.called(97)?;
         let repeats = self.repeats()?.unwrap_or(1);
-        let block = self.block_numbered(number, self.block.column(letter::P), 78)?;
+        let block = self.block_numbered(number, self.block.column(letter::P), &BlockMissing { number })?;
         if repeats == 0 {
             return Ok(());
         }
@@ -138,7 +138,8 @@ impl Interpreter<'_> {
             }
         }
         let Some((name, bytes)) = found else {
-            return Err(Fault::of(&ProgramNowhere { number: format!("{number:04}") }, &[column]));
+            let nowhere = ProgramNowhere { number: format!("{number:04}") };
+            return Err(Fault::of(&nowhere, &[column]).as_alarm_of(self.alarms()));
         };
         if bytes.len() > LARGEST_FILE {
             return Err(Fault::ended(&SubprogramTooLarge { name }));
@@ -190,7 +191,7 @@ impl Interpreter<'_> {
                 self.leave()?;
                 // The number is one of the caller's program.
                 self.line = self.source().position().lines.max(1);
-                let block = self.block_numbered(number, column, 78);
+                let block = self.block_numbered(number, column, &BlockMissing { number });
                 self.line = line;
                 let block = block.map_err(|mut fault| {
                     // M99 stands here, and the blocks it may mean there.

@@ -15,12 +15,12 @@ rules! {
         why "Cada número se guarda para poder ir a su bloque; más no caben.",
             "Each number is kept so that its block can be found; more are not held.";
         example Example::Never(Text::fixed("haría falta un millón de bloques, cada uno con su número", "it would take a million blocks, each with a number of its own"));
-    "G0302" BlockMissing Stop { alarm: String, number: u32 }
-        es "{alarm}no hay bloque N{number}"
-        en "{alarm}there is no block N{number}"
+    "G0302" BlockMissing Stop alarm Fanuc 78 { number: u32 }
+        es "no hay bloque N{number}"
+        en "there is no block N{number}"
         remedy "compruebe el número del bloque", "check the number of the block";
-        why "El ciclo o la llamada no tiene adónde ir.",
-            "The cycle or the call has nowhere to go.";
+        why "La llamada no tiene adónde ir.",
+            "The call has nowhere to go.";
         example Example::program("fanuc-lathe-a", "G21 G98|M97 P50|M30", "2:5");
     "G0303" BlockTwice Stop { number: u32 }
         es "N{number} está dos veces"
@@ -232,9 +232,9 @@ rules! {
         why "La llamada no sabría cuál de los dos se quiere.",
             "A call would not know which of the two is meant.";
         example Example::program("fanuc-lathe-a", "G21 G98|M98 P5|M30|O0005|M99|O0005|M99", "2:5");
-    "G0333" ProgramNowhere Stop { number: String }
-        es "PS0078: no hay subprograma O{number}"
-        en "PS0078: there is no subprogram O{number}"
+    "G0333" ProgramNowhere Stop alarm Fanuc 78 { number: String }
+        es "no hay subprograma O{number}"
+        en "there is no subprogram O{number}"
         remedy "póngalo junto al programa, en un archivo O{number}.nc (de un libro, en una hoja O{number}), o detrás de M30", "put it beside the program, in a file O{number}.nc (of a workbook, on a sheet O{number}), or behind M30";
         why "La llamada no tiene adónde ir.",
             "The call has nowhere to go.";
@@ -302,4 +302,11 @@ rules! {
         why "El control no puede buscar un bloque por un número así.",
             "The control cannot look a block up by such a number.";
         example Example::program("linuxcnc", "G21 G90 F100|N-5 G0 X1|M2", "2:2");
+    "G0343" ContourBlockMissing Stop alarm Fanuc 63 { number: u32 }
+        es "no hay bloque N{number}"
+        en "there is no block N{number}"
+        remedy "compruebe el número del bloque", "check the number of the block";
+        why "El ciclo no encuentra el contorno que ha de tornear.",
+            "The cycle does not find the contour that it is to turn.";
+        example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 P10 Q20 U1. W.1 F.2|N10 G0 X20.|M30", "4:9");
 }

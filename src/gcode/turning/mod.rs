@@ -21,6 +21,7 @@ pub mod pace;
 pub mod pattern_repeating;
 pub mod profile;
 pub mod rough;
+pub mod rules;
 mod scan;
 pub mod thread_cycle;
 mod tool;

@@ -41,11 +41,11 @@ pub mod undercut;
 
 use std::sync::LazyLock;
 
-use crate::finding::{Exit, Finding, Grade, Refusal};
+use crate::finding::{Exit, Finding, Refusal};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
-use crate::kind::{Outcome, Provenance, not_finite, out_of_format};
+use crate::kind::{End, Outcome, Proved, Provenance, not_finite, out_of_format};
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::design::Design;
@@ -126,18 +126,19 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
     findings.extend(verification.findings);
     let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    let end = End::of(&findings, false);
     Ok(Outcome {
         form,
         quantities,
         charts: charts::charts(splitter.is_some()),
         figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref(), &curves))),
-        turned: None,
-        templates: Vec::new(),
+        drawings: Vec::new(),
+        solids: Vec::new(),
+        setup: Vec::new(),
         tables,
-        programs: if stopped { Vec::new() } else { made.programs },
+        programs: if end == End::Whole { made.programs.into_iter().map(Proved::from).collect() } else { Vec::new() },
         findings,
-        endless: false,
+        end,
         values,
         source,
     })

@@ -540,7 +540,8 @@ pub static FORM: Form = Form {
     }],
     cases: &CASES,
     programs: &["blade", "splitter", "impeller", "blank"],
-    templates: &[],
+    drawings: &[],
+    solids: &[],
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),

@@ -11,7 +11,7 @@ use crate::kinds::impeller::safety::{End, SafeEnd, safe_end};
 use crate::kinds::impeller::splitter::{Side, Splitter};
 use crate::kinds::impeller::tool_path::tool_path;
 use crate::machine::calibration::{Axis, Slots, nearest};
-use crate::table::{Column, Index, Table, Unit};
+use crate::table::{Column, Index, Print, Table, Unit};
 use crate::text::Text;
 
 const MM: Unit = Unit::Millimetre;
@@ -44,7 +44,7 @@ impl ToolPaths {
 }
 
 fn annex(key: &'static str, name: Text, title: Text, source: Text, columns: Vec<Column>) -> Table {
-    Table { key, name, title, source, index: Index::Point, columns }
+    Table { key, name, title, source, index: Index::Point, print: Print::Short, columns }
 }
 
 const fn t(es: &'static str, en: &'static str) -> Text {
@@ -146,6 +146,7 @@ fn safety(passes: &ToolPaths) -> Table {
         title: t("Distancia de seguridad", "Safety distances"),
         source: t("Anexo 8, ecuaciones (23) a (32) corregidas", "Annex 8, equations (23) to (32) corrected"),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::texts(
                 t("extremo", "end"),
@@ -197,6 +198,7 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         title: crossing_title(splitter),
         source: t("Sección 4.3 y ecuación (36); en planta", "Section 4.3 and equation (36); in plan"),
         index: Index::Point,
+        print: Print::Short,
         columns,
     };
     let fraction = |symbol, formula, side: &Side| Column::numbers(symbol, Unit::One, formula, side.fraction.clone());
@@ -226,6 +228,7 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         ),
         source: t("Anexo 10, sección 4.3", "Annex 10, section 4.3"),
         index: Index::Point,
+        print: Print::Short,
         columns,
     };
     [intersection, paths]
@@ -281,6 +284,7 @@ pub fn blank(design: &Design) -> Table {
         title: t("Torneado del bruto: ciclo fijo G85", "Turning of the blank: canned cycle G85"),
         source: t("Sección 4.1 corregida (Z = −r)", "Section 4.1 corrected (Z = −r)"),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::texts(t("parámetro", "parameter"), "", rows.iter().map(|row| Text::fixed(row.0, row.0)).collect()),
             Column::texts(t("significado", "meaning"), "", rows.iter().map(|row| row.1.clone()).collect()),
@@ -302,6 +306,7 @@ pub fn views(blade: &Blade) -> Table {
         title: t("El álabe en planta y en el meridiano", "The blade in plan and in the meridian plane"),
         source: t("De los Anexos 1 y 2", "From annexes 1 and 2"),
         index: Index::Point,
+        print: Print::No,
         columns,
     }
 }
@@ -337,6 +342,7 @@ pub fn calibration(slots: &Slots, nominal: f64) -> Option<(Table, Axis)> {
         ),
         source: t("Sección 5.2, ecuaciones (37) a (39) corregidas", "Section 5.2, equations (37) to (39) corrected"),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::texts(t("forma", "form"), "", rows.iter().map(|row| row.0.clone()).collect()),
             number("R_B", MM, "2R_B² + 2(a+b)R_B + a² + b² − x0² − z0² = 0", |row| row.2.R_B),

@@ -55,6 +55,7 @@ pub fn contour(part: &[Contour], wanted: Vec<Vec<[f64; 2]>>) -> Figure {
     strokes.extend(axis(part));
     Figure {
         key: "contour",
+        height: Figure::HEIGHT,
         caption: t("Contorno de la pieza torneada", "Contour of the turned part"),
         axes: None,
         strokes,
@@ -139,6 +140,7 @@ fn half_section(drawn: &Drawn) -> Figure {
     strokes.extend(axis(&drawn.stock));
     Figure {
         key: "half-section",
+        height: Figure::HEIGHT,
         caption: t("Media sección en el plato", "Half section in the chuck"),
         axes: None,
         strokes,
@@ -169,6 +171,7 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
     };
     Figure {
         key,
+        height: Figure::HEIGHT,
         caption: Text::new(format!("{}{}", what.es, set_up.es), format!("{}{}", what.en, set_up.en)),
         axes: None,
         strokes,

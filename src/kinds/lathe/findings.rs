@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::finding::{Finding, Grade, Place};
 use crate::gcode::motion::{Motion, MotionKind};
-use crate::kind::Raised;
+use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::setup::Given;
 use crate::limits::{FOLLOWED_MOTIONS, PROGRAM_FINDINGS};
 use crate::machine::axis::Axis;

@@ -25,8 +25,7 @@ use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
-use crate::kind::Raised;
-use crate::kind::{FollowedProgram, Outcome, Provenance, Template, Turned};
+use crate::kind::{Drawing, Duration, End, Outcome, Proved, Provenance, Shown, Solid};
 use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
 use crate::kinds::lathe::parameters::{PROGRAM_KEY, SECOND_KEY};
@@ -91,16 +90,35 @@ struct Followed<'a> {
 }
 
 impl Followed<'_> {
-    /// What the program came to.
-    fn run(&self) -> FollowedProgram {
+    /// The program with what it came to.
+    fn proved(self) -> Proved {
         let all = self.simulation.totals().all;
-        FollowedProgram {
-            key: self.program.key,
-            account: self.account.clone(),
-            seconds: all.seconds,
-            timeless: all.timeless,
+        Proved {
+            program: self.program,
+            account: Some(self.account),
+            duration: Some(Duration { seconds: all.seconds, timeless: all.timeless }),
         }
     }
+}
+
+/// An alarm and where its block stands.
+#[derive(Clone, Debug)]
+pub struct Raised {
+    /// The alarm.
+    pub alarm: Alarm,
+    /// Its block: a cell, or a line of a file.
+    pub place: Place,
+    /// The tool's place and the offset in force, where it is not the tool's own.
+    pub other_offset: Option<(u32, u32)>,
+}
+
+/// What came of turning programs.
+#[derive(Debug)]
+pub struct Simulated {
+    /// What every kind comes to.
+    pub outcome: Outcome,
+    /// Every alarm of the programs, in their order.
+    pub alarms: Vec<Raised>,
 }
 
 /// Follows the programs of a filled-in form.
@@ -108,7 +126,7 @@ impl Followed<'_> {
 /// # Errors
 /// A refusal with every contradiction between values.
 pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
-    watched(form, values, source, None, &mut |_| ())
+    watched(form, values, source, None, &mut |_| ()).map(|simulated| simulated.outcome)
 }
 
 /// The same; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
@@ -121,7 +139,7 @@ pub fn watched(
     source: Provenance,
     program: Option<text::SheetProgram>,
     watch: &mut dyn FnMut(Seen<'_>),
-) -> Result<Outcome, Refusal> {
+) -> Result<Simulated, Refusal> {
     let mut wrong = Vec::new();
     if program.is_none() {
         wrong.extend(setup::without_rule(&values));
@@ -421,7 +439,7 @@ fn outcome(
     given: &Given,
     mut followed: Vec<Followed>,
     profile: Option<Profile>,
-) -> Outcome {
+) -> Simulated {
     let mut findings: Vec<Finding> = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.findings)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let mut quantities = quantities(given, &followed);
@@ -448,24 +466,18 @@ fn outcome(
     }
     let contour = figures::contour(&drawn.part, lines);
     let alarms = followed.iter_mut().flat_map(|one| std::mem::take(&mut one.alarms)).collect();
-    let turned = Some(Turned {
-        runs: followed.iter().map(Followed::run).collect(),
-        supported: given.setup.stock.supported(&given.setup.lathe),
-        second: (followed.len() > 1).then_some(given.second),
-        contours: drawn.part.clone(),
-        tolerance: TOLERANCE,
-        alarms,
-    });
-    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
-    let programs: Vec<Program> = followed.into_iter().map(|one| one.program).collect();
-    Outcome {
+    let supported = given.setup.stock.supported(&given.setup.lathe);
+    let second = (followed.len() > 1).then_some(("second", Shown::Length(given.second)));
+    let end = End::of(&findings, endless);
+    let programs = followed.into_iter().filter(|_| end == End::Whole).map(Followed::proved).collect();
+    let outcome = Outcome {
         form,
         quantities,
         tables,
         charts: Vec::new(),
         // Of a part of which nothing is left there is nothing to draw.
-        templates: (!drawn.part.is_empty())
-            .then(|| Template {
+        drawings: (!drawn.part.is_empty())
+            .then(|| Drawing {
                 key: "contour",
                 title: t("Contorno de la pieza", "Contour of the part"),
                 figure: contour,
@@ -474,14 +486,16 @@ fn outcome(
             })
             .into_iter()
             .collect(),
+        solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
+        setup: std::iter::once(("supported", Shown::Whether(supported))).chain(second).collect(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
-        programs: if stopped { Vec::new() } else { programs },
-        turned,
+        programs,
         findings,
-        endless,
+        end,
         values,
         source,
-    }
+    };
+    Simulated { outcome, alarms }
 }
 
 /// What the programs come to.

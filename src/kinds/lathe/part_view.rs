@@ -57,6 +57,7 @@ pub(super) fn cover(part: &[Contour]) -> Figure {
     let camera = Camera::new(-56.0, 24.0);
     Figure {
         key: "cover",
+        height: 118.0,
         caption: t("La pieza como queda torneada", "The part as it is turned"),
         axes: None,
         strokes: Drawing { camera, scene: Scene::new(camera), slabs: slabs(part) }.strokes(),

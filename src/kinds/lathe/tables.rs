@@ -3,15 +3,15 @@
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::geometry::exact::region::Ring;
-use crate::kind::Raised;
 use crate::kind::checks;
+use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::text::Lines;
 use crate::machine::axis::Axis;
 use crate::parameter::t;
 use crate::removal::turning::alarm::Alarm;
 use crate::removal::turning::step::{Step, Total, Totals};
 use crate::removal::turning::turret::Turret;
-use crate::table::{Column, Index, Table, Unit};
+use crate::table::{Column, Index, Print, Table, Unit};
 use crate::text::Text;
 
 /// One row for each motion of a program.
@@ -145,6 +145,7 @@ impl Rows {
                      outside",
                 ),
                 index: Index::None,
+                print: Print::No,
                 columns: vec![
                     Column::numbers("line", Unit::Count, "", rows.line).named(t("línea", "line")),
                     Column::texts(t("bloque", "block"), "", rows.block),
@@ -221,6 +222,7 @@ pub fn lines_table(motions: &[Table]) -> Table {
             "Sums over the motions of each line; of a_p, V_c and Q the greatest; a_p of a thread from the outside",
         ),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::numbers(
                 "program",
@@ -260,6 +262,7 @@ pub fn alarms_table<'a>(alarms: impl Iterator<Item = &'a Raised>) -> Table {
         title: t("Alarmas, en el orden del programa", "Alarms, in the order of the program"),
         source: t("Umbral de penetración: 0.001 mm", "Threshold of penetration: 0.001 mm"),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::numbers("number", Unit::Count, "", numbers(|alarm| f64::from(alarm.cause.number())))
                 .named(t("número", "number")),
@@ -295,6 +298,7 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
             "Sums over the motions; of a_p, V_c and Q the greatest",
         ),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::numbers("T", Unit::Count, "", places.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>()),
             Column::texts(t("herramienta", "tool"), "", places.keys().map(name).collect()),
@@ -322,6 +326,7 @@ pub fn turret_table(turret: &Turret) -> Table {
         title: t("La torreta y los correctores", "The turret and the offsets"),
         source: t("De la hoja de herramientas", "From the sheet of tools"),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::numbers(
                 "T",
@@ -353,6 +358,7 @@ pub fn contour_table(contours: &[Ring]) -> Table {
             "Half section from W1, counter-clockwise; arcs by chords within their tolerance",
         ),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::numbers("contour", Unit::Count, "", numbers(|at, _| count(at + 1))).named(t("contorno", "contour")),
             Column::numbers("X", Unit::Millimetre, "", numbers(|_, point| 2.0 * point[1])),

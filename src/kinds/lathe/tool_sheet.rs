@@ -181,6 +181,7 @@ pub(super) const LIST: List = List {
         "El catálogo: una herramienta por fila; las que llevan T están montadas en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control. M: el giro con el que corta, según qué cara mira arriba; en las de ranurar y roscar dice, con la mano, a qué lado queda el mango. En ellas, vacía: R con M3; L en torreta delantera con M3 y el mango hacia el plato, en trasera con M4.",
         "The catalogue: one tool a row; those with a T are mounted in that place of the turret, 1 to 8. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control. M: the spindle's way in the cut, by the face that looks up; of grooving and threading tools it says, with the hand, to which side the shank lies. Empty, of these: R with M3; L in a front turret with M3, its shank towards the chuck, in a rear one with M4.",
     ),
+    is_program: false,
     optional: false,
     columns: TOOLS,
     widths: &[

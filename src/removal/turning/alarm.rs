@@ -1,7 +1,7 @@
 //! What goes wrong while a program turns: numbered, with cause, place and depth.
 
 use super::stock::Fixture;
-use crate::finding::{Finding, Grade, Place, Raise, Said, Size};
+use crate::finding::{AlarmFamily, Finding, Grade, Place, Raise, Said, Size};
 use crate::gcode::in_force::Compensation;
 use crate::machine::axis::Axis;
 use crate::number::shown;
@@ -187,7 +187,7 @@ impl Cause {
     /// The alarm's number.
     #[must_use]
     pub fn number(self) -> u16 {
-        self.row().rule().alarm.unwrap_or_default()
+        self.row().rule().alarm_of(AlarmFamily::Lathe).unwrap_or_default()
     }
 
     /// True where it hangs on where the tool is: with another tool's offset it may follow from that.

@@ -15,6 +15,7 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::out;
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
+use crate::gcode::turning::rules::TooManyPecks;
 use crate::limits::{BLOCK_HOLES, PECKS};
 use crate::machine::axis::Pose;
 use crate::text::Text;
@@ -186,15 +187,7 @@ impl Interpreter<'_> {
                     ));
                 }
                 if (run.r - run.bottom) / run.q > PECKS {
-                    let mut fault = Fault::limit(
-                        Text::new(
-                            format!("más de {PECKS} pasadas en un agujero"),
-                            format!("more than {PECKS} pecks in one hole"),
-                        ),
-                        Text::fixed("aumente Q", "make Q greater"),
-                    );
-                    fault.fatal = false;
-                    return Err(fault);
+                    return Err(Fault::beyond(&TooManyPecks { most: PECKS }, &[]));
                 }
             }
             Cycle::DrillDwell

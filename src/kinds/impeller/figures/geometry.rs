@@ -81,6 +81,7 @@ pub(super) fn villarceau(blade: &Blade) -> Figure {
     let middle = |a: [f64; 2], b: [f64; 2], lift: f64| [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0 + lift];
     Figure {
         key: "villarceau",
+        height: 56.0,
         caption: t(
             "El toro y su círculo de Villarceau; el cuarto en uso es la fibra media de un álabe",
             "The torus and its Villarceau circle; the quarter in use is the mean line of a blade",
@@ -131,6 +132,7 @@ pub(super) fn plan(design: &Design, blade: &Blade, splitter: Option<&Splitter>) 
     }
     Figure {
         key: "plan",
+        height: 104.0,
         caption: t("Los álabes en planta", "The blades in plan"),
         axes: None,
         strokes,
@@ -174,6 +176,7 @@ pub(super) fn frame(blade: &Blade) -> Figure {
     }
     Figure {
         key: "frame",
+        height: 82.0,
         caption: t("El triedro de Darboux a lo largo de la fibra media", "The Darboux frame along the mean line"),
         axes: None,
         strokes,
@@ -202,6 +205,7 @@ pub(super) fn tool_paths(design: &Design, blade: &Blade) -> Figure {
     }
     Figure {
         key: "tool-path",
+        height: 92.0,
         caption: t(
             "Trayectorias de la punta a ambos lados de un álabe, sobre la pieza; en gris, el eje de la herramienta",
             "Paths of the tool tip on both sides of a blade, on the part; in grey, the tool's axis",
@@ -229,6 +233,7 @@ pub(super) fn crossing(design: &Design, blade: &Blade, splitter: &Splitter) -> F
     let mark: Vec<[f64; 2]> = round(size).into_iter().map(|[x, y]| [x + at[0], y + at[1]]).collect();
     Figure {
         key: "crossing",
+        height: 92.0,
         caption: match splitter.fade {
             Fade::Published => Text::new(
                 format!("Cruce de las trayectorias en planta, en el índice {:.2}; m = {}", back.crossing, back.m),

@@ -18,6 +18,7 @@ pub(super) fn angles(blade: &Blade) -> Figure {
     let degrees = |values: &[f64]| over_index(values.len(), |at| values.get(at).map(|one| one.to_degrees()));
     Figure {
         key: "angles",
+        height: Figure::HEIGHT,
         caption: t("Ángulos de giro a lo largo del álabe", "Rotary angles along the blade"),
         axes: Some(Axes { x: Text::same("i"), y: t("ángulo (°)", "angle (°)") }),
         strokes: vec![line(Ink::Obverse, degrees(&blade.B)), line(Ink::Blade, degrees(&blade.C))],
@@ -38,6 +39,7 @@ pub(super) fn fraction(splitter: &Splitter) -> Figure {
     };
     Figure {
         key: "fraction",
+        height: Figure::HEIGHT,
         caption: t(
             "Fracción de la separación completa a lo largo del álabe intermedio",
             "Fraction of the full offset along the splitter",
@@ -65,6 +67,7 @@ const fn ink(track: Track) -> Ink {
 pub(super) fn deviation(curves: &[Curve]) -> Figure {
     Figure {
         key: "deviation",
+        height: Figure::HEIGHT,
         caption: t(
             "Desviación de la punta en mitad de cada bloque, positiva hacia el metal",
             "Deviation of the tip in the middle of each block, positive into the metal",

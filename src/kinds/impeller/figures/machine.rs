@@ -35,6 +35,7 @@ pub(super) fn positions(design: &Design, blade: &Blade) -> Figure {
     labels.push(label([pivot[0] + 5.0 * size, pivot[1] - 0.5 * size], t("pivote", "pivot")));
     Figure {
         key: "positions",
+        height: 104.0,
         caption: t(
             "La pieza, en sección, girada alrededor del pivote bajo la herramienta (plano XZ de la máquina)",
             "The part, in section, turned about the pivot under the tool (machine plane XZ)",
@@ -116,6 +117,7 @@ pub(super) fn safe_points(passes: &ToolPaths) -> Figure {
     strokes.push(line(Ink::Reverse, reverse));
     Figure {
         key: "safety",
+        height: Figure::HEIGHT,
         caption: t(
             "Recorrido de la herramienta alrededor de un álabe, en el plano XY de la máquina",
             "Way of the tool round a blade, in the machine's XY plane",
@@ -163,6 +165,7 @@ pub(super) fn safe_ends(design: &Design, blade: &Blade, passes: &ToolPaths) -> F
     }
     Figure {
         key: "safe-ends",
+        height: 82.0,
         caption: t(
             "Los extremos del álabe a escala: herramienta al final de las pasadas y en los puntos de seguridad",
             "The blade's ends to scale: the tool at the ends of the passes and at the safe points",
@@ -205,6 +208,7 @@ pub(super) fn blank(design: &Design) -> Figure {
     let overhang = 0.08 * length;
     Figure {
         key: "blank",
+        height: Figure::HEIGHT,
         caption: t(
             "Perfil torneado, en semisección: el arco del ciclo G85 dentro del bruto",
             "Turned profile, in half section: the arc of the cycle G85 within the stock",

@@ -35,6 +35,7 @@ pub(super) fn cover(design: &Design, blade: &Blade, splitter: Option<&Splitter>)
     }
     Figure {
         key: "cover",
+        height: 118.0,
         caption: t(
             "El rodete mecanizado; la base bajo el canal es indicativa",
             "The impeller as cut; the base below the channel is indicative",

@@ -83,6 +83,7 @@ fn cover(design: &Design, stations: &[Station]) -> Figure {
     }
     Figure {
         key: "cover",
+        height: 118.0,
         caption: t(
             "El agujero: borde exterior, raíz y eje de la antorcha",
             "The hole: outer edge, root, and the torch's axis",
@@ -105,6 +106,7 @@ fn over_alpha(stations: &[Station], value: impl Fn(&Station) -> f64) -> Vec<[f64
 fn angles(stations: &[Station]) -> Figure {
     Figure {
         key: "angles",
+        height: Figure::HEIGHT,
         caption: t("Ángulos alrededor del agujero", "Angles round the hole"),
         axes: Some(Axes { x: t("α (°)", "α (°)"), y: t("ángulo (°)", "angle (°)") }),
         strokes: vec![
@@ -121,6 +123,7 @@ fn heights(design: &Design, stations: &[Station]) -> Figure {
     let level = |value: f64| vec![[0.0, value], [360.0, value]];
     Figure {
         key: "heights",
+        height: Figure::HEIGHT,
         caption: t("Altura y distancia alrededor del agujero", "Height and distance round the hole"),
         axes: Some(Axes { x: t("α (°)", "α (°)"), y: t("mm", "mm") }),
         strokes: vec![
@@ -140,6 +143,7 @@ fn heights(design: &Design, stations: &[Station]) -> Figure {
 fn left(deviation: &[[f64; 2]]) -> Figure {
     Figure {
         key: "deviation",
+        height: Figure::HEIGHT,
         caption: t(
             "Distancia del chorro, leído del programa, a la raíz exacta",
             "Distance of the beam, read back from the program, from the exact root",
@@ -167,6 +171,7 @@ pub fn template(design: &Design) -> Figure {
     let (width, height) = (most(0), most(1));
     Figure {
         key: "template",
+        height: Figure::HEIGHT,
         caption: t("Plantilla del agujero sobre el exterior del tubo", "Template of the hole on the pipe's outside"),
         axes: None,
         strokes: vec![

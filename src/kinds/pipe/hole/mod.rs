@@ -18,10 +18,10 @@ pub mod tables;
 
 use std::sync::LazyLock;
 
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::header::Origin;
 use crate::gcode::word::Distance;
-use crate::kind::{Chart, Outcome, Provenance, Series, Template, not_finite, out_of_format};
+use crate::kind::{Chart, Drawing, End, Outcome, Proved, Provenance, Series, not_finite, out_of_format};
 use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{TooHigh, cut};
 use crate::kinds::pipe::hole::design::Design;
@@ -93,7 +93,7 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
     findings.extend(verification.findings);
     let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    let end = End::of(&findings, false);
     let series = |name, y| Series { name, x: ("height", "α"), y: ("height", y) };
     Ok(Outcome {
         form,
@@ -114,9 +114,7 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
                 series: vec![series(Text::same("D"), "D"), series(Text::same("g"), "g")],
             },
         ],
-        turned: None,
-        endless: false,
-        templates: vec![Template {
+        drawings: vec![Drawing {
             key: "template",
             title: t("Plantilla del agujero", "Template of the hole"),
             figure: template(&design),
@@ -125,8 +123,11 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         }],
         figures: LazyLock::new(Box::new(move || figures(&design, &curve))),
         tables,
-        programs: if stopped { Vec::new() } else { programs },
+        programs: if end == End::Whole { programs.into_iter().map(Proved::from).collect() } else { Vec::new() },
+        solids: Vec::new(),
+        setup: Vec::new(),
         findings,
+        end,
         values,
         source,
     })

@@ -208,7 +208,8 @@ pub static FORM: Form = Form {
     earlier: &[],
     cases: &CASES,
     programs: &["hole"],
-    templates: &["template"],
+    drawings: &["template"],
+    solids: &[],
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Agujero biselado en un tubo: parámetros", "Bevelled hole in a pipe: parameters"),

@@ -10,7 +10,7 @@ use crate::kinds::pipe::hole::height::Rule;
 use crate::kinds::pipe::hole::program::{AXES, follows};
 use crate::kinds::pipe::hole::station::Station;
 use crate::machine::torch::TorchAxes;
-use crate::table::{Column, Index, Table, Unit};
+use crate::table::{Column, Index, Print, Table, Unit};
 use crate::text::Text;
 
 const MM: Unit = Unit::Millimetre;
@@ -56,6 +56,7 @@ pub fn curve(stations: &[Station]) -> Table {
         title: t("Curva de la raíz y su salida por el exterior", "Curve of the root, and where it leaves the outside"),
         source: t("Deducido aquí; φ como en la patente", "Derived here; φ as in the patent"),
         index: Index::Point,
+        print: Print::Short,
         columns,
     }
 }
@@ -72,6 +73,7 @@ pub fn height(stations: &[Station]) -> Table {
             "σ = asin(sin(φ − γ)); D derived here, in the outer tangent plane, at the angle σ_o",
         ),
         index: Index::Point,
+        print: Print::Short,
         columns: vec![
             numbers("α", DEGREE, "", stations.iter().map(|one| one.alpha.to_degrees())),
             numbers("σ", DEGREE, "σ = asin(sin(φ − γ))", stations.iter().map(|one| one.sigma.to_degrees())),
@@ -121,6 +123,7 @@ pub fn pose(stations: &[Station], beside: f64) -> Table {
         title: t("Postura de la antorcha y ejes de la máquina", "Pose of the torch, and axes of the machine"),
         source: t("Deducido aquí; a′ es a girada con −A", "Derived here; a′ is a turned with −A"),
         index: Index::Point,
+        print: Print::Short,
         columns,
     }
 }
@@ -152,6 +155,7 @@ pub fn way(cut: &Cut) -> Table {
         title: t("Camino de la antorcha, compensado el corte", "The torch's way, the kerf compensated"),
         source: t("Redondeado a 0.001; partido según su tolerancia", "Rounded to 0.001; parted by its tolerance"),
         index: Index::Point,
+        print: Print::Short,
         columns,
     }
 }

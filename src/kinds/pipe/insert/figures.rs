@@ -108,6 +108,7 @@ fn pipes(design: &Design) -> Figure {
     }
     Figure {
         key: "cover",
+        height: 118.0,
         caption: t("El injerto sobre el tubo base", "The branch on the header"),
         axes: None,
         strokes,
@@ -154,6 +155,7 @@ fn development(design: &Design, cut: Option<&Cut>) -> Figure {
     }
     Figure {
         key: "development",
+        height: Figure::HEIGHT,
         caption: t(
             "Desarrollo del injerto con el camino de la antorcha",
             "Development of the branch with the torch's way",
@@ -190,6 +192,7 @@ pub fn template(design: &Design) -> Figure {
     });
     Figure {
         key: "template",
+        height: Figure::HEIGHT,
         caption: t("Plantilla del injerto", "Template of the branch"),
         axes: None,
         strokes,
@@ -201,6 +204,7 @@ pub fn template(design: &Design) -> Figure {
 fn deviation_figure(deviation: &[[f64; 2]]) -> Figure {
     Figure {
         key: "deviation",
+        height: Figure::HEIGHT,
         caption: t(
             "Desviación de la trayectoria leída respecto a la curva exacta, positiva hacia el sobrante",
             "Deviation of the path as read back from the exact curve, positive into the waste",

@@ -29,11 +29,11 @@ pub mod tables;
 
 use std::sync::LazyLock;
 
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
-use crate::kind::{Chart, Outcome, Provenance, Series, Template, not_finite, out_of_format};
+use crate::kind::{Chart, Drawing, End, Outcome, Proved, Provenance, Series, not_finite, out_of_format};
 use crate::kinds::pipe::insert::cut::cut;
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::figures::{figures, template};
@@ -95,7 +95,7 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
     findings.extend(verification.findings);
     let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let stopped = findings.iter().any(|finding| finding.grade == Grade::Stop);
+    let end = End::of(&findings, false);
     Ok(Outcome {
         form,
         quantities,
@@ -106,8 +106,7 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
             equal: false,
             series: vec![Series { name: t("curva", "curve"), x: ("template", "x"), y: ("template", "y") }],
         }],
-        turned: None,
-        templates: vec![Template {
+        drawings: vec![Drawing {
             key: "template",
             title: t("Plantilla del injerto", "Template of the branch"),
             figure: template(&design),
@@ -116,9 +115,11 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         }],
         figures: LazyLock::new(Box::new(move || figures(&design, cut.as_ref(), &curve))),
         tables,
-        programs: if stopped { Vec::new() } else { programs },
+        programs: if end == End::Whole { programs.into_iter().map(Proved::from).collect() } else { Vec::new() },
+        solids: Vec::new(),
+        setup: Vec::new(),
         findings,
-        endless: false,
+        end,
         values,
         source,
     })

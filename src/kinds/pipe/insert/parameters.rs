@@ -179,7 +179,8 @@ pub static FORM: Form = Form {
     earlier: &[],
     cases: &CASES,
     programs: &["insert"],
-    templates: &["template"],
+    drawings: &["template"],
+    solids: &[],
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Injerto de tubo: parámetros", "Branch pipe: parameters"),

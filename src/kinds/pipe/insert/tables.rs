@@ -6,7 +6,7 @@ use crate::kinds::pipe::insert::arcs::triples;
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::program::template_points;
-use crate::table::{Column, Index, Table, Unit};
+use crate::table::{Column, Index, Print, Table, Unit};
 use crate::text::Text;
 
 const MM: Unit = Unit::Millimetre;
@@ -26,6 +26,7 @@ pub fn template(design: &Design) -> Table {
         title: t("Plantilla del injerto sobre el desarrollo", "Template of the branch on the development"),
         source: t("Ecuación 9 y tabla 1", "Equation 9 and table 1"),
         index: Index::Point,
+        print: Print::Short,
         columns: vec![
             Column::numbers("φ", Unit::Degree, "φ = 360·j/N", phi),
             Column::numbers("x", MM, "x = r_dev·φ", points.iter().map(|point| point.x).collect::<Vec<_>>()),
@@ -60,6 +61,7 @@ pub fn arcs(design: &Design) -> Table {
             "Equations 10 to 19 and table 2. The printed table has half of D and E, and equation 18 with it; the turn stays",
         ),
         index: Index::None,
+        print: Print::Short,
         columns: vec![
             Column::numbers("j", Unit::Count, "", j),
             numbers("x", MM, "", &|triple| triple.to.x),
@@ -121,6 +123,7 @@ pub fn way(design: &Design, cut: &Cut) -> Table {
             "Derived here: the curve half a kerf to the side of the waste, rounded to 0.001",
         ),
         index: Index::Point,
+        print: Print::Short,
         columns: vec![
             Column::numbers(first.0, first.1, "", axis(0)),
             Column::numbers(second.0, second.1, "", axis(1)),
