@@ -143,11 +143,12 @@ fn codes_are_one_rows_alone_and_their_texts_whole() {
         assert_eq!(rule.remedy.es.is_empty(), rule.remedy.en.is_empty(), "{}", rule.code);
         assert!(rule.grade == Grade::Note || !rule.remedy.is_empty(), "{} says no remedy", rule.code);
     }
-    let never: Vec<_> =
+    let mut never: Vec<_> =
         rules().filter(|rule| matches!(rule.example, Example::Never(_))).map(|rule| rule.code).collect();
+    never.sort_unstable();
     assert_eq!(
         never,
-        ["L0141", "G0016", "G0018", "G0026", "G0301", "G0319", "G0320"],
+        ["G0016", "G0018", "G0026", "G0301", "G0319", "G0320", "L0141", "W0103", "W0111", "W0219", "W0261", "W0262"],
         "what no input raises is counted"
     );
 }

@@ -403,7 +403,7 @@ impl Interpreter<'_> {
         let mut line = Vec::new();
         let mut skipped = 0;
         while self.source().position().lines + 1 < first && self.source().next_line(&mut line)? {
-            let comments = self.control.comments;
+            let comments = self.control.lexis.comments;
             skipped += usize::from(Cursor::new(&line, comments).peek() != 0);
         }
         if skipped > 0 {
@@ -441,12 +441,12 @@ impl Interpreter<'_> {
 
     /// Whose alarms the control raises; none where its numbers are not known.
     pub(super) fn alarms(&self) -> Option<AlarmFamily> {
-        self.control.system_a.then_some(AlarmFamily::Fanuc)
+        self.control.alarms
     }
 
     /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.
     pub(super) fn alarm(&self, number: u16) -> String {
-        if self.control.system_a { format!("PS{number:04}: ") } else { String::new() }
+        self.control.alarms.map_or_else(String::new, |family| format!("{}: ", family.shown(number)))
     }
 
     /// True where the block has an axis word.

@@ -1,6 +1,7 @@
 //! Subprograms, loops and branches.
 
 use crate::gcode::code::{G, Group, M};
+use crate::gcode::control::CallBy;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::context::Context;
@@ -81,10 +82,10 @@ impl Flow {
 impl Interpreter<'_> {
     /// The O-words of the file in hand.
     fn structure(&mut self) -> Outcome<&Structure> {
-        let (at, comments) = (self.at, self.control.comments);
+        let (at, lexis) = (self.at, &self.control.lexis);
         match &mut self.structures[at] {
             Some(known) => Ok(known),
-            unknown => Ok(unknown.insert(Structure::of(&mut self.sources[at], comments)?)),
+            unknown => Ok(unknown.insert(Structure::of(&mut self.sources[at], lexis)?)),
         }
     }
 
@@ -303,7 +304,7 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn enter(&mut self, mut call: Call) -> Outcome<()> {
-        let most = self.setting.budget.call_depth.min(self.control.call_depth);
+        let most = self.setting.budget.call_depth.min(self.control.calls.depth);
         if self.flow.frames.len() >= most {
             let mut stack: Vec<String> = self.flow.frames.iter().map(|call| shown(&call.label)).collect();
             stack.push(shown(&call.label));
@@ -376,12 +377,19 @@ impl Interpreter<'_> {
     }
 
     /// M98 and M99 of the block in hand.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn call_or_return(&mut self) -> Outcome<()> {
-        let result = match self.block.m(4) {
-            _ if self.control.system_a => self.call_by_number(),
-            Some((M::Call, _)) => self.call_program(),
-            Some((M::Return, _)) => self.return_from_program(),
-            _ => Ok(()),
+        let result = match self.control.calls.by {
+            CallBy::Number => self.call_by_number(),
+            CallBy::Label => match self.block.m(4) {
+                Some((M::Call, _)) => self.call_program(),
+                Some((M::Return, _)) => self.return_from_program(),
+                Some(_) | None => Ok(()),
+            },
+            CallBy::Nothing => {
+                let number = self.block.m(4).map_or(98, |(_, number)| number);
+                Err(self.unknown('M', number.into(), self.block.m_column(4)))
+            }
         };
         result.map_err(Fault::fatal)
     }
@@ -436,7 +444,7 @@ impl Interpreter<'_> {
         }
         // A lathe makes a plain motion of the block before it.
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
-        if self.control.system_a
+        if self.control.calls.by.beside_motion()
             && matches!(motion, G::Rapid | G::Linear | G::Arc(_))
             && self.block.g(Group::NonModal).is_none()
         {

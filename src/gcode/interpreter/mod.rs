@@ -93,8 +93,8 @@ use self::standstill::Standing;
 pub use self::standstill::Standstill;
 use self::structure::Structure;
 use crate::finding::{Finding, Place, Raise};
-use crate::gcode::control::Control;
 pub use crate::gcode::control::Rotary;
+use crate::gcode::control::{Control, RadiusRule};
 use crate::gcode::in_force::InForce;
 use crate::gcode::motion::Motion;
 use crate::gcode::rules::flow::{
@@ -220,7 +220,7 @@ impl<'a> Interpreter<'a> {
             parameters,
             tools,
             queue: VecDeque::new(),
-            compensator: Compensator::new(!control.system_a),
+            compensator: Compensator::new(control.radius),
             milling: Milling::default(),
             run: None,
             corner: None,
@@ -262,7 +262,10 @@ impl<'a> Interpreter<'a> {
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        let tip = if self.control.expressions { self.cutter() } else { self.compensator.tip(&self.current) };
+        let tip = match self.control.radius {
+            RadiusRule::Cutter => self.cutter(),
+            RadiusRule::Nose(_) | RadiusRule::None => self.compensator.tip(&self.current),
+        };
         (tip, self.frame.to_machine(&tip))
     }
 
@@ -319,7 +322,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
-        if self.control.system_a && self.line == 0 {
+        if self.control.lexis.percent.leader() && self.line == 0 {
             self.pass_leader()?;
         }
         if !self.source().next_line(line)? {
@@ -355,7 +358,7 @@ impl<'a> Interpreter<'a> {
         if self.setting.part {
             return Ok(());
         }
-        if self.control.system_a {
+        if self.control.lexis.percent.leader() {
             self.remark_no_end();
             return self.end();
         }
@@ -371,7 +374,7 @@ impl<'a> Interpreter<'a> {
     fn end(&mut self) -> Outcome<()> {
         self.stage = Stage::Ended;
         self.lose_corner(false);
-        if self.control.expressions {
+        if self.control.radius.cutter() {
             self.end_cutter();
         }
         self.end_of_program();

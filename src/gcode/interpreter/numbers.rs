@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
 use crate::finding::Raise;
-use crate::gcode::control::Comments;
+use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
@@ -40,10 +40,10 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Looks through a file up to the second `%` and goes back to where it was.
-    fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
+    fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
         let back = source.position();
         let mut numbers = Self::default();
-        let mut tape = Tape::new(comments);
+        let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
         source.go_to(Position::START)?;
         loop {
@@ -51,7 +51,7 @@ impl Numbers {
             if !source.next_line(&mut line)? || tape.ends(&line) {
                 break;
             }
-            let mut cursor = Cursor::new(&line, comments);
+            let mut cursor = Cursor::new(&line, lexis.comments);
             cursor.accept_delete(true);
             if cursor.accept(b'o') {
                 // A bad number is refused when its line is executed.
@@ -99,10 +99,10 @@ impl Interpreter<'_> {
     /// The numbers of the file in hand.
     pub(super) fn numbers(&mut self) -> Outcome<&Numbers> {
         let at = self.at;
-        let comments = self.control.comments;
+        let lexis = &self.control.lexis;
         match self.numbers.entry(at) {
             Entry::Occupied(known) => Ok(known.into_mut()),
-            Entry::Vacant(place) => Ok(place.insert(Numbers::of(&mut self.sources[at], comments)?)),
+            Entry::Vacant(place) => Ok(place.insert(Numbers::of(&mut self.sources[at], lexis)?)),
         }
     }
 

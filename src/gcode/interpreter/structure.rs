@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::Raise;
-use crate::gcode::control::Comments;
+use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -178,11 +178,11 @@ impl Structure {
     ///
     /// # Errors
     /// For words that do not belong together, two subprograms of one label, and too many words.
-    pub(super) fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
+    pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
         let back = source.position();
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
-        let mut tape = Tape::new(comments);
+        let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
         source.go_to(Position::START)?;
         loop {
@@ -190,7 +190,7 @@ impl Structure {
             if !source.next_line(&mut line)? || tape.ends(&line) {
                 break;
             }
-            let mut cursor = Cursor::new(&line, comments);
+            let mut cursor = Cursor::new(&line, lexis.comments);
             if cursor.peek() == b'/' {
                 cursor.pass();
             }

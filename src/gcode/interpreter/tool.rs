@@ -2,7 +2,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::Turret;
+use crate::gcode::control::{ToolCall, ToolChange};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
@@ -15,10 +15,13 @@ use crate::number::trig::sin_cos;
 use crate::text::Text;
 
 impl Interpreter<'_> {
-    /// T: the tool that the next change brings.
+    /// T: the tool that the next change brings, or the turret's place.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn take_tool(&mut self) -> Outcome<()> {
-        if self.control.turret != Turret::Change {
-            return self.turn_turret();
+        match self.control.tool {
+            ToolCall::Change => {}
+            ToolCall::Words => return self.turn_by_words(),
+            ToolCall::Digits => return self.turn_by_digits(),
         }
         let Some(T) = self.block.get(letter::T) else { return Ok(()) };
         let number = self.tool_number(letter::T, T)?;
@@ -50,6 +53,7 @@ impl Interpreter<'_> {
     }
 
     /// M6 and M61.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn change_tool(&mut self, code: M) -> Outcome<()> {
         let column = self.block.m_column(6);
         if code == M::SetTool {
@@ -63,9 +67,11 @@ impl Interpreter<'_> {
             self.modal.tool = self.tool_number(letter::Q, Q)?;
             return Ok(());
         }
-        match self.modal.selected {
-            Some(tool) => self.modal.tool = tool,
-            None if self.control.expressions => {
+        let selected = self.modal.selected;
+        self.modal.tool = selected.unwrap_or(self.modal.tool);
+        match self.control.change {
+            ToolChange::Routine => {}
+            ToolChange::Selected if selected.is_none() => {
                 return Err(Fault::at(
                     &[column],
                     Text::fixed("M6 sin herramienta elegida con T", "M6 without a tool selected by T"),
@@ -73,10 +79,7 @@ impl Interpreter<'_> {
                 )
                 .hanging_on(doubt::TOOL));
             }
-            None => {}
-        }
-        if self.control.expressions {
-            self.modal.spindle = Spindle::Stopped;
+            ToolChange::Selected => self.modal.spindle = Spindle::Stopped,
         }
         Ok(())
     }

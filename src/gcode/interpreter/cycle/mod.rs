@@ -7,7 +7,8 @@ mod drilling;
 pub(super) mod single_pass;
 
 use crate::finding::Grade;
-use crate::gcode::code::{Cycle, G};
+use crate::gcode::code::{Cycle, G, Group};
+use crate::gcode::control::Drilling;
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
@@ -52,8 +53,18 @@ pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
 }
 
 impl Interpreter<'_> {
-    /// A canned cycle of the block in hand.
-    pub(super) fn cycle(&mut self, cycle: Cycle) -> Outcome<()> {
+    /// A canned cycle of the block in hand, as the control drills.
+    #[deny(clippy::wildcard_enum_match_arm)]
+    pub(super) fn drill(&mut self, cycle: Cycle) -> Outcome<()> {
+        match self.control.drilling {
+            Drilling::Rs274 => self.cycle(cycle),
+            Drilling::Lathe => self.hole(cycle),
+            Drilling::None => Err(self.unknown('G', cycle.number(), self.block.g_column(Group::Motion))),
+        }
+    }
+
+    /// A canned cycle along the axis across the plane.
+    fn cycle(&mut self, cycle: Cycle) -> Outcome<()> {
         let feed = self.feed()?;
         if matches!(feed.mode, FeedMode::InverseTime | FeedMode::Seconds) {
             return Err(Fault::block(
@@ -143,7 +154,7 @@ impl Interpreter<'_> {
         if self.returns_initial() {
             run.clear = old;
         }
-        if self.modal.return_initial.is_none() && !self.control.return_initial && old > r {
+        if self.modal.return_initial.is_none() && !self.control.start.retract.initial() && old > r {
             let line = self.line;
             self.remarks.add(
                 Grade::Caution,
@@ -165,7 +176,7 @@ impl Interpreter<'_> {
 
     /// Whether cycles return to the height that they started from.
     pub(super) fn returns_initial(&self) -> bool {
-        self.modal.return_initial.unwrap_or(self.control.return_initial)
+        self.modal.return_initial.unwrap_or(self.control.start.retract.initial())
     }
 
     /// P, Q, I, J and K of the cycle.
@@ -248,7 +259,7 @@ impl Interpreter<'_> {
             )
             .hanging_on(doubt::SPINDLE));
         }
-        if wanted.is_some() && self.modal.plane != Plane::XY && self.control.expressions {
+        if wanted.is_some() && self.modal.plane != Plane::XY {
             self.remarks.add(
                 Grade::Caution,
                 self.line,
