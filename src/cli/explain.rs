@@ -7,7 +7,7 @@ use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
-use crate::gcode::rules::{expressions, lexis};
+use crate::gcode::rules::{expressions, flow, lexis};
 use crate::gcode::turning;
 use crate::parameter::t;
 use crate::removal::turning::rules as alarms;
@@ -26,6 +26,7 @@ pub const RULES: &[&[&Rule]] = &[
     workbook::rules::value::RULES,
     workbook::rules::form::RULES,
     workbook::rules::offsets::RULES,
+    flow::RULES,
 ];
 
 fn all() -> impl Iterator<Item = &'static Rule> {

@@ -23,6 +23,7 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::source::Position;
+use crate::gcode::rules::flow::ContourBlockMissing;
 use crate::gcode::turning::profile::{Element, Profile};
 use crate::gcode::turning::rules::CornerInContour;
 use crate::limits::CONTOUR_BLOCKS;
@@ -84,8 +85,9 @@ impl Interpreter<'_> {
             *number = self.number_of_block(cycle, letter)?;
         }
         let columns = letters.map(|letter| self.block.column(letter));
-        let [first, last] =
-            [self.block_numbered(numbers[0], columns[0], 63)?, self.block_numbered(numbers[1], columns[1], 63)?];
+        let missing = |at: usize| ContourBlockMissing { number: numbers[at] };
+        let first = self.block_numbered(numbers[0], columns[0], &missing(0))?;
+        let last = self.block_numbered(numbers[1], columns[1], &missing(1))?;
         let alarm = self.alarm(63);
         if last.line() < first.line() {
             return Err(Fault::at(

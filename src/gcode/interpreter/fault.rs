@@ -209,6 +209,15 @@ impl Remarks {
         }
     }
 
+    /// Remarks what was found before the first line.
+    pub(super) fn found(&mut self, finding: Finding) {
+        if let Some((count, _)) = self.list.iter_mut().find(|(_, other)| other.what == finding.what) {
+            *count += 1;
+        } else if self.list.len() < REMARKS {
+            self.list.push((1, Finding { place: place(None, 1, Vec::new()), ..finding }));
+        }
+    }
+
     /// Remarks a motion at feed that turns an axis by more than half a turn.
     pub(super) fn turned(&mut self, line: usize, axis: char, degrees: f64) {
         let first = || place(self.file.as_deref(), line, Vec::new());
