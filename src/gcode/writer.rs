@@ -1,8 +1,8 @@
 //! Blocks as a control wants them: one way for every kind that writes programs.
 //!
-//! What a control has a form of its own for is asked of its [`Writing`] or of the rule by which it is read.
+//! What a control has a form of its own for is asked of its [`Writing`](crate::gcode::control::Writing) or of the rule by which it is read.
 
-use crate::gcode::control::{Control, FeedLaw, Writing};
+use crate::gcode::control::{FeedLaw, Written};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::Part;
 use crate::gcode::word::{Distance, Word};
@@ -12,8 +12,7 @@ use crate::number::grid::{Milli, OutOfFormat};
 /// A program being written.
 #[derive(Debug)]
 pub struct Writer {
-    control: &'static Control,
-    writing: &'static Writing,
+    written: Written,
     law: FeedLaw,
     last: Option<FeedWord>,
     parts: Vec<Part>,
@@ -22,8 +21,8 @@ pub struct Writer {
 impl Writer {
     /// A program that begins with some parts, its header.
     #[must_use]
-    pub const fn new(control: &'static Control, writing: &'static Writing, parts: Vec<Part>) -> Self {
-        Self { control, writing, law: control.feed.law, last: None, parts }
+    pub const fn new(written: Written, parts: Vec<Part>) -> Self {
+        Self { written, law: written.control.feed.law, last: None, parts }
     }
 
     /// The same, with F along the path in mm a minute whatever the control's law for rotary axes.
@@ -50,12 +49,12 @@ impl Writer {
 
     /// The block that puts the control into a known state.
     pub fn safety(&mut self) {
-        self.block(self.writing.safety_block());
+        self.block(self.written.writing.safety_block());
     }
 
     /// The blocks that bring a tool and its offset D to work.
     pub fn tool(&mut self, T: u32, D: u32) {
-        for words in self.writing.tool.blocks(T, D) {
+        for words in self.written.writing.tool.blocks(T, D) {
             self.block(words);
         }
     }
@@ -63,7 +62,7 @@ impl Writer {
     /// The word that says a coordinate of an axis, mm or degrees.
     #[must_use]
     pub fn coordinate(&self, axis: Axis, coordinate: Milli) -> Word {
-        let word = if axis == Axis::X { self.control.axes.x.word(coordinate) } else { coordinate };
+        let word = if axis == Axis::X { self.written.control.axes.x.word(coordinate) } else { coordinate };
         Word::size(axis.letter(), word)
     }
 
@@ -86,7 +85,7 @@ impl Writer {
     /// # Errors
     /// For a time that no program may carry.
     pub fn dwell(&mut self, seconds: f64) -> Result<(), OutOfFormat> {
-        let time = self.control.lexis.dwell.first().map(|dwell| dwell.word(seconds)).transpose()?;
+        let time = self.written.control.lexis.dwell.first().map(|dwell| dwell.word(seconds)).transpose()?;
         self.block(std::iter::once(Word::whole('G', 4)).chain(time).collect::<Vec<_>>());
         Ok(())
     }

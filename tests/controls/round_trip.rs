@@ -1,7 +1,7 @@
 //! What is written for a control is what the same control reads: plans by chance, over every control that rodete writes for.
 
 use proptest::prelude::*;
-use rodete::gcode::control::{ALL, Control, Rotary, Writing};
+use rodete::gcode::control::{ALL, Control, Rotary, Written};
 use rodete::gcode::feed_word::FeedWord;
 use rodete::gcode::interpreter::{Interpreter, Setting};
 use rodete::gcode::motion::MotionKind;
@@ -10,7 +10,6 @@ use rodete::gcode::word::{Distance, NumberFormat, Word};
 use rodete::gcode::writer::Writer;
 use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
-use rodete::text::Text;
 
 /// One step of a plan; places in thousandths of mm and of degrees.
 #[derive(Clone, Debug)]
@@ -48,14 +47,15 @@ fn axes(control: &Control) -> &'static [Axis] {
     if control.turns() { &[Axis::X, Axis::Z] } else { &[Axis::X, Axis::Y, Axis::Z, Axis::A] }
 }
 
-struct Written {
+struct Text {
     text: String,
     made: Vec<Made>,
     tool: Option<(u32, u32)>,
 }
 
-fn write(control: &'static Control, writing: &'static Writing, plan: &[Step], distance: Distance) -> Written {
-    let mut writer = Writer::new(control, writing, Vec::new());
+fn write(written: Written, plan: &[Step], distance: Distance) -> Text {
+    let control = written.control;
+    let mut writer = Writer::new(written, Vec::new());
     let (mut made, mut tool) = (Vec::new(), None);
     writer.safety();
     if distance == Distance::Incremental {
@@ -95,7 +95,7 @@ fn write(control: &'static Control, writing: &'static Writing, plan: &[Step], di
                 made.push(Made::Dwell(seconds, if unit == 1.0 { 0.0005 } else { unit / 2.0 } + 1e-9));
             }
             Step::Hold(on) => {
-                if let Some(words) = writing.height.words(on) {
+                if let Some(words) = written.writing.height.words(on) {
                     writer.block(words);
                 }
             }
@@ -109,14 +109,14 @@ fn write(control: &'static Control, writing: &'static Writing, plan: &[Step], di
     writer.block([Word::whole('M', 30)]);
     let program = Program {
         key: "plan",
-        title: Text::same("plan"),
+        title: rodete::text::Text::same("plan"),
         control,
         format: NumberFormat::Fixed,
         block_step: Some(1),
         start: Position::default(),
         parts: writer.finish(),
     };
-    Written { text: program.text(), made, tool }
+    Text { text: program.text(), made, tool }
 }
 
 fn near(one: f64, other: f64) -> bool {
@@ -134,9 +134,9 @@ proptest! {
         let distance = if incremental { Distance::Incremental } else { Distance::Absolute };
         let mut controls = 0;
         for control in ALL {
-            let Some(writing) = control.written else { continue };
+            let Some(written) = Written::of(control) else { continue };
             controls += 1;
-            let Written { text, made, tool } = write(control, writing, &plan, distance);
+            let Text { text, made, tool } = write(written, &plan, distance);
             // Absolute words of a counting plan are true where the axes count.
             let rotary = if incremental { control.rotary.delivered } else { Rotary::Linear };
             let mut interpreter = Interpreter::over(text.as_bytes(), Setting { rotary, ..Setting::new(control) });

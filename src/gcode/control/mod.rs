@@ -40,7 +40,7 @@ pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
 pub use self::rotary::{Rollover, Rotary, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
-pub use self::writing::{CommentForm, Opening, TextForm, Writing};
+pub use self::writing::{CommentForm, Opening, TextForm, Writing, Written};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 use crate::gcode::motion::{FeedMode, Plane};
@@ -148,10 +148,10 @@ impl Control {
         ALL.into_iter().find(|control| control.name == name)
     }
 
-    /// The milling control with a name.
+    /// The milling control with a name, to be written for.
     #[must_use]
-    pub fn milling(name: &str) -> Option<&'static Self> {
-        MILLING.into_iter().find(|control| control.name == name)
+    pub fn milling(name: &str) -> Option<Written> {
+        MILLING.into_iter().find(|control| control.name == name).and_then(Written::of)
     }
 
     /// True where an M code may stand by itself in a block of the control.

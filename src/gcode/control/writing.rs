@@ -1,6 +1,6 @@
 //! How a program is written: its text, and the blocks that every program needs.
 
-use super::{HeightHold, ToolBlocks};
+use super::{Control, HeightHold, ToolBlocks};
 use crate::gcode::word::Word;
 
 /// How comments are written.
@@ -48,6 +48,23 @@ impl TextForm {
             Opening::Name => Some(format!("%{number:04}-{name}")),
             Opening::NameAndAttributes => Some(format!("%{number:04}-{name},MX--,")),
         }
+    }
+}
+
+/// A control that rodete writes for.
+#[derive(Clone, Copy, Debug)]
+pub struct Written {
+    /// The control.
+    pub control: &'static Control,
+    /// How rodete writes for it.
+    pub writing: &'static Writing,
+}
+
+impl Written {
+    /// The control, where rodete writes for it.
+    #[must_use]
+    pub fn of(control: &'static Control) -> Option<Self> {
+        control.written.map(|writing| Self { control, writing })
     }
 }
 

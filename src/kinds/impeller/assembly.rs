@@ -121,7 +121,7 @@ impl<'a> Assembly<'a> {
         let turns = Milli::new(whole);
         let first = first.moved(Axis::C, turns);
         let mut assembly = {
-            let writer = Writer::new(design.control, design.writing, Vec::new());
+            let writer = Writer::new(design.written, Vec::new());
             Self { design, writer, start: first, first, at: first, turns }
         };
         match design.style {

@@ -27,7 +27,7 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     if !given.is_empty() {
         return Some(given.clone());
     }
-    design.writing.height.words(on)
+    design.written.writing.height.words(on)
 }
 
 /// How the program turns A, B and C: where the control's rotary axes are rollover as delivered, the number of an absolute
@@ -70,7 +70,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     let work = Work { part: &design.part, material: &design.material, number: design.program };
     let mut header = Header::new(design.control, "hole", &TITLE, work, origin);
     comments(design, &mut header);
-    let mut writer = Writer::new(design.control, design.writing, header.parts);
+    let mut writer = Writer::new(design.written, header.parts);
     let law = writer.law();
     let safe = Milli::round(design.R_o() + design.Z_s)?;
     let distance = distance(design);
