@@ -8,13 +8,24 @@ use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
 use crate::gcode::rules::{expressions, lexis};
-use crate::gcode::turning;
+use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::parameter::t;
 use crate::removal::turning::rules as alarms;
 use crate::text::{Language, Text};
 
 /// The rows of every room.
-pub const RULES: &[&[&Rule]] = &[alarms::RULES, turning::rules::RULES, lexis::RULES, expressions::RULES];
+pub const RULES: &[&[&Rule]] = &[
+    alarms::RULES,
+    lexis::RULES,
+    expressions::RULES,
+    corner::RULES,
+    cycles::RULES,
+    fagor::RULES,
+    contour::RULES,
+    holes::RULES,
+    nose::RULES,
+    lathe::RULES,
+];
 
 fn all() -> impl Iterator<Item = &'static Rule> {
     RULES.iter().copied().flatten().copied()
