@@ -7,17 +7,16 @@ use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
-use crate::gcode::rules::{expressions, lexis};
+use crate::gcode::rules::{expressions, flow, lexis};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::parameter::t;
 use crate::removal::turning::rules as alarms;
 use crate::text::{Language, Text};
+use crate::workbook;
 
 /// The rows of every room.
 pub const RULES: &[&[&Rule]] = &[
     alarms::RULES,
-    lexis::RULES,
-    expressions::RULES,
     corner::RULES,
     cycles::RULES,
     fagor::RULES,
@@ -25,6 +24,15 @@ pub const RULES: &[&[&Rule]] = &[
     holes::RULES,
     nose::RULES,
     lathe::RULES,
+    lexis::RULES,
+    expressions::RULES,
+    workbook::rules::file::RULES,
+    workbook::rules::package::RULES,
+    workbook::rules::cell::RULES,
+    workbook::rules::value::RULES,
+    workbook::rules::form::RULES,
+    workbook::rules::offsets::RULES,
+    flow::RULES,
 ];
 
 fn all() -> impl Iterator<Item = &'static Rule> {
@@ -97,11 +105,40 @@ fn told(rule: &Rule, language: Language) -> String {
             let _ = writeln!(text, "  {} ({control}; {}: {times}):", head.get(language), often.get(language));
             blocks(&mut text, word);
         }
+        Example::Workbook { kind, cells } => {
+            let given: Vec<String> = cells.iter().map(|cell| typed(*cell, language)).collect();
+            let (head, book) = (t("ejemplo", "example"), t("el libro de rodete new", "the workbook of rodete new"));
+            let _ = writeln!(text, "  {}: {} {kind} ({})", head.get(language), book.get(language), given.join(", "));
+        }
+        Example::Command { files, words } => {
+            let quoted = |word: &&str| if word.contains(' ') { format!("\"{word}\"") } else { (*word).to_owned() };
+            let line: Vec<String> = words.iter().map(quoted).collect();
+            let _ = writeln!(text, "  {}: rodete {}", t("ejemplo", "example").get(language), line.join(" "));
+            for (name, lines) in *files {
+                let _ = writeln!(text, "    {name}:");
+                for line in lines.split('|') {
+                    let _ = writeln!(text, "      {}", printable(line));
+                }
+            }
+        }
+        Example::Made { how, .. } => {
+            let _ = writeln!(text, "  {}: {}", t("ejemplo", "example").get(language), how.get(language));
+        }
         Example::Never(why) => {
             let _ = writeln!(text, "  {}: {}", t("sin ejemplo", "no example").get(language), why.get(language));
         }
     }
     text
+}
+
+/// What is typed into a cell of an example.
+fn typed((place, text): (&str, &str), language: Language) -> String {
+    let text = printable(text);
+    match place.split_once(':') {
+        Some((symbol, "unit")) => format!("{} {symbol} = {text}", t("unidad de", "unit of").get(language)),
+        Some((symbol, _)) => format!("{symbol} → {text}"),
+        None => format!("{place} = {text}"),
+    }
 }
 
 /// The lines of an example's program.

@@ -171,7 +171,7 @@ impl<'a> Shared<'a> {
     /// # Errors
     /// Of a lathe workbook for a program of a milling machine.
     pub(super) fn fits(&self, dialect: &Control) -> Result<(), Refusal> {
-        if self.workbook.is_none() || dialect.diameter {
+        if self.workbook.is_none() || dialect.turns() {
             return Ok(());
         }
         let name = dialect.name;
@@ -194,7 +194,7 @@ impl<'a> Shared<'a> {
         setting.tools = self.tools.clone();
         setting.point = self.control.decimal_point;
         setting.plane = self.control.hole_r;
-        setting.rotary = self.control.rotary.unwrap_or(dialect.rotary);
+        setting.rotary = self.control.rotary.unwrap_or(dialect.rotary.delivered);
         setting.block_delete = self.control.block_delete;
         if let Some(given) = &self.workbook {
             given.lend(&mut setting);

@@ -8,11 +8,12 @@ use super::program::{Beside, told_from};
 use super::stock::Stock;
 use super::verdict::Ending;
 use crate::escape::{printable, printable_path};
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess_turning;
-use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, WIDE, decoded, wide};
+use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, decoded, wide};
 use crate::gcode::motion::MotionKind;
+use crate::gcode::rules::lexis::Utf16;
 use crate::kind::{Outcome, Provenance};
 use crate::kinds::lathe::cases;
 use crate::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
@@ -82,8 +83,7 @@ pub(super) fn follow(
         return Err(is_workbook(path));
     }
     if wide(wanted.bytes) {
-        let [what, remedy] = WIDE;
-        return Err(Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy)));
+        return Err(Refusal::new(Exit::Unreadable, Utf16 {}.at(Place::File)));
     }
     let sha256 = store::sha256(wanted.bytes);
     verdict.sha256 = Some(sha256.clone());

@@ -42,7 +42,7 @@ struct Read {
 impl Read {
     /// True of a program whose X is a diameter.
     fn lathe(&self) -> bool {
-        self.dialect.is_some_and(|dialect| dialect.diameter)
+        self.dialect.is_some_and(|dialect| dialect.turns())
     }
 }
 
@@ -146,7 +146,7 @@ fn follow(
     terminal.out(&canon);
     read.net = interpreter.position().1.differences(&start);
     read.lines = interpreter.lines();
-    if dialect.diameter {
+    if dialect.turns() {
         as_diameters(read);
     }
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();

@@ -139,9 +139,9 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
     }
     let ending = arguments.input.extension().unwrap_or_default().to_string_lossy().into_owned();
     Ok(match control.dialect.as_deref().and_then(Control::named) {
-        Some(dialect) => dialect.diameter,
+        Some(dialect) => dialect.turns(),
         // A lathe's workbook is given for a turning program alone.
-        None => machine == Some(true) || guess(head, &ending).diameter,
+        None => machine == Some(true) || guess(head, &ending).turns(),
     })
 }
 
@@ -193,7 +193,7 @@ fn of_program(
     let shared = Shared::new(control)?;
     let (named, dialect) = shared.dialect(input, file);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
-    let milling = !dialect.diameter;
+    let milling = !dialect.turns();
     let frame = if milling { Chain::Milling } else { Chain::Turning };
     let text = decoded(&bytes);
     let mut program = Program::new(Text::same(title.clone()), dialect, frame, &text);

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
-use crate::number::shown;
+use crate::number::{decimal, shown};
 use crate::text::{Language, Text};
 
 /// A value of a finding for a program that reads the JSON: the number itself, not its rounded text.
@@ -84,6 +84,30 @@ impl Said for Size {
         }
         let number = shown(self.value, self.decimals);
         if self.unit.is_empty() { number.into() } else { format!("{number} {}", self.unit).into() }
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Number { value: self.value.is_finite().then_some(self.value), unit: self.unit }
+    }
+}
+
+/// A number as somebody typed it, with its unit: in the fewest digits that give it back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Typed {
+    /// The number.
+    pub value: f64,
+    /// The unit as it is printed, empty for none.
+    pub unit: &'static str,
+}
+
+impl Said for Typed {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        let number = decimal(self.value);
+        match self.unit {
+            "" => number.into(),
+            "°" => format!("{number}°").into(),
+            unit => format!("{number} {unit}").into(),
+        }
     }
 
     fn datum(&self) -> Datum {

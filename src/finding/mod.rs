@@ -6,7 +6,7 @@ pub mod rule;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-pub use self::datum::{Datum, Said, Size};
+pub use self::datum::{Datum, Said, Size, Typed};
 pub use self::rule::{AlarmFamily, Example, Raise, Rule};
 use crate::text::Text;
 

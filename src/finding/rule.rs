@@ -4,7 +4,7 @@
 //! A code is one letter for the room and four digits, and is never given again. What makes two findings the same is their
 //! rule, what they carry and their place; the sentence follows from these.
 
-use crate::finding::{Datum, Finding, Grade, Place};
+use crate::finding::{Datum, Exit, Finding, Grade, Place, Refusal};
 use crate::text::Text;
 
 /// A row.
@@ -63,6 +63,28 @@ pub enum Example {
         program: &'static str,
         /// Parameters of the lathe workbook that differ from the example's, by symbol.
         machine: &'static [(&'static str, &'static str)],
+    },
+    /// The usual workbook of a kind in English, with other cells.
+    Workbook {
+        /// The kind, as `rodete new` names it.
+        kind: &'static str,
+        /// What is typed, as a spreadsheet takes it (`'12` is a text, `` empties the cell), and where: the value of a symbol,
+        /// `SYMBOL:unit`, `SYMBOL:symbol`, or a cell as `DATA!D7`.
+        cells: &'static [(&'static str, &'static str)],
+    },
+    /// A command, and the files that it finds: each with its name and its lines, joined with `|`.
+    Command {
+        /// The files.
+        files: &'static [(&'static str, &'static str)],
+        /// The words behind `rodete`.
+        words: &'static [&'static str],
+    },
+    /// A file or folder that no text shows.
+    Made {
+        /// By what the test knows it.
+        key: &'static str,
+        /// What it is.
+        how: Text,
     },
     /// A program as a control reads it, by itself.
     Program {
@@ -141,6 +163,11 @@ pub trait Raise {
         let alarm = rule.alarm_of(AlarmFamily::Lathe).map(|number| (AlarmFamily::Lathe, number));
         let finding = Finding::new(rule.grade, place, self.what(), self.remedy());
         Finding { rule: Some(rule), data: self.carries(), alarm, ..finding }
+    }
+
+    /// The refusal for this alone.
+    fn refused(&self, exit: Exit, place: Place) -> Refusal {
+        Refusal::new(exit, self.at(place))
     }
 }
 

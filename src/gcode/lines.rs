@@ -179,7 +179,7 @@ impl<'a> Lines<'a> {
         );
         if let Feed::Each { words, .. } = &path.feed
             && let Some(&feed) = words.get(step)
-            && (self.program.control.feed.in_every_block() || self.feed != Some(feed))
+            && (self.program.control.law.in_every_block() || self.feed != Some(feed))
         {
             Word::feed(feed).write(format, &mut self.line);
             self.feed = Some(feed);

@@ -54,7 +54,7 @@ pub fn scene(outcome: &Outcome, title: String, language: Language) -> Result<Sce
         if program.blocks() > most {
             return Err(too_many(&program.title));
         }
-        let turning = program.control.diameter;
+        let turning = program.control.turns();
         let frame = match &part {
             Some(part) if !turning => part.frame,
             _ if turning => Chain::Turning,

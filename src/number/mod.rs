@@ -16,9 +16,22 @@ pub fn shown(value: f64, decimals: usize) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
+/// A number in the fewest digits that give it back; with an exponent where it is very large or very small.
+#[must_use]
+pub fn decimal(number: f64) -> String {
+    let size = number.abs();
+    if size == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e15).contains(&size) {
+        format!("{number}")
+    } else {
+        format!("{number:e}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::shown;
+    use super::{decimal, shown};
 
     #[test]
     fn numbers_for_people_are_short() {
@@ -26,5 +39,19 @@ mod tests {
             assert_eq!(shown(value, 3), text);
         }
         assert_eq!(shown(100.0, 0), "100");
+    }
+
+    #[test]
+    fn a_number_is_shown_in_its_shortest_form() {
+        for (number, shown) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (1e308, "1e308"),
+            (1e-320, "1e-320"),
+            (0.1 + 0.2, "0.30000000000000004"),
+            (-25.0, "-25"),
+        ] {
+            assert_eq!(decimal(number), shown);
+        }
     }
 }

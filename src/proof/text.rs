@@ -99,7 +99,7 @@ impl<'a> Characters<'a> {
         let good = if SIZES.contains(letter) {
             size(number, self.program.format)
                 || (DWELLS.contains(letter) && digits(number, 8))
-                || (letter == 'F' && timed(number, self.program.control.feed))
+                || (letter == 'F' && timed(number, self.program.control.law))
         } else {
             // A block number inside the block would be a second one.
             letter != 'N' && WHOLES.contains(letter) && digits(number, 8)

@@ -282,7 +282,7 @@ fn summary(program: &Program, known: Option<&Account>) -> Summary {
     let account = if summary.path > 0.0 { None } else { known.cloned().or_else(|| Account::of(program)) };
     let Some(account) = account else { return summary };
     let extents = account.program.map(|extents| {
-        let turning = program.control.diameter;
+        let turning = program.control.turns();
         let named = |axis: &Axis| match axis {
             Axis::X => true,
             Axis::Y if !turning => true,

@@ -127,8 +127,7 @@ pub struct Program {
 impl Program {
     /// A program without motions. `text` gives its lines.
     #[must_use]
-    pub fn new(title: Text, dialect: &Control, frame: Chain, text: &str) -> Self {
-        let fanuc = dialect.name.starts_with("fanuc");
+    pub fn new(title: Text, control: &Control, frame: Chain, text: &str) -> Self {
         let letters: &[char] = match frame {
             Chain::Milling | Chain::Turning => &[],
             Chain::Tilting(_) => &['X', 'Y', 'Z', 'B', 'C'],
@@ -143,8 +142,8 @@ impl Program {
             tools: Vec::new(),
             turning: None,
             shift: [0.0; 3],
-            feed_codes: if fanuc { ["G98", "G99", "G98", "G98"] } else { ["G94", "G95", "G93", "G93"] },
-            offset_letter: if dialect.name == "linuxcnc" { 'H' } else { 'D' },
+            feed_codes: control.feed.codes.names(),
+            offset_letter: control.length.letter(),
             diameter: frame == Chain::Turning,
             plain: frame.straight(),
             axes: letters.iter().map(|&letter| Column { letter, to: Vec::new() }).collect(),

@@ -6,11 +6,11 @@ use std::io::Cursor;
 use calamine::{Reader, Xlsx};
 
 use crate::escape::printable;
-use crate::finding::Refusal;
+use crate::finding::{Exit, Place, Raise, Refusal};
 
 use super::gate::Gated;
 use super::listing::SheetEntry;
-use super::package::unreadable;
+use super::rules::package::WorkbookUnread;
 use super::sheet_cells::{self, SheetCells};
 use super::survey::survey;
 use super::{limits, xml};
@@ -33,8 +33,8 @@ impl<'a> Book<'a> {
             parts => Cow::Owned(gated.package.with(parts)?),
         };
         let xlsx = Xlsx::new(Cursor::new(bytes)).map_err(|error| {
-            let why = printable(&error.to_string());
-            unreadable(say!("el libro no se puede leer: {why}", "the workbook cannot be read: {why}"))
+            let reason = printable(&error.to_string());
+            WorkbookUnread { reason }.refused(Exit::Unreadable, Place::File)
         })?;
         Ok(Self { gated, xlsx })
     }

@@ -5,12 +5,12 @@
 //! the same parts.
 
 use crate::escape::{excerpt, printable};
-use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::Text;
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 
 use super::limits;
 use super::listing::{self, Listing, SheetEntry};
 use super::package::Package;
+use super::rules::package::*;
 use super::shared_tables::{self, structure};
 
 /// A workbook that passed the gate.
@@ -43,13 +43,7 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
     structure(&mut package, &format!("{folder}theme/theme1.xml"), limits::ATTRIBUTE, |_, _| Ok(()))?;
     let mut notes = Vec::new();
     if package.has_ending("vbaproject.bin") {
-        notes.push(Finding::note(
-            Place::File,
-            Text::fixed(
-                "el libro lleva macros (.xlsm): ni se ejecutan ni se leen",
-                "the workbook carries macros (.xlsm): they are neither run nor read",
-            ),
-        ));
+        notes.push(MacrosNotRead {}.at(Place::File));
     }
     Ok(Gated { package, sheets, plain, strings, notes })
 }
@@ -57,52 +51,22 @@ pub fn gate(bytes: &[u8]) -> Result<Gated<'_>, Refusal> {
 /// Judges the first bytes.
 fn signature(bytes: &[u8]) -> Result<(), Refusal> {
     if bytes.is_empty() {
-        return Err(refuse(
-            Text::fixed("el archivo está vacío", "the file is empty"),
-            Text::fixed("vuelva a copiarlo del original", "copy it again from the original"),
-        ));
+        return Err(FileEmpty {}.refused(Exit::Unreadable, Place::File));
     }
     if bytes.starts_with(b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1") {
-        return Err(refuse(
-            Text::fixed(
-                "es un .xls antiguo o un libro protegido con contraseña",
-                "old .xls or password-protected workbook",
-            ),
-            Text::fixed(
-                "guárdelo como libro de Excel (.xlsx) sin contraseña",
-                "save it as an Excel workbook (.xlsx) without a password",
-            ),
-        ));
+        return Err(OldOrProtected {}.refused(Exit::Unreadable, Place::File));
     }
     if !bytes.starts_with(b"PK") {
         let head: String = String::from_utf8_lossy(bytes.get(..64).unwrap_or(bytes)).chars().take(16).collect();
         let head = printable(head.lines().next().unwrap_or_default());
-        return Err(refuse(
-            say!(
-                "no es un libro .xlsx (empieza por \"{head}\")",
-                "this is not an .xlsx workbook (starts with \"{head}\")"
-            ),
-            Text::fixed(
-                "ábralo en Excel o LibreOffice y guárdelo como .xlsx",
-                "open it in Excel or LibreOffice and save it as .xlsx",
-            ),
-        ));
+        return Err(NoWorkbook { head }.refused(Exit::Unreadable, Place::File));
     }
     Ok(())
 }
 
-fn refuse(what: Text, remedy: Text) -> Refusal {
-    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
-}
-
 /// Names the packages that are no `.xlsx`.
 fn format(package: &mut Package<'_>) -> Result<(), Refusal> {
-    let other = |name: &str| {
-        refuse(
-            say!("es un archivo {name}, no un libro .xlsx", "this is an {name} file, not an .xlsx workbook"),
-            Text::fixed("guárdelo como .xlsx", "save it as .xlsx"),
-        )
-    };
+    let other = |format: &str| OtherFormat { format: format.to_owned() }.refused(Exit::Unreadable, Place::File);
     if let Some(mime) = package.part("mimetype", limits::STRUCTURE)? {
         let mime = String::from_utf8_lossy(&mime);
         if mime.contains("opendocument.spreadsheet") {

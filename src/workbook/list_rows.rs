@@ -6,13 +6,14 @@
 use std::collections::BTreeSet;
 
 use crate::escape::excerpt;
-use crate::finding::{Finding, Place};
+use crate::finding::{Finding, Place, Raise};
 use crate::limits::COVERED_ROWS;
 use crate::parameter::Parameter;
 use crate::parameter::list::{List, Row, Rows};
 use crate::text::Text;
 
 use super::address::{self, Position};
+use super::rules::form::*;
 use super::sheet_cells::SheetCells;
 use super::unit;
 use super::value::{holds, read_at};
@@ -31,17 +32,7 @@ pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>
     let first = list.columns.first().map_or("", |column| column.symbol());
     let head = match head {
         None => {
-            findings.push(Finding::stop(
-                Place::Sheet(sheet.name.clone()),
-                say!(
-                    "falta la fila de títulos, que empieza por \"{first}\" en la columna A",
-                    "the row of headings, which begins with \"{first}\" in column A, is missing"
-                ),
-                say!(
-                    "escriba \"{first}\" en la columna A de los títulos",
-                    "write \"{first}\" in column A of the headings"
-                ),
-            ));
+            findings.push(HeadingsMissing { first: Text::same(first) }.at(Place::Sheet(sheet.name.clone())));
             return None;
         }
         Some(head) => head,
@@ -53,21 +44,13 @@ pub fn read(list: &'static List, sheet: &SheetCells, findings: &mut Vec<Finding>
     }
     if rows.is_empty() {
         if !list.optional {
-            findings.push(Finding::stop(
-                Place::Sheet(sheet.name.clone()),
-                Text::fixed("bajo los títulos no hay ninguna fila", "there is no row below the headings"),
-                Text::fixed("escriba al menos una fila", "write one row at least"),
-            ));
+            findings.push(ListEmpty {}.at(Place::Sheet(sheet.name.clone())));
         }
         return None;
     }
     if rows.len() > list.most {
         let (count, most) = (rows.len(), list.most);
-        findings.push(Finding::stop(
-            Place::Sheet(sheet.name.clone()),
-            say!("la hoja tiene {count} filas y admite {most}", "the sheet has {count} rows, must have {most} at most"),
-            Text::fixed("reparta las filas", "spread the rows"),
-        ));
+        findings.push(ListTooLong { count, most }.at(Place::Sheet(sheet.name.clone())));
         return None;
     }
     let rows = rows
@@ -110,31 +93,22 @@ fn columns(
     let mut found: Vec<(&'static Parameter, u32)> = Vec::new();
     for at in 0..COLUMNS {
         let Some(text) = sheet.text((head, at)) else { continue };
-        let shown = excerpt(text, SHOWN);
+        let heading = excerpt(text, SHOWN);
         // Capitals count where two headings differ by them alone.
         let exact = list.columns.iter().find(|one| one.symbol() == text);
         match exact.or_else(|| list.columns.iter().find(|one| fold(one.symbol()) == fold(text))) {
-            None => findings.push(Finding::note(
-                Place::Cells(vec![sheet.place((head, at))]),
-                say!("\"{shown}\" no se lee: no es de esta tabla", "\"{shown}\" is not read: it is not of this table"),
-            )),
+            None => findings.push(HeadingUnknown { heading }.at(Place::Cells(vec![sheet.place((head, at))]))),
             Some(one) => match found.iter().find(|(other, _)| other.key == one.key) {
-                Some((_, first)) => findings.push(Finding::stop(
-                    Place::Cells(vec![sheet.place((head, *first)), sheet.place((head, at))]),
-                    say!("\"{shown}\" está dos veces", "\"{shown}\" is given twice"),
-                    say!("deje un solo \"{shown}\"", "leave one \"{shown}\" only"),
-                )),
+                Some((_, first)) => {
+                    let cells = vec![sheet.place((head, *first)), sheet.place((head, at))];
+                    findings.push(HeadingTwice { heading }.at(Place::Cells(cells)));
+                }
                 None => found.push((one, at)),
             },
         }
     }
     for lost in list.columns.iter().filter(|one| one.required && found.iter().all(|(other, _)| other.key != one.key)) {
-        let symbol = lost.symbol();
-        findings.push(Finding::stop(
-            Place::Sheet(sheet.name.clone()),
-            say!("falta la columna \"{symbol}\"", "the column \"{symbol}\" is missing"),
-            say!("escriba \"{symbol}\" en la fila de títulos", "write \"{symbol}\" in the row of headings"),
-        ));
+        findings.push(ColumnMissing { column: lost.symbol() }.at(Place::Sheet(sheet.name.clone())));
     }
     found
 }
@@ -147,30 +121,13 @@ fn units(sheet: &SheetCells, row: u32, columns: &[(&'static Parameter, u32)], fi
         if unit::says(parameter.unit, written) {
             continue;
         }
-        let (symbol, label) = (parameter.symbol(), parameter.unit.label());
-        let cell = address::format((row, at));
-        let said = if written.is_empty() {
-            say!("{cell} está vacía", "{cell} is empty")
-        } else {
-            let shown = excerpt(written, SHOWN);
-            say!("{cell} dice \"{shown}\"", "{cell} says \"{shown}\"")
-        };
+        let (column, unit) = (parameter.symbol(), parameter.unit.label());
+        let (cell, shown) = (address::format((row, at)), excerpt(written, SHOWN));
         let place = Place::Cells(vec![sheet.place((row, at))]);
-        let finding = if label.is_empty() {
-            Finding::stop(
-                place,
-                say!("{symbol} no tiene unidad y {said}", "{symbol} has no unit, and {said}", said = said),
-                say!("vacíe la celda {cell}", "empty cell {cell}"),
-            )
-        } else {
-            Finding::stop(
-                place,
-                say!("{symbol} se da en {label} y {said}", "{symbol} is given in {label}, and {said}", said = said),
-                say!(
-                    "convierta los valores a {label} y escriba {label} en {cell}",
-                    "convert the values to {label} and write {label} in {cell}"
-                ),
-            )
+        let finding = match (unit, written) {
+            ("", _) => ColumnUnitWhereNone { column, cell, written: shown }.at(place),
+            (_, "") => ColumnUnitEmpty { column, unit, cell }.at(place),
+            _ => ColumnUnitOther { column, unit, cell, written: shown }.at(place),
         };
         findings.push(finding);
     }

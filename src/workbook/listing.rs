@@ -7,11 +7,11 @@ use quick_xml::escape::escape;
 use quick_xml::events::Event;
 
 use crate::escape::excerpt;
-use crate::finding::Refusal;
-use crate::text::Text;
+use crate::finding::{Exit, Place, Raise, Refusal};
 
 use super::limits;
-use super::package::{Package, unreadable};
+use super::package::Package;
+use super::rules::package::*;
 use super::shared_tables::structure;
 use super::xml::{attribute, damaged, limit, raw};
 
@@ -101,11 +101,7 @@ fn root(package: &mut Package<'_>) -> Result<(String, String, String), Refusal> 
 }
 
 fn no_sheets(part: &str) -> Refusal {
-    let name = excerpt(part, 80);
-    unreadable(say!(
-        "el libro no tiene hojas: falta {name}, o no nombra ninguna",
-        "there are no sheets: {name} is missing or names none"
-    ))
+    NoSheets { part: excerpt(part, 80) }.refused(Exit::Unreadable, Place::File)
 }
 
 /// A relationship of the workbook part: its target and its type.
@@ -124,7 +120,7 @@ fn relations(package: &mut Package<'_>, folder: &str, workbook: &str) -> Result<
             && let Some(id) = raw(start, "Id")
         {
             if relations.len() >= 2 * limits::SHEETS {
-                return Err(limit(&part, Text::fixed("demasiadas relaciones", "too many relationships")));
+                return Err(limit(&part, &TooManyRelations {}));
             }
             relations.push(Relation {
                 id: id.into_owned(),
@@ -153,16 +149,14 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
             return Ok(());
         }
         let name = attribute(start, "name").unwrap_or_default();
-        let shown = excerpt(&name, 80);
-        let faulty =
-            |es: &str, en: &str| damaged(&part, say!("la hoja \"{shown}\" {es}", "the sheet \"{shown}\" {en}"));
+        let sheet = excerpt(&name, 80);
         if sheets.len() >= limits::SHEETS {
-            return Err(limit(&part, Text::fixed("demasiadas hojas", "too many sheets")));
+            return Err(limit(&part, &TooManySheets {}));
         }
         let hidden = match raw(start, "state").as_deref() {
             None | Some("visible") => false,
             Some("hidden" | "veryHidden") => true,
-            Some(_) => return Err(faulty("tiene un estado desconocido", "has an unknown state")),
+            Some(_) => return Err(damaged(&part, &SheetStateUnknown { sheet })),
         };
         let id = start
             .attributes()
@@ -173,19 +167,16 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
             .unwrap_or_default();
         // The last relationship of an id counts.
         let relation = relations.iter().rev().find(|relation| relation.id == id);
-        let relation = relation.ok_or_else(|| faulty("no tiene parte en el paquete", "has no part in the package"))?;
+        let Some(relation) = relation else {
+            return Err(damaged(&part, &SheetWithoutPart { sheet }));
+        };
         let kind = match relation.kind.rsplit('/').next() {
             Some("worksheet") => SheetKind::Cells,
             Some("chartsheet" | "dialogsheet") => SheetKind::Other,
-            _ => return Err(faulty("es de una clase que no se lee", "is of a kind that is not read")),
+            _ => return Err(damaged(&part, &SheetOfOtherKind { sheet })),
         };
-        let path = resolved(&folder, &relation.target).ok_or_else(|| {
-            let target = excerpt(&relation.target, 80);
-            faulty(
-                &format!("está en \"{target}\", fuera del paquete"),
-                &format!("stands in \"{target}\", outside of the package"),
-            )
-        })?;
+        let path = resolved(&folder, &relation.target)
+            .ok_or_else(|| damaged(&part, &SheetOutside { sheet, target: excerpt(&relation.target, 80) }))?;
         sheets.push(SheetEntry { name, part: path, kind, hidden });
         Ok(())
     })?;
@@ -193,14 +184,8 @@ pub fn sheets(package: &mut Package<'_>) -> Result<Listing, Refusal> {
         return Err(no_sheets(&part));
     }
     if let Some(lost) = sheets.iter().find(|sheet| !package.has(&sheet.part)) {
-        let (name, missing) = (excerpt(&lost.name, 80), excerpt(&lost.part, 80));
-        return Err(damaged(
-            &lost.part,
-            say!(
-                "falta la parte {missing} de la hoja \"{name}\"",
-                "the part {missing} of the sheet \"{name}\" is missing"
-            ),
-        ));
+        let (sheet, part) = (excerpt(&lost.name, 80), excerpt(&lost.part, 80));
+        return Err(damaged(&lost.part, &SheetPartMissing { part, sheet }));
     }
     let dotted = |target: &str| target.split('/').any(|step| matches!(step, "." | ".."));
     let mut plain = Vec::new();

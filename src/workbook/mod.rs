@@ -9,14 +9,6 @@
 //! # Limits
 //! See [`limits`]. Whatever the bytes are, reading ends in bounded time and memory.
 
-/// A [`Text`](crate::text::Text) from a Spanish and an English format string over the same values; a named value is a
-/// text itself and enters in each language.
-macro_rules! say {
-    ($es:literal, $en:literal $(, $name:ident = $text:expr)* $(,)?) => {
-        $crate::text::Text::new(format!($es $(, $name = $text.es)*), format!($en $(, $name = $text.en)*))
-    };
-}
-
 mod address;
 mod book;
 pub mod cell;
@@ -40,6 +32,7 @@ pub mod page;
 pub mod program_sheet;
 mod raw_value;
 pub mod results;
+pub mod rules;
 pub mod schema;
 mod shared_tables;
 mod sheet_cells;

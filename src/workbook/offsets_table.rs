@@ -6,18 +6,20 @@
 use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
-use crate::finding::{CellPlace, Finding, Grade, Place, Refusal};
+use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::{Unfit, VarFile};
 use crate::machine::work_offset::{ACTIVE, G92_FIRST, G92_SWITCH, System};
 use crate::parameter::Value;
-use crate::text::{Language, Text};
+use crate::text::Language;
 
 use super::address;
 use super::book::Book;
 use super::gate::gate;
 use super::offsets_sheet::{Column, G92, NAME, SCHEMA, SCHEMA_LABEL, SYSTEM, YES};
-use super::schema::{hidden, no_cells, refusal, refused, sheet_named};
+use super::rules::form::*;
+use super::rules::offsets::*;
+use super::schema::{hidden, no_cells, refusal, sheet_named};
 use super::sheet_cells::{Content, SheetCells};
 use super::value::{holds, read_at};
 use super::words::fold;
@@ -52,14 +54,9 @@ impl OffsetsTable {
     pub fn read(bytes: &[u8], unit: LengthUnit) -> Result<Self, Refusal> {
         let mut book = Book::open(gate(bytes)?)?;
         let names = Language::ALL.map(|language| (NAME.get(language), language));
-        let (entry, language) = sheet_named(
-            &book.gated.sheets,
-            &names,
-            Text::fixed(
-                "dé el nombre de un libro que no exista: se escribe con los orígenes del archivo",
-                "give the name of a workbook that does not exist: it is written with the file's offsets",
-            ),
-        )?;
+        let (entry, language) = sheet_named(&book.gated.sheets, &names, |wanted, there| {
+            OffsetsSheetNotFound { wanted, there }.at(Place::File)
+        })?;
         let mut table = Self { findings: std::mem::take(&mut book.gated.notes), ..Self::default() };
         let mut sheet = book.read(&entry, COLUMNS)?;
         let exit = sheet.survey.exit();
@@ -113,26 +110,12 @@ fn check_schema(sheet: &SheetCells) -> Result<(), Refusal> {
         return Ok(());
     }
     let place = row.map_or_else(|| Place::Sheet(sheet.name.clone()), |row| Place::Cells(vec![sheet.place((*row, 1))]));
-    let shown = excerpt(found, SHOWN);
-    let what = if found.is_empty() {
-        say!(
-            "la hoja no dice su esquema; aquí rodete lee \"{SCHEMA}\"",
-            "the sheet does not name its schema; rodete reads \"{SCHEMA}\" here"
-        )
+    let finding = if found.is_empty() {
+        OffsetsSchemaMissing { known: SCHEMA }.at(place)
     } else {
-        say!(
-            "el esquema es \"{shown}\"; aquí rodete lee \"{SCHEMA}\"",
-            "the schema is \"{shown}\"; rodete reads \"{SCHEMA}\" here"
-        )
+        OffsetsOtherSchema { found: excerpt(found, SHOWN), known: SCHEMA }.at(place)
     };
-    Err(refused(
-        place,
-        what,
-        Text::fixed(
-            "dé el nombre de un libro que no exista, para que se escriba, y pase a él los valores",
-            "give the name of a workbook that does not exist, to have it written, and copy the values into it",
-        ),
-    ))
+    Err(Refusal::new(Exit::Refused, finding))
 }
 
 /// The row of the headings.
@@ -140,22 +123,13 @@ fn heading(sheet: &SheetCells) -> Result<u32, Refusal> {
     let labels = Language::ALL.map(|language| fold(SYSTEM.get(language)));
     let is_heading = |row: &u32| sheet.text((*row, 0)).is_some_and(|text| labels.contains(&fold(text)));
     let rows: Vec<u32> = sheet.rows.keys().copied().filter(is_heading).collect();
-    let [es, en] = Language::ALL.map(|language| SYSTEM.get(language));
     match rows.as_slice() {
         [row] => Ok(*row),
-        [] => Err(refused(
-            Place::Sheet(sheet.name.clone()),
-            say!(
-                "falta la fila de títulos, que empieza por \"{es}\" en la columna A",
-                "the row of headings, which begins with \"{en}\" in column A, is missing"
-            ),
-            say!("escriba \"{es}\" en la columna A de los títulos", "write \"{en}\" in column A of the headings"),
-        )),
-        rows => Err(refused(
-            Place::Cells(rows.iter().map(|row| sheet.place((*row, 0))).collect()),
-            Text::fixed("hay varias filas de títulos", "there are several rows of headings"),
-            Text::fixed("deje una sola tabla en la hoja", "leave one table only on the sheet"),
-        )),
+        [] => Err(HeadingsMissing { first: SYSTEM.clone() }.refused(Exit::Refused, Place::Sheet(sheet.name.clone()))),
+        rows => {
+            let cells = rows.iter().map(|row| sheet.place((*row, 0))).collect();
+            Err(SeveralTables {}.refused(Exit::Refused, Place::Cells(cells)))
+        }
     }
 }
 
@@ -221,32 +195,18 @@ impl Reading<'_> {
             if wanted.is_empty() || spellings(wanted).contains(&fold(written).as_str()) {
                 continue;
             }
-            let symbol = column.parameter(self.unit, self.language).symbol();
-            let (cell, shown) = (address::format((row, at)), excerpt(written, SHOWN));
-            let what = if written.is_empty() {
-                say!("{symbol} no dice su unidad", "{symbol} does not say its unit")
-            } else {
-                say!(
-                    "{symbol} está en \"{shown}\", y el archivo en {wanted}",
-                    "{symbol} is in \"{shown}\", and the file in {wanted}"
-                )
-            };
+            let column = (column, column.parameter(self.unit, self.language).symbol());
+            let (cell, unit) = (address::format((row, at)), wanted);
             let other = [LengthUnit::Inch, LengthUnit::Millimetre].into_iter().find(|unit| *unit != self.unit);
-            let is_other = other.is_some_and(|other| spellings(column.unit(other)).contains(&fold(written).as_str()));
-            let remedy = match other {
-                Some(LengthUnit::Inch) if is_other => say!(
-                    "dé --inch si la máquina cuenta en pulgadas; si no, convierta los valores y escriba {wanted} en {cell}",
-                    "give --inch if the machine counts in inches; else convert the values and write {wanted} in {cell}"
-                ),
-                Some(LengthUnit::Millimetre) if is_other => say!(
-                    "quite --inch si la máquina cuenta en milímetros; si no, convierta los valores y escriba {wanted} en \
-                     {cell}",
-                    "leave --inch out if the machine counts in millimetres; else convert the values and write {wanted} in \
-                     {cell}"
-                ),
-                _ => say!("escriba {wanted} en {cell}", "write {wanted} in {cell}"),
+            let is_other = |other: LengthUnit| spellings(column.0.unit(other)).contains(&fold(written).as_str());
+            let (column, shown) = (column.1, excerpt(written, SHOWN));
+            let row_of: Box<dyn Raise> = match other.filter(|other| is_other(*other)) {
+                _ if written.is_empty() => Box::new(OffsetsUnitNotSaid { column, unit, cell }),
+                Some(LengthUnit::Inch) => Box::new(OffsetsInInches { column, written: shown, unit, cell }),
+                Some(LengthUnit::Millimetre) => Box::new(OffsetsInMillimetres { column, written: shown, unit, cell }),
+                None => Box::new(OffsetsOtherUnit { column, written: shown, unit, cell }),
             };
-            self.stop(vec![(row, at)], what, remedy);
+            self.stop(vec![(row, at)], &*row_of);
         }
     }
 
@@ -266,11 +226,7 @@ impl Reading<'_> {
         }
         self.labels(twice, unknown);
         if found.is_empty() {
-            self.stop(
-                vec![(head, 0)],
-                Text::fixed("bajo los títulos no hay ningún sistema", "there is no system below the headings"),
-                Text::fixed("escriba G54 a G59.3 en la columna A", "write G54 to G59.3 in column A"),
-            );
+            self.stop(vec![(head, 0)], &NoSystems {});
         }
         let lost: Vec<_> = Row::all().filter(|row| !found.contains_key(row)).map(Row::name).collect();
         self.kept(&lost);
@@ -285,11 +241,7 @@ impl Reading<'_> {
                 if (name, column) == (Row::G92, Column::Rotation) {
                     if holds(self.sheet, (row, at)) {
                         let cell = address::format((row, at));
-                        self.stop(
-                            vec![(row, at)],
-                            Text::fixed("G92 no tiene giro", "G92 has no rotation"),
-                            say!("vacíe la celda {cell}", "empty cell {cell}"),
-                        );
+                        self.stop(vec![(row, at)], &G92Rotation { cell });
                     }
                     continue;
                 }
@@ -319,24 +271,13 @@ impl Reading<'_> {
                 let systems = rows.iter().filter(|(name, _)| **name != Row::G92);
                 let cells: Vec<_> = systems.map(|(_, row)| (*row, *at)).collect();
                 if !cells.is_empty() {
-                    self.stop(
-                        cells,
-                        Text::fixed("ningún sistema está activo", "no system is active"),
-                        Text::fixed(
-                            "escriba sí en uno de ellos, o quite la columna",
-                            "write yes for one of them, or take the column out",
-                        ),
-                    );
+                    self.stop(cells, &NoActiveSystem {});
                 }
             }
             several => {
                 let names: Vec<_> = several.iter().map(|(system, _)| system.name()).collect();
-                let names = names.join(", ");
-                self.stop(
-                    several.iter().map(|(_, cell)| *cell).collect(),
-                    say!("hay varios sistemas activos: {names}", "several systems are active: {names}"),
-                    Text::fixed("deje sí en uno solo", "leave yes for one only"),
-                );
+                let cells = several.iter().map(|(_, cell)| *cell).collect();
+                self.stop(cells, &SeveralActiveSystems { names: names.join(", ") });
             }
         }
     }
@@ -353,38 +294,25 @@ impl Reading<'_> {
     /// Refuses labels given twice, and mentions those that are not known.
     fn labels(&mut self, twice: Vec<(String, Vec<address::Position>)>, unknown: Vec<(String, address::Position)>) {
         for (label, cells) in twice {
-            let label = excerpt(&label, SHOWN);
-            self.stop(
-                cells,
-                say!("\"{label}\" está dos veces", "\"{label}\" is given twice"),
-                say!("deje un solo \"{label}\"", "leave one \"{label}\" only"),
-            );
+            self.stop(cells, &HeadingTwice { heading: excerpt(&label, SHOWN) });
         }
         for (label, cell) in unknown.into_iter().take(UNKNOWN) {
-            let label = excerpt(&label, SHOWN);
-            let place = Place::Cells(vec![self.sheet.place(cell)]);
-            let what =
-                say!("\"{label}\" no se lee: no es de esta tabla", "\"{label}\" is not read: it is not of this table");
-            self.table.findings.push(Finding::note(place, what));
+            let row = HeadingUnknown { heading: excerpt(&label, SHOWN) };
+            self.table.findings.push(row.at(Place::Cells(vec![self.sheet.place(cell)])));
         }
     }
 
     /// Says what the sheet does not have.
     fn kept(&mut self, names: &[&str]) {
         if !names.is_empty() {
-            let names = names.join(", ");
-            let place = Place::Sheet(self.sheet.name.clone());
-            let what = say!(
-                "no está en la hoja y queda como en el archivo: {names}",
-                "not on the sheet and left as in the file: {names}"
-            );
-            self.table.findings.push(Finding::note(place, what));
+            let row = NotOnSheet { names: names.join(", ") };
+            self.table.findings.push(row.at(Place::Sheet(self.sheet.name.clone())));
         }
     }
 
-    fn stop(&mut self, cells: Vec<address::Position>, what: Text, remedy: Text) {
+    fn stop(&mut self, cells: Vec<address::Position>, row: &dyn Raise) {
         let cells: Vec<CellPlace> = cells.into_iter().map(|cell| self.sheet.place(cell)).collect();
-        self.table.findings.push(Finding::stop(Place::Cells(cells), what, remedy));
+        self.table.findings.push(row.at(Place::Cells(cells)));
     }
 }
 

@@ -7,10 +7,11 @@ use std::io::{self, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use crate::escape::{printable, printable_path};
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::text::Text;
 
 use super::limits;
+use super::rules::file::*;
 
 /// Most names of other files that a refusal lists.
 const NAMES: usize = 3;
@@ -85,20 +86,12 @@ pub fn open_as(input: Input, path: &Path) -> Result<Vec<u8>, Refusal> {
 fn regular(input: Input, path: &Path) -> Result<fs::Metadata, Refusal> {
     // Asked before opening: opening a pipe would wait for a writer.
     let metadata = fs::metadata(path).map_err(|error| refuse(input, path, &error))?;
-    let named = input.named();
+    let (path, wanted) = (printable_path(path), input.named());
     if metadata.is_dir() {
-        return Err(cannot(
-            path,
-            &Text::fixed("es una carpeta", "it is a folder"),
-            say!("indique {named} que está dentro de la carpeta", "name {named} inside the folder", named = named),
-        ));
+        return Err(InputIsFolder { path, wanted }.refused(Exit::Unreadable, Place::File));
     }
     if !metadata.is_file() {
-        return Err(cannot(
-            path,
-            &Text::fixed("no es un archivo normal", "it is not a regular file"),
-            say!("indique {named}, guardado en disco", "name {named}, stored on disk", named = named),
-        ));
+        return Err(NoRegularFile { path, wanted }.refused(Exit::Unreadable, Place::File));
     }
     Ok(metadata)
 }
@@ -114,62 +107,36 @@ pub fn open_program(path: &Path) -> Result<BufReader<File>, Refusal> {
 }
 
 fn too_large(input: Input, path: &Path) -> Refusal {
-    let remedy = match input {
-        Input::Workbook => {
-            Text::fixed("deje en el libro solo las hojas de entrada", "leave only the input sheets in the workbook")
-        }
+    let (path, most) = (printable_path(path), limits::mebibytes(limits::FILE));
+    match input {
+        Input::Workbook => WorkbookTooLarge { path, most }.refused(Exit::Limit, Place::File),
         Input::VarFile | Input::ToolTable | Input::Program => {
-            say!("indique {named}", "name {named}", named = input.named())
+            FileTooLarge { path, most, wanted: input.named() }.refused(Exit::Limit, Place::File)
         }
-    };
-    let (name, most) = (printable_path(path), limits::mebibytes(limits::FILE));
-    Refusal::new(
-        Exit::Limit,
-        Finding::stop(Place::File, say!("{name} ocupa más de {most} MiB", "{name} is larger than {most} MiB"), remedy),
-    )
-}
-
-fn cannot(path: &Path, why: &Text, remedy: Text) -> Refusal {
-    let name = printable_path(path);
-    let what = Text::new(format!("no se puede abrir {name}: {}", why.es), format!("cannot open {name}: {}", why.en));
-    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
+    }
 }
 
 /// The refusal for what the operating system answered.
-fn refuse(input: Input, path: &Path, error: &io::Error) -> Refusal {
-    let locked = Text::fixed(
-        "ciérrelo en Excel o LibreOffice y repita la orden",
-        "close it in Excel or LibreOffice and run the command again",
-    );
-    // 32 and 33: another program holds the file, or a part of it.
-    if cfg!(windows) && matches!(error.raw_os_error(), Some(32 | 33)) {
-        return cannot(path, &Text::fixed("otro programa lo tiene abierto", "another program has it open"), locked);
-    }
-    match error.kind() {
-        ErrorKind::NotFound => cannot(path, &Text::fixed("no existe", "no such file"), others(input, path)),
-        ErrorKind::NotADirectory => cannot(
-            path,
-            &Text::fixed("una parte de la ruta no es una carpeta", "a part of the path is not a folder"),
-            Text::fixed("compruebe la ruta", "check the path"),
-        ),
-        ErrorKind::PermissionDenied => cannot(
-            path,
-            &Text::fixed("falta el permiso de lectura", "no permission to read it"),
-            if lock_file(path).exists() {
-                locked
-            } else {
-                Text::fixed("dé permiso de lectura o copie el archivo", "allow reading it, or copy the file")
-            },
-        ),
+fn refuse(input: Input, named: &Path, error: &io::Error) -> Refusal {
+    let path = printable_path(named);
+    let open = || lock_file(named).exists();
+    let finding = match error.kind() {
+        // 32 and 33: another program holds the file, or a part of it.
+        _ if cfg!(windows) && matches!(error.raw_os_error(), Some(32 | 33)) => HeldByProgram { path }.at(Place::File),
+        ErrorKind::NotFound => not_found(input, named, path),
+        ErrorKind::NotADirectory => PathThroughFile { path }.at(Place::File),
+        ErrorKind::PermissionDenied if open() => NoPermissionWhileOpen { path }.at(Place::File),
+        ErrorKind::PermissionDenied => NoPermissionToRead { path }.at(Place::File),
         _ => {
             let reason = printable(&error.to_string());
-            cannot(
-                path,
-                &Text::same(reason),
-                if lock_file(path).exists() { locked } else { Text::fixed("compruebe la ruta", "check the path") },
-            )
+            if open() {
+                CannotOpenWhileOpen { path, reason }.at(Place::File)
+            } else {
+                CannotOpen { path, reason }.at(Place::File)
+            }
         }
-    }
+    };
+    Refusal::new(Exit::Unreadable, finding)
 }
 
 /// The file that Excel keeps beside a workbook while it is open.
@@ -179,13 +146,13 @@ fn lock_file(path: &Path) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// A remedy that names the files of the kind in the folder, those most alike first.
-fn others(input: Input, path: &Path) -> Text {
-    let folder = match path.parent() {
+/// What is told of a file that is not there: with the files of the kind in the folder, those most alike first.
+fn not_found(input: Input, named: &Path, path: String) -> Finding {
+    let folder = match named.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let wanted = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+    let wanted = named.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
     let mut names: Vec<(bool, usize, String)> = fs::read_dir(folder)
         .into_iter()
         .flatten()
@@ -203,18 +170,16 @@ fn others(input: Input, path: &Path) -> Text {
     names.sort();
     let near: Vec<_> = names.iter().filter(|name| !name.0).take(NAMES).map(|name| printable(&name.2)).collect();
     if !near.is_empty() {
-        let near = near.join(", ");
-        return say!("¿quiere decir {near}?", "did you mean {near}?");
+        return NoSuchFileButAlike { path, near: near.join(", ") }.at(Place::File);
     }
     if names.is_empty() {
-        return Text::fixed("compruebe el nombre y la carpeta", "check the name and the folder");
+        return NoSuchFile { path }.at(Place::File);
     }
-    let there = names.iter().take(NAMES).map(|name| printable(&name.2)).collect::<Vec<_>>().join(", ");
+    let mut there = names.iter().take(NAMES).map(|name| printable(&name.2)).collect::<Vec<_>>().join(", ");
     if names.len() > NAMES {
-        say!("en la carpeta hay: {there} …", "the folder has: {there} …")
-    } else {
-        say!("en la carpeta hay: {there}", "the folder has: {there}")
+        there.push_str(" …");
     }
+    NoSuchFileAmong { path, there }.at(Place::File)
 }
 
 #[cfg(test)]

@@ -8,11 +8,12 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use crate::escape::{excerpt, printable};
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Place, Raise, Refusal};
+use crate::parameter::t;
 use crate::text::Text;
 
 use super::limits;
-use super::xml::{damaged, save_again};
+use super::rules::package::*;
 
 /// The signature of an entry in a zip's central directory.
 const CENTRAL_ENTRY: &[u8] = b"PK\x01\x02";
@@ -37,32 +38,20 @@ impl<'a> Package<'a> {
         // Counted before the directory is read into memory. A signature inside of packed data could only raise it.
         if memchr::memmem::find_iter(bytes, CENTRAL_ENTRY).nth(limits::ENTRIES).is_some() {
             let most = limits::ENTRIES;
-            return Err(unreadable(say!(
-                "el paquete tiene más de {most} partes; un libro .xlsx tiene menos",
-                "the package has more than {most} entries; an .xlsx workbook has fewer"
-            )));
+            return Err(TooManyEntries { most }.refused(Exit::Unreadable, Place::File));
         }
         let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| match error {
             // No end-of-directory record was found: the usual sign of an interrupted download.
             ZipError::InvalidArchive(_) if memchr::memmem::rfind(bytes, b"PK\x05\x06").is_none() => {
-                unreadable(Text::fixed(
-                    "no es un .xlsx completo (falta el final del zip)",
-                    "not a complete .xlsx (zip end missing)",
-                ))
+                ZipEndMissing {}.refused(Exit::Unreadable, Place::File)
             }
             error => {
-                let why = printable(&error.to_string());
-                unreadable(say!(
-                    "no es un .xlsx completo (el directorio del zip está dañado: {why})",
-                    "not a complete .xlsx (the zip directory is damaged: {why})"
-                ))
+                let reason = printable(&error.to_string());
+                ZipDirectoryDamaged { reason }.refused(Exit::Unreadable, Place::File)
             }
         })?;
         if archive.has_duplicate_names() {
-            return Err(unreadable(Text::fixed(
-                "dos partes del paquete tienen el mismo nombre",
-                "two entries of the package have the same name",
-            )));
+            return Err(EntryTwice {}.refused(Exit::Unreadable, Place::File));
         }
         let mut package = Self { archive, entries: HashMap::new(), bytes };
         package.list()?;
@@ -142,25 +131,18 @@ impl<'a> Package<'a> {
                 || normal.contains(':')
                 || normal.split('/').any(|step| step == "..");
             if outside {
-                let shown = excerpt(&name, 80);
-                return Err(unreadable(say!(
-                    "una parte del paquete se llama \"{shown}\" y apunta fuera de él",
-                    "an entry of the package is named \"{shown}\" and points outside of it"
-                )));
+                return Err(EntryOutside { entry: excerpt(&name, 80) }.refused(Exit::Unreadable, Place::File));
             }
             if entry.encrypted() {
-                return Err(unreadable(Text::fixed(
-                    "el libro está cifrado; guárdelo como .xlsx sin contraseña",
-                    "the workbook is encrypted; save it as .xlsx without a password",
-                )));
+                return Err(EntryEncrypted {}.refused(Exit::Unreadable, Place::File));
             }
             let method = entry.compression();
             if !matches!(method, CompressionMethod::Stored | CompressionMethod::Deflated) {
-                let how = say!(
-                    "método de compresión {method}, ajeno a .xlsx",
-                    "compression method {method}, not one of .xlsx"
+                let how = Text::new(
+                    format!("método de compresión {method}, ajeno a .xlsx"),
+                    format!("compression method {method}, not one of .xlsx"),
                 );
-                return Err(part_damaged(&name, &how));
+                return Err(part_damaged(&name, how));
             }
             let size = entry.size();
             if size > limits::PART {
@@ -168,15 +150,13 @@ impl<'a> Package<'a> {
             }
             total = total.saturating_add(size);
             if self.entries.insert(normal, index).is_some() {
-                let shown = excerpt(&name, 80);
-                return Err(unreadable(say!(
-                    "dos partes del paquete se llaman \"{shown}\" (sin mirar mayúsculas)",
-                    "two entries of the package are named \"{shown}\" (but for capitals)"
-                )));
+                let entry = excerpt(&name, 80);
+                return Err(EntryTwiceButForCapitals { entry }.refused(Exit::Unreadable, Place::File));
             }
         }
         if total > limits::TOTAL {
-            return Err(too_large_in_all());
+            let most = limits::mebibytes(limits::TOTAL);
+            return Err(PackageTooLarge { most }.refused(Exit::Limit, Place::File));
         }
         Ok(())
     }
@@ -190,77 +170,32 @@ impl<'a> Package<'a> {
         let unpacked = io::copy(&mut entry.by_ref().take(declared + 1), &mut io::sink())
             .map_err(|error| broken(&name, &ZipError::Io(error)))?;
         if unpacked != declared {
-            return Err(part_damaged(&name, &Text::fixed("longitud", "length")));
+            return Err(part_damaged(&name, t("longitud", "length")));
         }
         Ok(())
     }
 }
 
-/// The refusal of the file as a whole.
-pub fn unreadable(what: Text) -> Refusal {
-    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, save_again()))
-}
-
-fn part_damaged(name: &str, how: &Text) -> Refusal {
-    let shown = excerpt(name, 80);
-    damaged(name, Text::new(format!("{shown} está dañado ({})", how.es), format!("{shown} is damaged ({})", how.en)))
+fn part_damaged(name: &str, how: Text) -> Refusal {
+    EntryDamaged { entry: excerpt(name, 80), how }.refused(Exit::Unreadable, Place::Part(name.to_owned()))
 }
 
 /// The refusal of an entry whose name is in no known encoding.
 fn nameless(index: usize) -> Refusal {
-    let number = index + 1;
-    unreadable(say!(
-        "el nombre de la parte {number} del paquete no se puede leer",
-        "the name of entry {number} of the package cannot be read"
-    ))
+    EntryWithoutName { number: index + 1 }.refused(Exit::Unreadable, Place::File)
 }
 
 /// The refusal of an entry that does not unpack.
 fn broken(name: &str, error: &ZipError) -> Refusal {
     let how = match error {
-        ZipError::Io(error) if error.to_string().contains("checksum") => {
-            Text::fixed("suma de comprobación", "checksum")
-        }
-        ZipError::Io(_) => Text::fixed("datos comprimidos", "compressed data"),
+        ZipError::Io(error) if error.to_string().contains("checksum") => t("suma de comprobación", "checksum"),
+        ZipError::Io(_) => t("datos comprimidos", "compressed data"),
         error => Text::same(printable(&error.to_string())),
     };
-    part_damaged(name, &how)
+    part_damaged(name, how)
 }
 
 fn too_large(name: &str, most: u64) -> Refusal {
-    let (shown, most) = (excerpt(name, 80), limits::mebibytes(most));
-    Refusal::new(
-        Exit::Limit,
-        Finding::stop(
-            Place::Part(name.to_owned()),
-            say!(
-                "{shown}: el libro ocupa descomprimido más de {most} MiB en una sola parte",
-                "{shown}: the workbook unpacks to more than {most} MiB in one part"
-            ),
-            only_inputs(),
-        ),
-    )
-}
-
-fn too_large_in_all() -> Refusal {
-    let most = limits::mebibytes(limits::TOTAL);
-    Refusal::new(
-        Exit::Limit,
-        Finding::stop(
-            Place::File,
-            say!(
-                "el libro ocupa descomprimido más de {most} MiB",
-                "the workbook unpacks to more than {most} MiB in all"
-            ),
-            only_inputs(),
-        ),
-    )
-}
-
-/// The remedy for a workbook that is too large.
-pub const fn only_inputs() -> Text {
-    Text::fixed(
-        "borre del libro las hojas que no sean de entrada, o parta de un libro nuevo con \"rodete new\"",
-        "delete the sheets that are not input from the workbook, or start from a new one with \"rodete new\"",
-    )
+    let (part, most) = (excerpt(name, 80), limits::mebibytes(most));
+    PartTooLarge { part, most }.refused(Exit::Limit, Place::Part(name.to_owned()))
 }

@@ -1,7 +1,9 @@
 //! A cell's value as it is written in the sheet's part, held against the type the cell says it has.
 
 use crate::escape::excerpt;
-use crate::text::Text;
+use crate::finding::Raise;
+
+use super::rules::cell::*;
 
 /// Characters of a value shown in a message.
 const SHOWN: usize = 40;
@@ -11,10 +13,9 @@ const NUMBER: usize = 400;
 const ERRORS: [&str; 7] = ["#DIV/0!", "#N/A", "#NAME?", "#NULL!", "#NUM!", "#REF!", "#VALUE!"];
 
 /// Why a value cannot stand.
-#[derive(Debug, PartialEq)]
 pub struct Fault {
-    /// What follows the cell's address in the message.
-    pub what: Text,
+    /// What is told.
+    pub row: Box<dyn Raise>,
     /// True where calamine must not read the sheet: it would give it up, or take another value.
     pub unsound: bool,
     /// True where the package is damaged and not only a value wrong.
@@ -22,59 +23,52 @@ pub struct Fault {
 }
 
 impl Fault {
-    const fn wrong(what: Text, unsound: bool) -> Option<Self> {
-        Some(Self { what, unsound, damaged: false })
+    fn wrong(row: impl Raise + 'static, unsound: bool) -> Option<Self> {
+        Some(Self { row: Box::new(row), unsound, damaged: false })
     }
 
-    const fn damage(what: Text) -> Option<Self> {
-        Some(Self { what, unsound: true, damaged: true })
+    fn damage(row: impl Raise + 'static) -> Option<Self> {
+        Some(Self { row: Box::new(row), unsound: true, damaged: true })
     }
 }
 
-/// Judges a value by the cell's type (`t`) and the number of shared texts in the workbook.
-pub fn judge(kind: Option<&str>, value: &str, strings: usize) -> Option<Fault> {
-    let shown = excerpt(value, SHOWN);
+/// Judges the value of a cell by its type (`t`) and the number of shared texts in the workbook.
+pub fn judge(kind: Option<&str>, value: &str, texts: usize, cell: impl FnOnce() -> String) -> Option<Fault> {
+    let shown = || excerpt(value, SHOWN);
     match kind {
         None | Some("n" | "s" | "b" | "e" | "str" | "inlineStr" | "d") if value.is_empty() => None,
-        None | Some("n") => number(kind, value, &shown),
+        None | Some("n") => number(kind, value, cell),
         Some("s") => {
             let digits = value.len() <= 9 && value.bytes().all(|byte| byte.is_ascii_digit());
-            if digits && value.parse::<usize>().is_ok_and(|index| index < strings) {
+            if digits && value.parse::<usize>().is_ok_and(|index| index < texts) {
                 return None;
             }
-            Fault::damage(say!(
-                "pide el texto {shown} y el libro tiene {strings}",
-                "asks for shared text {shown}, and the workbook has {strings}"
-            ))
+            Fault::damage(NoSuchText { cell: cell(), text: shown(), texts })
         }
         Some("b") => match value.trim().to_ascii_lowercase().as_str() {
             "" | "0" | "1" | "true" | "false" => None,
-            _ => Fault::wrong(say!("guarda \"{shown}\" como valor lógico", "holds \"{shown}\" as a truth value"), true),
+            _ => Fault::wrong(NoTruthValue { cell: cell(), value: shown() }, true),
         },
         Some("e") if ERRORS.contains(&value) => None,
-        Some("e") => Fault::wrong(say!("contiene el error {shown}", "holds the error {shown}"), true),
+        Some("e") => Fault::wrong(UnknownError { cell: cell(), error: shown() }, true),
         Some("str" | "inlineStr" | "d") => None,
-        Some(other) => {
-            let other = excerpt(other, SHOWN);
-            Fault::damage(say!("es de la clase desconocida {other}", "is of the unknown type {other}"))
-        }
+        Some(other) => Fault::damage(UnknownType { cell: cell(), kind: excerpt(other, SHOWN) }),
     }
 }
 
-fn number(kind: Option<&str>, value: &str, shown: &str) -> Option<Fault> {
-    let finite = say!("guarda {shown}, que no es un número finito", "holds {shown}, which is not a finite number");
+fn number(kind: Option<&str>, value: &str, cell: impl FnOnce() -> String) -> Option<Fault> {
+    let shown = || excerpt(value, SHOWN);
     if is_number(value) {
         let overflows = !value.parse::<f64>().is_ok_and(f64::is_finite);
-        return if overflows { Fault::wrong(finite, false) } else { None };
+        return if overflows { Fault::wrong(NotFinite { cell: cell(), value: shown() }, false) } else { None };
     }
     let words = ["nan", "inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "1.#inf", "-1.#ind"];
-    let what = if words.iter().any(|word| value.trim().eq_ignore_ascii_case(word)) {
-        finite
-    } else {
-        say!("guarda \"{shown}\" como si fuera un número", "holds \"{shown}\" as if it were a number")
-    };
     // Without a type given, calamine takes it for a text; with one, it gives the sheet up.
-    Fault::wrong(what, kind.is_some())
+    if words.iter().any(|word| value.trim().eq_ignore_ascii_case(word)) {
+        Fault::wrong(NotFinite { cell: cell(), value: shown() }, kind.is_some())
+    } else {
+        Fault::wrong(NotANumberInFile { cell: cell(), value: shown() }, kind.is_some())
+    }
 }
 
 /// True for a number as spreadsheet programs write it: digits with an optional sign, point and exponent.
@@ -105,7 +99,7 @@ mod tests {
 
     #[test]
     fn calamine_is_kept_from_what_it_would_give_up_and_from_damage() {
-        let graded = |kind, value| judge(kind, value, 3).map(|fault| (fault.unsound, fault.damaged));
+        let graded = |kind, value| judge(kind, value, 3, String::new).map(|fault| (fault.unsound, fault.damaged));
         assert_eq!(graded(None, "abc"), Some((false, false)));
         assert_eq!(graded(Some("n"), "abc"), Some((true, false)));
         assert_eq!(graded(None, "1e400"), Some((false, false)));

@@ -8,9 +8,10 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use crate::escape::excerpt;
-use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
+use crate::number::decimal;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
+use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values, t};
 use crate::text::{Language, Text};
 
 use super::address;
@@ -18,6 +19,7 @@ use super::book::Book;
 use super::gate::gate;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
+use super::rules::form::*;
 use super::sheet_cells::{Content, SheetCells};
 use super::survey::COLUMNS;
 use super::value::{self, VALUE, expected, named};
@@ -70,12 +72,8 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
         };
         let Some(entry) = found else {
             if !described.optional {
-                let name = described.name.get(language);
-                findings.push(Finding::stop(
-                    Place::File,
-                    say!("falta la hoja \"{name}\"", "the sheet \"{name}\" is missing"),
-                    say!("añada la hoja \"{name}\" de un libro nuevo", "add the sheet \"{name}\" of a new workbook"),
-                ));
+                let sheet = described.name.get(language);
+                findings.push(SheetMissing { sheet }.at(Place::File));
             }
             continue;
         };
@@ -142,34 +140,15 @@ pub(super) fn refusal(exit: Exit, mut findings: Vec<Finding>) -> Refusal {
     Refusal { exit, findings }
 }
 
-pub(super) fn refused(place: Place, what: Text, remedy: Text) -> Refusal {
-    Refusal::new(Exit::Refused, Finding::stop(place, what, remedy))
-}
-
 pub(super) fn no_cells(entry: &SheetEntry) -> Refusal {
-    let name = excerpt(&entry.name, SHOWN);
-    refused(
-        Place::Sheet(entry.name.clone()),
-        say!("la hoja \"{name}\" no tiene celdas", "the sheet \"{name}\" has no cells"),
-        Text::fixed(
-            "ábralo en Excel o LibreOffice, compruébelo y guárdelo de nuevo como .xlsx",
-            "open it in Excel or LibreOffice, check it and save it again as .xlsx",
-        ),
-    )
+    let sheet = excerpt(&entry.name, SHOWN);
+    SheetWithoutCells { sheet }.refused(Exit::Refused, Place::Sheet(entry.name.clone()))
 }
 
 /// A note on a sheet that is read although it is not shown.
 pub(super) fn hidden(entry: &SheetEntry) -> Option<Finding> {
-    let name = excerpt(&entry.name, SHOWN);
-    entry.hidden.then(|| {
-        Finding::note(
-            Place::Sheet(entry.name.clone()),
-            say!(
-                "la hoja \"{name}\" está oculta; se lee igualmente",
-                "the sheet \"{name}\" is hidden; it is read all the same"
-            ),
-        )
-    })
+    let sheet = excerpt(&entry.name, SHOWN);
+    entry.hidden.then(|| SheetHidden { sheet }.at(Place::Sheet(entry.name.clone())))
 }
 
 /// A note on inputs that are results of formulas: what is read is what the spreadsheet stored with them.
@@ -180,17 +159,12 @@ pub(super) fn calculated<'a>(sheet: &SheetCells, inputs: impl Iterator<Item = &'
         .collect();
     let (count, most) = (cells.len(), FORMULAS);
     cells.truncate(most);
-    let more = if count > most { say!(" (las primeras {most})", " (the first {most})") } else { Text::fixed("", "") };
-    (count > 0).then(|| {
-        Finding::note(
-            Place::Cells(cells),
-            say!(
-                "valores de entrada que son resultados de fórmulas: {count}{more}; se lee lo que la hoja de cálculo guardó",
-                "input values that are results of formulas: {count}{more}; what the spreadsheet stored is read",
-                more = more
-            ),
-        )
-    })
+    let first = if count > most {
+        Text::new(format!(" (las primeras {most})"), format!(" (the first {most})"))
+    } else {
+        t("", "")
+    };
+    (count > 0).then(|| FormulasRead { count, first }.at(Place::Cells(cells)))
 }
 
 /// The sheet that a form begins with, and its language.
@@ -204,22 +178,18 @@ fn first_sheet(sheets: &[SheetEntry], forms: &[&'static Form]) -> Result<(SheetE
             }
         }
     }
-    sheet_named(
-        sheets,
-        &names,
-        Text::fixed("parta de un libro nuevo con \"rodete new\"", "start from a new workbook with \"rodete new\""),
-    )
+    sheet_named(sheets, &names, |wanted, there| SheetNotFound { wanted, there }.at(Place::File))
 }
 
-/// The one sheet that bears one of the names, and the language of that name; `otherwise` is the remedy where there is no
-/// such sheet and none alike.
+/// The one sheet that bears one of the names, and the language of that name; `otherwise` tells that there is no such sheet
+/// and none alike, from the names and from those that are there.
 ///
 /// # Errors
 /// [`Exit::Refused`] where there is none, or more than one that a person would take for it.
 pub(super) fn sheet_named(
     sheets: &[SheetEntry],
     names: &[(&str, Language)],
-    otherwise: Text,
+    otherwise: impl FnOnce(Text, String) -> Finding,
 ) -> Result<(SheetEntry, Language), Refusal> {
     let found: Vec<_> = sheets
         .iter()
@@ -230,25 +200,17 @@ pub(super) fn sheet_named(
     let wanted = |or: &str| names.iter().map(|name| format!("\"{}\"", name.0)).collect::<Vec<_>>().join(or);
     match found.as_slice() {
         [] => {
-            let there = list(sheets);
-            let (es, en) = (wanted(" o "), wanted(" or "));
-            let remedy = match alike.first() {
+            let (wanted, there) = (Text::new(wanted(" o "), wanted(" or ")), list(sheets));
+            let finding = match alike.first() {
                 Some(entry) => {
                     let name = excerpt(&entry.name, SHOWN);
                     let right =
                         names.iter().find(|name| same_but_for_case(name.0, &entry.name)).map_or("", |name| name.0);
-                    say!(
-                        "cambie el nombre de la hoja \"{name}\" a \"{right}\"",
-                        "rename the sheet \"{name}\" to \"{right}\""
-                    )
+                    SheetMisnamed { wanted, there, name, right: right.to_owned() }.at(Place::File)
                 }
-                None => otherwise,
+                None => otherwise(wanted, there),
             };
-            Err(refused(
-                Place::File,
-                say!("no se encuentra la hoja {es}; hay: {there}", "sheet {en} not found; there are: {there}"),
-                remedy,
-            ))
+            Err(Refusal::new(Exit::Refused, finding))
         }
         [(entry, language)] if alike.len() == 1 => {
             if entry.kind == listing::SheetKind::Cells {
@@ -264,7 +226,7 @@ pub(super) fn sheet_named(
 /// A further sheet of a form, in either language.
 fn find(
     sheets: &[SheetEntry],
-    name: &Text,
+    name: &'static Text,
     language: Language,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<SheetEntry>, Refusal> {
@@ -287,20 +249,13 @@ fn find(
     }
     // The name that it has in a workbook of this language, whatever the language of the message.
     let (right, name) = (name.get(language), excerpt(&entry.name, SHOWN));
-    findings.push(Finding::caution(
-        Place::Sheet(entry.name.clone()),
-        say!(
-            "la hoja \"{name}\" no se lee: su nombre no es \"{right}\"",
-            "the sheet \"{name}\" is not read: its name is not \"{right}\""
-        ),
-        say!("cambie su nombre a \"{right}\" para que se lea", "rename it to \"{right}\" to have it read"),
-    ));
+    findings.push(SheetNotRead { name, right }.at(Place::Sheet(entry.name.clone())));
     Ok(None)
 }
 
 /// The sheets of a list, in the order of the workbook.
 fn list_sheets(
-    list: &List,
+    list: &'static List,
     sheets: &[SheetEntry],
     language: Language,
     findings: &mut Vec<Finding>,
@@ -309,12 +264,7 @@ fn list_sheets(
         Naming::One(name) => {
             let found = find(sheets, name, language, findings)?;
             if found.is_none() && !list.optional {
-                let name = name.get(language);
-                findings.push(Finding::stop(
-                    Place::File,
-                    say!("falta la hoja \"{name}\"", "the sheet \"{name}\" is missing"),
-                    say!("añada la hoja \"{name}\" de un libro nuevo", "add the sheet \"{name}\" of a new workbook"),
-                ));
+                findings.push(SheetMissing { sheet: name.get(language) }.at(Place::File));
             }
             Ok(found.into_iter().collect())
         }
@@ -334,14 +284,7 @@ fn is_numbered(name: &str) -> bool {
 
 fn ambiguous(alike: &[&SheetEntry]) -> Refusal {
     let names = alike.iter().map(|entry| format!("\"{}\"", excerpt(&entry.name, SHOWN))).collect::<Vec<_>>().join(", ");
-    refused(
-        Place::File,
-        say!("no se sabe qué hoja leer: {names}", "it is not clear which sheet to read: {names}"),
-        Text::fixed(
-            "deje solo una de ellas, o cambie el nombre de las otras",
-            "leave only one of them, or rename the others",
-        ),
-    )
+    SheetAmbiguous { names }.refused(Exit::Refused, Place::File)
 }
 
 /// The names of the sheets, ten of them at most.
@@ -377,33 +320,19 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
     }
     let known = wanted.iter().map(|(form, _)| format!("\"{}\"", form.schema)).collect::<Vec<_>>().join(", ");
     let symbol = wanted.first().map_or("schema", |(_, parameter)| parameter.symbol());
-    let start = Text::fixed(
-        "cree un libro nuevo con \"rodete new\" y pase a él los valores",
-        "make a new workbook with \"rodete new\" and copy the values into it",
-    );
     let rows = symbols.get(symbol).map_or(&[][..], Vec::as_slice);
     let [row] = rows else {
         return Err(if rows.is_empty() {
-            refused(
-                Place::Sheet(sheet.name.clone()),
-                say!(
-                    "falta la fila \"{symbol}\", que dice el esquema del libro (aquí se lee {known})",
-                    "the row \"{symbol}\", which names the workbook's schema, is missing (read here: {known})"
-                ),
-                start,
-            )
+            SchemaRowMissing { symbol, known }.refused(Exit::Refused, Place::Sheet(sheet.name.clone()))
         } else {
-            refused(
-                Place::Cells(rows.iter().map(|row| sheet.place((*row, 0))).collect()),
-                say!("el símbolo \"{symbol}\" está en varias filas", "the symbol \"{symbol}\" stands in several rows"),
-                say!("deje una sola fila \"{symbol}\"", "leave one row \"{symbol}\" only"),
-            )
+            let cells = rows.iter().map(|row| sheet.place((*row, 0))).collect();
+            SchemaRowTwice { symbol }.refused(Exit::Refused, Place::Cells(cells))
         });
     };
     let at = (*row, VALUE);
     let found = match sheet.cell(at).map(|cell| &cell.content) {
         Some(Content::Text(text, _)) => excerpt(text.trim(), SHOWN),
-        Some(Content::Number(number)) => super::typed_number::decimal(*number),
+        Some(Content::Number(number)) => decimal(*number),
         Some(Content::Error(error)) => excerpt(error, SHOWN),
         Some(Content::Truth(_) | Content::Date) | None => String::new(),
     };
@@ -415,19 +344,13 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
             return Ok((form, Some(earlier)));
         }
     }
-    let finding = Finding::stop(
-        Place::Cells(vec![sheet.place(at)]),
-        if found.is_empty() {
-            say!("{symbol} está vacío; aquí rodete lee {known}", "{symbol} is empty; rodete reads {known} here")
-        } else {
-            say!(
-                "{symbol} es \"{found}\"; aquí rodete lee {known}",
-                "{symbol} is \"{found}\"; rodete reads {known} here"
-            )
-        },
-        start,
-    );
-    Err(Refusal::new(Exit::Refused, finding.with(found, known)))
+    let (place, limit) = (Place::Cells(vec![sheet.place(at)]), known.clone());
+    let finding = if found.is_empty() {
+        SchemaEmpty { symbol, known }.at(place)
+    } else {
+        OtherSchema { symbol, found: found.clone(), known }.at(place)
+    };
+    Err(Refusal::new(Exit::Refused, finding.with(found, limit)))
 }
 
 /// The rows of every symbol in column A.
@@ -482,29 +405,17 @@ fn take(
                 }
             }
             rows => {
-                let symbol = parameter.symbol();
-                let count = rows.len();
-                findings.push(Finding::stop(
-                    Place::Cells(rows.iter().take(10).map(|row| sheet.place((*row, 0))).collect()),
-                    say!("el símbolo {symbol} está en {count} filas", "the symbol {symbol} stands in {count} rows"),
-                    say!("deje una sola fila {symbol}", "leave one row {symbol} only"),
-                ));
+                let cells = rows.iter().take(10).map(|row| sheet.place((*row, 0))).collect();
+                let row = SymbolTwice { symbol: parameter.symbol(), count: rows.len() };
+                findings.push(row.at(Place::Cells(cells)));
             }
         }
     }
 }
 
-fn missing_row(parameter: &Parameter, sheet: &SheetCells) -> Finding {
-    let (name, what, symbol) = (named(parameter), expected(parameter), parameter.symbol());
-    Finding::stop(
-        Place::Sheet(sheet.name.clone()),
-        say!("falta la fila de {name}", "the row of {name} is missing", name = name),
-        say!(
-            "añada una fila con {symbol} en la columna A y {what} en la columna C",
-            "add a row with {symbol} in column A and {what} in column C",
-            what = what
-        ),
-    )
+fn missing_row(parameter: &'static Parameter, sheet: &SheetCells) -> Finding {
+    let (name, expected, symbol) = (named(parameter), expected(parameter), parameter.symbol());
+    RowMissing { name, symbol, expected }.at(Place::Sheet(sheet.name.clone()))
 }
 
 /// Mentions rows that have a value and a symbol that the form does not know. Headings are not among them: what stands
@@ -518,18 +429,9 @@ fn unknown(sheet: &SheetCells, symbols: &[&str], findings: &mut Vec<Finding>) {
     let rows: Vec<u32> = rows.collect();
     for row in rows.iter().take(UNKNOWN) {
         let symbol = sheet.text((*row, 0)).map_or_else(|| "?".to_owned(), |symbol| excerpt(symbol, SHOWN));
-        findings.push(Finding::note(
-            Place::Cells(vec![sheet.place((*row, 0))]),
-            say!(
-                "el símbolo \"{symbol}\" no es de este formulario; su valor no se lee",
-                "the symbol \"{symbol}\" is not one of this form; its value is not read"
-            ),
-        ));
+        findings.push(SymbolUnknown { symbol }.at(Place::Cells(vec![sheet.place((*row, 0))])));
     }
-    if let Some(more) = rows.len().checked_sub(UNKNOWN).filter(|more| *more > 0) {
-        findings.push(Finding::note(
-            Place::Sheet(sheet.name.clone()),
-            say!("hay otros {more} símbolos desconocidos", "there are {more} more unknown symbols"),
-        ));
+    if let Some(count) = rows.len().checked_sub(UNKNOWN).filter(|more| *more > 0) {
+        findings.push(MoreSymbolsUnknown { count }.at(Place::Sheet(sheet.name.clone())));
     }
 }

@@ -4,10 +4,10 @@ use quick_xml::events::Event;
 
 use crate::escape::excerpt;
 use crate::finding::Refusal;
-use crate::text::Text;
 
 use super::limits;
 use super::package::Package;
+use super::rules::package::*;
 use super::xml::{self, attribute, damaged, limit, raw};
 
 /// Walks a part that describes the workbook; false where it is missing. No attribute may have more than `attribute` bytes.
@@ -26,13 +26,7 @@ pub fn structure(
             && let Some(long) = start.attributes().flatten().find(|one| one.value.len() > attribute)
         {
             let (name, most) = (excerpt(long.key.as_ref(), 40), attribute);
-            return Err(limit(
-                part,
-                say!(
-                    "el atributo {name} ocupa más de {most} bytes",
-                    "the attribute {name} is longer than {most} bytes"
-                ),
-            ));
+            return Err(limit(part, &AttributeTooLong { attribute: name, most }));
         }
         visit(depth, event)
     })?;
@@ -59,30 +53,17 @@ pub fn strings(package: &mut Package<'_>, part: &str) -> Result<usize, Refusal> 
                 let declared = raw(start, "uniqueCount").and_then(|value| value.trim().parse::<u128>().ok());
                 let room = room.min(limits::STRINGS);
                 if declared.is_some_and(|declared| u128::try_from(room).is_ok_and(|room| declared > room)) {
-                    return Err(limit(
-                        part,
-                        Text::fixed(
-                            "uniqueCount anuncia más textos de los que caben en la parte",
-                            "uniqueCount announces more texts than the part can hold",
-                        ),
-                    ));
+                    return Err(limit(part, &TextsAnnounced {}));
                 }
             }
             Event::Start(start) if start.local_name().as_ref() == "si" => {
                 if depth != 2 || depth_of_text.is_some() {
-                    return Err(damaged(
-                        part,
-                        Text::fixed("la tabla de textos está dañada", "the table of shared texts is damaged"),
-                    ));
+                    return Err(damaged(part, &TextsDamaged {}));
                 }
                 depth_of_text = Some(depth);
                 count += 1;
                 if count > limits::STRINGS {
-                    let most = limits::STRINGS;
-                    return Err(limit(
-                        part,
-                        say!("el libro tiene más de {most} textos", "the workbook has more than {most} texts"),
-                    ));
+                    return Err(limit(part, &TooManyTexts { most: limits::STRINGS }));
                 }
             }
             Event::End(_) if depth_of_text == Some(depth) => depth_of_text = None,
@@ -110,23 +91,13 @@ pub fn styles(package: &mut Package<'_>, part: &str) -> Result<(), Refusal> {
             "xf" if within => {
                 formats += 1;
                 if formats > limits::FORMATS {
-                    let most = limits::FORMATS;
-                    return Err(limit(
-                        part,
-                        say!("el libro tiene más de {most} formatos", "the workbook has more than {most} cell formats"),
-                    ));
+                    return Err(limit(part, &TooManyFormats { most: limits::FORMATS }));
                 }
             }
             "numFmt" => {
                 let code = attribute(start, "formatCode").unwrap_or_default();
                 if code.matches('[').count() > limits::BRACKETS {
-                    return Err(limit(
-                        part,
-                        Text::fixed(
-                            "un formato de número tiene demasiados corchetes",
-                            "a number format has too many brackets",
-                        ),
-                    ));
+                    return Err(limit(part, &TooManyBrackets {}));
                 }
             }
             _ => {}

@@ -7,11 +7,11 @@ use std::io::Cursor;
 use calamine::{DataRef, Xlsx};
 
 use crate::escape::{excerpt, printable};
-use crate::finding::{CellPlace, Exit, Finding, Place, Refusal};
+use crate::finding::{CellPlace, Exit, Place, Raise, Refusal};
 
 use super::address::{self, Position};
 use super::limits;
-use super::package::only_inputs;
+use super::rules::package::{SheetUnread, TooManyRows};
 use super::survey::Survey;
 use super::xml::damaged;
 
@@ -83,8 +83,7 @@ impl SheetCells {
 /// [`Exit::Unreadable`] where calamine does not read the sheet; [`Exit::Limit`] for more than [`limits::ROWS`] rows.
 pub fn stream(xlsx: &mut Xlsx<Cursor<Cow<'_, [u8]>>>, sheet: &str, part: &str, columns: u32) -> Result<Rows, Refusal> {
     let fault = |error: &calamine::XlsxError| {
-        let (name, why) = (excerpt(sheet, 80), printable(&error.to_string()));
-        damaged(part, say!("la hoja \"{name}\" no se puede leer: {why}", "the sheet \"{name}\" cannot be read: {why}"))
+        damaged(part, &SheetUnread { sheet: excerpt(sheet, 80), reason: printable(&error.to_string()) })
     };
     let width = usize::try_from(columns).unwrap_or_default();
     let mut rows = Rows::new();
@@ -104,19 +103,9 @@ pub fn stream(xlsx: &mut Xlsx<Cursor<Cow<'_, [u8]>>>, sheet: &str, part: &str, c
             *slot = Some(Cell { content, percent });
         }
         if rows.len() > limits::ROWS {
-            let (name, most) = (excerpt(sheet, 80), limits::ROWS);
             let last = address::letters(columns.saturating_sub(1));
-            return Err(Refusal::new(
-                Exit::Limit,
-                Finding::stop(
-                    Place::Sheet(sheet.to_owned()),
-                    say!(
-                        "la hoja \"{name}\" tiene más de {most} filas con contenido en las columnas A a {last}",
-                        "the sheet \"{name}\" has more than {most} rows with content in columns A to {last}"
-                    ),
-                    only_inputs(),
-                ),
-            ));
+            let row = TooManyRows { sheet: excerpt(sheet, 80), most: limits::ROWS, last };
+            return Err(row.refused(Exit::Limit, Place::Sheet(sheet.to_owned())));
         }
     }
     Ok(rows)

@@ -8,12 +8,12 @@ use std::collections::BTreeSet;
 use quick_xml::events::{BytesStart, Event};
 
 use crate::escape::excerpt;
-use crate::finding::{CellPlace, Exit, Finding, Place, Refusal};
-use crate::text::Text;
+use crate::finding::{CellPlace, Exit, Finding, Place, Raise, Refusal};
 
 use super::address::{self, Position, Range};
 use super::limits;
 use super::raw_value;
+use super::rules::cell::*;
 use super::xml::{self, damaged, raw};
 
 /// Columns A to E: all that is read of a form's sheet.
@@ -78,14 +78,8 @@ pub fn survey(sheet: &str, part: &str, text: &str, strings: usize, columns: u32)
         Err(Refusal { exit: walk.survey.exit(), findings: std::mem::take(&mut walk.survey.findings) })
     })?;
     if let Some(first) = walk.far {
-        let address = address::format(first);
-        walk.survey.findings.push(Finding::note(
-            walk.place(first),
-            say!(
-                "hay celdas rellenas lejos del formulario (la primera, {address}): no se leen",
-                "there are filled cells far from the form (the first is {address}): they are not read"
-            ),
-        ));
+        let finding = CellsFarOut { cell: address::format(first) }.at(walk.place(first));
+        walk.survey.findings.push(finding);
     }
     Ok(walk.survey)
 }
@@ -169,7 +163,7 @@ impl Walk<'_> {
         let name = name.as_ref();
         match (self.state, name) {
             (State::Before, "dimension") if raw(start, "ref").is_none_or(|range| Range::parse(&range).is_none()) => {
-                return Err(self.broken(&Text::fixed("su extensión no es válida", "its dimension is not valid")));
+                return Err(damaged(self.part, &DimensionNotValid { sheet: self.name() }));
             }
             (State::Before, "sheetData") if depth == 2 => self.state = State::Rows,
             (State::Rows, "row") => {
@@ -202,14 +196,11 @@ impl Walk<'_> {
                 self.state = State::Inside;
             }
             (State::Rows | State::Row | State::Cell | State::Value, _) => {
-                let name = excerpt(name, SHOWN);
-                return Err(self.broken(&say!(
-                    "el elemento {name} no corresponde a una hoja",
-                    "the element {name} does not belong to a sheet"
-                )));
+                let element = excerpt(name, SHOWN);
+                return Err(damaged(self.part, &ForeignElement { sheet: self.name(), element }));
             }
             (_, "sheetData") => {
-                return Err(self.broken(&Text::fixed("sus datos están repetidos", "its cells are given twice")));
+                return Err(damaged(self.part, &CellsGivenTwice { sheet: self.name() }));
             }
             (State::After, "mergeCell") => self.merge(start)?,
             _ => {}
@@ -251,7 +242,7 @@ impl Walk<'_> {
         }
         if position.0 != self.row {
             let row = u64::from(self.row) + 1;
-            self.fault(position, false, say!("está escrita en la fila {row}", "is written in row {row}"));
+            self.fault(position, false, &CellInOtherRow { cell: address::format(position), row });
         }
         self.mark();
     }
@@ -272,7 +263,7 @@ impl Walk<'_> {
             *bits |= bit;
             if twice {
                 let position = self.cell.position;
-                self.fault(position, false, Text::fixed("está dos veces en el archivo", "is given twice in the file"));
+                self.fault(position, false, &CellGivenTwice { cell: address::format(position) });
             }
         }
     }
@@ -284,14 +275,7 @@ impl Walk<'_> {
         let value = cell.value.as_deref().unwrap_or_default();
         if cell.twisted {
             self.survey.damaged = true;
-            return self.fault(
-                position,
-                true,
-                Text::fixed(
-                    "está escrita de un modo que no se lee con seguridad",
-                    "is written in a way that cannot be read safely",
-                ),
-            );
+            return self.fault(position, true, &CellNotSafelyRead { cell: address::format(position) });
         }
         let filled = !value.is_empty() || cell.inline || cell.formula;
         self.survey.filled |= filled;
@@ -305,18 +289,18 @@ impl Walk<'_> {
         } else if near && cell.formula {
             self.survey.formulas.insert(position);
         }
-        if let Some(fault) = raw_value::judge(kind, value, self.strings)
+        if let Some(fault) = raw_value::judge(kind, value, self.strings, || address::format(position))
             && (near || fault.unsound)
         {
             self.survey.damaged |= fault.damaged;
-            self.fault(position, fault.unsound, fault.what);
+            self.fault(position, fault.unsound, &*fault.row);
         }
     }
 
     fn merge(&mut self, start: &BytesStart<'_>) -> Result<(), Refusal> {
-        let range = raw(start, "ref").and_then(|range| Range::parse(&range)).ok_or_else(|| {
-            self.broken(&Text::fixed("una combinación de celdas no es válida", "a range of merged cells is not valid"))
-        })?;
+        let range = raw(start, "ref")
+            .and_then(|range| Range::parse(&range))
+            .ok_or_else(|| damaged(self.part, &MergedRangeNotValid { sheet: self.name() }))?;
         if range.start.1 < self.columns {
             self.survey.merges.push(range);
         }
@@ -327,40 +311,23 @@ impl Walk<'_> {
         Place::Cells(vec![CellPlace { sheet: self.sheet.to_owned(), cell: address::format(position) }])
     }
 
-    /// A fault of a cell, as what follows its address.
-    fn fault(&mut self, position: Position, unsound: bool, what: Text) {
-        let cell = address::format(position);
-        let what = Text::new(format!("la celda {cell} {}", what.es), format!("cell {cell} {}", what.en));
-        let remedy = say!(
-            "borre la celda {cell}, escriba de nuevo su valor y guarde el libro",
-            "clear cell {cell}, type its value again and save the workbook"
-        );
+    /// A fault of a cell.
+    fn fault(&mut self, position: Position, unsound: bool, row: &dyn Raise) {
         self.survey.unsound |= unsound;
         self.survey.judged.insert(position);
-        let finding = Finding::stop(self.place(position), what, remedy);
+        let finding = row.at(self.place(position));
         self.survey.findings.push(finding);
     }
 
     /// A cell or row whose address lies outside of the grid.
     fn outside(&mut self, written: &str) {
-        let written = excerpt(written, SHOWN);
+        let address = excerpt(written, SHOWN);
         self.survey.unsound = true;
-        self.survey.findings.push(Finding::stop(
-            Place::Sheet(self.sheet.to_owned()),
-            say!(
-                "hay una celda fuera de la hoja (\"{written}\"; la última es XFD1048576)",
-                "there is a cell outside the sheet grid (\"{written}\"; the last is XFD1048576)"
-            ),
-            xml::save_again(),
-        ));
+        self.survey.findings.push(CellOutsideGrid { address }.at(Place::Sheet(self.sheet.to_owned())));
     }
 
-    fn broken(&self, what: &Text) -> Refusal {
-        let sheet = excerpt(self.sheet, 80);
-        let text = Text::new(
-            format!("la hoja \"{sheet}\" está dañada: {}", what.es),
-            format!("the sheet \"{sheet}\" is damaged: {}", what.en),
-        );
-        damaged(self.part, text)
+    /// The sheet's name as a message says it.
+    fn name(&self) -> String {
+        excerpt(self.sheet, 80)
     }
 }

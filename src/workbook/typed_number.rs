@@ -1,68 +1,45 @@
 //! Numbers typed as text: what was probably meant, said as a hint and never taken as the value.
 
+use crate::finding::Raise;
+use crate::parameter::t;
 use crate::text::Text;
 
-/// A number in the fewest digits that give it back; with an exponent where it is very large or very small.
-#[must_use]
-pub fn decimal(number: f64) -> String {
-    let size = number.abs();
-    if size == 0.0 {
-        "0".to_owned()
-    } else if (1e-4..1e15).contains(&size) {
-        format!("{number}")
-    } else {
-        format!("{number:e}")
-    }
-}
+use super::rules::value::*;
 
-/// What to write instead of a text that stands where a number must: `unit` is the label of the parameter's unit.
+/// What is told of a text that stands where a number must: `name` is the parameter's, `unit` the label of its unit.
 #[must_use]
-pub fn hint(text: &str, unit: &str) -> Text {
+pub fn told(name: Text, text: &str, shown: String, unit: &str) -> Box<dyn Raise> {
     let (plain, foreign) = plain(text);
     let plain = plain.trim();
-    let named = foreign.map(|character| {
-        let (name, code) = (name(character), u32::from(character));
-        say!(
-            " (el texto lleva el carácter U+{code:04X}, {name})",
-            " (the text has the character U+{code:04X}, {name})",
-            name = name
+    if foreign.is_none() && strict(plain) {
+        return Box::new(NumberFormattedAsText { name, text: shown, number: plain.to_owned() });
+    }
+    let none = t("", "");
+    let sign = foreign.map_or(none.clone(), |character| {
+        let (Text { es, en }, code) = (self::name(character), u32::from(character));
+        Text::new(
+            format!(" (el texto lleva el carácter U+{code:04X}, {es})"),
+            format!(" (the text has the character U+{code:04X}, {en})"),
         )
     });
-    let named = named.unwrap_or(Text::fixed("", ""));
-    if foreign.is_none() && strict(plain) {
-        return say!(
-            "la celda tiene formato de texto: dele formato General y escriba de nuevo {plain}",
-            "the cell is formatted as text: set its format to General and type {plain} again"
-        );
-    }
     let suffix_at = plain.rfind(|character: char| character.is_ascii_digit()).map_or(0, |last| last + 1);
     let (number, suffix) = plain.split_at_checked(suffix_at).unwrap_or((plain, ""));
     let suffix = suffix.trim();
     // Letters after the digits are a unit typed into the value cell; a lone separator is part of the number.
     let number = if suffix.chars().all(|character| ".,".contains(character)) { plain } else { number };
-    let unit = if suffix.chars().any(|character| character.is_alphabetic() || "°\"'%/".contains(character)) {
-        if unit.is_empty() {
-            Text::fixed(", sin unidad", ", without a unit")
-        } else {
-            say!(", sin unidad: la columna D ya dice {unit}", ", without the unit: column D says {unit}")
-        }
-    } else {
-        Text::fixed("", "")
+    let typed_unit = suffix.chars().any(|character| character.is_alphabetic() || "°\"'%/".contains(character));
+    let unit = match (typed_unit, unit) {
+        (false, _) => none,
+        (true, "") => t(", sin unidad", ", without a unit"),
+        (true, unit) => Text::new(
+            format!(", sin unidad: la columna D ya dice {unit}"),
+            format!(", without the unit: column D says {unit}"),
+        ),
     };
     match read(number) {
-        Some(Reading::One(number)) => {
-            say!("escriba {number}{unit}{named}", "use {number}{unit}{named}", unit = unit, named = named)
-        }
-        Some(Reading::Either(one, other)) => say!(
-            "escriba {one} o {other}, según lo que quiera decir{named}",
-            "use {one} or {other}, whichever is meant{named}",
-            named = named
-        ),
-        None => say!(
-            "escriba un número decimal con punto, como 12.5{named}",
-            "write a decimal number with a point, such as 12.5{named}",
-            named = named
-        ),
+        Some(Reading::One(number)) => Box::new(NumberWithMarks { name, text: shown, number, unit, sign }),
+        Some(Reading::Either(one, other)) => Box::new(NumberOfTwoReadings { name, text: shown, one, other, sign }),
+        None => Box::new(NotANumber { name, text: shown, sign }),
     }
 }
 
@@ -141,22 +118,22 @@ fn plain(text: &str) -> (String, Option<char>) {
 /// The name of a character that looks like a part of a number and is none.
 fn name(character: char) -> Text {
     match u32::from(character) {
-        0x2212 => Text::fixed("signo menos tipográfico", "MINUS SIGN"),
-        0x2013 => Text::fixed("semirraya", "EN DASH"),
-        0x2014 => Text::fixed("raya", "EM DASH"),
-        0x2010..=0x2015 | 0xfe63 | 0xff0d => Text::fixed("guion que no es el signo menos", "a dash, not a minus sign"),
-        0x00a0 => Text::fixed("espacio de no separación", "NO-BREAK SPACE"),
-        0x202f => Text::fixed("espacio estrecho de no separación", "NARROW NO-BREAK SPACE"),
-        0x2000..=0x200a | 0x3000 => Text::fixed("espacio tipográfico", "a typographic space"),
-        0x0660..=0x0669 | 0x06f0..=0x06f9 => Text::fixed("cifra arábiga oriental", "an Arabic-Indic digit"),
-        0x0966..=0x096f => Text::fixed("cifra devanagari", "a Devanagari digit"),
-        0xff10..=0xff19 => Text::fixed("cifra de anchura completa", "a full-width digit"),
-        0xff0b | 0xff0c | 0xff0e => Text::fixed("signo de anchura completa", "a full-width sign"),
-        0x066b => Text::fixed("separador decimal arábigo", "ARABIC DECIMAL SEPARATOR"),
-        0x066c => Text::fixed("separador de millares arábigo", "ARABIC THOUSANDS SEPARATOR"),
-        0x00b7 => Text::fixed("punto medio", "MIDDLE DOT"),
-        0x2019 | 0x02bc => Text::fixed("apóstrofo tipográfico", "a typographic apostrophe"),
-        _ => Text::fixed("carácter invisible", "an invisible character"),
+        0x2212 => t("signo menos tipográfico", "MINUS SIGN"),
+        0x2013 => t("semirraya", "EN DASH"),
+        0x2014 => t("raya", "EM DASH"),
+        0x2010..=0x2015 | 0xfe63 | 0xff0d => t("guion que no es el signo menos", "a dash, not a minus sign"),
+        0x00a0 => t("espacio de no separación", "NO-BREAK SPACE"),
+        0x202f => t("espacio estrecho de no separación", "NARROW NO-BREAK SPACE"),
+        0x2000..=0x200a | 0x3000 => t("espacio tipográfico", "a typographic space"),
+        0x0660..=0x0669 | 0x06f0..=0x06f9 => t("cifra arábiga oriental", "an Arabic-Indic digit"),
+        0x0966..=0x096f => t("cifra devanagari", "a Devanagari digit"),
+        0xff10..=0xff19 => t("cifra de anchura completa", "a full-width digit"),
+        0xff0b | 0xff0c | 0xff0e => t("signo de anchura completa", "a full-width sign"),
+        0x066b => t("separador decimal arábigo", "ARABIC DECIMAL SEPARATOR"),
+        0x066c => t("separador de millares arábigo", "ARABIC THOUSANDS SEPARATOR"),
+        0x00b7 => t("punto medio", "MIDDLE DOT"),
+        0x2019 | 0x02bc => t("apóstrofo tipográfico", "a typographic apostrophe"),
+        _ => t("carácter invisible", "an invisible character"),
     }
 }
 
@@ -194,21 +171,7 @@ mod tests {
             ),
             ("\u{200b}12", "mm", "use 12 (the text has the character U+200B, an invisible character)"),
         ] {
-            assert_eq!(hint(text, unit).en, hinted, "{text:?}");
-        }
-    }
-
-    #[test]
-    fn a_number_is_shown_in_its_shortest_form() {
-        for (number, shown) in [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (1e308, "1e308"),
-            (1e-320, "1e-320"),
-            (0.1 + 0.2, "0.30000000000000004"),
-            (-25.0, "-25"),
-        ] {
-            assert_eq!(decimal(number), shown);
+            assert_eq!(told(Text::same("R"), text, String::new(), unit).remedy().en, hinted, "{text:?}");
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The unit cell: what may stand in it, and what a value out of its limits may have been typed in.
 
+use crate::number::decimal;
+use crate::parameter::t;
 use crate::table::Unit;
 use crate::text::Text;
-
-use super::typed_number::decimal;
 
 /// True where a unit cell says this unit, in one of its usual spellings. An empty one says only that there is none.
 #[must_use]
@@ -41,17 +41,14 @@ pub fn with(number: f64, unit: Unit) -> String {
 /// Other units that a value may have been typed in: name, and what one of them is in this unit.
 fn mistaken(unit: Unit) -> &'static [(Text, f64)] {
     const LENGTHS: &[(Text, f64)] = &[
-        (Text::fixed("metros", "metres"), 1000.0),
-        (Text::fixed("pulgadas", "inches"), 25.4),
-        (Text::fixed("centímetros", "centimetres"), 10.0),
-        (Text::fixed("micrómetros", "micrometres"), 0.001),
+        (t("metros", "metres"), 1000.0),
+        (t("pulgadas", "inches"), 25.4),
+        (t("centímetros", "centimetres"), 10.0),
+        (t("micrómetros", "micrometres"), 0.001),
     ];
-    const FEEDS: &[(Text, f64)] = &[
-        (Text::fixed("m/min", "m/min"), 1000.0),
-        (Text::fixed("mm/s", "mm/s"), 60.0),
-        (Text::fixed("pulgadas/min", "inches/min"), 25.4),
-    ];
-    const ANGLES: &[(Text, f64)] = &[(Text::fixed("radianes", "radians"), 180.0 / std::f64::consts::PI)];
+    const FEEDS: &[(Text, f64)] =
+        &[(t("m/min", "m/min"), 1000.0), (t("mm/s", "mm/s"), 60.0), (t("pulgadas/min", "inches/min"), 25.4)];
+    const ANGLES: &[(Text, f64)] = &[(t("radianes", "radians"), 180.0 / std::f64::consts::PI)];
     match unit {
         Unit::Millimetre => LENGTHS,
         Unit::MillimetrePerMinute => FEEDS,
@@ -60,7 +57,7 @@ fn mistaken(unit: Unit) -> &'static [(Text, f64)] {
     }
 }
 
-/// A question after what was meant by a value outside of its limits; `None` where no other unit explains it.
+/// What was meant by a value outside of its limits, as far as units tell; `None` where no other unit explains it.
 #[must_use]
 pub fn meant(value: f64, unit: Unit, min: f64, max: f64) -> Option<Text> {
     let guesses: Vec<Text> = mistaken(unit)
@@ -71,18 +68,13 @@ pub fn meant(value: f64, unit: Unit, min: f64, max: f64) -> Option<Text> {
             let within = guess != 0.0 && min <= guess && guess <= max;
             within.then(|| {
                 let guess = with(guess, unit);
-                say!("{guess} (escrito en {name})", "{guess} (typed in {name})", name = name)
+                Text::new(format!("{guess} (escrito en {})", name.es), format!("{guess} (typed in {})", name.en))
             })
         })
         .take(2)
         .collect();
     let join = |pick: fn(&Text) -> &str, or: &str| guesses.iter().map(pick).collect::<Vec<_>>().join(or);
-    (!guesses.is_empty()).then(|| {
-        Text::new(
-            format!("¿quiere decir {}?", join(|text| &text.es, " o ")),
-            format!("did you mean {}?", join(|text| &text.en, " or ")),
-        )
-    })
+    (!guesses.is_empty()).then(|| Text::new(join(|text| &text.es, " o "), join(|text| &text.en, " or ")))
 }
 
 /// What an angle in degrees is when it was typed in radians, where that is the likelier reading.
@@ -117,12 +109,12 @@ mod tests {
     #[test]
     fn a_length_in_metres_or_inches_is_asked_for() {
         let english = |value| meant(value, Unit::Millimetre, 5.0, 1000.0).map(|text| text.en.into_owned());
-        assert_eq!(english(0.025).as_deref(), Some("did you mean 25 mm (typed in metres)?"));
+        assert_eq!(english(0.025).as_deref(), Some("25 mm (typed in metres)"));
         assert_eq!(
             english(0.984_252).as_deref(),
-            Some("did you mean 984.252 mm (typed in metres) or 25.000001 mm (typed in inches)?")
+            Some("984.252 mm (typed in metres) or 25.000001 mm (typed in inches)")
         );
-        assert_eq!(english(25_000.0).as_deref(), Some("did you mean 25 mm (typed in micrometres)?"));
+        assert_eq!(english(25_000.0).as_deref(), Some("25 mm (typed in micrometres)"));
         assert_eq!(english(-25.0), None);
     }
 

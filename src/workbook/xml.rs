@@ -7,27 +7,19 @@ use quick_xml::escape::{resolve_xml_entity, unescape};
 use quick_xml::events::{BytesStart, Event};
 
 use crate::escape::{excerpt, printable};
-use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::Text;
+use crate::finding::{Exit, Place, Raise, Refusal};
 
 use super::limits;
+use super::rules::package::*;
 
 /// The refusal of a part that cannot be read.
-pub fn damaged(part: &str, what: Text) -> Refusal {
-    Refusal::new(Exit::Unreadable, Finding::stop(Place::Part(part.to_owned()), what, save_again()))
+pub fn damaged(part: &str, row: &impl Raise) -> Refusal {
+    row.refused(Exit::Unreadable, Place::Part(part.to_owned()))
 }
 
 /// The refusal of a part that exceeds a limit.
-pub fn limit(part: &str, what: Text) -> Refusal {
-    Refusal::new(Exit::Limit, Finding::stop(Place::Part(part.to_owned()), what, save_again()))
-}
-
-/// The remedy for a damaged package.
-pub const fn save_again() -> Text {
-    Text::fixed(
-        "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
-        "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original",
-    )
+pub fn limit(part: &str, row: &impl Raise) -> Refusal {
+    row.refused(Exit::Limit, Place::Part(part.to_owned()))
 }
 
 /// The text of a part.
@@ -38,30 +30,11 @@ pub const fn save_again() -> Text {
 pub fn text(part: &str, bytes: Vec<u8>) -> Result<String, Refusal> {
     let name = printable(part);
     if matches!(bytes.as_slice(), [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [b'<', 0, ..] | [0, b'<', ..]) {
-        return Err(Refusal::new(
-            Exit::Refused,
-            Finding::stop(
-                Place::Part(part.to_owned()),
-                say!(
-                    "no se encuentra ninguna celda legible: la parte {name} está en UTF-16",
-                    "no cells can be read: the part {name} is stored as UTF-16"
-                ),
-                Text::fixed(
-                    "ábralo en Excel o LibreOffice y guárdelo de nuevo como .xlsx",
-                    "open it in Excel or LibreOffice and save it again as .xlsx",
-                ),
-            ),
-        ));
+        return Err(PartUtf16 { part: name }.refused(Exit::Refused, Place::Part(part.to_owned())));
     }
     String::from_utf8(bytes).map_err(|error| {
         let byte = error.utf8_error().valid_up_to();
-        damaged(
-            part,
-            say!(
-                "la parte {name} está dañada: en el byte {byte} no hay UTF-8 válido",
-                "the part {name} is damaged: byte {byte} is not valid UTF-8"
-            ),
-        )
+        damaged(part, &PartNotUtf8 { part: name, byte })
     })
 }
 
@@ -82,16 +55,8 @@ pub fn walk<'a>(
     reader.config_mut().expand_empty_elements = true;
     let mut depth = 0_usize;
     let mut rooted = false;
-    let ill_formed = |byte: u64, why: &str| {
-        let why = excerpt(why, 120);
-        damaged(
-            part,
-            say!(
-                "la parte {name} está dañada: XML mal formado en el byte {byte} ({why})",
-                "the part {name} is damaged: XML not well formed at byte {byte} ({why})"
-            ),
-        )
-    };
+    let ill_formed =
+        |byte: u64, why: &str| damaged(part, &PartIllFormed { part: name.clone(), byte, reason: excerpt(why, 120) });
     loop {
         let event = match reader.read_event() {
             Ok(event) => event,
@@ -102,25 +67,11 @@ pub fn walk<'a>(
                 depth += 1;
                 rooted = true;
                 if depth > limits::DEPTH {
-                    let most = limits::DEPTH;
-                    return Err(limit(
-                        part,
-                        say!(
-                            "la parte {name} tiene más de {most} elementos uno dentro de otro",
-                            "the part {name} has more than {most} elements inside one another"
-                        ),
-                    ));
+                    return Err(limit(part, &PartTooDeep { part: name, most: limits::DEPTH }));
                 }
                 for (count, attribute) in start.attributes().enumerate() {
                     if count >= limits::ATTRIBUTES {
-                        let most = limits::ATTRIBUTES;
-                        return Err(limit(
-                            part,
-                            say!(
-                                "la parte {name} tiene más de {most} atributos en una etiqueta",
-                                "the part {name} has more than {most} attributes in one tag"
-                            ),
-                        ));
+                        return Err(limit(part, &TooManyAttributes { part: name, most: limits::ATTRIBUTES }));
                     }
                     let checked = attribute.map_err(|error| error.to_string());
                     let checked = checked.and_then(|one| match unescape(&one.value) {
@@ -136,26 +87,14 @@ pub fn walk<'a>(
                 depth = depth.saturating_sub(1);
             }
             Event::DocType(_) => {
-                return Err(damaged(
-                    part,
-                    say!(
-                        "la parte {name} declara un tipo de documento (DTD), que un libro .xlsx no puede tener",
-                        "the part {name} declares a document type (DTD), which an .xlsx workbook may not have"
-                    ),
-                ));
+                return Err(damaged(part, &DocumentType { part: name }));
             }
             Event::Decl(declaration) => {
                 if let Some(encoding) = declaration.encoding() {
                     let encoding = encoding.unwrap_or_default();
                     if !["utf-8", "utf8", "us-ascii"].iter().any(|one| encoding.eq_ignore_ascii_case(one)) {
                         let encoding = excerpt(&encoding, 40);
-                        return Err(damaged(
-                            part,
-                            say!(
-                                "la parte {name} declara la codificación {encoding}; se lee solo UTF-8",
-                                "the part {name} declares the encoding {encoding}; only UTF-8 is read"
-                            ),
-                        ));
+                        return Err(damaged(part, &OtherEncoding { part: name, encoding }));
                     }
                 }
             }
@@ -169,17 +108,7 @@ pub fn walk<'a>(
                 visit(depth, &event)?;
             }
             Event::Eof => {
-                return if depth == 0 && rooted {
-                    Ok(())
-                } else {
-                    Err(damaged(
-                        part,
-                        say!(
-                            "la parte {name} está cortada: termina antes de cerrar su XML",
-                            "the part {name} is cut off: it ends before its XML is closed"
-                        ),
-                    ))
-                };
+                return if depth == 0 && rooted { Ok(()) } else { Err(damaged(part, &PartCutOff { part: name })) };
             }
             _ => visit(depth, &event)?,
         }

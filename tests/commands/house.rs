@@ -121,3 +121,24 @@ fn the_top_of_the_repository_holds_what_it_should() {
         assert!(built || name.starts_with('.') || TOP.contains(&name.as_str()), "{name} has no place here");
     }
 }
+
+/// What a control does is data: code that asks for its name or identity would do something else for the next control.
+#[test]
+fn no_code_asks_which_control_it_is() {
+    let asks = |line: &str| {
+        ["control.name", "dialect.name"].into_iter().any(|name| {
+            let (before, behind) = line.split_once(name).unwrap_or_default();
+            let before = before.trim_end_matches(|one: char| one.is_alphanumeric() || "_.&*".contains(one)).trim_end();
+            let behind = behind.trim_start();
+            ["==", "!=", ".", "{"].into_iter().any(|one| behind.starts_with(one))
+                || ["==", "!=", "match"].into_iter().any(|one| before.ends_with(one))
+        }) || ["ptr::eq", "system_a", "feed_required"].into_iter().any(|word| line.contains(word))
+    };
+    assert!(asks("if design.control.name == \"linuxcnc\" {") && asks("match dialect.name {"));
+    assert!(asks("control.name.starts_with(\"fanuc\")") && asks("\"linuxcnc\" != self.control.name"));
+    assert!(!asks("format!(\"{}\", program.control.name)") && !asks("let name = self.control.name;"));
+    for (path, code) in sources("").into_iter().filter(|(path, _)| !path.starts_with("gcode/control")) {
+        let found = code.iter().find(|line| asks(line));
+        assert_eq!(found, None, "{}", path.display());
+    }
+}

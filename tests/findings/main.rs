@@ -7,5 +7,8 @@ mod bad_workbooks;
 mod common;
 mod earlier_schema;
 mod lathe_inputs;
+mod made;
 mod refusals;
 mod rules;
+
+use common::workbook;

@@ -193,7 +193,7 @@ fn arcs_of_the_contour_end_the_passes_where_the_circle_is() {
 fn a_contour_that_a_control_refuses_is_refused_with_its_alarm_and_block() {
     let alarm = |contour: &rodete::gcode::turning::profile::Profile, rough: &Rough| -> (Option<u16>, Option<usize>) {
         let trouble = axial(contour, rough).unwrap_err();
-        let Trouble { line, exit, .. } = trouble;
+        let Trouble { line, exit, .. } = *trouble;
         assert_eq!(exit, Exit::Refused);
         (trouble.alarm(AlarmFamily::Fanuc), line)
     };

@@ -6,7 +6,13 @@
 //! For the 8055 T and the 8070 no such page was at hand.
 
 use crate::gcode::code::{G, Group, M, Name, TurningCycle};
-use crate::gcode::control::{Across, Codes, CommentForm, Comments, Control, FeedLaw, Letters, Opening, Rotary, Turret};
+use crate::gcode::control::{
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, ToolCall, ToolChange, Turns,
+};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
@@ -21,12 +27,17 @@ pub static FAGOR_8055: Control = Control {
 /// Fagor CNC 8055 T, turning.
 pub static FAGOR_8055_T: Control = Control {
     name: "fagor-8055-t",
-    letters: Letters::of("ABCDFIJKQRSTUVWXYZ"),
+    class: Class::Lathe,
+    lexis: Lexis { letters: Letters::of("ABCDFIJKQRSTUVWXYZ"), ..LEXIS },
     codes: &CODES_8055_T,
-    plane: Plane::ZX,
-    diameter: true,
-    turret: Turret::Words,
-    across: Across::Unknown,
+    start: Start { plane: Plane::ZX, ..FAGOR_8055_BASE.start },
+    order: Order::OffLast,
+    axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByMode },
+    arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
+    feed: FeedRule { change: FeedChange::KeepsStale, ..FAGOR_8055_BASE.feed },
+    spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
+    tool: ToolCall::Words,
+    radius: RadiusRule::Nose(NoseCorner::StraightTo120),
     ..FAGOR_8055_BASE
 };
 
@@ -36,12 +47,12 @@ pub static FAGOR_8070: Control = Control {
     opening: Opening::Name,
     safety: &[('G', 17), ('G', 40), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
     change_in_tool_block: true,
-    feed: FeedLaw::Seconds,
-    rotary: Rotary::Linear,
+    law: FeedLaw::Seconds,
     memory: 1 << 30,
     codes: &CODES_8070,
-    dwell: &[(b'K' - b'A', 1.0)],
-    across: Across::Unknown,
+    lexis: Lexis { dwell: &[(b'K' - b'A', 1.0)], ..LEXIS },
+    arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
+    rotary: RotaryRule { delivered: Rotary::Linear, ..FAGOR_8055_BASE.rotary },
     ..FAGOR_8055_BASE
 };
 
@@ -55,28 +66,54 @@ const FAGOR_8055_BASE: Control = Control {
     safety: &[],
     change_in_tool_block: true,
     offset_word: true,
-    feed: FeedLaw::Resultant,
-    rotary: Rotary::Rollover,
+    law: FeedLaw::Resultant,
+    height: HeightHold::Builder,
     memory: 1 << 20,
-    letters: Letters::of("ABCDFIJKRSTUVWXYZ"),
-    refused_letters: Letters::of("P"),
-    free: Letters::of("DFST"),
+    class: Class::Mill,
+    lexis: LEXIS,
     codes: &CODES_8055,
     machine_code,
-    comments: Comments::Semicolon,
-    expressions: false,
-    longest_line: 4096,
-    feed_required: false,
-    plane: Plane::XY,
-    return_initial: true,
-    diameter: false,
-    system_a: false,
-    turret: Turret::Change,
-    start: (G::Cancel, FeedMode::PerMinute),
-    call_depth: 10,
+    start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::Initial },
+    order: Order::Rs274,
+    axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
+    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Pitch },
+    rotary: RotaryRule { delivered: Rotary::Rollover, rollover: Rollover::Numbered },
+    feed: FeedRule {
+        codes: FeedCodes::G94,
+        missing: MissingFeed::Cautioned,
+        change: FeedChange::Keeps,
+        path: FeedPath::AllAxes,
+    },
+    spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Code },
+    tool: ToolCall::Change,
+    change: ToolChange::Routine,
+    length: LengthWord::D,
+    offsets: OffsetRule::Select,
+    cancel: Cancel::LeavesNone,
+    machine_move: MachineMove::InForce,
+    reference: Reference::None,
+    corners: Corners::None,
+    radius: RadiusRule::None,
+    drilling: Drilling::None,
+    calls: Calls { by: CallBy::Nothing, depth: 10 },
+    alarms: None,
+};
+
+/// What the text of an 8055 M is made of.
+const LEXIS: Lexis = Lexis {
+    letters: Letters::of("ABCDFIJKRSTUVWXYZ"),
+    refused: Letters::of("P"),
+    free: Letters::of("DFST"),
+    negative: Letters::of(""),
     dwell: &[(b'K' - b'A', 0.01)],
-    across: Across::Pitch,
+    language: Language::Words,
+    comments: Comments::Semicolon,
+    delete: BlockDelete::Numbered,
+    percent: Percent::Named,
+    point: DimensionPoint::Free,
+    longest_line: 4096,
     most_machine_codes: 7,
+    builders: BuilderCodes::Several,
 };
 
 const GEOMETRY: Name = (

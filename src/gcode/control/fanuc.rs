@@ -10,8 +10,15 @@
 //! The lathe simulator's list of codes: these are followed. Fanuc Series 0i-T operator's manual, G-code system A: the others are
 //! refused by their names. Letters that only options of the control take (C, A, B and others) are refused.
 
+use crate::finding::AlarmFamily;
 use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle};
-use crate::gcode::control::{Across, Codes, CommentForm, Comments, Control, FeedLaw, Letters, Opening, Rotary, Turret};
+use crate::gcode::control::{
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, ToolCall, ToolChange, Turns,
+};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
@@ -25,28 +32,51 @@ pub static FANUC_LATHE_A: Control = Control {
     safety: &[],
     change_in_tool_block: true,
     offset_word: false,
-    feed: FeedLaw::Resultant,
-    rotary: Rotary::Linear,
+    law: FeedLaw::Resultant,
+    height: HeightHold::Builder,
     memory: 1 << 19,
-    letters: Letters::of("FIKLPQRSTUWXZ"),
-    refused_letters: Letters::of("ABCDEHJVY"),
-    free: Letters::of("FST"),
+    class: Class::Lathe,
+    lexis: Lexis {
+        letters: Letters::of("FIKLPQRSTUWXZ"),
+        refused: Letters::of("ABCDEHJVY"),
+        free: Letters::of("FST"),
+        negative: Letters::of("Q"),
+        dwell: &[(b'X' - b'A', 1.0), (b'U' - b'A', 1.0), (b'P' - b'A', 0.001)],
+        language: Language::Macros,
+        comments: Comments::Parentheses,
+        delete: BlockDelete::Numbered,
+        percent: Percent::Leader,
+        point: DimensionPoint::BySetting,
+        longest_line: 4096,
+        most_machine_codes: 3,
+        builders: BuilderCodes::Several,
+    },
     codes: &CODES,
     machine_code,
-    comments: Comments::Parentheses,
-    expressions: false,
-    longest_line: 4096,
-    feed_required: false,
-    plane: Plane::ZX,
-    return_initial: true,
-    diameter: true,
-    system_a: true,
-    turret: Turret::Digits,
-    start: (G::Rapid, FeedMode::PerRevolution),
-    call_depth: 4,
-    dwell: &[(b'X' - b'A', 1.0), (b'U' - b'A', 1.0), (b'P' - b'A', 0.001)],
-    across: Across::Foreign,
-    most_machine_codes: 3,
+    start: Start { motion: G::Rapid, feed: FeedMode::PerRevolution, plane: Plane::ZX, retract: Retract::Initial },
+    order: Order::Fanuc,
+    axes: AxisWords { x: AcrossWord::Diameter, increments: Increments::ByLetters },
+    arcs: ArcWords { letters: Letters::of("IKR"), across: Across::Foreign },
+    rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Numbered },
+    feed: FeedRule {
+        codes: FeedCodes::G98,
+        missing: MissingFeed::Cautioned,
+        change: FeedChange::KeepsStale,
+        path: FeedPath::AllAxes,
+    },
+    spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
+    tool: ToolCall::Digits,
+    change: ToolChange::Routine,
+    length: LengthWord::D,
+    offsets: OffsetRule::SelectOrShift,
+    cancel: Cancel::RestoresMotion,
+    machine_move: MachineMove::Rapid,
+    reference: Reference::Named,
+    corners: Corners::Drawing,
+    radius: RadiusRule::Nose(NoseCorner::Straight),
+    drilling: Drilling::Lathe,
+    calls: Calls { by: CallBy::Number, depth: 4 },
+    alarms: Some(AlarmFamily::Fanuc),
 };
 
 const MACRO: Name =

@@ -1,4 +1,4 @@
-//! What F means where linear and rotary axes move together: how it is read, and how it is written.
+//! What F means: how it is read, and how it is written.
 
 use crate::limits::FEED_WORD;
 
@@ -59,4 +59,88 @@ impl FeedLaw {
             Self::InverseTime => 60.0 / word,
         }
     }
+}
+
+/// What a feed move without any F is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MissingFeed {
+    /// An error; so is a feed per revolution of a spindle without speed.
+    Refused,
+    /// The control takes the F that it has: a Caution.
+    Cautioned,
+}
+
+impl MissingFeed {
+    /// True where the control refuses it.
+    #[must_use]
+    pub const fn refused(self) -> bool {
+        match self {
+            Self::Refused => true,
+            Self::Cautioned => false,
+        }
+    }
+}
+
+/// What is left of F where a code changes what F means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedChange {
+    /// Nothing.
+    Forgets,
+    /// Its number.
+    Keeps,
+    /// Its number; moving with it gets a Caution.
+    KeepsStale,
+}
+
+/// Which axes F belongs to in a feed per minute.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedPath {
+    /// All that move.
+    AllAxes,
+    /// X, Y and Z; where they stand still U, V and W; else the rotary axes.
+    LinearFirst,
+}
+
+impl FeedPath {
+    /// True where linear axes come first.
+    #[must_use]
+    pub const fn linear_first(self) -> bool {
+        match self {
+            Self::AllAxes => false,
+            Self::LinearFirst => true,
+        }
+    }
+}
+
+/// The G codes of F.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedCodes {
+    /// G93, G94, G95.
+    G94,
+    /// G98 and G99.
+    G98,
+}
+
+impl FeedCodes {
+    /// The codes of a feed per minute, per revolution, and of the two times of G93.
+    #[must_use]
+    pub const fn names(self) -> [&'static str; 4] {
+        match self {
+            Self::G94 => ["G94", "G95", "G93", "G93"],
+            Self::G98 => ["G98", "G99", "G98", "G98"],
+        }
+    }
+}
+
+/// How F is read.
+#[derive(Clone, Copy, Debug)]
+pub struct FeedRule {
+    /// Its codes.
+    pub codes: FeedCodes,
+    /// Without it.
+    pub missing: MissingFeed,
+    /// Where a code changes its meaning.
+    pub change: FeedChange,
+    /// The axes that it belongs to.
+    pub path: FeedPath,
 }

@@ -1,7 +1,13 @@
 //! LinuxCNC: its G and M codes as its G-code reference has them.
 
 use crate::gcode::code::{Cycle, G, Group, M, Name};
-use crate::gcode::control::{Across, Codes, CommentForm, Comments, Control, FeedLaw, Letters, Opening, Rotary, Turret};
+use crate::gcode::control::{
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
+    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, OffsetRule,
+    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
+    Start, ToolCall, ToolChange, Turns,
+};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
@@ -15,28 +21,52 @@ pub static LINUXCNC: Control = Control {
     safety: &[('G', 17), ('G', 21), ('G', 40), ('G', 49), ('G', 54), ('G', 80), ('G', 90), ('G', 94), ('G', 97)],
     change_in_tool_block: true,
     offset_word: false,
-    feed: FeedLaw::InverseTime,
-    rotary: Rotary::Linear,
+    law: FeedLaw::InverseTime,
+    // QtPlasmaC, its plasma table, holds the height while output 2 is on.
+    height: HeightHold::Output(2),
     memory: 1 << 30,
-    letters: Letters::of("ABCDEFHIJKLPQRSTUVWXYZ"),
-    refused_letters: Letters::of(""),
-    free: Letters::of("FST"),
+    class: Class::Mill,
+    lexis: Lexis {
+        letters: Letters::of("ABCDEFHIJKLPQRSTUVWXYZ"),
+        refused: Letters::of(""),
+        free: Letters::of("FST"),
+        negative: Letters::of("D"),
+        dwell: &[(b'P' - b'A', 1.0)],
+        language: Language::OWords,
+        comments: Comments::ParenthesesAndSemicolon,
+        delete: BlockDelete::Plain,
+        percent: Percent::Pair,
+        point: DimensionPoint::Free,
+        longest_line: 255,
+        most_machine_codes: 4,
+        builders: BuilderCodes::One,
+    },
     codes: &CODES,
     machine_code,
-    comments: Comments::ParenthesesAndSemicolon,
-    expressions: true,
-    longest_line: 255,
-    feed_required: true,
-    plane: Plane::XY,
-    return_initial: false,
-    diameter: false,
-    system_a: false,
-    turret: Turret::Change,
-    start: (G::Cancel, FeedMode::PerMinute),
-    call_depth: 10,
-    dwell: &[(b'P' - b'A', 1.0)],
-    across: Across::Foreign,
-    most_machine_codes: 4,
+    start: Start { motion: G::Cancel, feed: FeedMode::PerMinute, plane: Plane::XY, retract: Retract::R },
+    order: Order::Rs274,
+    axes: AxisWords { x: AcrossWord::Radius, increments: Increments::ByMode },
+    arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Foreign },
+    rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Wrapped },
+    feed: FeedRule {
+        codes: FeedCodes::G94,
+        missing: MissingFeed::Refused,
+        change: FeedChange::Forgets,
+        path: FeedPath::LinearFirst,
+    },
+    spindle: SpindleRule { turns: Turns::Tool, limit: SpeedLimit::Word },
+    tool: ToolCall::Change,
+    change: ToolChange::Selected,
+    length: LengthWord::H,
+    offsets: OffsetRule::Select,
+    cancel: Cancel::LeavesNone,
+    machine_move: MachineMove::InForce,
+    reference: Reference::NamedOrAll,
+    corners: Corners::None,
+    radius: RadiusRule::Cutter,
+    drilling: Drilling::Rs274,
+    calls: Calls { by: CallBy::Label, depth: 10 },
+    alarms: None,
 };
 
 const SPLINE: Name = ("curvas spline y NURBS", "spline and NURBS curves");

@@ -7,40 +7,61 @@
 //! Fagor CNC 8070 (G93 machining time in seconds); LinuxCNC G-code reference (G93 inverse time, comments in
 //! parentheses, G21, G49).
 
-pub mod codes;
+#![deny(clippy::wildcard_enum_match_arm)]
+
+mod axes;
+mod codes;
 mod fagor;
 mod fanuc;
-pub mod feed;
+mod feed;
 pub mod guess;
+mod lexis;
 mod linuxcnc;
+mod order;
+mod output;
+mod path;
+mod rotary;
+mod spindle;
+mod tool;
 
+pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments};
 pub use self::codes::{Codes, Letters};
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070};
 pub use self::fanuc::FANUC_LATHE_A;
-pub use self::feed::FeedLaw;
+pub use self::feed::{FeedChange, FeedCodes, FeedLaw, FeedPath, FeedRule, MissingFeed};
+pub use self::lexis::{BlockDelete, BuilderCodes, Comments, DimensionPoint, Language, Lexis, Percent};
 pub use self::linuxcnc::LINUXCNC;
+pub use self::order::{CallBy, Calls, Cancel, MachineMove, OffsetRule, Order, Reference};
+pub use self::output::HeightHold;
+pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
+pub use self::rotary::{Rollover, Rotary, RotaryRule};
+pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
+pub use self::tool::{LengthWord, ToolCall, ToolChange};
+use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::gcode::word::Word;
 
-/// What an absolute word of a rotary axis means: a setting of the machine.
+/// What stands in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rotary {
-    /// The position, counted on beyond a turn as on a linear axis.
-    Linear,
-    /// The number is the angle to go to, 0 to 359.9999 degrees, and the sign the direction of the turn.
-    Rollover,
+pub enum Class {
+    /// The tool: X, Y, Z and more axes.
+    Mill,
+    /// The part, turned about Z: X is written as a diameter and shown so.
+    Lathe,
 }
 
-impl Rotary {
-    /// The name on the command line and in JSON.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Linear => "linear",
-            Self::Rollover => "rollover",
-        }
-    }
+/// What is in force at the start.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// The motion code, [`G::Cancel`] for none.
+    pub motion: G,
+    /// What F means.
+    pub feed: FeedMode,
+    /// The plane.
+    pub plane: Plane,
+    /// Where canned cycles return to.
+    pub retract: Retract,
 }
 
 /// How comments are written.
@@ -63,40 +84,9 @@ pub enum Opening {
     Name,
 }
 
-/// How a comment is told from words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Comments {
-    /// `(...)` anywhere, `;` to the end of the line.
-    ParenthesesAndSemicolon,
-    /// `;` to the end of the line; a parenthesis opens a statement of the control's high-level language.
-    Semicolon,
-    /// `(...)` anywhere; `;` ends the block, and what stands behind it is a comment unless it reads as another block.
-    Parentheses,
-}
-
-/// How T is meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turret {
-    /// T selects the tool that M6 changes in; offsets are taken by codes of their own.
-    Change,
-    /// T0A0B turns the turret to place A and puts offset B into force, 0 for none.
-    Digits,
-    /// T turns the turret, D puts an offset into force; without D the one with the tool's number.
-    Words,
-}
-
-/// What the centre word of the axis across the plane says in an arc, as K in G17.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Across {
-    /// It belongs to no arc of the plane.
-    Foreign,
-    /// The pitch of a helix, above 0.
-    Pitch,
-    /// Not known. 0 in an arc that does not leave its plane comes to nothing, whether it is a centre or a pitch.
-    Unknown,
-}
-
 /// A control: how its programs are read and, where rodete writes for it, how they are written.
+///
+/// It is data: each behaviour is obeyed at one place, and no code asks which control it is. Controls cannot be compared.
 #[derive(Debug)]
 pub struct Control {
     /// The name in workbooks and on the command line.
@@ -115,51 +105,58 @@ pub struct Control {
     pub change_in_tool_block: bool,
     /// True where the tool block carries the D word.
     pub offset_word: bool,
-    /// How feed is programmed.
-    pub feed: FeedLaw,
-    /// What rotary axes are on a machine as the control is delivered.
-    pub rotary: Rotary,
+    /// How F of a move that linear and rotary axes make together is written.
+    pub law: FeedLaw,
+    /// The height control of a torch.
+    pub height: HeightHold,
     /// Memory for one program in bytes, beyond which a Caution is given.
     pub memory: u64,
-    /// Addresses that may stand in a block, beside G, M and N.
-    pub letters: Letters,
-    /// Addresses of the control that are refused by name.
-    pub refused_letters: Letters,
-    /// Addresses that need no code beside them.
-    pub free: Letters,
+    /// Mill or lathe.
+    pub class: Class,
+    /// The characters of a program.
+    pub lexis: Lexis,
     /// The G codes.
     pub codes: &'static Codes,
     /// The meaning of an M code.
     pub machine_code: fn(u32) -> Option<M>,
-    /// Comments.
-    pub comments: Comments,
-    /// Parameters, expressions and O-words.
-    pub expressions: bool,
-    /// Most characters of a line.
-    pub longest_line: usize,
-    /// A feed move without any F is refused; else it gets a Caution, as the control takes the F it has.
-    pub feed_required: bool,
-    /// The plane in force at the start.
-    pub plane: Plane,
-    /// Where canned cycles return to before any code has said so: true for the height that they started from, false for R.
-    pub return_initial: bool,
-    /// X is a diameter.
-    pub diameter: bool,
-    /// Fanuc's G-code system A: U and W are increments of X and Z; what a dimension without a decimal point is, mm or µm,
-    /// the control's setting decides; subprograms are called by their program's or their block's number.
-    pub system_a: bool,
-    /// How T is meant.
-    pub turret: Turret,
-    /// The motion code in force at the start, [`G::Cancel`] for none, and what F means.
-    pub start: (G, FeedMode),
-    /// Most calls of subprograms inside one another.
-    pub call_depth: usize,
-    /// The addresses of a dwell, counted from A = 0, each with what its number is multiplied with to give seconds.
-    pub dwell: &'static [(u8, f64)],
-    /// What the centre word of the axis across the plane says.
-    pub across: Across,
-    /// Most M codes in one block.
-    pub most_machine_codes: usize,
+    /// What is in force at the start.
+    pub start: Start,
+    /// The order of execution.
+    pub order: Order,
+    /// Axis words.
+    pub axes: AxisWords,
+    /// Words of arcs.
+    pub arcs: ArcWords,
+    /// Rotary axes.
+    pub rotary: RotaryRule,
+    /// F.
+    pub feed: FeedRule,
+    /// S.
+    pub spindle: SpindleRule,
+    /// T.
+    pub tool: ToolCall,
+    /// M6.
+    pub change: ToolChange,
+    /// The letter of a length offset.
+    pub length: LengthWord,
+    /// G54 to G59, G50 and G92.
+    pub offsets: OffsetRule,
+    /// G80.
+    pub cancel: Cancel,
+    /// G53.
+    pub machine_move: MachineMove,
+    /// G28 and G30.
+    pub reference: Reference,
+    /// Corners between lines.
+    pub corners: Corners,
+    /// G41 and G42.
+    pub radius: RadiusRule,
+    /// G81 to G89.
+    pub drilling: Drilling,
+    /// Subprograms.
+    pub calls: Calls,
+    /// The family of its alarms, where their numbers are known.
+    pub alarms: Option<AlarmFamily>,
 }
 
 /// All controls, as they are named on the command line.
@@ -168,15 +165,16 @@ pub static ALL: [&Control; 5] = [&LINUXCNC, &FAGOR_8055, &FAGOR_8070, &FAGOR_805
 /// The milling controls.
 pub static MILLING: [&Control; 3] = [&FAGOR_8055, &FAGOR_8070, &LINUXCNC];
 
-impl PartialEq for Control {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl Eq for Control {}
-
 impl Control {
+    /// True for a lathe, whose part turns and whose X is a diameter.
+    #[must_use]
+    pub const fn turns(&self) -> bool {
+        match self.class {
+            Class::Lathe => true,
+            Class::Mill => false,
+        }
+    }
+
     /// The control with a name.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {

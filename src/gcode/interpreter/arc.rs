@@ -102,7 +102,7 @@ impl Interpreter<'_> {
         let [_, _, axis] = plane.axes();
         let planar = self.end_point().get(axis) == self.current.get(axis);
         let refused = |what, remedy| Err(Fault::at(&[column], what, remedy));
-        match self.control.across {
+        match self.control.arcs.across {
             Across::Pitch if value > 0.0 => refused(
                 Text::new(
                     format!("{word} es en {name} el paso de una hélice, que no está implementado"),
@@ -164,7 +164,8 @@ impl Interpreter<'_> {
             Some(R) => {
                 let named = [a, b].into_iter().any(|axis| self.block.has(AXES[axis as usize]));
                 // U and W of a lathe stand for X and Z.
-                let incremental = self.control.system_a && (self.block.has(letter::U) || self.block.has(letter::W));
+                let incremental =
+                    self.control.axes.by_letters() && (self.block.has(letter::U) || self.block.has(letter::W));
                 if !named && !incremental {
                     return Err(Fault::at(
                         &[self.block.column(letter::R)],

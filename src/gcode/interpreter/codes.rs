@@ -2,6 +2,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, TurningCycle};
+use crate::gcode::control::{FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
@@ -20,8 +21,9 @@ impl Interpreter<'_> {
                     self.surface_speed_missing()?;
                 }
                 self.modal.constant_surface_speed = true;
-                if self.control.expressions {
-                    self.modal.greatest_speed = self.block.get(letter::D);
+                match self.control.spindle.limit {
+                    SpeedLimit::Word => self.modal.greatest_speed = self.block.get(letter::D),
+                    SpeedLimit::Code => {}
                 }
                 if self.modal.greatest_speed.is_none() {
                     let line = self.line;
@@ -35,7 +37,7 @@ impl Interpreter<'_> {
                 }
             }
             Some(G::Rpm) => {
-                if self.control.diameter && self.modal.constant_surface_speed {
+                if self.control.spindle.turns.part() && self.modal.constant_surface_speed {
                     // Without S the spindle keeps the speed that it has.
                     let pace = Pace::of(&InForce { spindle: Spindle::Clockwise, ..self.modal.in_force() });
                     self.modal.speed = pace.and_then(|pace| pace.speed(self.current.get(Axis::X))).unwrap_or(0.0);
@@ -52,7 +54,7 @@ impl Interpreter<'_> {
         let column = self.block.g_column(Group::Speed);
         let what = Text::fixed("G96 sin S", "G96 without S");
         let remedy = Text::fixed("dé la velocidad de corte con S", "give the surface speed with S");
-        if !self.control.diameter {
+        if !self.control.spindle.turns.part() {
             return Err(Fault::at(&[column], what, remedy));
         }
         if !self.modal.constant_surface_speed {
@@ -87,16 +89,22 @@ impl Interpreter<'_> {
 
     /// An S word in m/min or rpm: under constant surface speed feet a minute where the unit is the inch.
     pub(super) fn surface(&self, S: f64) -> f64 {
-        let feet = self.control.diameter && self.modal.constant_surface_speed && self.modal.unit == LengthUnit::Inch;
+        let by_surface = self.control.spindle.turns.part() && self.modal.constant_surface_speed;
+        let feet = by_surface && self.modal.unit == LengthUnit::Inch;
         if feet { S * 0.3048 } else { S }
     }
 
     /// G94 and G95, G98 and G99 of a lathe: what F means.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn set_feed_mode(&mut self, mode: FeedMode) {
-        self.modal.feed_stale |= self.control.diameter && mode != self.modal.feed_mode && self.modal.feed > 0.0;
+        let changes = mode != self.modal.feed_mode;
         self.modal.feed_mode = mode;
-        if mode != FeedMode::InverseTime && self.control.feed_required {
-            (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
+        match self.control.feed.change {
+            FeedChange::Forgets if mode != FeedMode::InverseTime => {
+                (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
+            }
+            FeedChange::Forgets | FeedChange::Keeps => {}
+            FeedChange::KeepsStale => self.modal.feed_stale |= changes && self.modal.feed > 0.0,
         }
     }
 
@@ -108,12 +116,12 @@ impl Interpreter<'_> {
         match self.block.m(7) {
             Some((M::Spindle(true), _)) => self.modal.spindle = Spindle::Clockwise,
             Some((M::Spindle(false), _)) => self.modal.spindle = Spindle::CounterClockwise,
-            Some((M::SpindleOff, _)) if !self.control.diameter => self.modal.spindle = Spindle::Stopped,
+            Some((M::SpindleOff, _)) if !self.control.order.off_last() => self.modal.spindle = Spindle::Stopped,
             Some((code @ (M::SaveState(_) | M::ForgetState | M::RestoreState), _)) => self.context_code(code)?,
             _ => {}
         }
         if let Some((M::Coolant(on), _)) = self.block.m(8)
-            && (on || !self.control.diameter)
+            && (on || !self.control.order.off_last())
         {
             self.modal.coolant = on;
         }
@@ -134,7 +142,7 @@ impl Interpreter<'_> {
 
     pub(super) fn dwell(&mut self) -> Outcome<()> {
         let (letter, seconds) = self.dwell_time()?;
-        if letter != super::block::letter::P || self.control.dwell.len() > 1 {
+        if letter != super::block::letter::P || self.control.lexis.dwell.len() > 1 {
             self.block.take(letter);
         }
         self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds));
@@ -144,11 +152,11 @@ impl Interpreter<'_> {
     /// The letter of a dwell's time, and the time in seconds.
     pub(super) fn dwell_time(&self) -> Outcome<(usize, f64)> {
         let found =
-            self.control.dwell.iter().find_map(|&(letter, factor)| {
+            self.control.lexis.dwell.iter().find_map(|&(letter, factor)| {
                 Some((usize::from(letter), self.block.get(usize::from(letter))? * factor))
             });
         let column = self.block.g_column(Group::NonModal);
-        let times = self.control.dwell.iter().filter(|(letter, _)| self.block.has(usize::from(*letter))).count();
+        let times = self.control.lexis.dwell.iter().filter(|(letter, _)| self.block.has(usize::from(*letter))).count();
         if times > 1 {
             return Err(Fault::at(
                 &[column],

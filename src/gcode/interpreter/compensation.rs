@@ -21,6 +21,7 @@ use std::f64::consts::PI;
 
 use crate::finding::Size;
 use crate::gcode::code::{G, Group, SinglePassCycle};
+use crate::gcode::control::{NoseCorner, RadiusRule};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::contour::ContourBlock;
@@ -62,9 +63,13 @@ pub(super) struct Compensator {
 }
 
 impl Compensator {
-    /// Nothing compensated; `fagor` for the outer corners of a Fagor, else those of a Fanuc.
-    pub(super) const fn new(fagor: bool) -> Self {
-        let straight = if fagor { FAGOR_STRAIGHT } else { STRAIGHT };
+    /// Nothing compensated.
+    #[deny(clippy::wildcard_enum_match_arm)]
+    pub(super) const fn new(rule: RadiusRule) -> Self {
+        let straight = match rule {
+            RadiusRule::Nose(NoseCorner::StraightTo120) => FAGOR_STRAIGHT,
+            RadiusRule::Nose(NoseCorner::Straight) | RadiusRule::Cutter | RadiusRule::None => STRAIGHT,
+        };
         Self { stage: Stage::new(straight), straight, aside: [0.0; 2], refused: false, cycle: None }
     }
 
@@ -206,7 +211,7 @@ impl Interpreter<'_> {
         let at_once = self.block.groups & (1 << Group::NonModal as u16) != 0
             && matches!(self.block.g(Group::NonModal), Some(G::Reference(_) | G::MachineCoordinates));
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
-        if at_once && !dwell && !self.control.system_a && self.modal.compensation != Compensation::Off {
+        if at_once && !dwell && !self.control.machine_move.by_itself() && self.modal.compensation != Compensation::Off {
             self.modal.compensation = Compensation::Off;
             self.remarks.row(&MachineMoveCancelsNose {}, motion.line, None);
         }

@@ -23,6 +23,7 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::source::Position;
+use crate::gcode::rules::flow::ContourBlockMissing;
 use crate::gcode::turning::profile::{Element, Profile};
 use crate::gcode::turning::rules::{
     BlocksBeforeContour, ContourBegins, ContourBlockNotNamed, ContourDwellAndMotion, ContourEndsBeforeItBegins,
@@ -88,8 +89,9 @@ impl Interpreter<'_> {
             *number = self.number_of_block(cycle, letter)?;
         }
         let columns = letters.map(|letter| self.block.column(letter));
-        let [first, last] =
-            [self.block_numbered(numbers[0], columns[0], 63)?, self.block_numbered(numbers[1], columns[1], 63)?];
+        let missing = |at: usize| ContourBlockMissing { number: numbers[at] };
+        let first = self.block_numbered(numbers[0], columns[0], &missing(0))?;
+        let last = self.block_numbered(numbers[1], columns[1], &missing(1))?;
         if last.line() < first.line() {
             return Err(Fault::of(
                 &ContourEndsBeforeItBegins { cycle, last: numbers[1], first: numbers[0] },
@@ -313,7 +315,7 @@ impl Interpreter<'_> {
         let mut line = Vec::new();
         let mut skipped = 0;
         while self.source().position().lines + 1 < first && self.source().next_line(&mut line)? {
-            let comments = self.control.comments;
+            let comments = self.control.lexis.comments;
             skipped += usize::from(Cursor::new(&line, comments).peek() != 0);
         }
         if skipped > 0 {
@@ -342,12 +344,7 @@ impl Interpreter<'_> {
 
     /// Whose alarms the control raises; none where its numbers are not known.
     pub(super) fn alarms(&self) -> Option<AlarmFamily> {
-        self.control.system_a.then_some(AlarmFamily::Fanuc)
-    }
-
-    /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.
-    pub(super) fn alarm(&self, number: u16) -> String {
-        if self.control.system_a { format!("PS{number:04}: ") } else { String::new() }
+        self.control.alarms
     }
 
     /// True where the block has an axis word.

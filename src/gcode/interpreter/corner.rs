@@ -98,7 +98,7 @@ impl Interpreter<'_> {
     /// I, K or R of a line at feed in hand becomes its edge.
     pub(super) fn take_square_edge(&mut self, motion: Option<G>) -> Outcome<()> {
         let line = motion == Some(G::Linear) && self.block.present & AXES != 0;
-        if !self.control.system_a || !line || self.block.g(Group::NonModal).is_some() {
+        if !self.control.corners.by_words() || !line || self.block.g(Group::NonModal).is_some() {
             return Ok(());
         }
         for (letter, name, axis) in [(letter::I, "I", Some(0)), (letter::K, "K", Some(1)), (letter::R, "R", None)] {

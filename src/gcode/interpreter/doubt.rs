@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::finding::{Finding, Grade};
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::Comments;
+use crate::gcode::control::Codes;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::AXES;
 use crate::gcode::interpreter::block::letter::{F, S, T, U, W};
@@ -73,11 +73,15 @@ fn number(line: &[u8], at: usize) -> Option<f64> {
 }
 
 /// What a G code may put into force.
-fn of_code(number: f64, system_a: bool) -> State {
+fn of_code(number: f64, codes: &Codes) -> State {
     #[expect(clippy::cast_possible_truncation, reason = "saturates; codes are below 1000")]
-    match number as i64 {
-        90 | 92 | 94 if system_a => MOTION,
-        98 | 99 if system_a => FEED,
+    let whole = number as i64;
+    match usize::try_from(whole.saturating_mul(10)).ok().and_then(|tenths| codes.get(tenths)) {
+        Some(G::Pass(_)) => return MOTION,
+        Some(G::Feed(_)) => return FEED,
+        _ => {}
+    }
+    match whole {
         17..=19 => PLANE,
         20 | 21 => UNIT,
         90 | 91 => DISTANCE,
@@ -94,11 +98,11 @@ impl Interpreter<'_> {
     /// What a line that was refused would have put into force, by its letters: more rather than less.
     fn doubt_line(&mut self) {
         let mut line = self.buffer.to_ascii_uppercase();
-        if let Ok(comments) = comments(&self.buffer, self.control.comments) {
+        if let Ok(comments) = comments(&self.buffer, self.control.lexis.comments) {
             for (column, text) in comments {
                 line.iter_mut().skip(column).take(text.len() + 2).for_each(|byte| *byte = b' ');
             }
-        } else if self.control.comments != Comments::Semicolon {
+        } else if self.control.lexis.comments.in_parentheses() {
             line.truncate(line.iter().position(|byte| *byte == b'(').unwrap_or(line.len()));
         }
         line.retain(|byte| !byte.is_ascii_whitespace());
@@ -106,12 +110,12 @@ impl Interpreter<'_> {
         for (at, &byte) in line.iter().enumerate() {
             let index = usize::from(byte.wrapping_sub(b'A'));
             state |= match byte {
-                b'U' if self.control.system_a => axis(Axis::X),
-                b'W' if self.control.system_a => axis(Axis::Z),
+                b'U' if self.control.axes.by_letters() => axis(Axis::X),
+                b'W' if self.control.axes.by_letters() => axis(Axis::Z),
                 b'F' => FEED,
                 b'S' => SPEED,
                 b'T' | b'D' | b'H' => TOOL,
-                b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.control.system_a)),
+                b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.control.codes)),
                 b'M' => match number(&line, at + 1) {
                     Some(code) if code == 6.0 || code == 61.0 => TOOL,
                     _ => SPINDLE,
@@ -166,7 +170,7 @@ impl Interpreter<'_> {
         let moved = matches!(block.g(Group::NonModal), None | Some(G::MachineCoordinates));
         if moved && !self.modal.incremental && state & (UNIT | DISTANCE) == 0 {
             for (index, &letter) in AXES.iter().enumerate() {
-                let increment = self.control.system_a && (letter == U || letter == W);
+                let increment = self.control.axes.by_letters() && (letter == U || letter == W);
                 known |= if block.has(letter) && !increment { 1 << index } else { 0 };
             }
         }

@@ -4,9 +4,9 @@
 //! LinuxCNC, G-code overview, "G-code order of execution".
 
 use crate::finding::Grade;
-use crate::gcode::code::{Cycle, G, Group, M, SinglePassCycle};
+use crate::gcode::code::{G, Group, M, SinglePassCycle};
 use crate::gcode::control::Letters;
-use crate::gcode::control::{FeedLaw, Rotary};
+use crate::gcode::control::{RadiusRule, Rotary};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
@@ -35,7 +35,7 @@ impl Interpreter<'_> {
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
-        if self.control.system_a {
+        if self.control.axes.by_letters() {
             self.one_word_an_axis()?;
             self.no_increments()?;
         }
@@ -43,12 +43,12 @@ impl Interpreter<'_> {
         self.rotary_words()?;
         self.take_square_edge(plan.motion)?;
         self.edge_fits(plan.motion)?;
-        let idle = self.block.present & !plan.used & !self.control.free.mask();
+        let idle = self.block.present & !plan.used & !self.control.lexis.free.mask();
         if idle != 0 {
             return Err(self.unused(idle));
         }
         let compensated = self.block.g(Group::CutterCompensation).is_some();
-        if self.control.expressions && (compensated || self.modal.compensation != Compensation::Off) {
+        if self.control.radius.cutter() && (compensated || self.modal.compensation != Compensation::Off) {
             self.beside_cutter(plan.motion)?;
         }
         if self.block.groups & !(1 << Group::Motion as u16) != 0 || self.block.has_machine_codes() {
@@ -61,7 +61,8 @@ impl Interpreter<'_> {
     }
 
     fn execute_codes(&mut self, motion: Option<G>) -> Outcome<()> {
-        if self.control.system_a {
+        let unit_first = self.control.order.unit_first();
+        if unit_first {
             self.take_unit();
         }
         self.begin_codes()?;
@@ -69,11 +70,11 @@ impl Interpreter<'_> {
         if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
             self.modal.plane = plane;
         }
-        if !self.control.system_a {
+        if !unit_first {
             self.take_unit();
         }
         match self.block.g(Group::CutterCompensation) {
-            Some(code) if self.control.expressions => self.cutter_compensation(code)?,
+            Some(code) if self.control.radius.cutter() => self.cutter_compensation(code)?,
             Some(G::Compensation(side)) => self.set_compensation(side)?,
             _ => {}
         }
@@ -89,7 +90,7 @@ impl Interpreter<'_> {
         }
         match self.block.g(Group::Distance) {
             Some(G::Absolute) => self.modal.incremental = false,
-            Some(G::Incremental) => self.modal.incremental = !self.control.system_a,
+            Some(G::Incremental) => self.modal.incremental = !self.control.axes.by_letters(),
             _ => {}
         }
         match self.block.g(Group::Centre) {
@@ -104,8 +105,7 @@ impl Interpreter<'_> {
         }
         match at_once {
             Some(G::SetOffsets) => self.set_offsets()?,
-            Some(G::Reference(second)) if self.control.system_a => self.return_to_reference(second)?,
-            Some(G::Reference(second)) => self.go_to_reference(second)?,
+            Some(G::Reference(second)) => self.reference_point(second)?,
             Some(G::SetReference(second)) => self.keep_reference(second),
             Some(G::LocalOffset) => self.local_offset(),
             Some(G::SetPosition) => self.set_position(),
@@ -123,7 +123,7 @@ impl Interpreter<'_> {
         if let Some(code) = self.block.g(Group::SetPosition) {
             self.change_position(code);
         }
-        if self.control.system_a
+        if self.control.order.motion_beside()
             && let Some(code) = at_once.filter(|code| *code != G::Dwell)
         {
             self.modal.pass = None;
@@ -135,7 +135,7 @@ impl Interpreter<'_> {
         if let Some(motion) = motion {
             self.make_motion(motion)?;
         }
-        if self.control.diameter {
+        if self.control.order.off_last() {
             self.machine_codes_after()?;
         }
         match self.block.m(4) {
@@ -178,7 +178,7 @@ impl Interpreter<'_> {
         let given = matches!(length, Some(G::ToolLengthGiven | G::ToolLengthAdded));
         // A dwell may carry its time on an axis letter.
         let dwell: u32 = if at_once == Some(G::Dwell) {
-            self.control.dwell.iter().map(|(letter, _)| 1 << letter).sum::<u32>() & block.present
+            self.control.lexis.dwell.iter().map(|(letter, _)| 1 << letter).sum::<u32>() & block.present
         } else {
             0
         };
@@ -187,13 +187,19 @@ impl Interpreter<'_> {
         let takes_axes = takes_axes || shifts;
         let motion = match explicit {
             // G80 ends a cycle; the motion code that was in force before it is so again.
-            Some(G::Cancel) if self.control.system_a && axes != 0 && !takes_axes => Some(self.modal.under_cycle()),
+            Some(G::Cancel) if self.control.cancel.restores() && axes != 0 && !takes_axes => {
+                Some(self.modal.under_cycle())
+            }
             Some(G::Cancel) if axes != 0 && !takes_axes => {
                 return Err(self.axes_without_use(Text::fixed("palabras de eje con G80", "axis words with G80")));
             }
             Some(G::Cancel) => Some(G::Cancel),
             // The axis words are the one-shot code's; the motion code is in force from here on.
-            Some(G::Rapid | G::Linear | G::Arc(_)) if self.control.system_a && at_once.is_some_and(one_shot) => None,
+            Some(G::Rapid | G::Linear | G::Arc(_))
+                if self.control.order.motion_beside() && at_once.is_some_and(one_shot) =>
+            {
+                None
+            }
             Some(_) if takes_axes => {
                 return Err(Fault::at(
                     &[block.g_column(Group::NonModal), block.g_column(Group::Motion)],
@@ -238,7 +244,8 @@ impl Interpreter<'_> {
                 Text::fixed("indique los ejes, o G92.1 para anularlo", "name the axes, or G92.1 to cancel it"),
             ));
         }
-        let by_rapid = self.control.system_a && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
+        let by_rapid =
+            self.control.machine_move.by_itself() && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
         if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
             return Err(Fault::at(
                 &[block.g_column(Group::NonModal)],
@@ -256,10 +263,8 @@ impl Interpreter<'_> {
             used |= AXIS_WORDS;
         }
         used |= match motion {
-            Some(G::Arc(_)) if self.control.system_a => Letters::of("IKR").mask(),
-            Some(G::Arc(_)) => Letters::of("IJKRP").mask(),
-            Some(G::Cycle(cycle)) if self.control.system_a => hole_words(cycle),
-            Some(G::Cycle(cycle)) => Letters::of("RL").mask() | cycle_words(cycle),
+            Some(G::Arc(_)) => self.control.arcs.letters.mask(),
+            Some(G::Cycle(cycle)) => self.control.drilling.letters(cycle).mask(),
             Some(G::Pass(SinglePassCycle::Thread)) => Letters::of("QR").mask(),
             Some(G::Pass(_)) => Letters::of("R").mask(),
             Some(G::Thread(false)) => Letters::of("Q").mask(),
@@ -277,14 +282,14 @@ impl Interpreter<'_> {
         let mut used = match at_once {
             Some(G::SetOffsets) => Letters::of("LPRQIJ").mask(),
             Some(G::Turning(cycle)) => cycle.letters().mask(),
-            Some(G::Reference(true)) if self.control.system_a => Letters::of("P").mask(),
+            Some(G::Reference(true)) => self.control.reference.letters().mask(),
             _ => 0,
         };
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
             used |= Letters::of("H").mask();
         }
         used |= match self.block.g(Group::CutterCompensation) {
-            Some(G::Compensation(side)) if self.control.expressions && side != Compensation::Off => {
+            Some(G::Compensation(side)) if self.control.radius.cutter() && side != Compensation::Off => {
                 Letters::of("D").mask()
             }
             Some(G::CompensationGiven(_)) => Letters::of("DL").mask(),
@@ -316,7 +321,7 @@ impl Interpreter<'_> {
         }
         match self.block.m(4) {
             Some((M::Call | M::CallBlock, _)) => used |= Letters::of("PL").mask(),
-            Some((M::Return, _)) if self.control.system_a => used |= Letters::of("P").mask(),
+            Some((M::Return, _)) if self.control.calls.by.beside_motion() => used |= Letters::of("P").mask(),
             _ => {}
         }
         used
@@ -337,7 +342,9 @@ impl Interpreter<'_> {
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
         let meant = match (motion, name) {
-            (G::Linear, 'I' | 'K' | 'R') => Some(without_line(&name.to_string(), self.block.column(index))),
+            (G::Linear, 'I' | 'K' | 'R') if self.control.corners.by_words() => {
+                Some(without_line(&name.to_string(), self.block.column(index)))
+            }
             (G::Thread(_), 'Q') => Some(Fault::at(
                 &[self.block.column(index)],
                 Text::fixed(
@@ -348,7 +355,7 @@ impl Interpreter<'_> {
             )),
             _ => None,
         };
-        if let Some(fault) = meant.filter(|_| self.control.system_a) {
+        if let Some(fault) = meant {
             return fault;
         }
         Fault::at(
@@ -368,11 +375,13 @@ impl Interpreter<'_> {
         if !matches!(motion, G::Cycle(_)) {
             self.modal.sticky.initial = None;
         }
-        if self.control.diameter {
+        if self.control.cancel.restores() {
             self.lathe_motion(motion);
         }
         match motion {
-            _ if self.control.system_a && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) => {
+            _ if self.control.machine_move.by_itself()
+                && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) =>
+            {
                 // Fanuc's G53 moves at rapid whatever is in force, which is so again afterwards.
                 self.modal.motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
                 if self.block.present & AXIS_WORDS != 0 {
@@ -390,7 +399,7 @@ impl Interpreter<'_> {
                 let to = self.end_point();
                 match feed {
                     None => self.emit(MotionKind::Rapid, to, None),
-                    Some(feed) if self.control.system_a => return self.line_at_feed(to, feed),
+                    Some(feed) if self.control.corners.by_words() => return self.line_at_feed(to, feed),
                     Some(feed) => {
                         let seconds = self.straight_seconds(&to, feed);
                         self.emit(MotionKind::Feed(feed), to, seconds);
@@ -399,11 +408,10 @@ impl Interpreter<'_> {
                 Ok(())
             }
             G::Arc(clockwise) => self.arc(clockwise),
-            G::Cycle(cycle) if self.control.system_a => self.hole(cycle),
-            G::Cycle(cycle) => self.cycle(cycle),
+            G::Cycle(cycle) => self.drill(cycle),
             G::Thread(changing) => self.thread(changing),
             G::Pass(pass) => self.pass(pass),
-            G::Cancel if self.control.system_a => {
+            G::Cancel if self.control.cancel.restores() => {
                 self.modal.motion = self.modal.under_cycle();
                 Ok(())
             }
@@ -433,7 +441,7 @@ impl Interpreter<'_> {
                 .hanging_on(doubt::FEED));
             }
             FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
-                if self.control.feed_required || self.block.has(letter::F) {
+                if self.control.feed.missing.refused() || self.block.has(letter::F) {
                     return Err(Fault::block(
                         Text::fixed("movimiento de avance sin F, o con F0", "feed move without F, or with F0"),
                         Text::fixed("dé el avance con F", "give the feed with F"),
@@ -449,7 +457,7 @@ impl Interpreter<'_> {
                     Text::fixed("dé el avance con F", "give the feed with F"),
                 );
             }
-            FeedMode::PerRevolution if self.modal.speed <= 0.0 && self.control.feed_required => {
+            FeedMode::PerRevolution if self.modal.speed <= 0.0 && self.control.feed.missing.refused() => {
                 return Err(Fault::block(
                     Text::fixed("avance por vuelta con el husillo a 0", "feed per revolution with spindle speed 0"),
                     Text::fixed("dé la velocidad del husillo con S", "give the spindle speed with S"),
@@ -472,13 +480,10 @@ impl Interpreter<'_> {
         let mut to = if machine { self.frame.to_machine(&self.current) } else { self.current };
         for (letter, axis) in AXES.into_iter().zip(Axis::ALL) {
             if let Some(word) = self.block.get(letter) {
-                let mut value = if axis.rotary() { word } else { unit.to_mm(word) };
-                if self.control.diameter && axis == Axis::X {
-                    value /= 2.0;
-                }
-                if self.control.system_a && matches!(axis, Axis::U | Axis::W) {
-                    let (onto, factor) = if axis == Axis::U { (Axis::X, 0.5) } else { (Axis::Z, 1.0) };
-                    to.set(onto, self.current.get(onto) + value * factor);
+                let value = if axis.rotary() { word } else { unit.to_mm(word) };
+                let value = self.control.axes.coordinate(axis, value);
+                if let Some(onto) = self.control.axes.increment(axis) {
+                    to.set(onto, self.current.get(onto) + self.control.axes.coordinate(onto, value));
                 } else if self.modal.incremental && !machine {
                     to.set(axis, self.current.get(axis) + value);
                 } else if axis.rotary() && self.setting.rotary == Rotary::Rollover {
@@ -488,7 +493,7 @@ impl Interpreter<'_> {
                 }
             }
         }
-        if self.control.diameter && !machine && to.get(Axis::X) < 0.0 {
+        if self.control.turns() && !machine && to.get(Axis::X) < 0.0 {
             self.remark_beyond_axis(&to);
         }
         if machine { self.frame.to_program(&to) } else { to }
@@ -501,8 +506,8 @@ impl Interpreter<'_> {
         }
         let by = to.differences(&self.current);
         let norm = |axes: &[usize]| axes.iter().map(|&axis| by[axis] * by[axis]).sum::<f64>().sqrt();
-        let length = if self.setting.control.feed == FeedLaw::InverseTime {
-            // LinuxCNC: F belongs to X, Y, Z; where they stand still to U, V, W; else it is degrees.
+        let length = if self.control.feed.path.linear_first() {
+            // F belongs to X, Y, Z; where they stand still to U, V, W; else it is degrees.
             let (first, second) = (norm(&[0, 1, 2]), norm(&[6, 7, 8]));
             if first > 0.0 {
                 first
@@ -532,6 +537,7 @@ impl Interpreter<'_> {
     }
 
     /// Hands a motion out and stands at its end.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn emit(&mut self, kind: MotionKind, to: Pose, seconds: Option<f64>) {
         self.see_turn(kind, &to);
         let motion = Motion {
@@ -545,12 +551,12 @@ impl Interpreter<'_> {
         };
         self.current = to;
         self.moved();
-        if self.control.diameter {
-            self.hand_out(motion);
-        } else if !self.milling.idle() {
-            self.mill(motion);
-        } else {
-            self.queue.push_back(Ok((motion, self.modal.in_force(), self.made())));
+        match self.control.radius {
+            RadiusRule::Nose(_) => self.hand_out(motion),
+            RadiusRule::Cutter if !self.milling.idle() => self.mill(motion),
+            RadiusRule::Cutter | RadiusRule::None => {
+                self.queue.push_back(Ok((motion, self.modal.in_force(), self.made())));
+            }
         }
     }
 }
@@ -558,28 +564,4 @@ impl Interpreter<'_> {
 /// True for codes of Fanuc beside which a motion code may stand: it comes in force behind them.
 const fn one_shot(code: G) -> bool {
     matches!(code, G::Reference(_) | G::SetPositionOrSpeed)
-}
-
-/// Letters that a drilling cycle of a lathe uses beside the axes.
-const fn hole_words(cycle: Cycle) -> u32 {
-    match cycle {
-        Cycle::Peck => Letters::of("RPQ").mask(),
-        Cycle::DrillDwell => Letters::of("RP").mask(),
-        _ => Letters::of("R").mask(),
-    }
-}
-
-/// Letters that a canned cycle uses beside the axes, R and L.
-const fn cycle_words(cycle: Cycle) -> u32 {
-    match cycle {
-        Cycle::ChipBreak | Cycle::Peck => Letters::of("Q").mask(),
-        Cycle::TapLeft
-        | Cycle::TapRight
-        | Cycle::DrillDwell
-        | Cycle::BoreStop
-        | Cycle::BoreManual
-        | Cycle::BoreDwell => Letters::of("P").mask(),
-        Cycle::BackBore => Letters::of("IJK").mask(),
-        Cycle::Drill | Cycle::Bore => 0,
-    }
 }

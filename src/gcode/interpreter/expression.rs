@@ -116,12 +116,12 @@ impl Interpreter<'_> {
                     b'-' | b'+' => {
                         return Err(Fault::of(&TwoSigns {}, &[column, cursor.column()]));
                     }
-                    _ if self.control.expressions => self.computed(cursor)?,
+                    _ if self.control.lexis.language.computes() => self.computed(cursor)?,
                     _ => return Err(no_value(cursor)),
                 };
                 Ok(if sign == b'-' { Decimal { value: -number.value, ..number } } else { number })
             }
-            _ if self.control.expressions => self.computed(cursor),
+            _ if self.control.lexis.language.computes() => self.computed(cursor),
             _ => Err(no_value(cursor)),
         }
     }

@@ -93,7 +93,7 @@ impl Interpreter<'_> {
     /// The final point (Q, R), Q a diameter as X is.
     fn last_point(&self) -> [f64; 2] {
         let Q = self.length(letter::Q);
-        [if self.control.diameter { Q / 2.0 } else { Q }, self.length(letter::R)]
+        [self.control.axes.x.coordinate(Q), self.length(letter::R)]
     }
 
     fn hundredths(&self, letter: usize) -> f64 {

@@ -98,14 +98,6 @@ impl Fault {
         Self::at(&[], what, remedy)
     }
 
-    /// The end of a budget.
-    pub(super) fn limit(what: Text, remedy: Text) -> Box<Self> {
-        let mut fault = Self::at(&[], what, remedy);
-        fault.exit = Exit::Limit;
-        fault.fatal = true;
-        fault
-    }
-
     /// What is wrong, with the other lines at fault.
     #[must_use]
     pub fn message(&self) -> Text {
@@ -219,6 +211,15 @@ impl Remarks {
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
             self.list.push((1, Finding { grade, ..row.at(place(self.file.as_deref(), line, columns)) }));
+        }
+    }
+
+    /// Remarks what was found before the first line.
+    pub(super) fn found(&mut self, finding: Finding) {
+        if let Some((count, _)) = self.list.iter_mut().find(|(_, other)| other.what == finding.what) {
+            *count += 1;
+        } else if self.list.len() < REMARKS {
+            self.list.push((1, Finding { place: place(None, 1, Vec::new()), ..finding }));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Subprograms, loops and branches.
 
 use crate::gcode::code::{G, Group, M};
+use crate::gcode::control::CallBy;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::context::Context;
@@ -10,8 +11,12 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::parameters::LOCAL;
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::structure::{Mark, Structure, Word, label, shown, word};
+use crate::gcode::rules::flow::{
+    ArgumentsTooMany, BehindOWord, CallWithWords, CallWithoutP, CallsTooDeep, LabelNotWhole, MainReturns, NotCalled,
+    OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramMissing, SubprogramOutside,
+    SubprogramTooLarge, SubprogramUnreadable, WithoutCounterpart,
+};
 use crate::limits::CALL_REPEATS;
-use crate::text::Text;
 
 /// Most bytes of a subprogram's own file.
 pub(super) const LARGEST_FILE: usize = 16 << 20;
@@ -74,30 +79,22 @@ impl Flow {
     }
 }
 
-fn fatal(what: Text, remedy: Text) -> Box<Fault> {
-    Fault::block(what, remedy).fatal()
-}
-
 impl Interpreter<'_> {
     /// The O-words of the file in hand.
     fn structure(&mut self) -> Outcome<&Structure> {
-        let at = self.at;
-        if self.structures[at].is_none() {
-            let comments = self.control.comments;
-            let structure = Structure::of(&mut self.sources[at], comments)?;
-            self.structures[at] = Some(structure);
+        let (at, lexis) = (self.at, &self.control.lexis);
+        match &mut self.structures[at] {
+            Some(known) => Ok(known),
+            unknown => Ok(unknown.insert(Structure::of(&mut self.sources[at], lexis)?)),
         }
-        self.structures[at].as_ref().ok_or_else(|| fatal(Text::same("O"), Text::same("")))
     }
 
     fn mark(&mut self, index: Option<usize>) -> Outcome<Mark> {
         let structure = self.structure()?;
-        index.and_then(|index| structure.mark(index)).cloned().ok_or_else(|| {
-            fatal(
-                Text::fixed("palabra O sin pareja", "O-word without its counterpart"),
-                Text::fixed("compruebe los pares de palabras O", "check that the O-words pair up"),
-            )
-        })
+        index
+            .and_then(|index| structure.mark(index))
+            .cloned()
+            .ok_or_else(|| Fault::of(&WithoutCounterpart {}, &[]).fatal())
     }
 
     pub(super) fn go_to(&mut self, position: Position) -> Outcome<()> {
@@ -119,27 +116,12 @@ impl Interpreter<'_> {
             Some(name) => name,
             None => {
                 let value = self.value(cursor)?.value;
-                whole(value)
-                    .ok_or_else(|| {
-                        Fault::at(
-                            &[column],
-                            Text::new(format!("etiqueta O{value}"), format!("label O{value}")),
-                            Text::fixed("la etiqueta es un número entero", "the label is a whole number"),
-                        )
-                    })?
-                    .to_string()
+                whole(value).ok_or_else(|| Fault::of(&LabelNotWhole { label: value }, &[column]))?.to_string()
             }
         };
         let place = cursor.column();
         let Some(kind) = word(cursor) else {
-            return Err(Fault::at(
-                &[place],
-                Text::fixed("palabra O desconocida", "unknown O-word"),
-                Text::fixed(
-                    "use SUB, CALL, IF, WHILE, DO, REPEAT y sus cierres",
-                    "use SUB, CALL, IF, WHILE, DO, REPEAT and what closes them",
-                ),
-            ));
+            return Err(Fault::of(&OWordUnknown {}, &[place]));
         };
         if kind == Word::Call {
             return self.call(cursor, &name);
@@ -223,11 +205,7 @@ impl Interpreter<'_> {
         if cursor.peek() == 0 {
             return Ok(());
         }
-        Err(Fault::at(
-            &[cursor.column()],
-            Text::fixed("hay algo detrás de la palabra O", "there is something after the O-word"),
-            Text::fixed("escríbalo en otra línea", "write it on another line"),
-        ))
+        Err(Fault::of(&BehindOWord {}, &[cursor.column()]))
     }
 
     fn condition(&mut self, cursor: &mut Cursor<'_>) -> Outcome<bool> {
@@ -295,11 +273,7 @@ impl Interpreter<'_> {
         let mut arguments = Vec::new();
         while cursor.peek() == b'[' {
             if arguments.len() == LOCAL {
-                return Err(Fault::at(
-                    &[cursor.column()],
-                    Text::new(format!("más de {LOCAL} argumentos"), format!("more than {LOCAL} arguments")),
-                    Text::fixed("use parámetros con nombre", "use named parameters"),
-                ));
+                return Err(Fault::of(&ArgumentsTooMany { most: LOCAL }, &[cursor.column()]));
             }
             let value = self.expression(cursor)?;
             arguments.push(value);
@@ -330,21 +304,12 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn enter(&mut self, mut call: Call) -> Outcome<()> {
-        let most = self.setting.budget.call_depth.min(self.control.call_depth);
+        let most = self.setting.budget.call_depth.min(self.control.calls.depth);
         if self.flow.frames.len() >= most {
             let mut stack: Vec<String> = self.flow.frames.iter().map(|call| shown(&call.label)).collect();
             stack.push(shown(&call.label));
             let stack = stack.join(" → ");
-            return Err(Fault::limit(
-                Text::new(
-                    format!("más de {most} llamadas una dentro de otra: {stack}"),
-                    format!("more than {most} calls inside one another: {stack}"),
-                ),
-                Text::fixed(
-                    "llame a menos subprogramas uno dentro de otro, o ponga fin a la recursión con IF",
-                    "call fewer subprograms inside one another, or end the recursion with IF",
-                ),
-            ));
+            return Err(Fault::ended(&CallsTooDeep { most, stack }));
         }
         call.loops = std::mem::take(&mut self.flow.loops);
         self.flow.frames.push(call);
@@ -353,51 +318,24 @@ impl Interpreter<'_> {
 
     /// The subprogram of a file of its own: its source and where it begins.
     fn file_of(&mut self, name: &str) -> Outcome<(usize, Position)> {
-        let unknown = || {
-            Fault::block(
-                Text::new(
-                    format!("no hay subprograma {}", shown(name)),
-                    format!("there is no subprogram {}", shown(name)),
-                ),
-                Text::fixed(
-                    "defínalo en el programa, o en un archivo con su nombre en la misma carpeta",
-                    "define it in the program, or in a file of its name in the same folder",
-                ),
-            )
-        };
+        let unknown = || Fault::of(&SubprogramMissing { label: shown(name) }, &[]);
         let plain =
             !name.starts_with('.') && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"_-.".contains(&byte));
         if !plain {
-            return Err(Fault::block(
-                Text::new(
-                    format!("el subprograma «{name}» está fuera de la carpeta del programa"),
-                    format!("subprogram '{name}' lies outside of the program's folder"),
-                ),
-                Text::fixed("use un nombre sin ruta", "use a name without a path"),
-            ));
+            return Err(Fault::of(&SubprogramOutside { name: name.to_owned() }, &[]));
         }
         let known = self.sources.iter().position(|source| source.file.as_deref() == Some(name));
         let index = match known {
             Some(index) => index,
             None => {
-                let bytes = self.setting.files.find(name).map_err(|reason| {
-                    Fault::block(
-                        Text::new(
-                            format!("no se puede leer el subprograma «{name}»: {reason}"),
-                            format!("cannot read subprogram '{name}': {reason}"),
-                        ),
-                        Text::fixed("compruebe el archivo", "check the file"),
-                    )
-                })?;
+                let bytes = self
+                    .setting
+                    .files
+                    .find(name)
+                    .map_err(|reason| Fault::of(&SubprogramUnreadable { name: name.to_owned(), reason }, &[]))?;
                 let bytes = bytes.ok_or_else(unknown)?;
                 if bytes.len() > LARGEST_FILE {
-                    return Err(Fault::limit(
-                        Text::new(
-                            format!("el subprograma «{name}» tiene más de 16 MiB"),
-                            format!("subprogram '{name}' has more than 16 MiB"),
-                        ),
-                        Text::fixed("divídalo", "split it"),
-                    ));
+                    return Err(Fault::ended(&SubprogramTooLarge { name: name.to_owned() }));
                 }
                 self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name.to_owned())));
                 self.structures.push(None);
@@ -419,16 +357,7 @@ impl Interpreter<'_> {
         self.nothing_more(cursor)?;
         let fits = self.flow.frames.last().is_some_and(|call| call.saved.is_some() && call.label == name);
         if !fits {
-            return Err(Fault::block(
-                Text::new(
-                    format!("{} no ha sido llamado con CALL", shown(name)),
-                    format!("{} was not called by CALL", shown(name)),
-                ),
-                Text::fixed(
-                    "un SUB se llama con CALL, un O a secas con M98",
-                    "a SUB is called by CALL, a bare O by M98",
-                ),
-            ));
+            return Err(Fault::of(&NotCalled { label: shown(name) }, &[]));
         }
         self.leave()?;
         self.parameters.set_named("_value".to_owned(), value.unwrap_or(0.0));
@@ -448,12 +377,19 @@ impl Interpreter<'_> {
     }
 
     /// M98 and M99 of the block in hand.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn call_or_return(&mut self) -> Outcome<()> {
-        let result = match self.block.m(4) {
-            _ if self.control.system_a => self.call_by_number(),
-            Some((M::Call, _)) => self.call_program(),
-            Some((M::Return, _)) => self.return_from_program(),
-            _ => Ok(()),
+        let result = match self.control.calls.by {
+            CallBy::Number => self.call_by_number(),
+            CallBy::Label => match self.block.m(4) {
+                Some((M::Call, _)) => self.call_program(),
+                Some((M::Return, _)) => self.return_from_program(),
+                Some(_) | None => Ok(()),
+            },
+            CallBy::Nothing => {
+                let number = self.block.m(4).map_or(98, |(_, number)| number);
+                Err(self.unknown('M', number.into(), self.block.m_column(4)))
+            }
         };
         result.map_err(Fault::fatal)
     }
@@ -461,20 +397,12 @@ impl Interpreter<'_> {
     fn call_program(&mut self) -> Outcome<()> {
         let column = self.block.m_column(4);
         let Some(P) = self.block.get(letter::P) else {
-            return Err(Fault::at(
-                &[column],
-                Text::fixed("M98 sin P", "M98 without P"),
-                Text::fixed("dé el número del subprograma con P", "give the subprogram's number with P"),
-            ));
+            return Err(Fault::of(&CallWithoutP {}, &[column]));
         };
         let repeats = match self.block.get(letter::L) {
             None => 1,
             Some(L) => whole(L).filter(|repeats| (0..=CALL_REPEATS).contains(repeats)).ok_or_else(|| {
-                Fault::at(
-                    &[self.block.column(letter::L)],
-                    Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
-                    Text::new(format!("L va de 0 a {CALL_REPEATS}"), format!("L goes from 0 to {CALL_REPEATS}")),
-                )
+                Fault::of(&RepeatsTooMany { repeats: L, most: CALL_REPEATS }, &[self.block.column(letter::L)])
             })?,
         };
         let name = whole(P).map_or_else(|| P.to_string(), |number| number.to_string());
@@ -485,14 +413,7 @@ impl Interpreter<'_> {
         let source = self.at;
         let found = self.structure()?.program(&name);
         let Some(index) = found else {
-            return Err(Fault::at(
-                &[self.block.column(letter::P)],
-                Text::new(format!("no hay subprograma O{name}"), format!("there is no subprogram O{name}")),
-                Text::fixed(
-                    "defínalo detrás del programa, con su O y M99",
-                    "define it after the program, with its O and M99",
-                ),
-            ));
+            return Err(Fault::of(&ProgramMissing { number: name }, &[self.block.column(letter::P)]));
         };
         let start = self.mark(Some(index))?.after;
         self.enter(Call::of(name, source, back, repeats, start))?;
@@ -501,18 +422,8 @@ impl Interpreter<'_> {
 
     fn return_from_program(&mut self) -> Outcome<()> {
         match self.flow.frames.last_mut() {
-            None => Err(Fault::limit(
-                Text::fixed(
-                    "M99 en el programa principal lo repite sin fin",
-                    "M99 in the main program repeats it without end",
-                ),
-                Text::fixed("termine el programa con M30", "end the program with M30"),
-            )),
-            Some(call) if call.saved.is_some() => Err(Fault::at(
-                &[self.block.m_column(4)],
-                Text::fixed("M99 dentro de un SUB", "M99 inside a SUB"),
-                Text::fixed("un SUB termina con ENDSUB o RETURN", "a SUB ends with ENDSUB or RETURN"),
-            )),
+            None => Err(Fault::ended(&MainReturns {})),
+            Some(call) if call.saved.is_some() => Err(Fault::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
             Some(call) => match call.repeat() {
                 Some(start) => {
                     // Each round keeps its own state.
@@ -533,16 +444,12 @@ impl Interpreter<'_> {
         }
         // A lathe makes a plain motion of the block before it.
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
-        if self.control.system_a
+        if self.control.calls.by.beside_motion()
             && matches!(motion, G::Rapid | G::Linear | G::Arc(_))
             && self.block.g(Group::NonModal).is_none()
         {
             return Ok(());
         }
-        Err(Fault::at(
-            &[self.block.m_column(4)],
-            Text::fixed("M98 o M99 con otras palabras en el bloque", "M98 or M99 with other words in the block"),
-            Text::fixed("escríbalas en otra línea", "write them on another line"),
-        ))
+        Err(Fault::of(&CallWithWords {}, &[self.block.m_column(4)]))
     }
 }

@@ -84,7 +84,7 @@ impl Interpreter<'_> {
 
     /// True where the block shifts a coordinate system: G54 to G59 with X or Z and no motion code.
     pub(super) fn shifts_system(&self) -> bool {
-        self.control.system_a
+        self.control.offsets.shifts()
             && self.block.g(Group::WorkOffset).is_some()
             && self.block.g(Group::Motion).is_none()
             && self.block.g(Group::NonModal).is_none()
@@ -168,7 +168,7 @@ impl Interpreter<'_> {
 
     /// True for a feed per revolution of a lathe, whose spindle's speed may change along the motion.
     pub(super) fn by_revolution(&self, feed: Feed) -> bool {
-        self.control.diameter && feed.mode == FeedMode::PerRevolution
+        self.control.spindle.turns.part() && feed.mode == FeedMode::PerRevolution
     }
 
     fn pace(&self) -> Option<Pace> {

@@ -1,7 +1,6 @@
 //! From a line to what is executed of it: comments, `%`, program numbers, block numbers.
 
 use crate::escape::excerpt;
-use crate::gcode::control::Comments;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -38,8 +37,8 @@ impl Interpreter<'_> {
     /// The beginning of a line's words, its block number read; at `%` where the line begins with it. `None` where there is
     /// nothing to execute.
     pub(super) fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
-        if line.len() > self.control.longest_line {
-            let most = self.control.longest_line;
+        if line.len() > self.control.lexis.longest_line {
+            let most = self.control.lexis.longest_line;
             return Err(Fault::of(&LineTooLong { most }, &[most]));
         }
         if memchr::memchr3(b'(', b')', b';', line).is_some() {
@@ -48,13 +47,13 @@ impl Interpreter<'_> {
                 return self.end().map(|()| None);
             }
         }
-        let mut cursor = Cursor::new(line, self.control.comments);
+        let mut cursor = Cursor::new(line, self.control.lexis.comments);
         let first = cursor.peek();
         if first == 0 {
             return Ok(None);
         }
         self.block.clear();
-        if cursor.accept_delete(!self.control.expressions) && self.setting.block_delete {
+        if cursor.accept_delete(self.control.lexis.delete.numbered()) && self.setting.block_delete {
             return Ok(None);
         }
         if cursor.accept(b'n') {
@@ -71,7 +70,7 @@ impl Interpreter<'_> {
         let opening = self.stage == Stage::Opening;
         self.stage = Stage::Running;
         if cursor.peek() == b'o' {
-            return if self.control.expressions {
+            return if self.control.lexis.language.computes() {
                 self.o_word(&mut cursor)
             } else {
                 self.program_number(&mut cursor, opening)
@@ -93,7 +92,7 @@ impl Interpreter<'_> {
     fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let opening = self.stage == Stage::Opening && !self.percent;
         cursor.pass();
-        if self.control.comments == Comments::Semicolon {
+        if self.control.lexis.percent.named() {
             if opening {
                 self.percent = true;
                 return Ok(());
@@ -103,11 +102,11 @@ impl Interpreter<'_> {
                 self.percent = true;
                 return Ok(());
             }
-            if self.percent || self.at != 0 || self.control.system_a {
+            if self.percent || self.at != 0 || self.control.lexis.percent.leader() {
                 if self.stage == Stage::Opening || self.at != 0 {
                     return self.end_of_file();
                 }
-                if self.control.system_a {
+                if self.control.lexis.percent.leader() {
                     self.remark_no_end();
                 }
                 return self.end();
@@ -156,7 +155,7 @@ impl Interpreter<'_> {
         if opening && cursor.peek() == 0 {
             return Ok(());
         }
-        if self.control.system_a && cursor.peek() == 0 {
+        if self.control.lexis.percent.leader() && cursor.peek() == 0 {
             // What follows is another program: whether a control goes on into it is not known.
             let inside = self.at != 0 || !self.flow.frames.is_empty();
             return if inside { self.end_of_file().map_err(Fault::fatal) } else { Err(without_end(false).fatal()) };
@@ -179,16 +178,16 @@ impl Interpreter<'_> {
             "PY,",
             "PYRUN,",
         ];
-        for (column, text) in comments(line, self.control.comments)? {
+        for (column, text) in comments(line, self.control.lexis.comments)? {
             let text = String::from_utf8_lossy(text);
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
-            self.aborted |= self.control.expressions && word.starts_with("ABORT,");
+            self.aborted |= self.control.lexis.comments.obeyed() && word.starts_with("ABORT,");
             if self.aborted {
                 let shown = excerpt(text.trim(), SHOWN);
                 self.remarks.row(&Aborts { comment: shown }, self.line, Some(column));
                 return Ok(());
             }
-            if self.control.expressions && ACTIVE.iter().any(|active| word.starts_with(active)) {
+            if self.control.lexis.comments.obeyed() && ACTIVE.iter().any(|active| word.starts_with(active)) {
                 let at = self.line;
                 let shown = excerpt(text.trim(), SHOWN);
                 self.remarks.row(&ActiveComment { comment: shown }, at, Some(column));

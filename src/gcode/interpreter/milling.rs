@@ -207,7 +207,7 @@ impl Interpreter<'_> {
 
     /// Refuses the position where the cutter is aside of it, as LinuxCNC does.
     pub(super) fn position_is_known(&self, column: usize) -> Outcome<()> {
-        if !self.control.expressions || self.modal.compensation == Compensation::Off {
+        if !self.control.radius.cutter() || self.modal.compensation == Compensation::Off {
             return Ok(());
         }
         Err(Fault::at(

@@ -88,19 +88,23 @@ use self::parameters::Parameters;
 use self::round::Rounds;
 pub use self::setting::{Budget, DecimalPoint, Files, HolePlane, NoFiles, Setting, Start, ToolOffset, Tools};
 use self::source::SourceText;
-pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, WIDE, decoded, line_feeds, wide};
+pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, decoded, line_feeds, wide};
 use self::standstill::Standing;
 pub use self::standstill::Standstill;
 use self::structure::Structure;
-use crate::finding::{Exit, Finding, Grade, Place};
-use crate::gcode::control::Control;
+use crate::finding::{Finding, Place, Raise};
 pub use crate::gcode::control::Rotary;
+use crate::gcode::control::{Control, RadiusRule};
 use crate::gcode::in_force::InForce;
 use crate::gcode::motion::Motion;
+use crate::gcode::rules::flow::{
+    BlockNumberInvalid, ByteOrderMark, EndlessProgram, EndsInSubprogram, NoEnd, NoEndOrPercent, NoProgram,
+    SubprogramsAlone,
+};
+use crate::gcode::rules::lexis::{MoreRefusals, Utf16};
 use crate::machine::axis::Pose;
 use crate::machine::var_file::{VarFile, required};
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G92_FIRST, G92_SWITCH, Offsets};
-use crate::text::Text;
 
 /// How far the reading has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -172,7 +176,7 @@ impl<'a> Interpreter<'a> {
         let mut remarks = Remarks::default();
         // A control without var file starts in its first system.
         for finding in found.into_iter().filter(|_| !setting.var_file.is_empty()) {
-            remarks.add(finding.grade, 1, None, finding.what, finding.remedy);
+            remarks.found(finding);
         }
         let mut parameters = Parameters::new();
         for number in required() {
@@ -216,7 +220,7 @@ impl<'a> Interpreter<'a> {
             parameters,
             tools,
             queue: VecDeque::new(),
-            compensator: Compensator::new(!control.system_a),
+            compensator: Compensator::new(control.radius),
             milling: Milling::default(),
             run: None,
             corner: None,
@@ -258,7 +262,10 @@ impl<'a> Interpreter<'a> {
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        let tip = if self.control.expressions { self.cutter() } else { self.compensator.tip(&self.current) };
+        let tip = match self.control.radius {
+            RadiusRule::Cutter => self.cutter(),
+            RadiusRule::Nose(_) | RadiusRule::None => self.compensator.tip(&self.current),
+        };
         (tip, self.frame.to_machine(&tip))
     }
 
@@ -315,7 +322,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
-        if self.control.system_a && self.line == 0 {
+        if self.control.lexis.percent.leader() && self.line == 0 {
             self.pass_leader()?;
         }
         if !self.source().next_line(line)? {
@@ -324,18 +331,11 @@ impl<'a> Interpreter<'a> {
         self.count_line()?;
         self.turn_remarks();
         if self.line == 1 && wide(line) {
-            let [what, remedy] = WIDE;
-            return Err(Fault::block(what, remedy).fatal());
+            return Err(Fault::of(&Utf16 {}, &[]).fatal());
         }
         if self.line == 1 && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
-            self.remarks.add(
-                Grade::Note,
-                1,
-                None,
-                Text::fixed("marca de orden de bytes (BOM) pasada por alto", "byte order mark (BOM) passed over"),
-                Text::fixed("", ""),
-            );
+            self.remarks.row(&ByteOrderMark {}, 1, None);
         }
         self.execute_line(line)
     }
@@ -350,44 +350,31 @@ impl<'a> Interpreter<'a> {
         self.stage = Stage::Ended;
         self.lose_corner(false);
         if self.at != 0 || !self.flow.frames.is_empty() {
-            return Err(Fault::block(
-                Text::fixed("el archivo termina dentro de un subprograma", "the file ends inside a subprogram"),
-                Text::fixed("termine el subprograma con ENDSUB o M99", "end the subprogram with ENDSUB or M99"),
-            ));
+            return Err(Fault::of(&EndsInSubprogram {}, &[]));
         }
         if stage == Stage::Opening {
-            return Err(Fault::block(
-                Text::fixed(
-                    "no hay programa: el archivo no tiene bloques, 0 movimientos",
-                    "no program: the file has no block, 0 moves",
-                ),
-                Text::fixed("compruebe que es el archivo correcto", "check that it is the right file"),
-            ));
+            return Err(Fault::of(&NoProgram {}, &[]));
         }
         if self.setting.part {
             return Ok(());
         }
-        if self.control.system_a {
+        if self.control.lexis.percent.leader() {
             self.remark_no_end();
             return self.end();
         }
         self.line = self.source().position().lines;
-        let mut fault = without_end(percent);
         let subprograms = self.structures.first().and_then(Option::as_ref).is_some_and(Structure::has_subprograms);
         if subprograms && self.made() == 0 {
-            fault.remedy = Text::fixed(
-                "si el archivo solo tiene subprogramas, compruebe el programa que los llama, con --subs; si no, añada M30",
-                "where the file holds subprograms alone verify the program that calls them, with --subs; else add M30",
-            );
+            return Err(Fault::of(&SubprogramsAlone {}, &[]));
         }
-        Err(fault)
+        Err(without_end(percent))
     }
 
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
     fn end(&mut self) -> Outcome<()> {
         self.stage = Stage::Ended;
         self.lose_corner(false);
-        if self.control.expressions {
+        if self.control.radius.cutter() {
             self.end_cutter();
         }
         self.end_of_program();
@@ -396,16 +383,7 @@ impl<'a> Interpreter<'a> {
 
     fn endless(&self) -> Box<Fault> {
         let most = self.setting.budget.repeated_blocks;
-        Fault::limit(
-            Text::new(
-                format!("el programa ha repetido más de {most} bloques"),
-                format!("the program has repeated more than {most} blocks"),
-            ),
-            Text::fixed(
-                "compruebe las condiciones de sus bucles: puede que no terminen nunca",
-                "check the conditions of its loops: they may never end",
-            ),
-        )
+        Fault::ended(&EndlessProgram { most })
     }
 
     /// The switch and the registers of G92.
@@ -417,14 +395,7 @@ impl<'a> Interpreter<'a> {
 
 /// The refusal of a program without the code that ends it; `percent` where a `%` opens it.
 fn without_end(percent: bool) -> Box<Fault> {
-    Fault::block(
-        Text::fixed("el programa termina sin M2 ni M30", "the program ends without M2 or M30"),
-        if percent {
-            Text::fixed("añada M30 o «%» al final", "add M30 or '%' at the end")
-        } else {
-            Text::fixed("añada M30 al final", "add M30 at the end")
-        },
-    )
+    if percent { Fault::of(&NoEndOrPercent {}, &[]) } else { Fault::of(&NoEnd {}, &[]) }
 }
 
 /// A block number behind its N.
@@ -440,11 +411,7 @@ fn block_number(cursor: &mut Cursor<'_>) -> Outcome<u32> {
         number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
     }
     if digits == 0 || digits > 9 {
-        return Err(Fault::at(
-            &[column],
-            Text::fixed("número de bloque no válido", "block number is not valid"),
-            Text::fixed("escriba N y de una a nueve cifras", "write N and one to nine digits"),
-        ));
+        return Err(Fault::of(&BlockNumberInvalid {}, &[column]));
     }
     Ok(number)
 }
@@ -493,19 +460,8 @@ pub fn findings(faults: Vec<Fault>, total: usize, remarks: Vec<Finding>) -> Vec<
     let shown = faults.len();
     let mut findings: Vec<Finding> = faults.into_iter().map(Finding::from).collect();
     if total > shown {
-        findings.push(Finding::new(
-            Grade::Note,
-            Place::File,
-            Text::new(format!("y {} errores más", total - shown), format!("and {} more errors", total - shown)),
-            Text::fixed("", ""),
-        ));
+        findings.push(MoreRefusals { count: total - shown }.at(Place::File));
     }
     findings.extend(remarks);
     findings
-}
-
-/// True where a fault ended a budget.
-#[must_use]
-pub fn is_limit(fault: &Fault) -> bool {
-    fault.exit == Exit::Limit
 }

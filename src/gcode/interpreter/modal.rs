@@ -75,12 +75,12 @@ pub(super) struct Modal {
 impl Modal {
     pub(super) fn new(control: &Control, unit: LengthUnit, system: u8) -> Self {
         Self {
-            motion: control.start.0,
-            plane: control.plane,
+            motion: control.start.motion,
+            plane: control.start.plane,
             unit,
             incremental: false,
             centre_absolute: false,
-            feed_mode: control.start.1,
+            feed_mode: control.start.feed,
             feed: 0.0,
             feed_word: 0.0,
             return_initial: None,

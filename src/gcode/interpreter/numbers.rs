@@ -1,15 +1,17 @@
 //! The block numbers and program numbers of a file, for what is called or pointed at by number.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
-use crate::gcode::control::Comments;
+use crate::finding::Raise;
+use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{Interpreter, block_number};
+use crate::gcode::rules::flow::{BlockNumbersTooMany, BlockTwice};
 use crate::limits::BLOCK_NUMBERS;
-use crate::text::Text;
 
 /// A block that has a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,10 +40,10 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Looks through a file up to the second `%` and goes back to where it was.
-    fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
+    fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
         let back = source.position();
         let mut numbers = Self::default();
-        let mut tape = Tape::new(comments);
+        let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
         source.go_to(Position::START)?;
         loop {
@@ -49,7 +51,7 @@ impl Numbers {
             if !source.next_line(&mut line)? || tape.ends(&line) {
                 break;
             }
-            let mut cursor = Cursor::new(&line, comments);
+            let mut cursor = Cursor::new(&line, lexis.comments);
             cursor.accept_delete(true);
             if cursor.accept(b'o') {
                 // A bad number is refused when its line is executed.
@@ -68,13 +70,7 @@ impl Numbers {
                     })
                     .or_insert(Numbered { at, again: None });
                 if numbers.blocks.len() > BLOCK_NUMBERS {
-                    return Err(Fault::limit(
-                        Text::new(
-                            format!("más de {BLOCK_NUMBERS} números de bloque"),
-                            format!("more than {BLOCK_NUMBERS} block numbers"),
-                        ),
-                        Text::fixed("divida el programa", "split the program"),
-                    ));
+                    return Err(Fault::ended(&BlockNumbersTooMany { most: BLOCK_NUMBERS }));
                 }
             }
         }
@@ -103,32 +99,22 @@ impl Interpreter<'_> {
     /// The numbers of the file in hand.
     pub(super) fn numbers(&mut self) -> Outcome<&Numbers> {
         let at = self.at;
-        if !self.numbers.contains_key(&at) {
-            let comments = self.control.comments;
-            let numbers = Numbers::of(self.source(), comments)?;
-            self.numbers.insert(at, numbers);
+        let lexis = &self.control.lexis;
+        match self.numbers.entry(at) {
+            Entry::Occupied(known) => Ok(known.into_mut()),
+            Entry::Vacant(place) => Ok(place.insert(Numbers::of(&mut self.sources[at], lexis)?)),
         }
-        self.numbers.get(&at).ok_or_else(|| Fault::block(Text::same("N"), Text::same("")))
     }
 
     /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
-    /// `alarm` what a Fanuc control raises where there is none.
-    pub(super) fn block_numbered(&mut self, number: u32, column: usize, alarm: u16) -> Outcome<Numbered> {
-        let alarm = self.alarm(alarm);
+    /// `missing` what is told where there is none.
+    pub(super) fn block_numbered(&mut self, number: u32, column: usize, missing: &dyn Raise) -> Outcome<Numbered> {
         let line = self.line;
         let found = self.numbers()?.block(number, line);
         match found {
-            None => Err(Fault::at(
-                &[column],
-                Text::new(format!("{alarm}no hay bloque N{number}"), format!("{alarm}there is no block N{number}")),
-                Text::fixed("compruebe el número del bloque", "check the number of the block"),
-            )),
+            None => Err(Fault::of(missing, &[column]).as_alarm_of(self.alarms())),
             Some(Numbered { again: Some(again), at }) => {
-                let mut fault = Fault::at(
-                    &[column],
-                    Text::new(format!("N{number} está dos veces"), format!("N{number} stands twice")),
-                    Text::fixed("numere de nuevo uno de los dos bloques", "renumber one of the two blocks"),
-                );
+                let mut fault = Fault::of(&BlockTwice { number }, &[column]);
                 let file = &self.source().file;
                 fault.others = [at.lines + 1, again].map(|line| (file.clone(), line)).to_vec();
                 Err(fault)

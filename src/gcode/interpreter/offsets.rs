@@ -6,6 +6,7 @@
 
 use crate::finding::Grade;
 use crate::gcode::code::G;
+use crate::gcode::control::Reference;
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
@@ -48,9 +49,8 @@ impl Interpreter<'_> {
     /// The value of an axis word in mm or degrees.
     pub(super) fn axis_word(&self, axis: Axis) -> Option<f64> {
         let word = self.block.get(AXES[axis as usize])?;
-        let diameter = self.control.diameter && axis == Axis::X;
         let value = if axis.rotary() { word } else { self.modal.unit.to_mm(word) };
-        Some(if diameter { value / 2.0 } else { value })
+        Some(self.control.axes.coordinate(axis, value))
     }
 
     /// G10: work offsets and tool table.
@@ -58,7 +58,7 @@ impl Interpreter<'_> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
         let refuse = |what: Text, remedy: Text| Fault::at(&[column], what, remedy);
         let L = self.block.get(letter::L).and_then(whole);
-        if L == Some(0) && self.control.expressions {
+        if L == Some(0) {
             self.remarks.add(
                 Grade::Note,
                 self.line,
@@ -154,7 +154,7 @@ impl Interpreter<'_> {
             }
         }
         let forgets = number == self.modal.system && self.block.has(letter::R) && self.frame.g92 != Pose::default();
-        if forgets && self.control.expressions {
+        if forgets {
             self.remarks.add(
                 Grade::Caution,
                 self.line,
@@ -187,9 +187,22 @@ impl Interpreter<'_> {
         (frame.to_program(&machine), work.rotation)
     }
 
+    /// G28 and G30.
+    #[deny(clippy::wildcard_enum_match_arm)]
+    pub(super) fn reference_point(&mut self, second: bool) -> Outcome<()> {
+        match self.control.reference {
+            Reference::Named => self.return_to_reference(second),
+            Reference::NamedOrAll => self.go_to_reference(second),
+            Reference::None => {
+                let column = self.block.g_column(crate::gcode::code::Group::NonModal);
+                Err(self.unknown('G', if second { 30.0 } else { 28.0 }, column))
+            }
+        }
+    }
+
     /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all. LinuxCNC 2.9 ends
     /// off it, by the tool's offset, in A, B and C; its reference promises the point itself.
-    pub(super) fn go_to_reference(&mut self, second: bool) -> Outcome<()> {
+    fn go_to_reference(&mut self, second: bool) -> Outcome<()> {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|&axis| self.block.has(AXES[axis as usize])).collect();
         if !named.is_empty() {
             let over = self.end_point();
@@ -254,7 +267,7 @@ impl Interpreter<'_> {
                 Ok(())
             }
             (true, None) => {
-                if self.control.system_a {
+                if self.control.offsets.shifts() {
                     self.set_lathe_position();
                 } else {
                     self.set_position();
@@ -293,7 +306,7 @@ impl Interpreter<'_> {
             self.reframe(ActiveOffsets { g92: Pose::default(), ..self.frame });
         } else if left {
             let line = self.line;
-            let (what, remedy) = if self.control.system_a {
+            let (what, remedy) = if self.control.offsets.shifts() {
                 (
                     Text::fixed(
                         "G50 con X o Z sigue activo al final: vale también para el programa siguiente",
@@ -313,9 +326,9 @@ impl Interpreter<'_> {
             self.remarks.add(Grade::Caution, line, None, what, remedy);
         }
         self.select_system(1);
-        self.modal.plane = self.control.plane;
+        self.modal.plane = self.control.start.plane;
         self.modal.incremental = false;
-        self.modal.feed_mode = self.control.start.1;
+        self.modal.feed_mode = self.control.start.feed;
         (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
         self.modal.spindle = Spindle::Stopped;
         self.modal.coolant = false;

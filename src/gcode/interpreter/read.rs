@@ -61,20 +61,22 @@ fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
 impl Interpreter<'_> {
     /// Reads the words of a line behind its block number into the block in hand.
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
-        cursor.e_words = self.control.letters.has(E);
+        cursor.e_words = self.control.lexis.letters.has(E);
         loop {
             match cursor.peek() {
                 0 => break,
-                _ if self.control.system_a && cursor.macro_word() => return Err(macros(cursor.column())),
+                _ if self.control.lexis.language.refuses_macros() && cursor.macro_word() => {
+                    return Err(macros(cursor.column()));
+                }
                 b'g' => self.read_g(cursor)?,
-                b',' if self.control.system_a => self.read_edge(cursor)?,
+                b',' if self.control.corners.by_words() => self.read_edge(cursor)?,
                 b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
-                b'#' if self.control.expressions => {
+                b'#' if self.control.lexis.language.computes() => {
                     let setting = self.setting(cursor)?;
                     self.block.settings.push(setting);
                 }
-                b'@' | b'^' if self.control.expressions => self.read_polar(cursor)?,
+                b'@' | b'^' if self.control.lexis.language.computes() => self.read_polar(cursor)?,
                 _ => return Err(cursor.refuse_character()),
             }
         }
@@ -194,7 +196,7 @@ impl Interpreter<'_> {
                         Text::fixed("", ""),
                     );
                     // Codes of the builder do not exclude each other everywhere: clamps M11 and M13 stand in one block.
-                    if !self.control.expressions {
+                    if self.control.lexis.builders.stand_together() {
                         self.block.machine_codes += 1;
                         return self.machine_code_count(column);
                     }
@@ -213,7 +215,7 @@ impl Interpreter<'_> {
     }
 
     fn machine_code_count(&self, column: usize) -> Outcome<()> {
-        let most = self.control.most_machine_codes;
+        let most = self.control.lexis.most_machine_codes;
         if self.block.machine_codes <= most {
             return Ok(());
         }
@@ -289,7 +291,7 @@ impl Interpreter<'_> {
     fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {
         let column = cursor.column();
         let index = letter - b'a';
-        let known = self.control.letters.has(index);
+        let known = self.control.lexis.letters.has(index);
         if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }
@@ -297,7 +299,7 @@ impl Interpreter<'_> {
         cursor.no_comment()?;
         cursor.peek();
         let number_column = cursor.column();
-        if self.control.system_a && cursor.macro_word() {
+        if self.control.lexis.language.refuses_macros() && cursor.macro_word() {
             return Err(macros(number_column));
         }
         let number = self.value(cursor)?;
@@ -324,13 +326,13 @@ impl Interpreter<'_> {
             ));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
-            && !(letter == b'd' && self.control.expressions)
-            && !(letter == b'q' && (self.control.system_a || matches!(self.block.m(5), Some((M::AnalogOutput, _)))))
+            && !self.control.lexis.negative.has(index)
+            && !(letter == b'q' && matches!(self.block.m(5), Some((M::AnalogOutput, _))))
             && !self.fagor_cycle()
         {
             return Err(negative(name(letter), value, number_column));
         }
-        if self.control.system_a {
+        if self.control.lexis.point.by_setting() {
             self.see_point(index, &number, column)?;
         }
         self.block.put(index.into(), value, column).map_err(|first| match cursor.glued {
@@ -342,7 +344,7 @@ impl Interpreter<'_> {
     #[cold]
     fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
         let (name, dialect) = (name(letter), self.setting.control.name);
-        if self.control.refused_letters.has(letter - b'a') {
+        if self.control.lexis.refused.has(letter - b'a') {
             Fault::at(
                 &[column],
                 Text::new(

@@ -46,7 +46,7 @@ impl Interpreter<'_> {
             let Some(word) = self.block.get(index) else { continue };
             let name = axis.letter();
             let fault = |what: Text, remedy: Text| Err(Fault::at(&[self.block.column(index)], what, remedy));
-            if preset && !self.control.expressions && !(0.0..360.0).contains(&word) {
+            if preset && !self.control.rotary.rollover.wrapped() && !(0.0..360.0).contains(&word) {
                 return fault(
                     Text::new(
                         format!("0199: {name}{word} como cota de un eje rotativo rollover: va de 0 a 359.9999"),
@@ -58,7 +58,7 @@ impl Interpreter<'_> {
                     ),
                 );
             }
-            if self.control.expressions && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) {
+            if self.control.rotary.rollover.wrapped() && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) {
                 return fault(
                     Text::new(
                         format!(
@@ -72,7 +72,7 @@ impl Interpreter<'_> {
                 );
             }
             if word.abs() >= 360.0 {
-                let number = if self.control.expressions { "" } else { "0168: " };
+                let number = if self.control.rotary.rollover.wrapped() { "" } else { "0168: " };
                 return fault(
                     Text::new(
                         format!(
@@ -131,7 +131,7 @@ impl Interpreter<'_> {
 
     /// Cautions that the control's manuals do not say what a word of a rollover axis does; LinuxCNC's program does.
     fn undefined(&mut self, letter: usize, what: Text) {
-        if self.control.expressions {
+        if self.control.rotary.rollover.wrapped() {
             return;
         }
         let remedy = Text::fixed(

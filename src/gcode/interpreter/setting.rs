@@ -133,7 +133,7 @@ impl Setting {
             places: None,
             point: None,
             plane: None,
-            rotary: control.rotary,
+            rotary: control.rotary.delivered,
             block_delete: false,
             keep_g92: true,
             part: false,

@@ -5,7 +5,6 @@ use std::io::{self, BufRead, Seek, SeekFrom};
 
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::rules::lexis::{LineEndless, ProgramTooLarge, Unreadable};
-use crate::text::Text;
 
 /// Most bytes of a line.
 pub const LONGEST_LINE: usize = 4096;
@@ -109,12 +108,6 @@ impl<'a> SourceText<'a> {
         Ok(())
     }
 }
-
-/// A text in UTF-16, which no control reads: what, and what to do about it.
-pub const WIDE: [Text; 2] = [
-    Text::fixed("el archivo está en UTF-16", "the file is in UTF-16"),
-    Text::fixed("guárdelo como texto ASCII o UTF-8", "save it as ASCII or UTF-8 text"),
-];
 
 /// True where a file begins as a text in UTF-16 does.
 #[must_use]

@@ -6,12 +6,16 @@
 
 use std::collections::BTreeMap;
 
-use crate::gcode::control::Comments;
+use crate::finding::Raise;
+use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
+use crate::gcode::rules::flow::{
+    ClauseBehindElse, LabelMissing, LabelTwice, NotClosed, OWordsTooMany, Stray, SubprogramInside,
+};
 use crate::limits::O_WORDS;
 use crate::text::Text;
 
@@ -124,11 +128,7 @@ pub(super) fn label(cursor: &mut Cursor<'_>) -> Outcome<Option<String>> {
         b'<' => cursor.name().map(Some),
         b'0'..=b'9' => block_number(cursor).map(|number| Some(number.to_string())),
         b'#' | b'[' => Ok(None),
-        _ => Err(Fault::at(
-            &[cursor.column()],
-            Text::fixed("falta la etiqueta detrás de O", "the label after O is missing"),
-            Text::fixed("dé un número o un <nombre>", "give a number or a <name>"),
-        )),
+        _ => Err(Fault::of(&LabelMissing {}, &[cursor.column()])),
     }
 }
 
@@ -140,8 +140,8 @@ pub(super) fn word(cursor: &mut Cursor<'_>) -> Option<Word> {
     Word::ALL.into_iter().find(|(text, _)| cursor.accept_word(text)).map(|(_, word)| word)
 }
 
-fn refused(line: usize, what: Text, remedy: Text) -> Box<Fault> {
-    let mut fault = Fault::block(what, remedy).fatal();
+fn refused(line: usize, row: &dyn Raise) -> Box<Fault> {
+    let mut fault = Fault::of(row, &[]).fatal();
     fault.line = line;
     fault
 }
@@ -152,17 +152,7 @@ fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
     let clause = matches!(mark.word, Word::Else | Word::ElseIf);
     if let Some(open) = open.filter(|open| clause && open.word == Word::Else && open.label == mark.label) {
         let (first, line) = (open.word.name(), open.at.lines + 1);
-        return refused(
-            mark.at.lines + 1,
-            Text::new(
-                format!("{label} {word} detrás del {first} de la línea {line}"),
-                format!("{label} {word} behind the {first} of line {line}"),
-            ),
-            Text::new(
-                format!("ELSE va una sola vez y en último lugar; cierre con {label} ENDIF"),
-                format!("ELSE stands once and last; close with {label} ENDIF"),
-            ),
-        );
+        return refused(mark.at.lines + 1, &ClauseBehindElse { label, word, first, line });
     }
     let (es, en) = open.map_or_else(Default::default, |open| {
         let (label, word, line) = (shown(&open.label), open.word.name(), open.at.lines + 1);
@@ -171,14 +161,7 @@ fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
             format!("; {label} {word} of line {line} is still open"),
         )
     });
-    refused(
-        mark.at.lines + 1,
-        Text::new(format!("{label} {word} fuera de {home}{es}"), format!("{label} {word} outside of {home}{en}")),
-        Text::new(
-            format!("abra antes {label} {home}, o quítelo; lo que se abre dentro se cierra dentro"),
-            format!("open {label} {home} before it, or take it out; what opens inside closes inside"),
-        ),
-    )
+    refused(mark.at.lines + 1, &Stray { label, word, home, open: Text::new(es, en) })
 }
 
 /// A subprogram or program that begins inside something else.
@@ -186,14 +169,7 @@ fn inside(mark: &Mark, outer: &Mark) -> Box<Fault> {
     let (label, around, line) = (shown(&mark.label), shown(&outer.label), outer.at.lines + 1);
     refused(
         mark.at.lines + 1,
-        Text::new(
-            format!("subprograma {label} dentro de {around} {} de la línea {line}", outer.word.name()),
-            format!("subprogram {label} inside {around} {} of line {line}", outer.word.name()),
-        ),
-        Text::new(
-            format!("cierre antes {around} con {}", outer.word.closed_by()),
-            format!("close {around} before it with {}", outer.word.closed_by()),
-        ),
+        &SubprogramInside { label, around, word: outer.word.name(), line, close: outer.word.closed_by() },
     )
 }
 
@@ -202,11 +178,11 @@ impl Structure {
     ///
     /// # Errors
     /// For words that do not belong together, two subprograms of one label, and too many words.
-    pub(super) fn of(source: &mut SourceText<'_>, comments: Comments) -> Outcome<Self> {
+    pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
         let back = source.position();
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
-        let mut tape = Tape::new(comments);
+        let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
         source.go_to(Position::START)?;
         loop {
@@ -214,7 +190,7 @@ impl Structure {
             if !source.next_line(&mut line)? || tape.ends(&line) {
                 break;
             }
-            let mut cursor = Cursor::new(&line, comments);
+            let mut cursor = Cursor::new(&line, lexis.comments);
             if cursor.peek() == b'/' {
                 cursor.pass();
             }
@@ -230,19 +206,12 @@ impl Structure {
             let mark = Mark { word, label, at, after: source.position(), next: None, opens: None };
             structure.add(mark, &mut open)?;
             if structure.marks.len() > O_WORDS {
-                return Err(Fault::limit(
-                    Text::new(format!("más de {O_WORDS} palabras O"), format!("more than {O_WORDS} O-words")),
-                    Text::fixed("divida el programa", "split the program"),
-                ));
+                return Err(Fault::ended(&OWordsTooMany { most: O_WORDS }));
             }
         }
         if let Some(mark) = open.last().and_then(|&index| structure.marks.get(index)) {
             let (label, word, close) = (shown(&mark.label), mark.word.name(), mark.word.closed_by());
-            return Err(refused(
-                mark.at.lines + 1,
-                Text::new(format!("{label} {word} sin cerrar"), format!("{label} {word} is not closed")),
-                Text::new(format!("ciérrelo con {label} {close}"), format!("close it with {label} {close}")),
-            ));
+            return Err(refused(mark.at.lines + 1, &NotClosed { label, word, close }));
         }
         source.go_to(back)?;
         Ok(structure)
@@ -317,14 +286,7 @@ impl Structure {
         let list = if mark.word == Word::Sub { &mut self.subs } else { &mut self.programs };
         let Some(first) = list.insert(mark.label.clone(), index) else { return Ok(()) };
         let line = self.marks.get(first).map_or(0, |first| first.at.lines + 1);
-        Err(refused(
-            mark.at.lines + 1,
-            Text::new(
-                format!("{} está definido dos veces: también en la línea {line}", shown(&mark.label)),
-                format!("{} is defined twice: in line {line} too", shown(&mark.label)),
-            ),
-            Text::fixed("dé a uno de los dos otra etiqueta", "give one of the two another label"),
-        ))
+        Err(refused(mark.at.lines + 1, &LabelTwice { label: shown(&mark.label), line }))
     }
 
     /// The SUB that an O-word stands in.

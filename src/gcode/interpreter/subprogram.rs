@@ -15,6 +15,10 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::flow::{Call, LARGEST_FILE};
 use crate::gcode::interpreter::source::{Position, SourceText};
+use crate::gcode::rules::flow::{
+    BlockCallWithoutP, BlockMissing, CallWithoutP, FileOfAnother, MainReturns, NotAProgramNumber, ProgramNowhere,
+    ProgramTwice, RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
+};
 use crate::limits::CALL_REPEATS;
 use crate::text::Text;
 
@@ -31,23 +35,17 @@ impl Interpreter<'_> {
     /// P of a call, a whole number from 1 on.
     fn called(&self, code: u8) -> Outcome<u32> {
         let Some(P) = self.block.get(letter::P) else {
-            return Err(Fault::at(
-                &[self.block.m_column(4)],
-                Text::new(format!("M{code} sin P"), format!("M{code} without P")),
-                if code == 97 {
-                    Text::fixed("dé el número de su primer bloque con P", "give the number of its first block with P")
-                } else {
-                    Text::fixed("dé el número del subprograma con P", "give the subprogram's number with P")
-                },
-            ));
+            let column = &[self.block.m_column(4)];
+            return Err(if code == 97 {
+                Fault::of(&BlockCallWithoutP {}, column)
+            } else {
+                Fault::of(&CallWithoutP {}, column)
+            });
         };
-        whole(P).and_then(|number| u32::try_from(number).ok()).filter(|&number| number > 0).ok_or_else(|| {
-            Fault::at(
-                &[self.block.column(letter::P)],
-                Text::new(format!("P{P} no es un número de subprograma"), format!("P{P} is no subprogram number")),
-                Text::fixed("dé un número entero", "give a whole number"),
-            )
-        })
+        whole(P)
+            .and_then(|number| u32::try_from(number).ok())
+            .filter(|&number| number > 0)
+            .ok_or_else(|| Fault::of(&NotAProgramNumber { number: P }, &[self.block.column(letter::P)]))
     }
 
     /// L of a call.
@@ -55,18 +53,14 @@ impl Interpreter<'_> {
         let Some(L) = self.block.get(letter::L) else { return Ok(None) };
         let repeats = whole(L).filter(|repeats| (0..=CALL_REPEATS).contains(repeats));
         repeats.map(Some).ok_or_else(|| {
-            Fault::at(
-                &[self.block.column(letter::L)],
-                Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
-                Text::new(format!("L va de 0 a {CALL_REPEATS}"), format!("L goes from 0 to {CALL_REPEATS}")),
-            )
+            Fault::of(&RepeatsTooMany { repeats: L, most: CALL_REPEATS }, &[self.block.column(letter::L)])
         })
     }
 
     fn call_block(&mut self) -> Outcome<()> {
         let number = self.called(97)?;
         let repeats = self.repeats()?.unwrap_or(1);
-        let block = self.block_numbered(number, self.block.column(letter::P), 78)?;
+        let block = self.block_numbered(number, self.block.column(letter::P), &BlockMissing { number })?;
         if repeats == 0 {
             return Ok(());
         }
@@ -83,21 +77,16 @@ impl Interpreter<'_> {
             (None, 0) => (P, 1),
             (None, times) => (P % 10_000, times.into()),
             (Some(_), _) => {
-                return Err(Fault::at(
+                return Err(Fault::of(
+                    &RepeatsTwice { number: P },
                     &[self.block.column(letter::P), self.block.column(letter::L)],
-                    Text::new(
-                        format!("P{P} ya dice cuántas veces, y L también"),
-                        format!("P{P} says how often, and so does L"),
-                    ),
-                    Text::fixed("deje P con cuatro cifras, o quite L", "leave four digits in P, or take L out"),
                 ));
             }
         };
         if !(0..=CALL_REPEATS).contains(&repeats) {
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &RepeatsOfP { number: P, repeats, most: CALL_REPEATS },
                 &[self.block.column(letter::P)],
-                Text::new(format!("P{P}: {repeats} repeticiones"), format!("P{P}: {repeats} repeats")),
-                Text::new(format!("como mucho {CALL_REPEATS}"), format!("at most {CALL_REPEATS}")),
             ));
         }
         let (back, source) = (self.source().position(), self.at);
@@ -113,16 +102,7 @@ impl Interpreter<'_> {
     /// Where a program begins: its source, and the line behind its number.
     fn program_numbered(&mut self, number: u32) -> Outcome<(usize, Position)> {
         let column = self.block.column(letter::P);
-        let twice = |places: String| {
-            Fault::at(
-                &[column],
-                Text::new(
-                    format!("O{number:04} está definido dos veces: {places}"),
-                    format!("O{number:04} is defined twice: {places}"),
-                ),
-                Text::fixed("deje uno de los dos", "leave one of the two"),
-            )
-        };
+        let twice = |places: String| Fault::of(&ProgramTwice { number: format!("{number:04}"), places }, &[column]);
         // The file in hand, then the program's own file.
         for at in [self.at, 0] {
             let from = std::mem::replace(&mut self.at, at);
@@ -144,16 +124,11 @@ impl Interpreter<'_> {
         }
         let mut found: Option<(String, Vec<u8>)> = None;
         for name in names {
-            let bytes = self.setting.files.find(&name).map_err(|reason| {
-                Fault::at(
-                    &[column],
-                    Text::new(
-                        format!("no se puede leer el subprograma «{name}»: {reason}"),
-                        format!("cannot read subprogram '{name}': {reason}"),
-                    ),
-                    Text::fixed("compruebe el archivo", "check the file"),
-                )
-            })?;
+            let bytes = self
+                .setting
+                .files
+                .find(&name)
+                .map_err(|reason| Fault::of(&SubprogramUnreadable { name: name.clone(), reason }, &[column]))?;
             match (bytes, &found) {
                 (None, _) => {}
                 (Some(bytes), None) => found = Some((name, bytes)),
@@ -163,30 +138,11 @@ impl Interpreter<'_> {
             }
         }
         let Some((name, bytes)) = found else {
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("PS0078: no hay subprograma O{number:04}"),
-                    format!("PS0078: there is no subprogram O{number:04}"),
-                ),
-                Text::new(
-                    format!(
-                        "póngalo junto al programa, en un archivo O{number:04}.nc (de un libro, en una hoja O{number:04}), o detrás de M30"
-                    ),
-                    format!(
-                        "put it beside the program, in a file O{number:04}.nc (of a workbook, on a sheet O{number:04}), or behind M30"
-                    ),
-                ),
-            ));
+            let nowhere = ProgramNowhere { number: format!("{number:04}") };
+            return Err(Fault::of(&nowhere, &[column]).as_alarm_of(self.alarms()));
         };
         if bytes.len() > LARGEST_FILE {
-            return Err(Fault::limit(
-                Text::new(
-                    format!("el subprograma «{name}» tiene más de 16 MiB"),
-                    format!("subprogram '{name}' has more than 16 MiB"),
-                ),
-                Text::fixed("divídalo", "split it"),
-            ));
+            return Err(Fault::ended(&SubprogramTooLarge { name }));
         }
         self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name)));
         self.structures.push(None);
@@ -208,13 +164,9 @@ impl Interpreter<'_> {
         }
         if let Some(other) = self.numbers()?.first_program() {
             let name = self.source().file.clone().unwrap_or_default();
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &FileOfAnother { name, other: format!("{other:04}"), number: format!("{number:04}") },
                 &[self.block.column(letter::P)],
-                Text::new(
-                    format!("el archivo «{name}» contiene O{other:04}, no O{number:04}"),
-                    format!("the file '{name}' holds O{other:04}, not O{number:04}"),
-                ),
-                Text::fixed("corrija el número o el nombre del archivo", "correct the number or the file's name"),
             ));
         }
         let start = Position::START;
@@ -228,13 +180,7 @@ impl Interpreter<'_> {
     fn return_to_caller(&mut self) -> Outcome<()> {
         let P = if self.block.has(letter::P) { Some(self.called(99)?) } else { None };
         match (self.flow.frames.last_mut(), P) {
-            (None, _) => Err(Fault::limit(
-                Text::fixed(
-                    "M99 en el programa principal lo repite sin fin",
-                    "M99 in the main program repeats it without end",
-                ),
-                Text::fixed("termine el programa con M30", "end the program with M30"),
-            )),
+            (None, _) => Err(Fault::ended(&MainReturns {})),
             (Some(call), None) => match call.repeat() {
                 Some(start) => self.go_to(start),
                 None => self.leave(),
@@ -245,7 +191,7 @@ impl Interpreter<'_> {
                 self.leave()?;
                 // The number is one of the caller's program.
                 self.line = self.source().position().lines.max(1);
-                let block = self.block_numbered(number, column, 78);
+                let block = self.block_numbered(number, column, &BlockMissing { number });
                 self.line = line;
                 let block = block.map_err(|mut fault| {
                     // M99 stands here, and the blocks it may mean there.

@@ -1,12 +1,13 @@
 //! Where the text of a file ends for a control: at the second `%`. What stands behind it is neither run nor looked through.
 
-use crate::gcode::control::Comments;
+use crate::gcode::control::{Comments, Lexis, Percent};
 use crate::gcode::interpreter::cursor::Cursor;
 
 /// The lines of a file as they come by.
 #[derive(Debug)]
 pub(super) struct Tape {
     comments: Comments,
+    percent: Percent,
     /// A line of the program has come by.
     begun: bool,
     /// The first `%` has come by.
@@ -21,31 +22,32 @@ pub(super) fn has_code(line: &[u8]) -> bool {
 
 impl Tape {
     /// The beginning of a file.
-    pub(super) const fn new(comments: Comments) -> Self {
-        Self { comments, begun: false, opened: false }
+    pub(super) const fn new(lexis: &Lexis) -> Self {
+        Self { comments: lexis.comments, percent: lexis.percent, begun: false, opened: false }
     }
 
     /// True where the text ends with this line.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn ends(&mut self, line: &[u8]) -> bool {
         let mut cursor = Cursor::new(line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line), self.comments);
         let first = cursor.peek();
         let percent = cursor.accept(b'%') && cursor.peek() == 0;
-        match self.comments {
-            // A Fagor knows no second one.
-            Comments::Semicolon => false,
+        let begun = match self.percent {
+            Percent::Named => return false,
             // A `%` that none has opened is refused where it is executed.
-            Comments::ParenthesesAndSemicolon if percent && self.begun && !self.opened => false,
-            _ if percent && (self.begun || self.opened) => true,
-            _ if percent => {
-                self.opened = true;
-                false
-            }
-            comments => {
-                // A Fanuc passes over text before the first one.
-                self.begun |= if comments == Comments::Parentheses { has_code(line) } else { first != 0 };
-                false
-            }
+            Percent::Pair if percent && self.begun && !self.opened => return false,
+            Percent::Pair => first != 0,
+            Percent::Leader => has_code(line),
+        };
+        if percent && (self.begun || self.opened) {
+            return true;
         }
+        if percent {
+            self.opened = true;
+        } else {
+            self.begun |= begun;
+        }
+        false
     }
 }
 

@@ -1,7 +1,7 @@
 //! Tools: selection, change, length offsets.
 
 use crate::gcode::code::{G, Group, M};
-use crate::gcode::control::Turret;
+use crate::gcode::control::{ToolCall, ToolChange};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
@@ -17,10 +17,13 @@ use crate::machine::work_offset::{ActiveOffsets, G92_FIRST, G92_SWITCH};
 use crate::number::trig::sin_cos;
 
 impl Interpreter<'_> {
-    /// T: the tool that the next change brings.
+    /// T: the tool that the next change brings, or the turret's place.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn take_tool(&mut self) -> Outcome<()> {
-        if self.control.turret != Turret::Change {
-            return self.turn_turret();
+        match self.control.tool {
+            ToolCall::Change => {}
+            ToolCall::Words => return self.turn_by_words(),
+            ToolCall::Digits => return self.turn_by_digits(),
         }
         let Some(T) = self.block.get(letter::T) else { return Ok(()) };
         let number = self.tool_number(letter::T, T)?;
@@ -41,6 +44,7 @@ impl Interpreter<'_> {
     }
 
     /// M6 and M61.
+    #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn change_tool(&mut self, code: M) -> Outcome<()> {
         let column = self.block.m_column(6);
         if code == M::SetTool {
@@ -50,15 +54,14 @@ impl Interpreter<'_> {
             self.modal.tool = self.tool_number(letter::Q, Q)?;
             return Ok(());
         }
-        match self.modal.selected {
-            Some(tool) => self.modal.tool = tool,
-            None if self.control.expressions => {
+        let selected = self.modal.selected;
+        self.modal.tool = selected.unwrap_or(self.modal.tool);
+        match self.control.change {
+            ToolChange::Routine => {}
+            ToolChange::Selected if selected.is_none() => {
                 return Err(Fault::of(&ChangeWithoutTool {}, &[column]).hanging_on(doubt::TOOL));
             }
-            None => {}
-        }
-        if self.control.expressions {
-            self.modal.spindle = Spindle::Stopped;
+            ToolChange::Selected => self.modal.spindle = Spindle::Stopped,
         }
         Ok(())
     }

@@ -175,11 +175,11 @@ impl Interpreter<'_> {
     }
 
     /// The moves of a cycle, or its trouble as a refusal at its place.
-    pub(super) fn told(&self, moves: Result<Vec<Move>, Trouble>) -> Outcome<Vec<Move>> {
+    pub(super) fn told(&self, moves: Result<Vec<Move>, Box<Trouble>>) -> Outcome<Vec<Move>> {
         moves.map_err(|trouble| {
             let columns =
                 if trouble.line.is_none() { vec![self.block.g_column(Group::NonModal) + 1] } else { Vec::new() };
-            Box::new(Fault { columns, ..Fault::from(trouble) }).as_alarm_of(self.alarms())
+            Box::new(Fault { columns, ..Fault::from(*trouble) }).as_alarm_of(self.alarms())
         })
     }
 

@@ -8,7 +8,6 @@
 //! The lathe simulator's description of T0A0B; Fanuc Series 0i-T operator's manual: the last two digits are the offset, 0 for
 //! none. Fagor 8055 T: T the tool, D the offset.
 
-use crate::gcode::control::Turret;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
@@ -19,20 +18,22 @@ use crate::machine::work_offset::ActiveOffsets;
 
 impl Interpreter<'_> {
     /// T and D of a lathe.
-    pub(super) fn turn_turret(&mut self) -> Outcome<()> {
+    pub(super) fn turn_by_words(&mut self) -> Outcome<()> {
         let T = self.block.get(letter::T);
-        if self.control.turret == Turret::Words {
-            let D = self.block.get(letter::D).filter(|_| !self.has_turning_cycle());
-            let place = T.map(|T| self.tool_number(letter::T, T)).transpose()?;
-            let offset = match D {
-                Some(D) => Some(self.tool_number(letter::D, D)?),
-                None => place,
-            };
-            if place.is_some() || offset.is_some() {
-                self.put_in(place.unwrap_or(self.modal.tool), offset.unwrap_or(self.modal.offset));
-            }
-            return Ok(());
+        let D = self.block.get(letter::D).filter(|_| !self.has_turning_cycle());
+        let place = T.map(|T| self.tool_number(letter::T, T)).transpose()?;
+        let offset = match D {
+            Some(D) => Some(self.tool_number(letter::D, D)?),
+            None => place,
+        };
+        if place.is_some() || offset.is_some() {
+            self.put_in(place.unwrap_or(self.modal.tool), offset.unwrap_or(self.modal.offset));
         }
+        Ok(())
+    }
+
+    /// T0A0B.
+    pub(super) fn turn_by_digits(&mut self) -> Outcome<()> {
         if let Some((place, offset)) = self.turret_place()? {
             self.put_in(place, offset);
         }

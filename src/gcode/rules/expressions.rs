@@ -140,4 +140,60 @@ rules! {
         why "El control lo calcula él mismo y no deja cambiarlo.",
             "The control computes it itself and does not let it be changed.";
         example Example::program("linuxcnc", "G21 G90 F100|#5420=1|M2", "2:1");
+    "G0220" OutputWithoutNumber Stop {}
+        es "salida digital sin su número P"
+        en "digital output without its number P"
+        remedy "P es el número de la salida, entero de 0 en adelante", "P is the output's number, whole, from 0 on";
+        why "No se sabe qué salida se ha de mover.",
+            "Nothing says which output is meant.";
+        example Example::program("linuxcnc", "G21 G90 F100|M62|M2", "2:1");
+    "G0221" AnalogOutputIncomplete Stop {}
+        es "salida analógica sin su número E o sin Q"
+        en "analog output without its number E or without Q"
+        remedy "E es el número de la salida, entero de 0 en adelante; Q, su valor", "E is the output's number, whole, from 0 on; Q is its value";
+        why "Una salida analógica sin número o sin valor no dice nada.",
+            "An analog output without number or value says nothing.";
+        example Example::program("linuxcnc", "G21 G90 F100|M67 E0|M2", "2:1");
+    "G0222" InputNeither Stop {}
+        es "M66 espera o P o E"
+        en "M66 wants either P or E"
+        remedy "P es el número de una entrada digital y E el de una analógica, entero de 0 en adelante", "P is the number of a digital input, E that of an analog one, whole, from 0 on";
+        why "M66 lee una sola entrada: con dos, o con ninguna, no se sabe cuál.",
+            "M66 reads one input: with two, or none, nothing says which.";
+        example Example::program("linuxcnc", "G21 G90 F100|M66|M2", "2:1");
+    "G0223" InputWaitUnknown Stop {}
+        es "L de M66 no es un modo de espera"
+        en "L of M66 is no way to wait"
+        remedy "L es 0, 1, 2, 3 o 4", "L is 0, 1, 2, 3 or 4";
+        why "El control no conoce esa manera de esperar.",
+            "The control knows no such way to wait.";
+        example Example::program("linuxcnc", "G21 G90 F100|M66 P0 L9|M2", "2:1");
+    "G0224" InputAnalogWait Stop {}
+        es "M66 con E y una espera"
+        en "M66 with E and a wait"
+        remedy "una entrada analógica solo se lee: L0", "an analog input is only read: L0";
+        why "Una entrada analógica no tiene flanco al que esperar.",
+            "An analog input has no edge to wait for.";
+        example Example::program("linuxcnc", "G21 G90 F100|M66 E0 L3 Q1|M2", "2:1");
+    "G0225" InputWithoutTime Stop {}
+        es "M66 con una espera y sin su tiempo Q"
+        en "M66 with a wait and without its time Q"
+        remedy "dé Q en segundos, mayor que 0", "give Q in seconds, greater than 0";
+        why "Sin tiempo el control no esperaría nada.",
+            "Without a time the control would not wait at all.";
+        example Example::program("linuxcnc", "G21 G90 F100|M66 P0 L3|M2", "2:1");
+    "G0226" InputRead Note {}
+        es "M66 lee una entrada, que no está en el programa"
+        en "M66 reads an input, which is not in the program"
+        remedy "", "";
+        why "Lo que haga el programa después puede depender de la entrada.",
+            "What the program does afterwards may depend on the input.";
+        example Example::program("linuxcnc", "G21 G90 F100|M66 P0|M2", "2:1");
+    "G0227" InputWaited Note {}
+        es "M66 espera a una entrada: ese tiempo no está en la suma"
+        en "M66 waits for an input: that time is not in the sum"
+        remedy "", "";
+        why "La duración que se da es la del programa sin la espera.",
+            "The duration that is told is that of the program without the wait.";
+        example Example::program("linuxcnc", "G21 G90 F100|M66 P0 L3 Q1|M2", "2:1");
 }

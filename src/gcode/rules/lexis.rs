@@ -183,4 +183,18 @@ rules! {
         why "El control obedece este comentario: muestra, anota o calcula algo que aquí no se hace.",
             "The control obeys this comment: it shows, logs or computes something that is not done here.";
         example Example::program("linuxcnc", "G21 G90 F100|(MSG,turn the part)|G0 X1|M2", "2:1");
+    "G0026" Utf16 Stop {}
+        es "el archivo está en UTF-16"
+        en "the file is in UTF-16"
+        remedy "guárdelo como texto ASCII o UTF-8", "save it as ASCII or UTF-8 text";
+        why "Ningún control lee ese texto: entre cada dos letras ve un carácter nulo.",
+            "No control reads such a text: between any two letters it sees a null character.";
+        example Example::Never(Text::fixed("son bytes que no son texto", "it is bytes that are no text"));
+    "G0027" MoreRefusals Note { count: usize }
+        es "y {count} errores más"
+        en "and {count} more errors"
+        remedy "", "";
+        why "Se listan los primeros: los demás suelen venir de la misma causa.",
+            "The first ones are listed: the others mostly come of the same cause.";
+        example Example::Repeated { control: "linuxcnc", word: "G77|", times: 60 };
 }

@@ -4,4 +4,5 @@
 //! G0501 on of what is in force.
 
 pub mod expressions;
+pub mod flow;
 pub mod lexis;

@@ -38,7 +38,7 @@ pub struct Square {
 
 impl Square {
     /// Refuses another corner.
-    fn check(self, u: [f64; 2], v: [f64; 2]) -> Result<(), Trouble> {
+    fn check(self, u: [f64; 2], v: [f64; 2]) -> Result<(), Box<Trouble>> {
         let along = |way: [f64; 2]| [0, 1].into_iter().find(|&axis| way[1 - axis].abs() < STRAIGHT);
         let (Some(first), Some(second)) = (along(u), along(v)) else { return Err(Trouble::of(&CornerNotSquare {})) };
         if first == second || self.axis.is_some_and(|axis| axis != second) {
@@ -78,7 +78,7 @@ fn way(from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], f64)> {
 /// # Errors
 /// PS0051 where a line has no length or goes another way than `square` says, PS0054 for lines that are not along one axis each,
 /// PS0055 for an edge that takes more than a line has; a refusal between two lines that run back along each other.
-pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> Result<Option<Broken>, Trouble> {
+pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> Result<Option<Broken>, Box<Trouble>> {
     let (Some((u, before)), Some((v, behind))) = (way(a, b), way(b, c)) else {
         return Err(Trouble::of(&CornerLineWithoutLength {}));
     };

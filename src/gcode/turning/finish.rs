@@ -13,7 +13,7 @@ use crate::gcode::turning::{Move, Way};
 ///
 /// # Errors
 /// PS0063 for a contour without blocks, PS0065 for one that begins with an arc.
-pub fn finish(profile: &Profile) -> Result<Vec<Move>, Trouble> {
+pub fn finish(profile: &Profile) -> Result<Vec<Move>, Box<Trouble>> {
     check(profile)?;
     let Some(first) = profile.elements.first() else { return Err(Trouble::of(&ContourNotFound {})) };
     if first.arc.is_some() {

@@ -44,7 +44,7 @@ pub struct Groove {
 /// # Errors
 /// PS0318 to PS0320 for reliefs and steps of the wrong sign, or a step of 0 along an axis with a way to go; refusals for a
 /// groove without depth; a limit for more than 100,000 steps.
-pub fn face(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Trouble> {
+pub fn face(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Box<Trouble>> {
     expand(start, groove, [0, 1])
 }
 
@@ -52,7 +52,7 @@ pub fn face(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Trouble> {
 ///
 /// # Errors
 /// As for [`face`].
-pub fn radial(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Trouble> {
+pub fn radial(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Box<Trouble>> {
     expand(start, groove, [1, 0])
 }
 
@@ -67,7 +67,7 @@ fn step_end(from: f64, to: f64, step: f64, n: usize, count: usize) -> f64 {
     if n == count { to } else { from + (to - from).signum() * step * n as f64 }
 }
 
-fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move>, Trouble> {
+fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move>, Box<Trouble>> {
     let Groove { retract, to, step, relief, feed } = *groove;
     finite(&[start[0], start[1], retract, to[0], to[1], step[0], step[1], relief, feed.unwrap_or(0.0)])?;
     let frame = PassFrame { axes, signs: [1.0; 2] };

@@ -40,7 +40,7 @@ pub struct Repeat {
 /// # Errors
 /// PS0321 for a number of passes below 1, PS0063 for a contour without blocks, PS0065 for one that begins with an arc, and a
 /// limit for more than [`ROUGHING_PASSES`] passes or 1,000,000 moves.
-pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Trouble> {
+pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Box<Trouble>> {
     let Repeat { relief, passes, allowance, feed } = *repeat;
     finite(&[relief[0], relief[1], allowance[0], allowance[1], feed.unwrap_or(0.0)])?;
     check(profile)?;

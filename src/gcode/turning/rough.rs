@@ -55,7 +55,7 @@ pub struct Rough {
 /// PS0062 for a depth of cut that is not above 0, PS0065 for a contour that begins with an arc, PS0322 for one that reaches
 /// beyond the starting point, PS0064 and PS0329 for one that goes back along Z or X (X: type I alone), and refusals without a
 /// number for allowances towards the metal, for a contour without extent and for more than [`ROUGHING_PASSES`] passes.
-pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
+pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Box<Trouble>> {
     expand(profile, rough, [1, 0])
 }
 
@@ -63,17 +63,17 @@ pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
 ///
 /// # Errors
 /// As for [`axial`], with X and Z exchanged.
-pub fn radial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
+pub fn radial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Box<Trouble>> {
     expand(profile, rough, [0, 1])
 }
 
 /// The alarm for a contour that goes back along X (0) or Z (1).
-fn goes_back(axis: usize) -> Trouble {
+fn goes_back(axis: usize) -> Box<Trouble> {
     if axis == 0 { Trouble::of(&ContourBackAlongX {}) } else { Trouble::of(&ContourBackAlongZ {}) }
 }
 
 /// The drawing of a cycle: the axis of the passes and the axis of the depth as given, the signs from where the contour lies.
-fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<PassFrame, Trouble> {
+fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<PassFrame, Box<Trouble>> {
     let plain = PassFrame { axes, signs: [1.0; 2] };
     let (Some(first), Some(last)) = (profile.elements.first(), profile.elements.last()) else {
         return Err(Trouble::of(&ContourNotFound {}));
@@ -104,7 +104,7 @@ fn beyond(profile: &Profile, frame: PassFrame, start: f64, below: bool) -> usize
 }
 
 /// A refusal for a parameter of the cycle's own block that is no number a control would take.
-pub(super) fn finite(values: &[f64]) -> Result<(), Trouble> {
+pub(super) fn finite(values: &[f64]) -> Result<(), Box<Trouble>> {
     if values.iter().all(|value| value.is_finite()) {
         return Ok(());
     }
@@ -118,7 +118,7 @@ struct RoughingPass {
     above: f64,
 }
 
-fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move>, Trouble> {
+fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move>, Box<Trouble>> {
     finite(&[rough.depth, rough.retract, rough.U, rough.W, rough.feed.unwrap_or(0.0)])?;
     check(profile)?;
     if rough.depth <= 0.0 {
@@ -180,7 +180,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
 }
 
 /// Refuses a contour with numbers that are none.
-pub(super) fn check(profile: &Profile) -> Result<(), Trouble> {
+pub(super) fn check(profile: &Profile) -> Result<(), Box<Trouble>> {
     finite(&profile.start)?;
     for element in &profile.elements {
         let centre = element.arc.map_or([0.0; 2], |(centre, _)| centre);

@@ -61,7 +61,7 @@ impl Threading {
     /// # Errors
     /// PS0313, PS0315, PS0316 and PS0317 for a lead, an angle, a least cut, a height or a first cut that a control does not
     /// take; refusals for the other parameters; a limit for more than [`THREAD_PASSES`] passes.
-    pub fn depths(&self) -> Result<Vec<f64>, Trouble> {
+    pub fn depths(&self) -> Result<Vec<f64>, Box<Trouble>> {
         self.check()?;
         let target = self.height - self.allowance;
         // Without a least cut it takes (target/Δd)² passes.
@@ -87,7 +87,7 @@ impl Threading {
         Ok(depths)
     }
 
-    fn check(&self) -> Result<(), Trouble> {
+    fn check(&self) -> Result<(), Box<Trouble>> {
         let Self { angle, least, allowance, to, taper, height, first, lead, .. } = *self;
         finite(&[angle, least, allowance, to[0], to[1], taper, height, first, lead])?;
         if lead <= 0.0 {
@@ -117,7 +117,7 @@ impl Threading {
 /// # Errors
 /// Those of [`Threading::depths`]; refusals for a thread without length, for one that is shorter than its pull-out or than
 /// the infeed along the flank, and for a start that lies within the thread.
-pub fn thread(start: [f64; 2], threading: &Threading) -> Result<Vec<Move>, Trouble> {
+pub fn thread(start: [f64; 2], threading: &Threading) -> Result<Vec<Move>, Box<Trouble>> {
     finite(&start)?;
     let depths = threading.depths()?;
     let Threading { to, taper, height, lead, .. } = *threading;

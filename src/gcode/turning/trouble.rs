@@ -23,14 +23,14 @@ pub struct Trouble {
 impl Trouble {
     /// A refusal of a row.
     #[must_use]
-    pub fn of(row: &dyn Raise) -> Self {
+    pub fn of(row: &dyn Raise) -> Box<Self> {
         let (rule, data) = (row.rule(), row.carries());
-        Self { rule, data, exit: Exit::Refused, what: row.what(), remedy: row.remedy(), line: None }
+        Box::new(Self { rule, data, exit: Exit::Refused, what: row.what(), remedy: row.remedy(), line: None })
     }
 
     /// The same where a limit of rodete's own is reached.
     #[must_use]
-    pub const fn beyond(mut self) -> Self {
+    pub fn beyond(mut self: Box<Self>) -> Box<Self> {
         self.exit = Exit::Limit;
         self
     }
@@ -43,7 +43,7 @@ impl Trouble {
 
     /// The same in a block of the contour.
     #[must_use]
-    pub const fn at(mut self, line: usize) -> Self {
+    pub fn at(mut self: Box<Self>, line: usize) -> Box<Self> {
         self.line = Some(line);
         self
     }

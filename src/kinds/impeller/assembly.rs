@@ -69,7 +69,7 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
     let (Style::Full, Some(F)) = (design.style, design.F) else {
         return Ok(Feed::None);
     };
-    let law = design.control.feed;
+    let law = design.control.law;
     let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
     let mut at = from;
     for to in points {
@@ -186,8 +186,8 @@ impl<'a> Assembly<'a> {
         self.go(turned, &[Axis::B, Axis::C]);
         self.go(over(self.at, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);
         self.go(over(self.at, &[Axis::Z]), &[Axis::Z]);
-        if design.control.feed.code() != 94 {
-            self.parts.push(block([Word::whole('G', design.control.feed.code())]));
+        if design.control.law.code() != 94 {
+            self.parts.push(block([Word::whole('G', design.control.law.code())]));
         }
         Ok(())
     }
@@ -270,7 +270,7 @@ impl<'a> Assembly<'a> {
     pub fn finish(mut self, key: &'static str, title: Text) -> Program {
         let design = self.design;
         if design.style == Style::Full {
-            if design.control.feed.code() != 94 {
+            if design.control.law.code() != 94 {
                 self.parts.push(block([Word::whole('G', 94)]));
             }
             let over = |at: Position, from: Position, axes: &[Axis]| {

@@ -283,7 +283,7 @@ impl Design {
                     );
                 }
             }
-        } else if self.control.feed_required {
+        } else if self.control.feed.missing.refused() {
             let name = self.control.name;
             stop(
                 &["style", "dialect"],

@@ -105,7 +105,7 @@ impl Design {
     /// whether the rotary axes are rollover or not.
     #[must_use]
     pub fn turns_by_increments(&self) -> bool {
-        let may_roll = self.control.rotary == Counting::Rollover;
+        let may_roll = self.control.rotary.delivered == Counting::Rollover;
         self.style == Style::Full && self.distance == Distance::Incremental && may_roll
     }
 
@@ -168,7 +168,7 @@ impl Design {
             counting: match values.choice("rotary") {
                 Some("linear") => Counting::Linear,
                 Some(_) => Counting::Rollover,
-                None => dialect.rotary,
+                None => dialect.rotary.delivered,
             },
             style: if values.choice("style")? == "full" { Style::Full } else { Style::Annex },
             distance: if values.choice("distance")? == "G91" { Distance::Incremental } else { Distance::Absolute },

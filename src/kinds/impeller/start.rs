@@ -21,7 +21,7 @@ fn at(keys: &[&'static str]) -> Place {
 pub(super) fn start(design: &Design) -> Vec<Finding> {
     let mut findings = vec![rotary_axes(design)];
     // Of the clamps of other machines nothing was published.
-    if design.control.rotary == Rotary::Rollover {
+    if design.control.rotary.delivered == Rotary::Rollover {
         findings.push(clamps(design));
     }
     if design.coolant.is_empty() {
@@ -72,7 +72,7 @@ fn rotary_axes(design: &Design) -> Finding {
             ),
         );
     }
-    if design.control.rotary == Rotary::Rollover {
+    if design.control.rotary.delivered == Rotary::Rollover {
         return Finding::caution(
             place,
             what,
@@ -134,7 +134,7 @@ fn retract(design: &Design) -> Option<Finding> {
     }
     let by_machine_zero = holds(&design.retract, 'G', 53);
     let heights = design.retract.iter().filter(|word| matches!(word.number, Number::Size(_))).count();
-    (design.control.rotary == Rotary::Rollover && by_machine_zero && heights > 0).then(|| {
+    (design.control.rotary.delivered == Rotary::Rollover && by_machine_zero && heights > 0).then(|| {
         Finding::caution(
             at(&["retract"]),
             Text::fixed(

@@ -339,10 +339,10 @@ impl Given {
         setting.var_file = file;
         setting.start.machine.set(Axis::X, reference[0]);
         setting.start.machine.set(Axis::Z, reference[1]);
-        // A Fagor keeps tool and offset over the end of a program; a Fanuc starts without an offset.
+        // Some controls keep tool and offset over the end of a program, others start without an offset.
         if let Some((&place, _)) = self.setup.turret.tools.iter().next() {
             setting.start.tool = place;
-            if *self.control != FANUC_LATHE_A {
+            if self.control.tool.keeps_offset() {
                 setting.start.offset = self.first_offset;
             }
         }
@@ -366,8 +366,8 @@ fn control(values: &Values) -> (&'static Control, Option<DecimalPoint>) {
 /// program's file each such dimension is refused by itself.
 #[must_use]
 pub fn without_rule(values: &Values) -> Option<Finding> {
-    let (dialect, point) = control(values);
-    (point.is_none() && *dialect == FANUC_LATHE_A).then(|| {
+    let (control, point) = control(values);
+    (point.is_none() && control.lexis.point.by_setting()).then(|| {
         values.locate(Finding::stop(
             Place::Parameters(vec!["point"]),
             Text::fixed(

@@ -7,7 +7,7 @@ use rodete::gcode::motion::MotionKind;
 
 /// How many arcs a program makes, what is refused and what is cautioned of.
 fn read(dialect: &'static Control, arc: &str) -> (usize, Vec<String>, Vec<String>) {
-    let plane = if dialect.diameter { "G18" } else { "G17" };
+    let plane = if dialect.turns() { "G18" } else { "G17" };
     let program = format!("{plane} G90 G94 F100\nG0 X0 Y0 Z0\n{arc}\nM30\n");
     let mut interpreter = Interpreter::over(program.as_bytes(), Setting::new(dialect));
     let (mut arcs, mut refused) = (0, Vec::new());

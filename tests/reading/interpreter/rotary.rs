@@ -39,8 +39,11 @@ fn ends(rotary: Rotary, program: &str) -> Vec<f64> {
 
 #[test]
 fn only_a_fagor_8055_has_rollover_axes_as_delivered() {
-    let rollover: Vec<_> =
-        ALL.into_iter().filter(|dialect| dialect.rotary == Rotary::Rollover).map(|dialect| dialect.name).collect();
+    let rollover: Vec<_> = ALL
+        .into_iter()
+        .filter(|dialect| dialect.rotary.delivered == Rotary::Rollover)
+        .map(|dialect| dialect.name)
+        .collect();
     assert_eq!(rollover, ["fagor-8055", "fagor-8055-t"]);
 }
 

@@ -6,7 +6,8 @@
 mod drilling;
 pub(super) mod single_pass;
 
-use crate::gcode::code::{Cycle, G};
+use crate::gcode::code::{Cycle, G, Group};
+use crate::gcode::control::Drilling;
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
@@ -50,8 +51,18 @@ pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
 }
 
 impl Interpreter<'_> {
-    /// A canned cycle of the block in hand.
-    pub(super) fn cycle(&mut self, cycle: Cycle) -> Outcome<()> {
+    /// A canned cycle of the block in hand, as the control drills.
+    #[deny(clippy::wildcard_enum_match_arm)]
+    pub(super) fn drill(&mut self, cycle: Cycle) -> Outcome<()> {
+        match self.control.drilling {
+            Drilling::Rs274 => self.cycle(cycle),
+            Drilling::Lathe => self.hole(cycle),
+            Drilling::None => Err(self.unknown('G', cycle.number(), self.block.g_column(Group::Motion))),
+        }
+    }
+
+    /// A canned cycle along the axis across the plane.
+    fn cycle(&mut self, cycle: Cycle) -> Outcome<()> {
         let feed = self.feed()?;
         if matches!(feed.mode, FeedMode::InverseTime | FeedMode::Seconds) {
             return Err(Fault::of(&CycleUnderInverseTime {}, &[]));
@@ -124,7 +135,7 @@ impl Interpreter<'_> {
         if self.returns_initial() {
             run.clear = old;
         }
-        if self.modal.return_initial.is_none() && !self.control.return_initial && old > r {
+        if self.modal.return_initial.is_none() && !self.control.start.retract.initial() && old > r {
             let line = self.line;
             self.remarks.row(&ReturnHeightNotSaid {}, line, None);
         }
@@ -137,7 +148,7 @@ impl Interpreter<'_> {
 
     /// Whether cycles return to the height that they started from.
     pub(super) fn returns_initial(&self) -> bool {
-        self.modal.return_initial.unwrap_or(self.control.return_initial)
+        self.modal.return_initial.unwrap_or(self.control.start.retract.initial())
     }
 
     /// P, Q, I, J and K of the cycle.
@@ -205,7 +216,7 @@ impl Interpreter<'_> {
         if wanted.is_some_and(|wanted| wanted != turns) || (needs && turns == Spindle::Stopped) {
             return Err(Fault::of(&CycleSpindle { cycle: cycle.number() }, &[]).hanging_on(doubt::SPINDLE));
         }
-        if wanted.is_some() && self.modal.plane != Plane::XY && self.control.expressions {
+        if wanted.is_some() && self.modal.plane != Plane::XY {
             self.remarks.row(&TappingOutsideG17 { cycle: cycle.number() }, self.line, None);
         }
         if cycle == Cycle::BoreManual {

@@ -115,7 +115,7 @@ impl Interpreter<'_> {
             self.block.has(letter::X) || self.block.has(letter::U),
             self.block.has(letter::Z) || self.block.has(letter::W),
         ];
-        let bare = self.block.present & !self.control.free.mask() == 0;
+        let bare = self.block.present & !self.control.lexis.free.mask() == 0;
         if pass == SinglePassCycle::Axial && before.is_none() && bare {
             self.bare_axial_pass();
             return Ok(());

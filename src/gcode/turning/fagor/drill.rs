@@ -52,7 +52,7 @@ pub struct Drill {
 ///
 /// # Errors
 /// Refusals for a depth of 0, negative distances, an R beyond 0 to 1; a limit for more than 10,000 steps.
-pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
+pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Box<Trouble>> {
     let Drill { at, depth, step, safety, dwell, least, factor, .. } = *drill;
     let (back, near) = (drill.back.unwrap_or(0.0), drill.near.unwrap_or(1.0));
     finite(&[start[0], start[1], at[0], at[1], depth, step, safety, dwell, least, factor, back, near])?;

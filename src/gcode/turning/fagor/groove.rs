@@ -42,7 +42,7 @@ pub struct Groove {
 /// # Errors
 /// Refusals for a groove without depth, a step that is not above 0, a negative D or K, a start below the brim; a limit for
 /// more than 10,000 places.
-pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move>, Trouble> {
+pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move>, Box<Trouble>> {
     let Groove { from, to, step, safety, dwell } = *groove;
     finite(&[start[0], start[1], from[0], from[1], to[0], to[1], step, safety, dwell])?;
     let [u, v] = along.axes();

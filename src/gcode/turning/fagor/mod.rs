@@ -44,11 +44,11 @@ fn sign(way: f64) -> f64 {
 }
 
 /// A refusal for C, B or another step that is not above 0.
-fn no_step(letter: char) -> Trouble {
+fn no_step(letter: char) -> Box<Trouble> {
     Trouble::of(&FagorStepNotPositive { letter })
 }
 
 /// A refusal for a start from which the cycle cannot be made.
-fn wrong_start() -> Trouble {
+fn wrong_start() -> Box<Trouble> {
     Trouble::of(&FagorStartInside {})
 }

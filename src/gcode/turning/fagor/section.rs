@@ -53,7 +53,7 @@ pub struct Section {
 }
 
 impl Section {
-    fn check(&self) -> Result<(), Trouble> {
+    fn check(&self) -> Result<(), Box<Trouble>> {
         let Self { from, to, step, back, stock, roughing, finishing, .. } = *self;
         let centre = self.centre.unwrap_or_default();
         finite(&[from[0], from[1], to[0], to[1], centre[0], centre[1], step, stock[0], stock[1]])?;
@@ -70,7 +70,7 @@ impl Section {
     }
 
     /// The arc of the section: its centre and whether it is clockwise (G2).
-    fn arc(&self) -> Result<Option<([f64; 2], bool)>, Trouble> {
+    fn arc(&self) -> Result<Option<([f64; 2], bool)>, Box<Trouble>> {
         let Some(offset) = self.centre else { return Ok(None) };
         let centre = [self.from[0] + offset[0], self.from[1] + offset[1]];
         // Along Z and X, where angles count from +Z towards +X.
@@ -92,7 +92,7 @@ impl Section {
 /// # Errors
 /// Refusals for a step that is not above 0, negative distances, an arc without a single radius or one that turns back, a
 /// profile that falls from the initial to the final point, and a start within what is to be cut; a limit for too many passes.
-pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<Move>, Trouble> {
+pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<Move>, Box<Trouble>> {
     finite(&start)?;
     section.check()?;
     let arc = section.arc()?;

@@ -60,7 +60,7 @@ impl Threading {
     ///
     /// # Errors
     /// Refusals for a depth or a step of 0 and for what the last pass takes off; a limit for too many passes.
-    pub fn depths(&self) -> Result<Vec<f64>, Trouble> {
+    pub fn depths(&self) -> Result<Vec<f64>, Box<Trouble>> {
         let Self { depth, step, least, finishing, .. } = *self;
         finite(&[depth, step, least, finishing])?;
         let (full, finishing) = (depth.abs(), finishing.abs());
@@ -104,7 +104,7 @@ impl Threading {
 /// # Errors
 /// Those of [`Threading::depths`]; refusals for a lead of 0, a negative J, an angle beyond 90 degrees, a thread without length
 /// or shorter than its way in and out.
-pub fn thread(start: [f64; 2], along: Along, threading: &Threading) -> Result<Vec<Move>, Trouble> {
+pub fn thread(start: [f64; 2], along: Along, threading: &Threading) -> Result<Vec<Move>, Box<Trouble>> {
     let Threading { from, to, depth, safety, lead, exit, angle, .. } = *threading;
     finite(&[start[0], start[1], from[0], from[1], to[0], to[1], safety, lead, exit, angle])?;
     let depths = threading.depths()?;

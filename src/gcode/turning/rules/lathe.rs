@@ -91,14 +91,14 @@ rules! {
         en "{word} stands twice in the tool table"
         remedy "escriba una herramienta por línea: T1 P1 Z10.5 D6", "write one tool a line: T1 P1 Z10.5 D6";
         why "No se sabe cuál de las dos longitudes vale.", "Which of the two lengths holds is not known.";
-        example Example::program("fanuc-lathe-a", "TODO G0812", "0");
+        example Example::Program { control: "linuxcnc", program: "G21 G90 F100|T1 M6|M2", at: "2:1", given: &[("--tools", "T1 Z10|T1 Z20")] };
     "G0813" NoWordOfToolTable Stop { word: String }
         es "«{word}» no es una palabra de la tabla de herramientas"
         en "'{word}' is no word of a tool table"
         remedy "escriba una herramienta por línea: T1 P1 Z10.5 D6", "write one tool a line: T1 P1 Z10.5 D6";
         why "Una longitud mal leída lleva la herramienta a otra altura.",
             "A length that is read wrongly takes the tool to another height.";
-        example Example::program("fanuc-lathe-a", "TODO G0813", "0");
+        example Example::Program { control: "linuxcnc", program: "G21 G90 F100|T1 M6|M2", at: "1:4", given: &[("--tools", "T1 Z1,5")] };
     "G0820" NoToolNumber Stop { value: f64 }
         es "{value} no es un número de herramienta"
         en "{value} is no tool number"

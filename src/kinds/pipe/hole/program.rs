@@ -19,9 +19,6 @@ pub const TITLE: Text = Text::fixed("Agujero biselado", "Bevelled hole");
 /// The axes that the program moves, in the order of a [`Place`].
 pub const AXES: [Axis; 5] = [Axis::A, Axis::X, Axis::Z, Axis::B, Axis::C];
 
-/// Greatest height control input of a plasma table in LinuxCNC: its QtPlasmaC holds the height while output 2 is on.
-const HOLD_OUTPUT: u32 = 2;
-
 /// The block that holds the height control, or lets it go; `None` where neither workbook nor control has one.
 #[must_use]
 pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
@@ -29,15 +26,14 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     if !given.is_empty() {
         return Some(given.clone());
     }
-    let code = if on { 62 } else { 63 };
-    (design.control.name == "linuxcnc").then(|| vec![Word::whole('M', code), Word::whole('P', HOLD_OUTPUT)])
+    design.control.height.words(on)
 }
 
 /// How the program turns A, B and C: where the control's rotary axes are rollover as delivered, the number of an absolute
 /// word would be an angle from 0 to 360 and its sign the direction. Increments are the same motions on either axis.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    match design.control.rotary {
+    match design.control.rotary.delivered {
         Rotary::Rollover => Distance::Incremental,
         Rotary::Linear => Distance::Absolute,
     }
@@ -76,7 +72,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     comments(design, &mut header);
     let mut parts = header.parts;
     let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
-    let law = control.feed;
+    let law = control.law;
     let safe = Milli::round(design.R_o() + design.Z_s)?;
     let rapid = |words: Vec<Word>| std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>();
     let distance = distance(design);

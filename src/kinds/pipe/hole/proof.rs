@@ -157,7 +157,7 @@ impl Watch<'_> {
             let speed = way * 60.0 / seconds;
             self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
             let word = if let MotionKind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
-            if !timely(self.design.control.feed, motion, word, leg.seconds) {
+            if !timely(self.design.control.law, motion, word, leg.seconds) {
                 self.off_speed.get_or_insert((speed, at));
             }
             let slower = seconds / leg.seconds - 1.0;
@@ -310,7 +310,7 @@ fn clear_limit(design: &Design) -> f64 {
 #[must_use]
 pub fn verify(design: &Design, cut: &Cut, program: &Program) -> (Verification, Curve, Account) {
     let (mut checks, curve, account) = judge(design, cut, program, &mut program.read_back());
-    checks.push(rollover::check(program, design.control.rotary));
+    checks.push(rollover::check(program, design.control.rotary.delivered));
     let mut verification = Verification::default();
     verification.add(program, checks);
     (verification, curve, account)

@@ -77,7 +77,7 @@ impl Design {
                 "style annex is the published one, on a flat sheet".to_owned(),
                 Text::fixed("style = full, o mode = plano", "style = full, or mode = flat"),
             ),
-            Style::Annex if self.control.feed_required => {
+            Style::Annex if self.control.feed.missing.refused() => {
                 let name = self.control.name;
                 stop(
                     &["style", "dialect"],

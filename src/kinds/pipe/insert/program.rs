@@ -79,7 +79,7 @@ pub const TRUE_FOR_BOTH: [&str; 2] =
 /// are the same motions on either axis.
 #[must_use]
 pub fn distance(design: &Design) -> Distance {
-    match (design.mode, design.control.rotary) {
+    match (design.mode, design.control.rotary.delivered) {
         (Mode::Rotary, Rotary::Rollover) => Distance::Incremental,
         _ => Distance::Absolute,
     }
@@ -96,7 +96,7 @@ pub fn approach(design: &Design, pierce: [Milli; 2]) -> usize {
 /// # Errors
 /// For a number that no program may carry.
 pub fn dwell(control: &Control, seconds: f64) -> Result<Option<Word>, OutOfFormat> {
-    let Some(&(letter, unit)) = control.dwell.first() else { return Ok(None) };
+    let Some(&(letter, unit)) = control.lexis.dwell.first() else { return Ok(None) };
     let letter = char::from(b'A' + letter);
     let number = seconds / unit;
     if unit == 1.0 {
@@ -135,7 +135,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
     let letters = letters(design.mode);
     let place = |to: [Milli; 2]| letters.into_iter().zip(to).map(|(letter, size)| Word::size(letter, size));
-    let law = if design.mode == Mode::Rotary { control.feed } else { FeedLaw::Resultant };
+    let law = if design.mode == Mode::Rotary { control.law } else { FeedLaw::Resultant };
     let distance = distance(design);
     block(control.safety_block());
     match distance {

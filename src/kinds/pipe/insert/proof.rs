@@ -204,7 +204,7 @@ impl Watch<'_> {
         let good = match self.design.mode {
             // F is the speed over the sheet itself; a word within a billionth of a whole step is that step.
             Mode::Flat => (F - step(FeedLaw::Resultant, F)..=F * (1.0 + 1e-9)).contains(&word),
-            Mode::Rotary => timely(self.design.control.feed, motion, word, planned),
+            Mode::Rotary => timely(self.design.control.law, motion, word, planned),
         };
         if !good || seconds < planned * (1.0 - 1e-6) {
             self.off_speed.get_or_insert((speed, at));
@@ -364,7 +364,7 @@ pub fn verify(design: &Design, cut: Option<&Cut>, program: &Program) -> (Verific
     let mut text = program.read_back_with(setting);
     let (mut checks, curve, account) = judge(design, cut, program, &mut text);
     if design.mode == Mode::Rotary {
-        checks.push(rollover::check(program, design.control.rotary));
+        checks.push(rollover::check(program, design.control.rotary.delivered));
     }
     let mut verification = Verification::default();
     verification.add(program, checks);

@@ -1,0 +1,90 @@
+//! What axis words and the words of an arc say.
+
+use super::Letters;
+use crate::machine::axis::Axis;
+
+/// What a word of X is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AcrossWord {
+    /// The coordinate.
+    Radius,
+    /// Twice the coordinate.
+    Diameter,
+}
+
+impl AcrossWord {
+    /// The coordinate that a word of X, or of its increment, says.
+    #[must_use]
+    pub fn coordinate(self, word: f64) -> f64 {
+        match self {
+            Self::Radius => word,
+            Self::Diameter => word / 2.0,
+        }
+    }
+}
+
+/// How increments are programmed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Increments {
+    /// By G91.
+    ByMode,
+    /// By U and W, the increments of X and Z; G91 is no code.
+    ByLetters,
+}
+
+/// How axis words are read.
+#[derive(Clone, Copy, Debug)]
+pub struct AxisWords {
+    /// X.
+    pub x: AcrossWord,
+    /// Increments.
+    pub increments: Increments,
+}
+
+impl AxisWords {
+    /// The coordinate that a word of an axis says, in the unit of the word.
+    #[must_use]
+    pub fn coordinate(self, axis: Axis, word: f64) -> f64 {
+        if axis == Axis::X { self.x.coordinate(word) } else { word }
+    }
+
+    /// The axis that a letter moves by an increment, whatever the mode.
+    #[must_use]
+    pub const fn increment(self, letter: Axis) -> Option<Axis> {
+        match (self.increments, letter) {
+            (Increments::ByLetters, Axis::U) => Some(Axis::X),
+            (Increments::ByLetters, Axis::W) => Some(Axis::Z),
+            (Increments::ByLetters, Axis::X | Axis::Y | Axis::Z | Axis::A | Axis::B | Axis::C | Axis::V)
+            | (Increments::ByMode, _) => None,
+        }
+    }
+
+    /// True where U and W are increments.
+    #[must_use]
+    pub const fn by_letters(self) -> bool {
+        match self.increments {
+            Increments::ByLetters => true,
+            Increments::ByMode => false,
+        }
+    }
+}
+
+/// What the centre word of the axis across the plane says in an arc, as K in G17.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Across {
+    /// It belongs to no arc of the plane.
+    Foreign,
+    /// The pitch of a helix, above 0.
+    Pitch,
+    /// Not known. 0 in an arc that does not leave its plane comes to nothing, whether it is a centre or a pitch.
+    Unknown,
+}
+
+/// The words of an arc.
+#[derive(Clone, Copy, Debug)]
+pub struct ArcWords {
+    /// Beside the axes.
+    pub letters: Letters,
+    /// The centre word of the axis across the plane.
+    pub across: Across,
+}

@@ -1,0 +1,188 @@
+//! The characters of a program: letters, comments, expressions, `/` and `%`.
+
+use super::Letters;
+
+/// What a control reads beside letters with numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// Words alone.
+    Words,
+    /// Parameters `#`, expressions, polar words, and O-words that steer the program.
+    OWords,
+    /// A macro language (IF, WHILE, GOTO, `#`), which is refused by name.
+    Macros,
+}
+
+impl Language {
+    /// True where numbers may be computed and O steers the program; else O numbers a program.
+    #[must_use]
+    pub const fn computes(self) -> bool {
+        match self {
+            Self::OWords => true,
+            Self::Words | Self::Macros => false,
+        }
+    }
+
+    /// True where words of a macro language are refused by name.
+    #[must_use]
+    pub const fn refuses_macros(self) -> bool {
+        match self {
+            Self::Macros => true,
+            Self::Words | Self::OWords => false,
+        }
+    }
+}
+
+/// How a comment is told from words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comments {
+    /// `(...)` anywhere, `;` to the end of the line. Some comments are orders to the control.
+    ParenthesesAndSemicolon,
+    /// `;` to the end of the line; a parenthesis opens a statement of the control's high-level language.
+    Semicolon,
+    /// `(...)` anywhere; `;` ends the block, and what stands behind it is a comment unless it reads as another block.
+    Parentheses,
+}
+
+impl Comments {
+    /// True where a parenthesis opens a comment.
+    #[must_use]
+    pub const fn in_parentheses(self) -> bool {
+        match self {
+            Self::ParenthesesAndSemicolon | Self::Parentheses => true,
+            Self::Semicolon => false,
+        }
+    }
+
+    /// True where the control obeys some comments: `(ABORT,...)`, `(MSG,...)`.
+    #[must_use]
+    pub const fn obeyed(self) -> bool {
+        match self {
+            Self::ParenthesesAndSemicolon => true,
+            Self::Semicolon | Self::Parentheses => false,
+        }
+    }
+}
+
+/// What `/` before a block is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockDelete {
+    /// `/`
+    Plain,
+    /// `/`, or `/1` to `/9` for one of nine switches.
+    Numbered,
+}
+
+impl BlockDelete {
+    /// True where a digit behind `/` names a switch.
+    #[must_use]
+    pub const fn numbered(self) -> bool {
+        match self {
+            Self::Plain => false,
+            Self::Numbered => true,
+        }
+    }
+}
+
+/// What a dimension without a decimal point is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DimensionPoint {
+    /// The same as with one.
+    Free,
+    /// Millimetres or micrometres: a setting of the control decides.
+    BySetting,
+}
+
+impl DimensionPoint {
+    /// True where a setting of the control must be known.
+    #[must_use]
+    pub const fn by_setting(self) -> bool {
+        match self {
+            Self::Free => false,
+            Self::BySetting => true,
+        }
+    }
+}
+
+/// Where the text of a file begins and ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Percent {
+    /// A first line `%` with the program's name; no other.
+    Named,
+    /// `%` opens and ends the text where it opens it; without it M2 or M30 is wanted.
+    Pair,
+    /// Text before the first `%` is passed over, the next one ends the program, and so does the end of the file; a second
+    /// program number begins another program.
+    Leader,
+}
+
+impl Percent {
+    /// True where `%` is followed by the program's name.
+    #[must_use]
+    pub const fn named(self) -> bool {
+        match self {
+            Self::Named => true,
+            Self::Pair | Self::Leader => false,
+        }
+    }
+
+    /// True where text may stand before the first `%`, and a program may end with its text.
+    #[must_use]
+    pub const fn leader(self) -> bool {
+        match self {
+            Self::Leader => true,
+            Self::Named | Self::Pair => false,
+        }
+    }
+}
+
+/// Whether M codes of the machine's builder exclude one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BuilderCodes {
+    /// One in a block.
+    One,
+    /// Several in a block: clamps M11 and M13 stand together.
+    Several,
+}
+
+impl BuilderCodes {
+    /// True where several may stand in a block.
+    #[must_use]
+    pub const fn stand_together(self) -> bool {
+        match self {
+            Self::One => false,
+            Self::Several => true,
+        }
+    }
+}
+
+/// What a program's text is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Lexis {
+    /// Addresses that may stand in a block, beside G, M and N.
+    pub letters: Letters,
+    /// Addresses of the control that are refused by name.
+    pub refused: Letters,
+    /// Addresses that need no code beside them.
+    pub free: Letters,
+    /// Addresses of F, S, T, D, L and Q whose number may be negative.
+    pub negative: Letters,
+    /// The addresses of a dwell, counted from A = 0, each with what its number is multiplied with to give seconds.
+    pub dwell: &'static [(u8, f64)],
+    /// Beside letters with numbers.
+    pub language: Language,
+    /// Comments.
+    pub comments: Comments,
+    /// `/`
+    pub delete: BlockDelete,
+    /// `%`
+    pub percent: Percent,
+    /// Dimensions without a decimal point.
+    pub point: DimensionPoint,
+    /// Most characters of a line.
+    pub longest_line: usize,
+    /// Most M codes in one block.
+    pub most_machine_codes: usize,
+    /// M codes of the machine's builder.
+    pub builders: BuilderCodes,
+}

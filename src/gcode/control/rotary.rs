@@ -1,0 +1,50 @@
+//! How the number of a rotary axis is read.
+
+/// What an absolute word of a rotary axis means: a setting of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rotary {
+    /// The position, counted on beyond a turn as on a linear axis.
+    Linear,
+    /// The number is the angle to go to, 0 to 359.9999 degrees, and the sign the direction of the turn.
+    Rollover,
+}
+
+impl Rotary {
+    /// The name on the command line and in JSON.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::Rollover => "rollover",
+        }
+    }
+}
+
+/// What an absolute word of a rollover axis may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rollover {
+    /// Beyond 359.9999 the errors 0168 and 0199; what the manuals do not say gets a Caution.
+    Numbered,
+    /// `WRAPPED_ROTARY`: known from the control's source; not with G53, which takes the word's sign for its own.
+    Wrapped,
+}
+
+impl Rollover {
+    /// True where the control's behaviour is known from its source.
+    #[must_use]
+    pub const fn wrapped(self) -> bool {
+        match self {
+            Self::Numbered => false,
+            Self::Wrapped => true,
+        }
+    }
+}
+
+/// Rotary axes.
+#[derive(Clone, Copy, Debug)]
+pub struct RotaryRule {
+    /// What they are on a machine as the control is delivered.
+    pub delivered: Rotary,
+    /// Where they are rollover axes.
+    pub rollover: Rollover,
+}

@@ -1,0 +1,27 @@
+//! What is told of a workbook and of any other file that is read: one row for each finding.
+//!
+//! W01 the file, W02 its package and parts, W03 cells as they are written, W04 values, W05 sheets and symbols, W06 lists, W07 work
+//! offsets.
+
+pub mod cell;
+pub mod file;
+pub mod form;
+pub mod offsets;
+pub mod package;
+pub mod value;
+
+/// A workbook that cells do not show: its key, and what it is.
+macro_rules! made {
+    ($key:literal, $es:literal, $en:literal) => {
+        $crate::finding::Example::Made { key: $key, how: $crate::text::Text::fixed($es, $en) }
+    };
+}
+
+/// The usual workbook of a kind with other values: symbols or cells, each with what is typed there.
+macro_rules! book {
+    ($kind:literal, $($cell:literal = $text:literal),+) => {
+        $crate::finding::Example::Workbook { kind: $kind, cells: &[$(($cell, $text)),+] }
+    };
+}
+
+pub(crate) use {book, made};
