@@ -3,11 +3,14 @@
 //! The input sheet, its cell validation, the refusals, the ranges of the property tests and the documentation all
 //! follow from it, so that a limit is written once.
 
+pub mod field;
 pub mod list;
+pub mod rules;
 
 use std::collections::BTreeMap;
 
 use crate::finding::{CellPlace, Finding, Place};
+use crate::parameter::field::{Field, Typed};
 use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
 use crate::text::{Language, Text};
@@ -68,6 +71,8 @@ pub struct Parameter {
     pub kind: FieldKind,
     /// An empty cell is refused.
     pub required: bool,
+    /// True for a value of the field's type.
+    pub admits: fn(&Value) -> bool,
     /// A note on the allowed range, for column E and the input message.
     pub note: Text,
 }
@@ -86,7 +91,7 @@ pub struct Section {
     /// The heading on the sheet.
     pub title: Text,
     /// The parameters, in order.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [&'static Parameter],
 }
 
 /// One sheet of an input workbook.
@@ -177,7 +182,7 @@ impl Form {
     /// Every parameter with its sheet, in order.
     pub fn parameters(&self) -> impl Iterator<Item = (&'static Sheet, &'static Parameter)> {
         self.sheets.iter().flat_map(|sheet| {
-            sheet.sections.iter().flat_map(move |section| section.parameters.iter().map(move |one| (sheet, one)))
+            sheet.sections.iter().flat_map(move |section| section.parameters.iter().map(move |one| (sheet, *one)))
         })
     }
 
@@ -202,14 +207,6 @@ pub enum Value {
 }
 
 impl Value {
-    const fn real(&self) -> Option<f64> {
-        if let Self::Real(value) = self { Some(*value) } else { None }
-    }
-
-    const fn whole(&self) -> Option<u32> {
-        if let Self::Whole(value) = self { Some(*value) } else { None }
-    }
-
     const fn choice(&self) -> Option<&'static str> {
         if let Self::Choice(value) = self { Some(value) } else { None }
     }
@@ -233,16 +230,10 @@ pub struct Values {
 }
 
 impl Values {
-    /// A real number; `None` where the cell is empty.
+    /// The value of a field before it is proved to be there; `None` where it is not, or of another type.
     #[must_use]
-    pub fn real(&self, key: &str) -> Option<f64> {
-        self.values.get(key)?.real()
-    }
-
-    /// A whole number; `None` where the cell is empty.
-    #[must_use]
-    pub fn whole(&self, key: &str) -> Option<u32> {
-        self.values.get(key)?.whole()
+    pub fn found<T: Typed, P>(&self, field: &Field<T, P>) -> Option<T> {
+        self.values.get(field.row.key).and_then(T::typed)
     }
 
     /// The key of a choice; `None` where the cell is empty.
@@ -274,47 +265,6 @@ impl Values {
         }
         finding
     }
-}
-
-/// A real number.
-#[must_use]
-pub const fn real(
-    key: &'static str,
-    name: &'static str,
-    unit: Unit,
-    [min, max]: [f64; 2],
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: FieldKind::Real { min, max }, required, note }
-}
-
-/// A whole number.
-#[must_use]
-pub const fn whole(
-    key: &'static str,
-    name: &'static str,
-    unit: Unit,
-    [min, max]: [u32; 2],
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: FieldKind::Whole { min, max }, required, note }
-}
-
-/// A parameter of another kind, without a unit.
-#[must_use]
-pub const fn other(
-    key: &'static str,
-    name: &'static str,
-    kind: FieldKind,
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit: Unit::None, kind, required, note }
 }
 
 /// A text in both languages.

@@ -19,6 +19,7 @@ use rodete::kinds::lathe::{cases, parameters, text};
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Form, Value, Values};
 use rodete::proof::account::Account;
 use rodete::removal::turning::simulation::{Setup, Simulation};
@@ -142,7 +143,10 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let Some(motions) = followed(&values, &program) else { return Work { read: 1, motions: 0 } };
     let source = Provenance { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
     let mut watching = Watching::default();
-    let followed = lathe::watched(&parameters::FORM, values, source, Some(program), &mut |seen| watching.see(seen));
+    let followed =
+        lathe::watched(Fields::of(&parameters::FORM, values).expect("fields"), source, Some(program), &mut |seen| {
+            watching.see(seen)
+        });
     match followed {
         Ok(Simulated { outcome, .. }) => {
             said(&outcome.findings);
@@ -160,7 +164,8 @@ const MOST_WORK: u64 = 800_000;
 
 /// Follows a program within a small budget, and counts its motions. `None` where the budget ends before the program.
 fn followed(values: &Values, program: &text::SheetProgram) -> Option<u64> {
-    let Ok(given) = Given::of(values) else { return Some(0) };
+    let Ok(fields) = Fields::of(&parameters::FORM, values.clone()) else { return Some(0) };
+    let Ok(given) = Given::of(&fields) else { return Some(0) };
     let setup = Setup { most_work: MOST_WORK, ..given.setup.clone() };
     let Ok(mut simulation) = Simulation::new(setup) else { return Some(0) };
     let mut setting = given.setting();

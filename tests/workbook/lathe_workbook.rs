@@ -13,6 +13,7 @@ use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY
 use rodete::kinds::lathe::setup::Given;
 use rodete::kinds::lathe::{Simulated, catalogue, watched};
 use rodete::machine::axis::Axis;
+use rodete::parameter::field::Fields;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
 use rodete::table::Entry;
@@ -27,6 +28,10 @@ fn book(case: usize, language: Language, change: impl FnOnce(&mut Vec<Rows>)) ->
     let mut out = Cursor::new(Vec::new());
     template::write(&FORM, &case.values(language), &lists, &case.note, language, &mut out).unwrap();
     out.into_inner()
+}
+
+fn line(row: &Row, key: &str) -> String {
+    if let Some(Value::Line(line)) = row.values.get(key) { line.clone() } else { String::new() }
 }
 
 fn read(bytes: &[u8]) -> Result<Values, Refusal> {
@@ -78,7 +83,7 @@ fn rows_may_be_left_empty_between_others() {
     let without = read(&book(0, Language::En, |_| ())).unwrap();
     let with_gaps = read(&with_gaps).unwrap();
     let blocks = |values: &Values| -> Vec<String> {
-        values.rows(PROGRAM_KEY).iter().map(|row| row.line("program/BLOCK").to_owned()).collect()
+        values.rows(PROGRAM_KEY).iter().map(|row| line(row, "program/BLOCK")).collect()
     };
     assert_eq!(blocks(&with_gaps), blocks(&without));
     assert_eq!(with_gaps.rows(PROGRAM_KEY)[3].cell("program/BLOCK")[0].cell, "A11");
@@ -146,9 +151,10 @@ fn every_tool_of_the_catalogue_can_be_mounted() {
     assert!(rows.len() > 80, "{}", rows.len());
     for mut row in rows {
         row.values.insert("tools/T", Value::Whole(1));
-        let name = row.line("tools/name").to_owned();
+        let name = line(&row, "tools/name");
         values.lists = vec![Rows { list: TOOLS_KEY, sheet: "TOOLS".to_owned(), rows: vec![row] }];
-        let given = Given::of(&values).unwrap_or_else(|findings| panic!("{name}: {findings:?}"));
+        let given = Given::of(&Fields::of(&FORM, values.clone()).unwrap())
+            .unwrap_or_else(|findings| panic!("{name}: {findings:?}"));
         assert_eq!(given.setup.turret.tools.len(), 1, "{name}");
     }
 }
@@ -223,7 +229,8 @@ fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
         }
     });
     let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
-    let Simulated { outcome, alarms } = watched(&FORM, read(&bytes).unwrap(), source, None, &mut |_| ()).unwrap();
+    let Simulated { outcome, alarms } =
+        watched(Fields::of(&FORM, read(&bytes).unwrap()).unwrap(), source, None, &mut |_| ()).unwrap();
     let table = outcome.table("blocks").unwrap();
     let column = |name: &str| &table.column(name).unwrap().values;
     let told: Vec<_> = (0..table.rows())
