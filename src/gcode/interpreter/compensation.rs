@@ -153,7 +153,7 @@ impl Interpreter<'_> {
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = InForce { file: self.at, ..self.modal.in_force() };
+        let mut control = InForce { file: self.library.at(), ..self.modal.in_force() };
         let number = self.made();
         let side = self.side(&motion);
         control.compensation = side;

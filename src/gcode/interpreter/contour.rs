@@ -329,7 +329,7 @@ impl Interpreter<'_> {
     pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Outcome<()> {
         // Where the blocks are not found there is no contour to pass over, and the cycle was refused for that.
         let Ok(ends) = self.contour_ends(cycle, [letter::P, letter::Q]) else { return Ok(()) };
-        let contour = (self.at, ends.first_line());
+        let contour = (self.library.at(), ends.first_line());
         if !self.modal.refused.contains(&contour) {
             self.modal.refused.push(contour);
         }

@@ -37,8 +37,8 @@ pub(super) struct Corner {
     edge: Edge,
     line: usize,
     n: Option<u32>,
-    /// The source that its block stands in.
-    at: usize,
+    /// The text that its block stands in.
+    text: usize,
     from: Pose,
     feed: Feed,
     /// What was in force in its block.
@@ -142,7 +142,7 @@ impl Interpreter<'_> {
 
     /// Hands out the refusal of a corner, and its line, which is made whole. The program goes on.
     fn refuse_corner(&mut self, corner: Corner, mut fault: Box<Fault>) {
-        fault.file = self.sources.get(corner.at).and_then(|source| source.file.clone());
+        fault.file = self.library.file(corner.text).cloned();
         self.queue.push_back(Err(fault));
         self.make_corner(corner, None);
     }
@@ -173,7 +173,7 @@ impl Interpreter<'_> {
             edge: word.edge(self.modal.unit),
             line: self.line,
             n: self.block.n,
-            at: self.at,
+            text: self.library.at(),
             from: self.current,
             feed,
             modal: self.modal.clone(),
@@ -187,7 +187,7 @@ impl Interpreter<'_> {
         let whole = point(&self.current);
         let (line, n) = (self.line, self.block.n);
         let modal = std::mem::replace(&mut self.modal, corner.modal);
-        let at = std::mem::replace(&mut self.at, corner.at);
+        let text = self.library.turn_to(corner.text);
         self.turn_remarks();
         (self.line, self.block.n, self.current) = (corner.line, corner.n, corner.from);
         let straight = |to| Move { way: Way::Feed(None), to, line: None };
@@ -201,7 +201,8 @@ impl Interpreter<'_> {
             // A motion at a feed that is given is never refused.
             let _ = self.make_way(&way, Some(corner.feed));
         }
-        (self.modal, self.at) = (modal, at);
+        self.modal = modal;
+        self.library.turn_to(text);
         self.turn_remarks();
         (self.line, self.block.n) = (line, n);
     }

@@ -23,7 +23,7 @@ pub(super) struct Rounds {
 impl Interpreter<'_> {
     /// A refusal as it is to be told: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
     pub(super) fn told_once(&mut self, fault: Box<Fault>) -> Option<Box<Fault>> {
-        let key = (self.at, fault.line);
+        let key = (self.library.at(), fault.line);
         if fault.fatal {
             return Some(fault);
         }

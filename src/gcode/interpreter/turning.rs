@@ -45,7 +45,7 @@ impl Interpreter<'_> {
             TurningCycle::Finish => {
                 let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
                 // What was refused once is not refused again, nor finished where it was not roughed.
-                if self.modal.refused.contains(&(self.at, ends.first_line())) {
+                if self.modal.refused.contains(&(self.library.at(), ends.first_line())) {
                     return Ok(());
                 }
                 let contour = self.contour(cycle.number(), ends)?;
