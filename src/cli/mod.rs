@@ -39,7 +39,7 @@ use clap::Parser;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
-pub use self::explain::RULES;
+pub use self::explain::{RULES, reference};
 use self::locale::spoken;
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
