@@ -5,10 +5,11 @@ use std::ffi::OsString;
 
 use super::kinds::FORMS;
 use super::plan::Item;
+use super::rules::LeftFromEarlier;
 use super::verdict::Ending;
 use super::{drawings, show};
 use crate::escape::printable;
-use crate::finding::{Finding, Grade, Place, Refusal};
+use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::gcode::program::Program;
 use crate::kind::Outcome;
 use crate::kinds::lathe::scene::Watching;
@@ -113,17 +114,6 @@ pub(super) fn leftovers(item: &Item, verdict: &Ending) -> Vec<Finding> {
         .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
         .map(|name| item.folder.join(name))
         .filter(|path| path.symlink_metadata().is_ok())
-        .map(|path| {
-            let path = show::path(&path);
-            Finding::new(
-                Grade::Caution,
-                Place::File,
-                Text::new(
-                    format!("{path} queda de una construcción anterior y no pertenece a este conjunto"),
-                    format!("{path} is left from an earlier build and does not belong to this set"),
-                ),
-                Text::fixed("no lo use; bórrelo o apártelo", "do not use it; delete it or move it away"),
-            )
-        })
+        .map(|path| LeftFromEarlier { path: show::path(&path) }.at(Place::File))
         .collect()
 }

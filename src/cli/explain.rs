@@ -4,14 +4,23 @@ use std::fmt::Write;
 
 use super::args::Explain;
 use super::locale::spoken;
+use super::refused;
+use super::rules::{self, NoSuchCode};
 use super::terminal::Terminal;
+use crate::drawing;
 use crate::escape::printable;
-use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
+use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
 use crate::gcode::rules::{expressions, flow, lexis};
 use crate::gcode::turning;
+use crate::kind;
+use crate::machine;
 use crate::parameter::{self, t};
 use crate::removal::turning::rules as alarms;
-use crate::text::{Language, Text};
+use crate::report;
+use crate::scene;
+use crate::store;
+use crate::text::Language;
+use crate::typeset;
 use crate::workbook;
 
 /// The rows of every room.
@@ -27,6 +36,15 @@ pub const RULES: &[&[&Rule]] = &[
     workbook::rules::value::RULES,
     workbook::rules::form::RULES,
     workbook::rules::offsets::RULES,
+    machine::rules::RULES,
+    kind::rules::RULES,
+    store::rules::RULES,
+    rules::RULES,
+    typeset::rules::RULES,
+    report::rules::RULES,
+    drawing::rules::RULES,
+    scene::rules::RULES,
+    finding::rules::RULES,
     flow::RULES,
 ];
 
@@ -45,10 +63,8 @@ pub(super) fn run(arguments: &Explain, terminal: &mut Terminal) -> Exit {
     for code in &arguments.codes {
         let found: Vec<_> = all().filter(|rule| named(rule, code)).collect();
         if found.is_empty() {
-            exit = Exit::CommandLine;
-            let code = printable(code);
-            let what = Text::new(format!("{code} no es un código de rodete"), format!("{code} is no code of rodete"));
-            terminal.err(&format!("error: {}\n", what.get(language)));
+            let refusal = NoSuchCode { code: printable(code) }.refused(Exit::CommandLine, Place::File);
+            exit = refused(&refusal, language, terminal);
         }
         for rule in found {
             terminal.out(&told(rule, language));

@@ -21,6 +21,7 @@ mod plan;
 mod program;
 mod quantity;
 mod reading;
+mod rules;
 mod show;
 mod side_by_side;
 mod simulate;

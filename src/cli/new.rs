@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use super::args::New;
 use super::kinds::{self, FORMS};
+use super::rules::*;
 use super::terminal::Terminal;
 use super::{fault, finding, refused, show};
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::store::{Existing, Folder, Set, Written};
 use crate::text::Text;
 use crate::workbook::template;
@@ -41,17 +42,8 @@ fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
     };
     let case = kinds::case(form, arguments.case.as_deref()).ok_or_else(|| {
         let (kind, cases) = (form.kind, form.cases.iter().map(|case| case.name).collect::<Vec<_>>().join(", "));
-        Refusal::new(
-            Exit::CommandLine,
-            Finding::stop(
-                Place::File,
-                Text::new(
-                    format!("{kind} no tiene el caso {}", arguments.case.as_deref().unwrap_or_default()),
-                    format!("{kind} has no case {}", arguments.case.as_deref().unwrap_or_default()),
-                ),
-                Text::new(format!("casos de {kind}: {cases}"), format!("cases of {kind}: {cases}")),
-            ),
-        )
+        let case = arguments.case.clone().unwrap_or_default();
+        NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
     })?;
     let file = arguments.file.clone().unwrap_or_else(|| PathBuf::from(format!("{}.xlsx", form.kind)));
     let name = workbook_name(&file)?;
@@ -69,20 +61,7 @@ fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
 pub(super) fn workbook_name(file: &Path) -> Result<&OsStr, Refusal> {
     match (file.file_name(), file.extension()) {
         (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("xlsx") => Ok(name),
-        _ => {
-            let shown = show::path(file);
-            Err(Refusal::new(
-                Exit::CommandLine,
-                Finding::stop(
-                    Place::File,
-                    Text::new(
-                        format!("{shown} no es el nombre de un libro .xlsx"),
-                        format!("{shown} is not the name of an .xlsx workbook"),
-                    ),
-                    Text::fixed("dé un nombre como rodete.xlsx", "give a name like impeller.xlsx"),
-                ),
-            ))
-        }
+        _ => Err(NotAWorkbookName { path: show::path(file) }.refused(Exit::CommandLine, Place::File)),
     }
 }
 

@@ -7,12 +7,13 @@ use std::path::Path;
 use super::args::View;
 use super::locale::spoken;
 use super::program::{PACKAGE, Shared, told_from};
+use super::rules::*;
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
 use super::verdict::{Ending, gravest};
 use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{Exit, Grade, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
@@ -83,7 +84,7 @@ fn shown(arguments: &View, verdict: &mut Ending) -> Result<Vec<Written>, Refusal
     let title = printable(&input.file_name().unwrap_or_default().to_string_lossy());
     let turned = !package && is_turned(arguments, file.fill_buf().unwrap_or_default())?;
     if arguments.stock.is_some() && !turned {
-        return Err(no_stock());
+        return Err(StockWithoutTurning {}.refused(Exit::CommandLine, Place::File));
     }
     let scene = if package {
         drop(file);
@@ -107,23 +108,6 @@ fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Ending) -> Option
         verdict.refuse(refusal);
         None
     })
-}
-
-fn no_stock() -> Refusal {
-    Refusal::new(
-        Exit::CommandLine,
-        Finding::stop(
-            Place::File,
-            Text::fixed(
-                "--stock vale para un programa de torno, no para esta entrada",
-                "--stock is for a turning program, not for this input",
-            ),
-            Text::fixed(
-                "quite --stock, o indique el control con --dialect; el bruto de un libro está en su hoja DATOS",
-                "leave --stock out, or name the control with --dialect; the stock of a workbook is on its sheet DATA",
-            ),
-        ),
-    )
 }
 
 /// True for a turning program that is to be followed over its stock; not for a milling program, nor for one that is read
@@ -227,19 +211,6 @@ fn of_program(
 fn page_name(file: &Path) -> Result<OsString, Refusal> {
     match (file.file_name(), file.extension()) {
         (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("html") => Ok(name.to_owned()),
-        _ => {
-            let shown = show::path(file);
-            Err(Refusal::new(
-                Exit::CommandLine,
-                Finding::stop(
-                    Place::File,
-                    Text::new(
-                        format!("{shown} no es el nombre de una página .html"),
-                        format!("{shown} is not the name of an .html page"),
-                    ),
-                    Text::fixed("dé un nombre como rodete.html", "give a name like impeller.html"),
-                ),
-            ))
-        }
+        _ => Err(NotAPageName { path: show::path(file) }.refused(Exit::CommandLine, Place::File)),
     }
 }

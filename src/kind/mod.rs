@@ -1,12 +1,15 @@
 //! What every workbook kind comes to: tables, programs, charts, drawings and findings in one outcome.
 
 pub mod checks;
+pub mod rules;
 
 use std::ops::Deref;
 use std::sync::LazyLock;
 
+use self::rules::PositionOutOfFormat;
 use crate::figure::{Arc, Figure, Paper};
-use crate::finding::{Exit, Finding, Grade, Place};
+use crate::finding::rules::ValueNotFinite;
+use crate::finding::{Exit, Finding, Grade, Place, Raise};
 use crate::gcode::program::Program;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -204,10 +207,7 @@ impl Outcome {
 
 /// The fault of a table with a value that is no number.
 pub(crate) fn not_finite(table: &Table, row: usize) -> Finding {
-    Finding::fault(
-        Place::Point { table: table.key, index: row },
-        Text::fixed("un valor calculado no es finito", "a computed value is not finite"),
-    )
+    ValueNotFinite {}.at(Place::Point { table: table.key, index: row })
 }
 
 /// The stop for a position that no program may carry, at the parameters that make it.
@@ -216,13 +216,6 @@ pub(crate) fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Find
         Some((last, rest)) if !rest.is_empty() => format!("{} {and} {last}", rest.join(", ")),
         _ => keys.join(""),
     };
-    let remedy = Text::new(format!("compruebe {}", list("y")), format!("check {}", list("and")));
-    Finding::stop(
-        Place::Parameters(keys),
-        Text::new(
-            format!("la posición {} no cabe en un programa (cinco cifras y tres decimales)", error.0),
-            format!("position {} does not fit into a program (five digits and three decimals)", error.0),
-        ),
-        remedy,
-    )
+    let parameters = Text::new(list("y"), list("and"));
+    PositionOutOfFormat { position: error.0, parameters }.at(Place::Parameters(keys))
 }

@@ -9,6 +9,7 @@ mod attachments;
 mod contents;
 mod document;
 mod number;
+pub mod rules;
 mod shorten;
 mod svg;
 mod templates;

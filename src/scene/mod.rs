@@ -5,6 +5,7 @@ pub mod kept;
 pub mod mesh;
 pub mod part;
 pub mod program;
+pub mod rules;
 pub mod turning;
 
 use serde::Serialize;
