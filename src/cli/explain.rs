@@ -11,7 +11,7 @@ use crate::drawing;
 use crate::escape::printable;
 use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
 use crate::gcode::rules::{expressions, flow, lexis};
-use crate::gcode::turning;
+use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::kind;
 use crate::machine;
 use crate::parameter::{self, t};
@@ -27,7 +27,13 @@ use crate::workbook;
 pub const RULES: &[&[&Rule]] = &[
     parameter::rules::RULES,
     alarms::RULES,
-    turning::rules::RULES,
+    corner::RULES,
+    cycles::RULES,
+    fagor::RULES,
+    contour::RULES,
+    holes::RULES,
+    nose::RULES,
+    lathe::RULES,
     lexis::RULES,
     expressions::RULES,
     workbook::rules::file::RULES,

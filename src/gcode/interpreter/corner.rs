@@ -11,7 +11,7 @@
 //! # References
 //! Fanuc Series 0i-T, operator's manual, direct drawing dimensions programming; see [`crate::gcode::turning::edge`].
 
-use crate::finding::AlarmFamily;
+use crate::finding::{AlarmFamily, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
@@ -53,28 +53,27 @@ impl EdgeWord {
     }
 
     /// A refusal at the corner's own line.
-    pub(super) fn refusal(&self, line: usize, what: Text, remedy: Text) -> Box<Fault> {
-        let mut fault = Fault::at(&[self.column], what, remedy);
-        fault.line = line;
-        fault
+    pub(super) fn refusal(&self, line: usize, row: &dyn Raise) -> Box<Fault> {
+        let fault = Fault::of(row, &[self.column]).as_alarm_of(Some(AlarmFamily::Fanuc));
+        Box::new(Fault { line, ..*fault })
     }
 
     /// The refusal of a corner that cannot be broken.
     pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Fault> {
-        let (name, told) = (self.name, trouble.message());
-        let what = Text::new(format!("{} ({name})", told.es), format!("{} ({name})", told.en));
-        self.refusal(line, what, trouble.remedy.clone())
+        let (name, Text { es, en }) = (self.name, &trouble.what);
+        let what = Text::new(format!("{es} ({name})"), format!("{en} ({name})"));
+        let fault = Fault::from(Trouble { what, line: Some(line), ..trouble.clone() });
+        Box::new(Fault { columns: vec![self.column + 1], ..fault }).as_alarm_of(Some(AlarmFamily::Fanuc))
     }
 
     /// The refusal of a corner behind which no line at feed comes.
     pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Fault> {
-        let (word, at) = (self.name, [self.column]);
-        let fault = if motion {
-            Fault::of(&CornerBeforeOtherMotion { word }, &at)
+        let word = self.name;
+        if motion {
+            self.refusal(line, &CornerBeforeOtherMotion { word })
         } else {
-            Fault::of(&CornerBeforeNoMotion { word }, &at)
-        };
-        Box::new(Fault { line, ..*fault.as_alarm_of(Some(AlarmFamily::Fanuc)) })
+            self.refusal(line, &CornerBeforeNoMotion { word })
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! What the interpreter refuses, and what it remarks.
 
 use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
+use crate::gcode::turning::trouble::Trouble;
 use crate::limits::REMARKS;
 use crate::number::shown;
 use crate::text::Text;
@@ -97,14 +98,6 @@ impl Fault {
         Self::at(&[], what, remedy)
     }
 
-    /// The end of a budget.
-    pub(super) fn limit(what: Text, remedy: Text) -> Box<Self> {
-        let mut fault = Self::at(&[], what, remedy);
-        fault.exit = Exit::Limit;
-        fault.fatal = true;
-        fault
-    }
-
     /// What is wrong, with the other lines at fault.
     #[must_use]
     pub fn message(&self) -> Text {
@@ -134,6 +127,13 @@ impl From<Fault> for Finding {
         let told = fault.message();
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
         Self { rule: fault.rule, data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
+    }
+}
+
+impl From<Trouble> for Fault {
+    fn from(trouble: Trouble) -> Self {
+        let Trouble { rule, data, exit, what, remedy, line } = trouble;
+        Self { exit, line: line.unwrap_or(0), rule: Some(rule), data, ..*Self::at(&[], what, remedy) }
     }
 }
 
@@ -199,13 +199,18 @@ impl Remarks {
 
     /// Remarks a row at a line and column (counted from 0). Row and values tell one thing from another.
     pub(super) fn row(&mut self, row: &dyn Raise, line: usize, column: Option<usize>) {
+        self.row_as(row.rule().grade, row, line, column);
+    }
+
+    /// The same, less grave than the row is at its gravest.
+    pub(super) fn row_as(&mut self, grade: Grade, row: &dyn Raise, line: usize, column: Option<usize>) {
         let (rule, data) = (row.rule(), row.carries());
         let same = |finding: &Finding| finding.is(rule) && finding.data == data;
         if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| same(finding)) {
             *count += 1;
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, row.at(place(self.file.as_deref(), line, columns))));
+            self.list.push((1, Finding { grade, ..row.at(place(self.file.as_deref(), line, columns)) }));
         }
     }
 
