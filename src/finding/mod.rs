@@ -2,6 +2,7 @@
 
 pub mod datum;
 pub mod rule;
+pub mod rules;
 
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};

@@ -2,7 +2,8 @@
 
 use super::Remark;
 use super::program::Program;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use super::rules::TooManyMotions;
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::interpreter::{Fault, Interpreter, findings};
 use crate::limits::{SHOWN_MOTIONS, SHOWN_REMARKS};
 use crate::text::Text;
@@ -56,16 +57,5 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
 }
 
 pub(crate) fn too_many(title: &Text) -> Refusal {
-    let most = SHOWN_MOTIONS;
-    Refusal::new(
-        Exit::Limit,
-        Finding::stop(
-            Place::File,
-            Text::new(
-                format!("{} tiene más de {most} líneas o movimientos, demasiados para mostrarlos", title.es),
-                format!("{} has more than {most} lines or motions, too many to be shown", title.en),
-            ),
-            Text::fixed("divida el programa", "split the program"),
-        ),
-    )
+    TooManyMotions { title: title.clone(), most: SHOWN_MOTIONS }.refused(Exit::Limit, Place::File)
 }
