@@ -21,7 +21,7 @@ use crate::kinds::lathe::parameters as lathe;
 use crate::kinds::lathe::scene::Watching;
 use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
-use crate::text::{Language, Text};
+use crate::text::{Language, t};
 use crate::typeset::compiler::Typst;
 
 /// The variable that names a typst command line.
@@ -125,7 +125,7 @@ fn typeset(
         name: outcome.source.workbook.clone(),
         role: Role::Input,
         mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
-        description: Text::fixed("Libro de entrada", "Input workbook"),
+        description: t("Libro de entrada", "Input workbook"),
         content: Content::Bytes(workbook),
     };
     let programs = outcome.programs.iter().filter_map(|program| {
