@@ -4,19 +4,20 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::args::New;
-use super::kinds::{self, FORMS};
 use super::rules::*;
 use super::terminal::Terminal;
 use super::{fault, finding, refused, show};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::kind::Kind;
+use crate::parameter::{Case, Form};
 use crate::store::{Existing, Folder, Set, Written};
 use crate::text::Text;
 use crate::workbook::template;
 
 /// Writes the workbook and says what to do next.
-pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
+pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     super::interrupt::listen();
-    match write(arguments) {
+    match write(arguments, kinds) {
         Ok((written, settled)) => {
             terminal.err(
                 &settled.iter().map(|one| finding::general(one, arguments.lang, terminal.width)).collect::<String>(),
@@ -36,11 +37,11 @@ pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
     }
 }
 
-fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
-    let Some(form) = FORMS.into_iter().find(|form| form.kind == arguments.kind) else {
+fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
+    let Some(form) = kinds.iter().map(|kind| kind.form()).find(|form| form.kind == arguments.kind) else {
         return Err(fault::refusal("a kind without a form"));
     };
-    let case = kinds::case(form, arguments.case.as_deref()).ok_or_else(|| {
+    let case = case(form, arguments.case.as_deref()).ok_or_else(|| {
         let (kind, cases) = (form.kind, form.cases.iter().map(|case| case.name).collect::<Vec<_>>().join(", "));
         let case = arguments.case.clone().unwrap_or_default();
         NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
@@ -52,6 +53,14 @@ fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
     let (values, lists) = (case.values(arguments.lang), (case.listed)(arguments.lang));
     set.write(name, |out| template::write(form, &values, &lists, &case.note, arguments.lang, out))?;
     Ok((set.commit()?, folder.settled().cloned()))
+}
+
+/// The case of a kind with a name, or its usual one; `None` where it has none of that name.
+fn case(form: &Form, name: Option<&str>) -> Option<&'static Case> {
+    match name {
+        None => form.cases.first(),
+        Some(name) => form.cases.iter().find(|case| case.name == name),
+    }
 }
 
 /// The name of the file to write.

@@ -15,12 +15,11 @@ use crate::gcode::control::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, decoded, wide};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::lexis::Utf16;
-use crate::kind::{Outcome, Provenance};
+use crate::kind::{Outcome, Provenance, Wants};
 use crate::kinds::lathe::cases;
 use crate::kinds::lathe::parameters::{
     self as form, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY,
 };
-use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::text;
 use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
@@ -74,15 +73,11 @@ pub(super) struct Followed {
     pub(super) alarms: Vec<Raised>,
 }
 
-/// Follows the program and puts what was found into the verdict; shows everything to `watching`.
+/// Follows the program and puts what was found into the verdict.
 ///
 /// # Errors
 /// Where a file cannot be read, the workbook is refused, or its values contradict each other.
-pub(super) fn follow(
-    wanted: &Wanted<'_>,
-    verdict: &mut Ending,
-    watching: Option<&mut Watching>,
-) -> Result<Followed, Refusal> {
+pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) -> Result<Followed, Refusal> {
     let path = wanted.program;
     if wanted.bytes.starts_with(PACKAGE) {
         return Err(is_workbook(path));
@@ -117,13 +112,7 @@ pub(super) fn follow(
         sha256,
         version: env!("CARGO_PKG_VERSION"),
     };
-    let mut watching = watching;
-    let Simulated { outcome, alarms } =
-        lathe::watched(Fields::of(&FORM, values)?, source, Some(program), &mut |seen| {
-            if let Some(watching) = &mut watching {
-                watching.see(seen);
-            }
-        })
+    let Simulated { outcome, alarms } = lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
         .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     verdict.findings.extend(outcome.findings.iter().cloned());
     verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));

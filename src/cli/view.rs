@@ -17,9 +17,7 @@ use crate::finding::{Exit, Grade, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
-use crate::kinds;
-use crate::kinds::lathe::parameters as lathe;
-use crate::kinds::lathe::scene::Watching;
+use crate::kind::{Kind, Wants};
 use crate::machine::chain::Chain;
 use crate::scene::kept;
 use crate::scene::program::Program;
@@ -30,10 +28,10 @@ use crate::view;
 use crate::workbook;
 
 /// Writes the file and says where it is.
-pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
+pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     interrupt::listen();
     let mut verdict = Ending::new(arguments.input.clone());
-    let written = match shown(arguments, &mut verdict) {
+    let written = match shown(arguments, kinds, &mut verdict) {
         Ok(written) => written,
         Err(refusal) if verdict.findings.is_empty() => {
             return refused(&refusal, spoken(arguments.lang, verdict.language), terminal);
@@ -60,7 +58,7 @@ pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
     verdict.exit
 }
 
-fn shown(arguments: &View, verdict: &mut Ending) -> Result<Vec<Written>, Refusal> {
+fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Vec<Written>, Refusal> {
     let input = &arguments.input;
     let output = match &arguments.output {
         Some(output) => output.clone(),
@@ -88,9 +86,9 @@ fn shown(arguments: &View, verdict: &mut Ending) -> Result<Vec<Written>, Refusal
     }
     let scene = if package {
         drop(file);
-        placed(of_workbook(arguments, title, verdict), verdict)
+        placed(of_workbook(arguments, kinds, title, verdict), verdict)
     } else if turned {
-        placed(of_turning(arguments, title, verdict).map(Some), verdict)
+        placed(of_turning(arguments, title, verdict), verdict)
     } else {
         Some(of_program(arguments, title, &mut file, verdict)?)
     };
@@ -130,7 +128,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
 }
 
 /// The scene of a turning program over its stock.
-fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<Scene, Refusal> {
+fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<Option<Scene>, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
     let language = arguments.lang.unwrap_or_default();
@@ -145,26 +143,22 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<S
         tools: control.tools.as_deref(),
         language,
     };
-    let mut watching = Watching::default();
-    follow(&wanted, verdict, Some(&mut watching))?;
-    Ok(watching.scene(title, language))
+    let scene = follow(&wanted, verdict, Wants { scene: true })?.outcome.scene.transpose()?;
+    Ok(scene.map(|scene| scene.titled(title, language)))
 }
 
-/// The scene of a workbook; `None` where a finding stops its programs. A turning is shown all the same: it shows why.
-fn of_workbook(arguments: &View, title: String, verdict: &mut Ending) -> Result<Option<Scene>, Refusal> {
+/// The scene of a workbook; `None` where there is nothing to show.
+fn of_workbook(
+    arguments: &View,
+    kinds: &[&dyn Kind],
+    title: String,
+    verdict: &mut Ending,
+) -> Result<Option<Scene>, Refusal> {
     plan::twice(std::slice::from_ref(&arguments.input))?;
-    let (_, filled) = reading::read(&arguments.input, verdict)?;
+    let (_, filled) = reading::read(&arguments.input, kinds, verdict)?;
     let language = arguments.lang.unwrap_or(filled.values.language);
-    if filled.form.kind == lathe::FORM.kind {
-        let mut watching = Watching::default();
-        reading::watch(&arguments.input, filled, verdict, Some(&mut watching))?;
-        return Ok(Some(watching.scene(title, language)));
-    }
-    let outcome = reading::compute(&arguments.input, filled, verdict)?;
-    if outcome.stopped() {
-        return Ok(None);
-    }
-    kinds::scene(&outcome, title, language).map(Some)
+    let outcome = reading::compute(&arguments.input, filled, kinds, Wants { scene: true }, verdict)?;
+    Ok(outcome.scene.transpose()?.map(|scene| scene.titled(title, language)))
 }
 
 fn of_program(

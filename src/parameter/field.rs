@@ -329,7 +329,7 @@ impl Fields {
     /// Where the field is of another form: a slip of the source, which no input can make.
     #[must_use]
     pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
-        let own = self.form.parameters().any(|(_, own)| std::ptr::eq(own, &field.row));
+        let own = self.form.parameters().any(|(_, own)| std::ptr::addr_eq(own, &field.row));
         taken(field, self.values.values.get(field.key()), own)
     }
 
@@ -389,7 +389,7 @@ impl Entry<'_> {
     /// Where the column is of another list: a slip of the source, which no input can make.
     #[must_use]
     pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
-        let own = self.list.columns.iter().any(|own| std::ptr::eq(*own, &field.row));
+        let own = self.list.columns.iter().any(|own| std::ptr::addr_eq(*own, &field.row));
         taken(field, self.row.values.get(field.key()), own)
     }
 
@@ -450,6 +450,7 @@ mod tests {
         programs: &[],
         drawings: &[],
         solids: &[],
+        viewer: false,
         sheets: &[
             Sheet {
                 name: t("DATOS", "DATA"),

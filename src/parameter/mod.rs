@@ -174,6 +174,8 @@ pub struct Form {
     pub drawings: &'static [&'static str],
     /// The keys of the bodies that its builds may write, with what they are.
     pub solids: &'static [(&'static str, Text)],
+    /// Its builds write a page that shows the programs, too.
+    pub viewer: bool,
     /// The sheets; the first is required and holds the schema cell.
     pub sheets: &'static [Sheet],
     /// The lists that follow on sheets of their own.
