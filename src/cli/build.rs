@@ -19,7 +19,7 @@ use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::{Kind, Outcome, Wants};
 use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
-use crate::text::{Language, Text};
+use crate::text::{Language, t};
 use crate::typeset::compiler::Typst;
 
 /// The variable that names a typst command line.
@@ -127,7 +127,7 @@ fn typeset(
         name: outcome.source.workbook.clone(),
         role: Role::Input,
         mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
-        description: Text::fixed("Libro de entrada", "Input workbook"),
+        description: t("Libro de entrada", "Input workbook"),
         content: Content::Bytes(workbook),
     };
     let programs = outcome.programs.iter().filter_map(|program| {

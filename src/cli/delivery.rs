@@ -16,7 +16,7 @@ use crate::removal::turning::mesh;
 use crate::report::{Attachment, Content, Role};
 use crate::scene::Scene;
 use crate::store::{self, Set};
-use crate::text::{Language, Text};
+use crate::text::{Language, t};
 use crate::view;
 use crate::workbook::results;
 
@@ -58,8 +58,8 @@ pub(super) struct Delivery<'a> {
 
 /// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
 pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
-    let results = Text::fixed("Libro de resultados", "Results workbook");
-    let viewer = Text::fixed("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
+    let results = t("Libro de resultados", "Results workbook");
+    let viewer = t("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
     let sheets = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
     let solids = form.solids.iter().map(|(key, name)| (solid_ending(key), "model/stl", name.clone()));
     std::iter::once((RESULTS.to_owned(), sheets, results))

@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::t;
 
 /// A command by itself, or over files: each its name and its lines, joined with `|`.
 macro_rules! line {
@@ -17,7 +17,7 @@ macro_rules! line {
 /// A folder that no text shows.
 macro_rules! made {
     ($key:literal, $es:literal, $en:literal) => {
-        Example::Made { key: $key, how: Text::fixed($es, $en) }
+        Example::Made { key: $key, how: t($es, $en) }
     };
 }
 

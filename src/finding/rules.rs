@@ -2,12 +2,12 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// No input is known that brings it about: if one were, the fault would be mended.
 macro_rules! never {
     () => {
-        Example::Never(Text::fixed(
+        Example::Never(t(
             "ninguna entrada conocida lo provoca: si la hubiera, el fallo estaría corregido",
             "no input is known that brings it about: if one were, the fault would be mended",
         ))

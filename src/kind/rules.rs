@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of every kind.
@@ -14,6 +14,6 @@ rules! {
         remedy "compruebe {parameters}", "check {parameters}";
         why "El control lee cinco cifras delante del punto: lo demás se perdería.",
             "The control reads five digits before the point: the rest would be lost.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "los límites de las celdas no dejan llegar a tales posiciones", "the limits of the cells do not let positions come so far"));
 }

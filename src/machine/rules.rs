@@ -30,14 +30,14 @@ rules! {
             "give the .var file that PARAMETER_FILE in the INI file names";
         why "Hay unos miles de parámetros, una línea cada uno: lo que es mayor es otro archivo.",
             "There are some thousands of parameters, a line each: what is larger is another file.";
-        example Example::Made { key: "long-var", how: crate::text::Text::fixed(
+        example Example::Made { key: "long-var", how: crate::text::t(
             "un archivo .var de más de 256 KiB", "a .var file of more than 256 KiB") };
     "G1002" ParameterLineTooLong Stop {}
         es "la línea es demasiado larga: LinuxCNC la leería como dos"
         en "the line is too long: LinuxCNC would read it as two"
         remedy "deje en la línea un número y un valor", "leave a number and a value in the line";
         why "LinuxCNC lee cada línea en una memoria de tamaño fijo.", "LinuxCNC reads every line into a memory of fixed size.";
-        example Example::Made { key: "long-line", how: crate::text::Text::fixed(
+        example Example::Made { key: "long-line", how: crate::text::t(
             "un archivo .var con una línea de 300 letras", "a .var file with a line of 300 letters") };
     "G1003" ParameterWithoutValue Stop { parameter: u32 }
         es "el parámetro {parameter} no tiene valor"

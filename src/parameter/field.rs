@@ -10,7 +10,7 @@ use crate::parameter::list::{List, Row};
 use crate::parameter::rules::{Missing, Mistyped};
 use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, Values};
 use crate::table::Unit;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// What an empty cell means.
 pub trait Presence {
@@ -145,7 +145,7 @@ macro_rules! choices {
     (for $type:ty; $($key:literal ($es:literal, $en:literal) => $value:expr),+ $(,)?) => {
         impl $crate::parameter::field::Chosen for $type {
             const CHOICES: &'static [$crate::parameter::Choice] = &[$(
-                $crate::parameter::Choice { key: $key, label: $crate::text::Text::fixed($es, $en) }
+                $crate::parameter::Choice { key: $key, label: $crate::text::t($es, $en) }
             ),+];
 
             fn of(key: &str) -> Option<Self> {
@@ -288,8 +288,8 @@ impl Field<String, Required> {
             "schema",
             "schema",
             FieldKind::Schema,
-            Text::fixed("Esquema y versión de este libro", "Schema and version of this workbook"),
-            Text::fixed("No se cambia", "Not to be changed"),
+            t("Esquema y versión de este libro", "Schema and version of this workbook"),
+            t("No se cambia", "Not to be changed"),
         )
     }
 }

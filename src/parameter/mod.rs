@@ -15,6 +15,8 @@ use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
 use crate::text::{Language, Text};
 
+pub use crate::text::t;
+
 /// A word of a drop-down list.
 #[derive(Debug)]
 pub struct Choice {
@@ -267,12 +269,6 @@ impl Values {
         }
         finding
     }
-}
-
-/// A text in both languages.
-#[must_use]
-pub const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
 }
 
 /// The dialects of milling and cutting controls.

@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of what is shown.
@@ -14,6 +14,6 @@ rules! {
         remedy "divida el programa", "split the program";
         why "Cada movimiento va en la página, y un navegador solo puede con unos millones.",
             "Every motion goes into the page, and a browser manages some millions only.";
-        example Example::Made { key: "endless-view", how: Text::fixed(
+        example Example::Made { key: "endless-view", how: t(
             "view con un programa de demasiados movimientos", "view with a program of too many motions") };
 }

@@ -22,8 +22,7 @@ use super::reason::{refusal, shown};
 use super::rules::*;
 use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::limits::NOTICE_BYTES;
-use crate::parameter::t;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The notice's name.
 const NAME: &str = ".rodete-delivery.json";

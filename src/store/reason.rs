@@ -6,8 +6,7 @@ use std::path::Path;
 use super::rules::*;
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Place, Raise, Refusal};
-use crate::parameter::t;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The refusal for what the operating system answered.
 pub(super) fn unwritable(path: &Path, error: &io::Error) -> Refusal {

@@ -2,19 +2,19 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// A folder that no text shows.
 macro_rules! made {
     ($key:literal, $es:literal, $en:literal) => {
-        Example::Made { key: $key, how: Text::fixed($es, $en) }
+        Example::Made { key: $key, how: t($es, $en) }
     };
 }
 
 /// What only the system says, and no input brings about.
 macro_rules! by_the_system {
     () => {
-        Example::Never(Text::fixed(
+        Example::Never(t(
             "lo dice el sistema: depende del disco y no de la entrada",
             "the system says so: it depends on the disk and not on the input",
         ))
@@ -143,7 +143,7 @@ rules! {
         en "{path} would be written twice"
         remedy "dé un nombre propio a cada libro", "give every workbook a name of its own";
         why "El segundo archivo borraría el primero.", "The second file would wipe out the first.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "los nombres repetidos se rechazan antes de empezar", "names given twice are refused before anything is begun"));
     "S0142" ExistsAlready Stop { path: String }
         es "{path} ya existe"

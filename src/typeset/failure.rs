@@ -10,8 +10,7 @@ use thiserror::Error;
 use super::rules::*;
 use crate::finding::rules::NotSerialized;
 use crate::finding::{Finding, Place, Raise};
-use crate::parameter::t;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The version of typst that the templates are written for.
 pub const TYPST_VERSION: &str = "0.15";
