@@ -19,7 +19,7 @@ use crate::removal::turning::rules as alarms;
 use crate::report;
 use crate::scene;
 use crate::store;
-use crate::text::Language;
+use crate::text::{Language, Text};
 use crate::typeset;
 use crate::workbook;
 
@@ -63,9 +63,9 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
     let language = spoken(arguments.lang, None);
     if arguments.all {
         let told: String = if arguments.markdown {
-            reference(language)
+            reference(kinds, language)
         } else {
-            sorted().into_iter().map(|rule| told(rule, language)).collect()
+            sorted(kinds).into_iter().map(|rule| told(rule, language)).collect()
         };
         terminal.out(&told);
         return Exit::Done;
@@ -96,15 +96,17 @@ fn named(rule: &Rule, code: &str) -> bool {
 }
 
 /// All rows, by their codes.
-fn sorted() -> Vec<&'static Rule> {
-    let mut rules: Vec<_> = all().collect();
+fn sorted(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
+    let mut rules: Vec<_> = all(kinds).collect();
     rules.sort_by_key(|rule| rule.code);
+    // Kinds may share rows.
+    rules.dedup();
     rules
 }
 
 /// Every row on one page in Markdown, by its code.
 #[must_use]
-pub fn reference(language: Language) -> String {
+pub fn reference(kinds: &[&dyn Kind], language: Language) -> String {
     let title = t("Lo que rodete dice", "What rodete tells");
     let about = t(
         "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Un código no cambia de significado ni se da dos veces. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
@@ -112,7 +114,7 @@ pub fn reference(language: Language) -> String {
     );
     let mut page = format!("# {}\n\n{}\n", title.get(language), about.get(language));
     let mut room = "";
-    for rule in sorted() {
+    for rule in sorted(kinds) {
         let letter = rule.code.get(..1).unwrap_or_default();
         if letter != room {
             room = letter;
