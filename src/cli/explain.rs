@@ -7,7 +7,7 @@ use super::locale::spoken;
 use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
-use crate::gcode::rules::{expressions, flow, lexis};
+use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning;
 use crate::parameter::t;
 use crate::removal::turning::rules as alarms;
@@ -27,6 +27,9 @@ pub const RULES: &[&[&Rule]] = &[
     workbook::rules::form::RULES,
     workbook::rules::offsets::RULES,
     flow::RULES,
+    geometry::RULES,
+    modes::RULES,
+    words::RULES,
 ];
 
 fn all() -> impl Iterator<Item = &'static Rule> {

@@ -1,8 +1,8 @@
 //! What the interpreter refuses, and what it remarks.
 
-use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
+use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule, Size};
+use crate::gcode::rules::geometry::HalfTurn;
 use crate::limits::REMARKS;
-use crate::number::shown;
 use crate::text::Text;
 
 /// A refusal with its place. The block is not executed.
@@ -148,18 +148,6 @@ pub(super) fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Pla
 /// The result of reading or executing a block.
 pub(super) type Outcome<T> = Result<T, Box<Fault>>;
 
-/// The remark on a feed move where no feed has been given, in controls that let it pass.
-pub const NO_FEED: Text = Text::fixed(
-    "movimiento de avance sin F: el control usa el avance que tenga",
-    "feed move without F: the control takes the feed it has",
-);
-
-/// The remark on a constant surface speed without a limit.
-pub const NO_SPEED_LIMIT: Text = Text::fixed(
-    "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
-    "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
-);
-
 /// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
 /// often it was seen.
 #[derive(Debug, Default)]
@@ -199,13 +187,19 @@ impl Remarks {
 
     /// Remarks a row at a line and column (counted from 0). Row and values tell one thing from another.
     pub(super) fn row(&mut self, row: &dyn Raise, line: usize, column: Option<usize>) {
+        self.graded(row.rule().grade, row, line, column);
+    }
+
+    /// The same with a grade below the row's.
+    pub(super) fn graded(&mut self, grade: Grade, row: &dyn Raise, line: usize, column: Option<usize>) {
         let (rule, data) = (row.rule(), row.carries());
         let same = |finding: &Finding| finding.is(rule) && finding.data == data;
         if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| same(finding)) {
             *count += 1;
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, row.at(place(self.file.as_deref(), line, columns))));
+            let found = row.at(place(self.file.as_deref(), line, columns));
+            self.list.push((1, Finding { grade, ..found }));
         }
     }
 
@@ -251,25 +245,14 @@ impl Remarks {
 impl Turns {
     fn finding(&self) -> Finding {
         let (axis, degrees, line) = self.greatest;
-        let degrees = shown(degrees, 3);
-        let (es, en) = match self.count {
-            1 => (String::new(), String::new()),
-            count => (
+        let more = match self.count {
+            1 => Text::fixed("", ""),
+            count => Text::new(
                 format!("; {count} bloques así, este es el mayor, en la línea {line}"),
                 format!("; {count} such blocks, this the greatest, in line {line}"),
             ),
         };
-        Finding::new(
-            Grade::Caution,
-            self.first.clone(),
-            Text::new(
-                format!("más de media vuelta de un eje rotativo en un bloque en avance: {axis} gira {degrees}°{es}"),
-                format!("more than half a turn of a rotary axis in one block at feed: {axis} turns {degrees}°{en}"),
-            ),
-            Text::fixed(
-                "compruebe el sentido del giro y si el eje de la máquina es rollover (--rotary)",
-                "check which way the axis is to turn, and whether the machine's axis is rollover (--rotary)",
-            ),
-        )
+        let degrees = Size::number(degrees, 3);
+        HalfTurn { axis, degrees, count: self.count, line, more }.at(self.first.clone())
     }
 }
