@@ -22,6 +22,7 @@ use rodete::kinds::lathe::parameters::FORM;
 use rodete::kinds::lathe::text::{Lines, SheetProgram};
 use rodete::kinds::lathe::{Seen, watched};
 use rodete::machine::axis::{Axis, Pose};
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::removal::turning::machine::Lathe;
 use rodete::removal::turning::second_removal::Repeat;
@@ -165,7 +166,7 @@ fn job(text: &str) -> (u64, u64) {
         version: env!("CARGO_PKG_VERSION"),
     };
     let (mut motions, mut cutting) = (0, 0);
-    let outcome = watched(&FORM, values(), source, Some(program), &mut |seen| {
+    let outcome = watched(Fields::of(&FORM, values()).expect("fields"), source, Some(program), &mut |seen| {
         if let Seen::Step(step, ..) = seen {
             motions += 1;
             cutting += u64::from(step.removed.volume > 0.0);

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::number::trig::atan2;
-use crate::parameter::{Choice, t};
+use crate::parameter::field::choices;
 use crate::text::Text;
 
 /// How a stroke looks.
@@ -135,26 +135,17 @@ impl Figure {
     pub const HEIGHT: f64 = 62.0;
 }
 
-/// A sheet of paper to print on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Paper {
-    /// 210 mm × 297 mm.
-    A4,
-    /// 297 mm × 420 mm.
-    A3,
+choices! {
+    /// A sheet of paper to print on.
+    pub enum Paper {
+        /// 210 mm × 297 mm.
+        A4 = "a4" ("A4", "A4"),
+        /// 297 mm × 420 mm.
+        A3 = "a3" ("A3", "A3"),
+    }
 }
 
 impl Paper {
-    /// The paper with the key of a choice in [`PAPERS`].
-    #[must_use]
-    pub fn of(key: &str) -> Option<Self> {
-        match key {
-            "a4" => Some(Self::A4),
-            "a3" => Some(Self::A3),
-            _ => None,
-        }
-    }
-
     /// Short and long side in mm (ISO 216).
     #[must_use]
     pub const fn sides(self) -> [f64; 2] {
@@ -164,9 +155,6 @@ impl Paper {
         }
     }
 }
-
-/// The papers for a form.
-pub const PAPERS: &[Choice] = &[Choice { key: "a4", label: t("A4", "A4") }, Choice { key: "a3", label: t("A3", "A3") }];
 
 #[cfg(test)]
 mod tests {

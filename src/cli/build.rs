@@ -141,7 +141,7 @@ fn typeset(
     let attachments: Vec<_> = std::iter::once(input)
         .chain(programs)
         .chain(drawings::attachments(item, outcome, set))
-        .chain(delivery::attachments(item, outcome.form, set))
+        .chain(delivery::attachments(item, outcome.fields.form(), set))
         .collect();
     let at_work = AtWork::begin();
     let report = report::typeset(outcome, &attachments, language, typst);

@@ -95,7 +95,7 @@ impl Delivery<'_> {
             })?;
         }
         if let Some(watching) = watching {
-            let title = outcome.values.line("part").to_owned();
+            let title = outcome.fields.values().line("part").to_owned();
             let scene = watching.scene(title, language);
             set.write(&store::file_name(&item.stem, VIEWER), |out| view::write(&scene, out))?;
         }

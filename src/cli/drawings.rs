@@ -39,7 +39,7 @@ fn titled<'a>(outcome: &'a Outcome, drawing: &'a Drawing, language: Language) ->
         figure: &drawing.figure,
         arcs: &drawing.arcs,
         title: &drawing.title,
-        part: outcome.values.line("part"),
+        part: outcome.fields.values().line("part"),
         source: &outcome.source,
         language,
     }

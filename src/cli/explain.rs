@@ -9,13 +9,14 @@ use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
 use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning;
-use crate::parameter::t;
+use crate::parameter::{self, t};
 use crate::removal::turning::rules as alarms;
 use crate::text::{Language, Text};
 use crate::workbook;
 
 /// The rows of every room.
 pub const RULES: &[&[&Rule]] = &[
+    parameter::rules::RULES,
     alarms::RULES,
     turning::rules::RULES,
     lexis::RULES,

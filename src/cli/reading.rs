@@ -12,6 +12,7 @@ use crate::kind::{Outcome, Provenance};
 use crate::kinds;
 use crate::kinds::lathe;
 use crate::kinds::lathe::scene::Watching;
+use crate::parameter::field::Fields;
 use crate::store;
 use crate::workbook::{self, Filled};
 
@@ -100,7 +101,8 @@ pub(super) fn watch(
     verdict.findings.extend(filled.findings.iter().cloned());
     let mut outcome = match watching {
         Some(watching) => {
-            lathe::watched(filled.form, filled.values, source, None, &mut |seen| watching.see(seen))?.outcome
+            let fields = Fields::of(filled.form, filled.values)?;
+            lathe::watched(fields, source, None, &mut |seen| watching.see(seen))?.outcome
         }
         None => kinds::run(filled.form, filled.values, source)?,
     };

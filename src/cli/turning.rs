@@ -24,6 +24,7 @@ use crate::kinds::lathe::{self, Raised, Simulated};
 use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::SHEET_BLOCKS;
 use crate::machine::axis::Axis;
+use crate::parameter::field::Fields;
 use crate::parameter::list::{Row, Rows};
 use crate::parameter::{Value, Values};
 use crate::store;
@@ -119,12 +120,13 @@ pub(super) fn follow(
         version: env!("CARGO_PKG_VERSION"),
     };
     let mut watching = watching;
-    let Simulated { outcome, alarms } = lathe::watched(&FORM, values, source, Some(program), &mut |seen| {
-        if let Some(watching) = &mut watching {
-            watching.see(seen);
-        }
-    })
-    .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
+    let Simulated { outcome, alarms } =
+        lathe::watched(Fields::of(&FORM, values)?, source, Some(program), &mut |seen| {
+            if let Some(watching) = &mut watching {
+                watching.see(seen);
+            }
+        })
+        .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     verdict.findings.extend(outcome.findings.iter().cloned());
     verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     verdict.quantities.clone_from(&outcome.quantities);

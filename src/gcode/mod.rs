@@ -3,6 +3,7 @@
 //! A [`program::Program`] holds positions on the output grid, not text; its text is made line by line wherever it is
 //! needed (file, sheet, report), so that a program of a million blocks costs no more memory than its points.
 
+pub mod chosen;
 pub mod code;
 pub mod comment;
 pub mod control;

@@ -9,7 +9,7 @@ use crate::figure::{Arc, Figure, Paper};
 use crate::finding::{Exit, Finding, Grade, Place};
 use crate::gcode::program::Program;
 use crate::number::grid::OutOfFormat;
-use crate::parameter::{Form, Values};
+use crate::parameter::field::Fields;
 use crate::proof::account::Account;
 use crate::table::{Quantity, Table};
 use crate::text::Text;
@@ -58,7 +58,7 @@ pub type Figures = LazyLock<Vec<Figure>, Box<dyn FnOnce() -> Vec<Figure> + Send 
 /// A drawing at 1:1 that is delivered on its own, as DXF and SVG and, where it is to be printed, as PDF.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// One of [`Form::drawings`]: what its files are called, as `<stem>-<key>.dxf`.
+    /// One of [`Form::drawings`](crate::parameter::Form::drawings): what its files are called, as `<stem>-<key>.dxf`.
     pub key: &'static str,
     /// What it is.
     pub title: Text,
@@ -150,10 +150,8 @@ impl End {
 /// What came of a design: parts that are the same of every kind, so that who delivers them asks no kind.
 #[derive(Debug)]
 pub struct Outcome {
-    /// The workbook kind.
-    pub form: &'static Form,
-    /// The values it was computed from.
-    pub values: Values,
+    /// The workbook kind, and the values it was computed from.
+    pub fields: Fields,
     /// Where they come from.
     pub source: Provenance,
     /// Derived limits, angles and lengths.

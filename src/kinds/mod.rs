@@ -8,6 +8,7 @@ use crate::finding::{Exit, Finding, Grade, Place, Refusal};
 use crate::kind::{Outcome, Provenance};
 use crate::limits::SHOWN_MOTIONS;
 use crate::machine::chain::Chain;
+use crate::parameter::field::Fields;
 use crate::parameter::{Form, Values};
 use crate::scene::kept::{following, too_many};
 use crate::scene::program::Program;
@@ -19,11 +20,12 @@ use crate::text::{Language, Text};
 /// # Errors
 /// A refusal with every contradiction between values.
 pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+    let fields = Fields::of(form, values)?;
     match form.kind {
-        "impeller" => impeller::run(form, values, source),
-        "lathe" => lathe::run(form, values, source),
-        "pipe-hole" => pipe::hole::run(form, values, source),
-        "pipe-insert" => pipe::insert::run(form, values, source),
+        "impeller" => impeller::run(fields, source),
+        "lathe" => lathe::run(fields, source),
+        "pipe-hole" => pipe::hole::run(fields, source),
+        "pipe-insert" => pipe::insert::run(fields, source),
         _ => Err(Refusal::new(
             Exit::Fault,
             Finding::fault(
@@ -44,10 +46,10 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
 pub fn scene(outcome: &Outcome, title: String, language: Language) -> Result<Scene, Refusal> {
     let mut scene = Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: Vec::new() };
     let most = u64::try_from(SHOWN_MOTIONS).unwrap_or(u64::MAX);
-    let part = match outcome.form.kind {
-        "impeller" => impeller::scene::part(&outcome.values),
-        "pipe-hole" => pipe::scene::hole(&outcome.values),
-        "pipe-insert" => pipe::scene::insert(&outcome.values),
+    let part = match outcome.fields.form().kind {
+        "impeller" => impeller::scene::part(&outcome.fields),
+        "pipe-hole" => pipe::scene::hole(&outcome.fields),
+        "pipe-insert" => pipe::scene::insert(&outcome.fields),
         _ => None,
     };
     for program in &outcome.programs {

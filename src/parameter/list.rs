@@ -34,7 +34,7 @@ pub struct List {
     pub optional: bool,
     /// The columns, at most 24; keys as `tools/R`. The first one's heading finds the row of headings. A column that is
     /// required must be filled in every row that holds something.
-    pub columns: &'static [Parameter],
+    pub columns: &'static [&'static Parameter],
     /// The widths of the columns in characters.
     pub widths: &'static [f64],
     /// Most rows.

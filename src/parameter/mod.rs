@@ -3,7 +3,9 @@
 //! The input sheet, its cell validation, the refusals, the ranges of the property tests and the documentation all
 //! follow from it, so that a limit is written once.
 
+pub mod field;
 pub mod list;
+pub mod rules;
 
 use std::collections::BTreeMap;
 
@@ -68,6 +70,8 @@ pub struct Parameter {
     pub kind: FieldKind,
     /// An empty cell is refused.
     pub required: bool,
+    /// True for a value of the field's type.
+    pub admits: fn(&Value) -> bool,
     /// A note on the allowed range, for column E and the input message.
     pub note: Text,
 }
@@ -86,7 +90,7 @@ pub struct Section {
     /// The heading on the sheet.
     pub title: Text,
     /// The parameters, in order.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [&'static Parameter],
 }
 
 /// One sheet of an input workbook.
@@ -177,7 +181,7 @@ impl Form {
     /// Every parameter with its sheet, in order.
     pub fn parameters(&self) -> impl Iterator<Item = (&'static Sheet, &'static Parameter)> {
         self.sheets.iter().flat_map(|sheet| {
-            sheet.sections.iter().flat_map(move |section| section.parameters.iter().map(move |one| (sheet, one)))
+            sheet.sections.iter().flat_map(move |section| section.parameters.iter().map(move |one| (sheet, *one)))
         })
     }
 
@@ -274,47 +278,6 @@ impl Values {
         }
         finding
     }
-}
-
-/// A real number.
-#[must_use]
-pub const fn real(
-    key: &'static str,
-    name: &'static str,
-    unit: Unit,
-    [min, max]: [f64; 2],
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: FieldKind::Real { min, max }, required, note }
-}
-
-/// A whole number.
-#[must_use]
-pub const fn whole(
-    key: &'static str,
-    name: &'static str,
-    unit: Unit,
-    [min, max]: [u32; 2],
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit, kind: FieldKind::Whole { min, max }, required, note }
-}
-
-/// A parameter of another kind, without a unit.
-#[must_use]
-pub const fn other(
-    key: &'static str,
-    name: &'static str,
-    kind: FieldKind,
-    required: bool,
-    meaning: Text,
-    note: Text,
-) -> Parameter {
-    Parameter { key, name, meaning, unit: Unit::None, kind, required, note }
 }
 
 /// A text in both languages.

@@ -55,21 +55,22 @@ pub(super) fn write(
             figures.insert(figure.key, drawing);
         }
     }
-    let line = |words: &mut Words, key| words.line(outcome.values.line(key));
+    let line = |words: &mut Words, key| words.line(outcome.fields.values().line(key));
     let mut document = Document {
-        kind: outcome.form.kind,
+        kind: outcome.fields.form().kind,
         language: language.code(),
         part: line(&mut words, "part"),
         material: line(&mut words, "material"),
         workbook: words.line(&outcome.source.workbook),
         sha256: outcome.source.sha256.clone(),
         version: outcome.source.version.to_owned(),
-        dialect: outcome.values.choice("dialect").unwrap_or_default().to_owned(),
-        style: outcome.values.choice("style").unwrap_or_default().to_owned(),
+        dialect: outcome.fields.values().choice("dialect").unwrap_or_default().to_owned(),
+        style: outcome.fields.values().choice("style").unwrap_or_default().to_owned(),
         stopped: outcome.stopped(),
         parameters: parameters(outcome, &mut words),
         values: outcome
-            .form
+            .fields
+            .form()
             .parameters()
             .filter_map(|(_, parameter)| Some((parameter.key, value(outcome, parameter, &mut words)?)))
             .collect(),
@@ -121,7 +122,7 @@ impl From<Shown> for SetUp {
 }
 
 fn value(outcome: &Outcome, parameter: &Parameter, words: &mut Words) -> Option<String> {
-    match outcome.values.values.get(parameter.key)? {
+    match outcome.fields.values().values.get(parameter.key)? {
         Value::Real(value) => Some(number::given(*value)),
         Value::Whole(value) => Some(value.to_string()),
         Value::Choice(key) => match &parameter.kind {
@@ -137,9 +138,9 @@ fn value(outcome: &Outcome, parameter: &Parameter, words: &mut Words) -> Option<
 /// The parameters by section; a sheet without any value is left out.
 fn parameters(outcome: &Outcome, words: &mut Words) -> Vec<Group> {
     let mut groups = Vec::new();
-    for (number, sheet) in outcome.form.sheets.iter().enumerate() {
-        let given = |parameter: &Parameter| outcome.values.values.contains_key(parameter.key);
-        if !sheet.sections.iter().flat_map(|section| section.parameters).any(given) {
+    for (number, sheet) in outcome.fields.form().sheets.iter().enumerate() {
+        let given = |parameter: &Parameter| outcome.fields.values().values.contains_key(parameter.key);
+        if !sheet.sections.iter().flat_map(|section| section.parameters).any(|one| given(one)) {
             continue;
         }
         for section in sheet.sections {

@@ -80,7 +80,7 @@ fn is_heading(list: &List, sheet: &SheetCells, row: u32, required: bool) -> bool
     let mut others = list.columns.iter().skip(1);
     let stands = |one: &Parameter| (0..width).any(|at| is(at, one.symbol()));
     list.columns.first().is_some_and(|first| is(0, first.symbol()))
-        && if required { others.all(|one| !one.required || stands(one)) } else { others.any(stands) }
+        && if required { others.all(|one| !one.required || stands(one)) } else { others.any(|one| stands(one)) }
 }
 
 /// The columns by where they stand.

@@ -18,7 +18,8 @@ use crate::machine::length_unit::LengthUnit;
 use crate::machine::offset_edit::{GREATEST_ROTATION, greatest};
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G92_FIRST, Offsets, System};
-use crate::parameter::{Choice, FieldKind, Parameter};
+use crate::parameter::field::{Chosen, Typed};
+use crate::parameter::{FieldKind, Parameter};
 use crate::table::Unit;
 use crate::text::{Language, Text};
 
@@ -52,6 +53,7 @@ const fn real(key: &'static str, meaning: Text, most: f64) -> Parameter {
         unit: Unit::None,
         kind: FieldKind::Real { min: -most, max: most },
         required: true,
+        admits: f64::admits,
         note: Text::fixed("", ""),
     }
 }
@@ -85,15 +87,14 @@ static INCHES: [Parameter; 10] = numbers(LengthUnit::Inch);
 static MARKS: [Parameter; 2] = [mark("Activo"), mark("Active")];
 
 const fn mark(key: &'static str) -> Parameter {
-    const CHOICES: &[Choice] =
-        &[Choice { key: YES, label: Text::fixed("sí", "yes") }, Choice { key: "no", label: Text::fixed("no", "no") }];
     Parameter {
         key,
         name: "",
         meaning: Text::fixed("sistema activo; G92 en vigor", "active system; G92 in force"),
         unit: Unit::None,
-        kind: FieldKind::Choice(CHOICES),
+        kind: FieldKind::Choice(bool::CHOICES),
         required: false,
+        admits: bool::admits,
         note: Text::fixed("", ""),
     }
 }

@@ -36,7 +36,7 @@ pub fn write<W: Write + Seek + Send>(outcome: &Outcome, language: Language, out:
         language,
         styles: Styles::default(),
         page: Page {
-            part: outcome.values.line("part"),
+            part: outcome.fields.values().line("part"),
             origin: &outcome.source.workbook,
             repeat: (0, 0),
             landscape: false,
@@ -85,7 +85,7 @@ impl<'a> Results<'a> {
                 "This workbook is too large to be read again: change the values in the input workbook.",
             )
         };
-        for (index, sheet) in outcome.form.sheets.iter().enumerate() {
+        for (index, sheet) in outcome.fields.form().sheets.iter().enumerate() {
             let name = self.names.take(sheet.name.get(language));
             if index == 0 {
                 self.workbook.set_properties(&properties(sheet.title.get(language))?);
@@ -95,7 +95,7 @@ impl<'a> Results<'a> {
                 (_, true) => vec![OPTIONAL.get(language), HOW.get(language)],
                 (_, false) => vec![HOW.get(language)],
             };
-            let values = |key: &str| outcome.values.values.get(key);
+            let values = |key: &str| outcome.fields.values().values.get(key);
             let page = Page { landscape: index == 0, ..self.page };
             let worksheet = self.workbook.add_worksheet();
             let mut layout = Filling { sheet, values, notes: &notes, language }.write(worksheet, &self.styles)?;
@@ -110,8 +110,8 @@ impl<'a> Results<'a> {
             }
         }
         let names = &mut self.names;
-        let lists = &outcome.values.lists;
-        write_lists(&mut self.workbook, outcome.form, lists, &self.styles, &self.page, language, |name| {
+        let lists = &outcome.fields.values().lists;
+        write_lists(&mut self.workbook, outcome.fields.form(), lists, &self.styles, &self.page, language, |name| {
             names.take(name)
         })
     }
@@ -145,7 +145,8 @@ impl<'a> Results<'a> {
 
     /// The programs, where they do not stand on sheets of the form as the user's own.
     fn write_programs(&mut self) -> Result<(), WriteError> {
-        let Outcome { form, values, programs, .. } = self.outcome;
+        let Outcome { fields, programs, .. } = self.outcome;
+        let (form, values) = (fields.form(), fields.values());
         let mut sheets = form.lists.iter().filter(|list| list.is_program).peekable();
         let own = sheets.peek().is_some();
         if sheets.any(|list| !values.rows(list.key).is_empty()) {

@@ -374,7 +374,7 @@ fn take(
 ) {
     let rows = rows_by_symbol(sheet);
     let parameters: Vec<&'static Parameter> =
-        described.sections.iter().flat_map(|section| section.parameters).collect();
+        described.sections.iter().flat_map(|section| section.parameters).copied().collect();
     // Under an earlier schema the symbol of then is read, and the one of now beside it: two of them are one too many.
     let then = |parameter: &Parameter| earlier.and_then(|earlier| earlier.symbol(parameter.key));
     let found = |parameter: &Parameter| -> Vec<u32> {

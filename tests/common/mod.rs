@@ -14,6 +14,7 @@ use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::text::Language;
 
@@ -24,6 +25,12 @@ pub fn values(case: &str, changes: &[(&'static str, Value)]) -> Values {
     values.values.extend(case.values(Language::En));
     values.values.extend(changes.iter().cloned());
     values
+}
+
+/// The same, proved.
+#[allow(dead_code, reason = "not every test builds designs")]
+pub fn fields(case: &str, changes: &[(&'static str, Value)]) -> Fields {
+    Fields::of(&FORM, values(case, changes)).expect("all that the form requires")
 }
 
 /// Changes to the case `full` that write positions instead of increments, for a machine whose rotary axes are linear, and

@@ -10,6 +10,7 @@ use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
 use rodete::kinds::pipe::{hole, insert};
 use rodete::machine::axis::Axis;
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::proof::check::Verdict;
 use rodete::proof::rollover;
@@ -178,11 +179,14 @@ fn a_wrong_increment_is_caught() {
         let agreement = |text: &str| {
             let mut read = Interpreter::over(text.as_bytes(), program.setting());
             let checks = if kind == "hole" {
-                let design = hole::design::Design::new(&values).expect("a design");
+                let design = hole::design::Design::new(&Fields::of(&hole::parameters::FORM, values.clone()).unwrap())
+                    .expect("a design");
                 let way = hole::cut::cut(&design).expect("within the format").expect("a way");
                 hole::proof::judge(&design, &way, &program, &mut read).0
             } else {
-                let design = insert::design::Design::new(&values).expect("a design");
+                let design =
+                    insert::design::Design::new(&Fields::of(&insert::parameters::FORM, values.clone()).unwrap())
+                        .expect("a design");
                 let way = insert::cut::cut(&design).expect("a way");
                 insert::proof::judge(&design, Some(&way), &program, &mut read).0
             };

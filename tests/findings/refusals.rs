@@ -13,7 +13,7 @@ use rodete::text::Text;
 
 /// The findings of a refused design.
 fn refused(case: &str, changes: &[(&'static str, Value)]) -> Vec<Finding> {
-    match Design::new(&common::values(case, changes)) {
+    match Design::new(&common::fields(case, changes)) {
         Ok(_) => panic!("accepted: {changes:?}"),
         Err(findings) => findings,
     }
@@ -64,7 +64,7 @@ fn too_many_blades_are_refused_with_n_max() {
         findings[0].remedy.en,
         "fewer blades, thinner blades, or a smaller tool; 6.378 mm are left between blades and 8 mm are needed"
     );
-    assert!(Design::new(&common::values("tfg-2021", &[("N", Value::Whole(5))])).is_ok());
+    assert!(Design::new(&common::fields("tfg-2021", &[("N", Value::Whole(5))])).is_ok());
 }
 
 #[test]

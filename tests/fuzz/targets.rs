@@ -19,6 +19,7 @@ use rodete::kinds::lathe::{cases, parameters, text};
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Form, Value, Values};
 use rodete::proof::account::Account;
 use rodete::removal::turning::simulation::{Setup, Simulation};
@@ -142,7 +143,10 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let Some(motions) = followed(&values, &program) else { return Work { read: 1, motions: 0 } };
     let source = Provenance { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
     let mut watching = Watching::default();
-    let followed = lathe::watched(&parameters::FORM, values, source, Some(program), &mut |seen| watching.see(seen));
+    let followed =
+        lathe::watched(Fields::of(&parameters::FORM, values).expect("fields"), source, Some(program), &mut |seen| {
+            watching.see(seen)
+        });
     match followed {
         Ok(Simulated { outcome, .. }) => {
             said(&outcome.findings);

@@ -129,7 +129,7 @@ fn sweeps_of([R, r, N, e, a_p, d_t]: [f64; 6], n: u32) -> (Design, Vec<Sweep>) {
         real("X_e", 3.0 * R),
         ("splitters", Value::Choice("no")),
     ];
-    let design = Design::new(&common::values("tfg-2021", &changes)).unwrap();
+    let design = Design::new(&common::fields("tfg-2021", &changes)).unwrap();
     let blade = common::blade(&design);
     let tracks = Tracks::new(&blade, &ToolPaths::new(&design, &blade), None).unwrap();
     let sweep = |track| Sweep::new(&design, &tracks, track, undercut::height(a_p, d_t)).unwrap();

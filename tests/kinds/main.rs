@@ -4,6 +4,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod fields;
 mod impeller_shortfalls;
 mod pipe_designs;
 mod pipe_hole;

@@ -15,6 +15,7 @@ use rodete::kinds::pipe::hole;
 use rodete::kinds::pipe::insert;
 use rodete::machine::axis::Axis;
 use rodete::number::trig::{hypot, sin_cos};
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Form, Value, Values};
 use rodete::table::Entry;
 use rodete::text::Language;
@@ -134,7 +135,8 @@ fn a_torch_that_gives_its_tilt_way_too_near_the_pipe_is_stopped() {
         real("arc_tolerance", 0.02),
     ];
     let values = filled(hole::cases::CASES[0].values(Language::En), changes);
-    let design = hole::design::Design::new(&values).expect("a design");
+    let design =
+        hole::design::Design::new(&Fields::of(&hole::parameters::FORM, values.clone()).unwrap()).expect("a design");
     let outcome = run(&hole::parameters::FORM, values).expect("a hole");
     assert_eq!(outcome.exit(), Exit::Refused);
     let (told, found) = (row(&outcome, "Distance of the torch"), nearest_on_the_way(&design));
@@ -163,7 +165,7 @@ proptest! {
             ("dialect", Value::Choice(dialect)),
         ];
         let values = filled(hole::cases::CASES[0].values(Language::En), changes);
-        let design = hole::design::Design::new(&values);
+        let design = hole::design::Design::new(&Fields::of(&hole::parameters::FORM, values.clone()).unwrap());
         prop_assume!(design.is_ok());
         let design = design.expect("a design");
         let groove = design.groove();
@@ -248,7 +250,7 @@ proptest! {
             choice("contact", edges[0]), choice("sheet", edges[1]),
         ];
         let values = filled(insert::cases::CASES[0].values(Language::En), changes);
-        let design = insert::design::Design::new(&values);
+        let design = insert::design::Design::new(&Fields::of(&insert::parameters::FORM, values.clone()).unwrap());
         let outcome = match run(&insert::parameters::FORM, values) {
             Ok(outcome) => outcome,
             Err(refusal) => {

@@ -19,6 +19,7 @@ use rodete::kinds::pipe::hole::parameters::FORM;
 use rodete::kinds::pipe::hole::proof::{clearance, judge};
 use rodete::kinds::pipe::hole::tables;
 use rodete::number::trig::{hypot, sin_cos};
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::proof::check::Verdict;
 use rodete::table::Entry;
@@ -134,7 +135,7 @@ fn the_height_control_is_held_where_the_height_is_not_the_wanted_one() {
         .filter(|rest| rest.starts_with("M6"))
         .collect();
     assert_eq!(codes, ["M62 P2", "M63 P2", "M62 P2", "M63 P2", "M62 P2", "M63 P2"]);
-    let design = Design::new(&values(&[])).expect("a design");
+    let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
     let stations = tables::stations(&design);
     assert!(stations.iter().any(|one| one.D > design.d0) && stations.iter().any(|one| one.D == design.d0));
 }
@@ -264,7 +265,7 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
 #[test]
 fn the_root_lies_on_both_pipes_and_under_the_torch() {
     for hole in holes() {
-        let design = Design::new(&values(&hole)).expect("a design");
+        let design = Design::new(&Fields::of(&FORM, values(&hole)).unwrap()).expect("a design");
         let (r, R) = (design.branch.D / 2.0 + design.b, design.R_i() + design.h);
         for one in tables::stations(&design) {
             assert!((hypot(one.root.y, one.root.z) - R).abs() < 1e-9);
@@ -285,8 +286,11 @@ fn branch_and_hole_of_one_joint_are_no_mirror_images() {
     use nalgebra::Vector3;
     use rodete::kinds::pipe::insert;
     let (theta, e, b) = (65.0, 14.0, 2.0);
-    let hole =
-        Design::new(&values(&[real("theta", theta), real("e", e), real("D_max", 60.0), real("gamma", 0.0)])).unwrap();
+    let hole = Design::new(
+        &Fields::of(&FORM, values(&[real("theta", theta), real("e", e), real("D_max", 60.0), real("gamma", 0.0)]))
+            .unwrap(),
+    )
+    .unwrap();
     // The branch's axis: a point of it at x = 0 z = 0, and its direction.
     let (sin, cos) = sin_cos(f64::to_radians(theta));
     let d = Vector3::new(cos, 0.0, sin);
@@ -299,7 +303,7 @@ fn branch_and_hole_of_one_joint_are_no_mirror_images() {
     let mut filled = Values { language: Language::En, ..Values::default() };
     filled.values.extend(insert::cases::CASES[0].values(Language::En));
     filled.values.extend([real("theta", theta), real("e", e), choice("header_size", "6")]);
-    let branch = insert::design::Design::new(&filled).unwrap();
+    let branch = insert::design::Design::new(&Fields::of(&insert::parameters::FORM, filled.clone()).unwrap()).unwrap();
     let template = branch.template();
     // What is up on the sheet goes down the branch; printed face outwards, right is up × out.
     let (up, out0) = (-d, Vector3::new(sin, 0.0, -cos));
@@ -351,7 +355,7 @@ fn the_height_table_follows_the_law_and_does_not_jump() {
 /// One fault at a time in the text of a sound program.
 #[test]
 fn faults_in_the_text_are_caught() {
-    let design = Design::new(&values(&[])).expect("a design");
+    let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
     let way = cut(&design).expect("within the format").expect("a way");
     let program = outcome(&[]).programs.remove(0);
     let text = program.text();
@@ -388,7 +392,7 @@ fn faults_in_the_text_are_caught() {
 /// Eight whole turns of C within one motion, and back in the next: at every eighth of them the torch stands as it should.
 #[test]
 fn what_happens_between_the_looks_is_judged() {
-    let design = Design::new(&values(&[])).expect("a design");
+    let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
     let way = cut(&design).expect("within the format").expect("a way");
     let program = outcome(&[]).programs.remove(0);
     let text = program.text();
@@ -411,7 +415,7 @@ fn what_happens_between_the_looks_is_judged() {
 fn the_flank_of_the_torch_is_judged_between_its_points_too() {
     use nalgebra::Vector3;
     use rodete::machine::torch::TorchPose;
-    let design = Design::new(&values(&[])).expect("a design");
+    let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
     // Upright over the pipe's side the body's flank is nearest where it is lowest; lying, somewhere along a generator.
     for (y, z, tilt) in [(-30.0, 95.0, 1.2), (-25.0, 103.0, 1.5), (-41.3, 100.7, 1.55), (0.0, 90.0, 0.3)] {
         let (sin, cos) = sin_cos(tilt);
@@ -454,7 +458,7 @@ proptest! {
         for key in ["branch_size", "branch_schedule", "header_size", "header_schedule"] {
             values.values.remove(key);
         }
-        let Ok(design) = Design::new(&values) else { return Ok(()) };
+        let Ok(design) = Design::new(&Fields::of(&FORM, values.clone()).unwrap()) else { return Ok(()) };
         let Some(station) = design.groove().at(alpha) else { return Ok(()) };
         prop_assume!(station.D <= design.D_max);
         let found = clearance(&design, &station.pose);
@@ -466,7 +470,7 @@ proptest! {
 fn a_torch_not_lit_for_the_cut_or_not_put_out_after_it_is_caught() {
     use rodete::gcode::program::Part;
     use rodete::proof::verification::torch;
-    let design = Design::new(&values(&[])).expect("a design");
+    let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
     let program = outcome(&[]).programs.remove(0).program;
     let codes = || Some([&design.torch_on[..], &design.torch_off[..]]);
     assert_eq!(torch(&program, codes()).verdict, Verdict::Passed);

@@ -16,6 +16,7 @@ use rodete::kinds::pipe::insert::parameters::FORM;
 use rodete::kinds::pipe::insert::program::{published, template_points};
 use rodete::kinds::pipe::insert::proof::judge;
 use rodete::kinds::pipe::insert::tables;
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::proof::check::Verdict;
 use rodete::table::Entry;
@@ -35,7 +36,7 @@ fn golden(name: &str) -> String {
 }
 
 fn published_design() -> Design {
-    Design::new(&values("3on4-2023", &[])).expect("the published case")
+    Design::new(&Fields::of(&FORM, values("3on4-2023", &[])).unwrap()).expect("the published case")
 }
 
 #[test]
@@ -225,10 +226,10 @@ fn a_wall_beyond_the_radius_is_refused() {
     let mut typed = values("square", &[real("D_branch", 80.0), real("t_branch", 40.0)]);
     typed.values.remove("branch_size");
     typed.values.remove("branch_schedule");
-    let findings = Design::new(&typed).expect_err("a wall as thick as the radius");
+    let findings = Design::new(&Fields::of(&FORM, typed.clone()).unwrap()).expect_err("a wall as thick as the radius");
     assert_eq!(findings[0].what.en, "the wall of the branch is 40 mm, must be below its radius, 40 mm");
     typed.values.remove("D_branch");
-    let findings = Design::new(&typed).expect_err("no diameter");
+    let findings = Design::new(&Fields::of(&FORM, typed.clone()).unwrap()).expect_err("no diameter");
     assert_eq!(findings[0].what.en, "the size is missing: branch_size and branch_schedule, or D_branch and t_branch");
 }
 
@@ -321,7 +322,7 @@ fn a_position_beyond_the_format_is_refused_in_the_published_style_too() {
 fn faults_in_the_text_are_caught() {
     for mode in ["flat", "rotary"] {
         let changes = [choice("mode", mode), real("arc_tolerance", 0.1)];
-        let design = Design::new(&values("square", &changes)).expect("a design");
+        let design = Design::new(&Fields::of(&FORM, values("square", &changes)).unwrap()).expect("a design");
         let way = cut(&design).expect("a way");
         let program = outcome("square", &changes).programs.remove(0);
         let text = program.text();

@@ -199,6 +199,6 @@ fn limits_of_the_published_case_are_those_printed() {
     assert!((value("crossing") - 19.13).abs() < 0.005);
     assert_eq!(value("m"), 20.0);
     assert!((value("e_max") - (4.0 * std::f64::consts::PI - 8.0)).abs() < 1e-12);
-    let design = Design::new(&common::values("tfg-2021", &[])).unwrap();
+    let design = Design::new(&common::fields("tfg-2021", &[])).unwrap();
     assert_eq!(common::blade(&design).points(), 41);
 }

@@ -14,7 +14,7 @@ use rodete::machine::rotary::Rotary;
 use rodete::number::trig::{acos, atan, sin_cos};
 
 fn published() -> (Design, Blade) {
-    let design = Design::new(&common::values("tfg-2021", &[])).unwrap();
+    let design = Design::new(&common::fields("tfg-2021", &[])).unwrap();
     let blade = common::blade(&design);
     (design, blade)
 }

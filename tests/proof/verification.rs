@@ -29,6 +29,7 @@ use rodete::kinds::impeller::tables::ToolPaths;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
+use rodete::parameter::field::Fields;
 use rodete::proof::check::{Check, Verdict};
 use rodete::proof::text::Characters;
 use rodete::proof::track::Track;
@@ -41,7 +42,7 @@ fn real(key: &'static str, value: f64) -> (&'static str, Value) {
 }
 
 fn published(n: u32) -> Design {
-    Design::new(&common::values("tfg-2021", &[("n", Value::Whole(n))])).unwrap()
+    Design::new(&common::fields("tfg-2021", &[("n", Value::Whole(n))])).unwrap()
 }
 
 /// The greatest deviation and the farthest into the metal along a track of a blade, from positions that are not
@@ -194,7 +195,7 @@ fn the_published_splitter_cuts_into_its_neighbour() {
 
 #[test]
 fn a_splitter_whose_sides_fade_by_themselves_leaves_its_neighbours_alone() {
-    let design = Design::new(&common::values("full", &[])).unwrap();
+    let design = Design::new(&common::fields("full", &[])).unwrap();
     let splitter = Splitter::new(&design, &common::blade(&design)).unwrap();
     assert_eq!([splitter.out.m, splitter.back.m], [32, 21]);
     for track in [Track::Out, Track::Back] {
@@ -264,7 +265,7 @@ impl Prepared {
     /// The case `full` with positions, whose text is changed line by line: increments have tests of their own.
     fn new(case: &str, changes: &[(&'static str, Value)]) -> Self {
         let changes = &if case == "full" { common::absolute(changes) } else { changes.to_vec() };
-        let design = Design::new(&common::values(case, changes)).unwrap();
+        let design = Design::new(&common::fields(case, changes)).unwrap();
         let blade = common::blade(&design);
         let splitter = Splitter::new(&design, &blade).unwrap();
         let outcome = common::outcome(case, changes);
@@ -468,7 +469,7 @@ proptest! {
         ]);
         prop_assume!(e >= 0.05);
         // Of the tip's path nothing is asked here, nor the n for it.
-        let design = Design { tol: Some(f64::INFINITY), ..Design::new(&values).unwrap() };
+        let design = Design { tol: Some(f64::INFINITY), ..Design::new(&Fields::of(&rodete::kinds::impeller::parameters::FORM, values.clone()).unwrap()).unwrap() };
         let blade = common::blade(&design);
         let splitter = Splitter::new(&design, &blade);
         // Some designs have no splitter, and are refused.

@@ -13,6 +13,7 @@ use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY
 use rodete::kinds::lathe::setup::Given;
 use rodete::kinds::lathe::{Simulated, catalogue, watched};
 use rodete::machine::axis::Axis;
+use rodete::parameter::field::Fields;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
 use rodete::table::Entry;
@@ -223,7 +224,8 @@ fn an_alarm_that_is_told_at_the_end_stands_in_the_row_of_its_motion() {
         }
     });
     let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
-    let Simulated { outcome, alarms } = watched(&FORM, read(&bytes).unwrap(), source, None, &mut |_| ()).unwrap();
+    let Simulated { outcome, alarms } =
+        watched(Fields::of(&FORM, read(&bytes).unwrap()).unwrap(), source, None, &mut |_| ()).unwrap();
     let table = outcome.table("blocks").unwrap();
     let column = |name: &str| &table.column(name).unwrap().values;
     let told: Vec<_> = (0..table.rows())

@@ -12,6 +12,7 @@ use rodete::finding::{Finding, Grade, Place};
 use rodete::kind::{End, Outcome, Provenance};
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
+use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
@@ -30,8 +31,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
     let line: Vec<[f64; 2]> =
         steps.iter().enumerate().map(|(at, &y)| [f64::from(u32::try_from(at).unwrap()), y]).collect();
     Outcome {
-        form: &FORM,
-        values,
+        fields: Fields::of(&FORM, values).expect("all that the form requires"),
         source: Provenance {
             workbook: "impeller & co.xlsx".to_owned(),
             sha256: "0123456789abcdef".repeat(4),

@@ -161,8 +161,9 @@ fn programs_stand_side_by_side_line_for_line() {
 #[test]
 fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
     let outcome = common::outcome("tfg-2021", &[]);
-    let programs = ProgramSheet::new(outcome.programs.iter().map(|proved| &proved.program), outcome.form.programs, 50)
-        .expect("programs");
+    let programs =
+        ProgramSheet::new(outcome.programs.iter().map(|proved| &proved.program), outcome.fields.form().programs, 50)
+            .expect("programs");
     assert_eq!(programs.rows(), 50);
     let mut book = rust_xlsxwriter::Workbook::new();
     let page = rodete::workbook::page::Page { part: "", origin: "", repeat: (0, 0), landscape: false, single: false };
@@ -207,7 +208,7 @@ fn the_first_sheet_is_the_form_with_the_values_and_the_derived_quantities() {
         let row = |symbol: &str, column: usize| {
             (0..range.height()).find(|&row| at(&range, row, column) == Data::String(symbol.to_owned()))
         };
-        for (key, value) in &outcome.values.values {
+        for (key, value) in &outcome.fields.values().values {
             let row = row(key, 0).unwrap_or_else(|| panic!("{key} has no row"));
             match (value, at(&range, row, 2)) {
                 (Value::Real(value), Data::Float(read)) => assert_eq!(value.to_bits(), read.to_bits()),
@@ -382,7 +383,7 @@ fn the_results_workbook_is_an_input_with_the_same_values() {
                 let outcome = common::outcome(case, &changes);
                 let filled = rodete::workbook::read(&written(&outcome, language), &[&FORM])
                     .unwrap_or_else(|refusal| panic!("{case} {changes:?}: {:?}", refusal.findings));
-                assert_eq!(filled.values.values, outcome.values.values);
+                assert_eq!(filled.values.values, outcome.fields.values().values);
                 assert_eq!(filled.values.language, language);
                 assert!(filled.findings.is_empty(), "{:?}", filled.findings);
             }

@@ -9,10 +9,11 @@ use crate::gcode::control::FAGOR_8055_T;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{NumberFormat, Word};
 use crate::geometry::torus::Torus;
+use crate::kinds::impeller::parameters as form;
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
-use crate::parameter::Values;
+use crate::parameter::field::Fields;
 use crate::text::Text;
 
 /// How the blank is turned. Lengths in mm; those named "on the diameter" are programmed so.
@@ -47,25 +48,24 @@ pub struct BlankTurning {
 }
 
 impl BlankTurning {
-    /// The turning of a filled-in form; `None` where a required value is missing.
+    /// The turning of a filled-in form.
     #[must_use]
-    pub fn from_values(values: &Values) -> Option<Self> {
-        let real = |key| values.real(key);
-        Some(Self {
-            C: real("C")?,
-            F_b: real("F_b")?,
-            S_b: values.whole("S_b")?,
-            T_b: values.whole("T_b")?,
-            D_b: values.whole("D_b")?,
-            L_b: real("L_b")?,
-            Z_b: real("Z_b")?,
-            c_f: real("c_f")?,
-            c_o: real("c_o")?,
-            c_c: real("c_c")?,
-            X_e: real("X_e")?,
-            Z_e: real("Z_e")?,
-            S_m: values.whole("S_m"),
-        })
+    pub fn of(fields: &Fields) -> Self {
+        Self {
+            C: fields.get(&form::C),
+            F_b: fields.get(&form::F_B),
+            S_b: fields.get(&form::S_B),
+            T_b: fields.get(&form::T_B),
+            D_b: fields.get(&form::D_B),
+            L_b: fields.get(&form::L_B),
+            Z_b: fields.get(&form::Z_B),
+            c_f: fields.get(&form::C_F),
+            c_o: fields.get(&form::C_O),
+            c_c: fields.get(&form::C_C),
+            X_e: fields.get(&form::X_E),
+            Z_e: fields.get(&form::Z_E),
+            S_m: fields.get(&form::S_M),
+        }
     }
 
     /// Holds the turning against the torus; every contradiction is a stop.

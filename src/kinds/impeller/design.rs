@@ -1,18 +1,18 @@
 //! The design of an impeller: validated parameters with units settled, and the checks of one against another.
 
-use crate::finding::{Finding, Place};
+use crate::finding::Finding;
 use crate::gcode::control::{Control, Rotary as Counting};
 pub use crate::gcode::program::Style;
-use crate::gcode::word::{Distance, Word, block, codes};
+use crate::gcode::word::{Distance, Word};
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::blank::BlankTurning;
 use crate::kinds::impeller::fade::Fade;
+use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::tool_path::half_width;
 use crate::machine::calibration::Slots;
 use crate::machine::rotary::Rotary;
 use crate::machine::travel::Travel;
-use crate::parameter::Values;
-use crate::text::Text;
+use crate::parameter::field::Fields;
 
 /// A design that may be computed. Lengths in mm, angles of B in degrees (as programmed).
 #[derive(Clone, Debug)]
@@ -112,86 +112,68 @@ impl Design {
     /// The design of checked values.
     ///
     /// # Errors
-    /// Every check of one value against another that fails, as findings on parameters (the caller turns them into
-    /// cells). Values that are missing though required are taken as a refusal of the schema before and reported again
-    /// here as one finding, so that no caller can get by without the schema.
-    pub fn new(values: &Values) -> Result<Self, Vec<Finding>> {
-        let Some(design) = Self::from_values(values) else {
-            return Err(vec![Finding::stop(
-                Place::File,
-                Text::fixed("faltan valores obligatorios", "required values are missing"),
-                Text::fixed("rellene las celdas obligatorias", "fill in the required cells"),
-            )]);
-        };
+    /// Every check of one value against another that fails, as findings on parameters (the caller turns them into cells).
+    pub fn new(fields: &Fields) -> Result<Self, Vec<Finding>> {
+        let design = Self::of(fields);
         let findings = design.contradictions();
         if findings.is_empty() { Ok(design) } else { Err(findings) }
     }
 
-    fn from_values(values: &Values) -> Option<Self> {
-        let real = |key| values.real(key);
-        let (R_B, H) = (real("R_B")?, real("H")?);
-        let dialect = Control::milling(values.choice("dialect")?)?;
-        Some(Self {
-            torus: Torus { R: real("R")?, r: real("r")? },
-            n: usize::try_from(values.whole("n")?).ok()?,
-            eps_v: real("eps_v")?,
-            N: values.whole("N")?,
-            e: real("e")?,
-            a_p: real("a_p")?,
-            splitters: values.choice("splitters")? == "yes",
-            splitter_fade: if values.choice("splitter_fade") == Some("each-side") {
-                Fade::EachSide
-            } else {
-                Fade::Published
-            },
-            d_t: real("d_t")?,
-            T: values.whole("T")?,
-            D: values.whole("D")?,
+    fn of(fields: &Fields) -> Self {
+        let (R_B, H) = (fields.get(&form::R_B), fields.get(&form::H));
+        let control = fields.get(&form::DIALECT);
+        Self {
+            torus: Torus { R: fields.get(&form::R), r: fields.get(&form::MERIDIAN_R) },
+            n: fields.get(&form::INTERVALS_N) as usize,
+            eps_v: fields.get(&form::EPS_V),
+            N: fields.get(&form::N),
+            e: fields.get(&form::E),
+            a_p: fields.get(&form::A_P),
+            splitters: fields.get(&form::SPLITTERS),
+            splitter_fade: fields.get(&form::SPLITTER_FADE),
+            d_t: fields.get(&form::D_T),
+            T: fields.get(&form::T),
+            D: fields.get(&form::D),
             R_B,
             H,
             machine: Rotary { L: R_B + H },
             travel: [
-                ('X', [real("X_min"), real("X_max")]),
-                ('Y', [real("Y_min"), real("Y_max")]),
-                ('Z', [real("Z_min"), real("Z_max")]),
-                ('B', [real("B_min"), real("B_max")]),
+                ('X', [fields.get(&form::X_MIN), fields.get(&form::X_MAX)]),
+                ('Y', [fields.get(&form::Y_MIN), fields.get(&form::Y_MAX)]),
+                ('Z', [fields.get(&form::Z_MIN), fields.get(&form::Z_MAX)]),
+                ('B', [Some(fields.get(&form::B_MIN)), Some(fields.get(&form::B_MAX))]),
             ],
-            F_max: real("F_max"),
-            d_s: real("d_s")?,
-            F: real("F"),
-            S: values.whole("S"),
-            tol: real("tol"),
-            part: values.line("part").to_owned(),
-            material: values.line("material").to_owned(),
-            program: values.whole("program")?,
-            control: dialect,
-            counting: match values.choice("rotary") {
-                Some("linear") => Counting::Linear,
-                Some(_) => Counting::Rollover,
-                None => dialect.rotary.delivered,
-            },
-            style: if values.choice("style")? == "full" { Style::Full } else { Style::Annex },
-            distance: if values.choice("distance")? == "G91" { Distance::Incremental } else { Distance::Absolute },
-            start_codes: codes(values.line("start_codes"))?,
-            coolant: codes(values.line("coolant"))?,
-            retract: block(values.line("retract"))?,
-            end_codes: codes(values.line("end_codes"))?,
-            block_step: values.whole("block_step")?,
-            blank: BlankTurning::from_values(values)?,
-            calibration: Self::slots(values),
-        })
+            F_max: fields.get(&form::F_MAX),
+            d_s: fields.get(&form::D_S),
+            F: fields.get(&form::F),
+            S: fields.get(&form::S),
+            tol: fields.get(&form::TOL),
+            part: fields.get(&form::PART),
+            material: fields.get(&form::MATERIAL).unwrap_or_default(),
+            program: fields.get(&form::NUMBER),
+            control,
+            counting: fields.get(&form::ROTARY).unwrap_or(control.rotary.delivered),
+            style: fields.get(&form::STYLE),
+            distance: fields.get(&form::DISTANCE),
+            start_codes: fields.get(&form::START_CODES).0,
+            coolant: fields.get(&form::COOLANT).unwrap_or_default().0,
+            retract: fields.get(&form::RETRACT).unwrap_or_default().0,
+            end_codes: fields.get(&form::END_CODES).0,
+            block_step: fields.get(&form::BLOCK_STEP),
+            blank: BlankTurning::of(fields),
+            calibration: Self::slots(fields),
+        }
     }
 
-    fn slots(values: &Values) -> Option<Slots> {
-        let real = |key| values.real(key);
+    fn slots(fields: &Fields) -> Option<Slots> {
         Some(Slots {
-            H: real("calibration/H")?,
-            d_w: real("calibration/d_w")?,
-            e_z: real("calibration/e_z")?,
-            e_x: real("calibration/e_x")?,
-            d_t: real("calibration/d_t")?,
-            x0: real("calibration/x0")?,
-            z0: real("calibration/z0")?,
+            H: fields.get(&form::CALIBRATION_H)?,
+            d_w: fields.get(&form::CALIBRATION_D_W)?,
+            e_z: fields.get(&form::CALIBRATION_E_Z)?,
+            e_x: fields.get(&form::CALIBRATION_E_X)?,
+            d_t: fields.get(&form::CALIBRATION_D_T)?,
+            x0: fields.get(&form::CALIBRATION_X0)?,
+            z0: fields.get(&form::CALIBRATION_Z0)?,
         })
     }
 }

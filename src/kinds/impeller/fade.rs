@@ -3,13 +3,16 @@
 //! # References
 //! The thesis, section 4.3 and annex 10. The text says that the offset grows linearly; the table is the fifth power.
 
-/// Which point m each side fades up to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fade {
-    /// One m for both sides, from the crossing on one of them, as published.
-    Published,
-    /// Each side its own, from where its tool has room.
-    EachSide,
+use crate::parameter::field::choices;
+
+choices! {
+    /// Which point m each side fades up to.
+    pub enum Fade {
+        /// One m for both sides, from the crossing on one of them, as published.
+        Published = "published" ("published", "published"),
+        /// Each side its own, from where its tool has room.
+        EachSide = "each-side" ("each-side", "each-side"),
+    }
 }
 
 /// f_j = ((j+1)/(m+1))⁵ up to the point m, 1 after it.

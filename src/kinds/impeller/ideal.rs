@@ -189,12 +189,14 @@ mod tests {
     use crate::kinds::impeller::tables::ToolPaths;
     use crate::kinds::impeller::tool_path::part_path;
     use crate::parameter::Values;
+    use crate::parameter::field::Fields;
     use crate::text::Language;
 
     fn published() -> (Design, Blade, Splitter) {
         let mut values = Values::default();
         values.values.extend(CASES[1].values(Language::En));
-        let design = Design::new(&values).unwrap();
+        let design =
+            Design::new(&Fields::of(&crate::kinds::impeller::parameters::FORM, values.clone()).unwrap()).unwrap();
         let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
         let splitter = Splitter::new(&design, &blade).unwrap();
         (design, blade, splitter)

@@ -59,7 +59,7 @@ use crate::kinds::impeller::shortfalls::{shortfalls, too_narrow};
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::machine::axis::Axis;
-use crate::parameter::{Form, Values};
+use crate::parameter::field::Fields;
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
 
@@ -67,12 +67,12 @@ use crate::text::Text;
 ///
 /// # Errors
 /// A refusal with every contradiction between values, or for a splitter or calibration that does not exist.
-pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
     let refused = |findings: Vec<Finding>| Refusal {
         exit: Exit::Refused,
-        findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),
+        findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
     };
-    let design = Design::new(&values).map_err(refused)?;
+    let design = Design::new(&fields).map_err(refused)?;
     let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
     let passes = ToolPaths::new(&design, &blade);
     let mut stops = Vec::new();
@@ -110,7 +110,7 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         workbook: &source.workbook,
         sha256: &source.sha256,
         version: source.version,
-        language: values.language,
+        language: fields.language(),
     };
     let (tracks, made) = Tracks::new(&blade, &passes, splitter.as_ref())
         .and_then(|tracks| programs(&design, &tracks, &origin).map(|made| (tracks, made)))
@@ -124,11 +124,11 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
     tables.push(verification.table(&made.programs, SOURCE));
     findings.extend(verification.findings);
-    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
+    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let end = End::of(&findings, false);
     Ok(Outcome {
-        form,
+        fields,
         quantities,
         charts: charts::charts(splitter.is_some()),
         figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref(), &curves))),
@@ -139,7 +139,6 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         programs: if end == End::Whole { made.programs.into_iter().map(Proved::from).collect() } else { Vec::new() },
         findings,
         end,
-        values,
         source,
     })
 }

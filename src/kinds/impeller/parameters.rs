@@ -4,523 +4,514 @@
 //! 5.2), the turning of the blank (section 4.1); what the source leaves to the operator (feed, speed, dialect, travel)
 //! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
 
+use crate::gcode::chosen::{Codes, Retract};
+use crate::gcode::control::{Control, Rotary};
+use crate::gcode::program::Style;
+use crate::gcode::word::Distance;
 use crate::kinds::impeller::cases::CASES;
-use crate::parameter::{Choice, DIALECTS, Earlier, FieldKind, Form, Parameter, Section, Sheet, other, real, t, whole};
+use crate::kinds::impeller::fade::Fade;
+use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
+use crate::parameter::{DIALECTS, Earlier, FieldKind, Form, Parameter, Section, Sheet, t};
 use crate::table::Unit;
 use crate::text::Text;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-impeller 2";
 
-const YES_NO: &[Choice] = &[Choice { key: "yes", label: t("sí", "yes") }, Choice { key: "no", label: t("no", "no") }];
-
-const STYLES: &[Choice] =
-    &[Choice { key: "annex", label: t("annex", "annex") }, Choice { key: "full", label: t("full", "full") }];
-
-const FADES: &[Choice] = &[
-    Choice { key: "published", label: t("published", "published") },
-    Choice { key: "each-side", label: t("each-side", "each-side") },
-];
-
-const DISTANCES: &[Choice] =
-    &[Choice { key: "G90", label: t("G90", "G90") }, Choice { key: "G91", label: t("G91", "G91") }];
-
-const ROTARIES: &[Choice] = &[
-    Choice { key: "rollover", label: t("rollover", "rollover") },
-    Choice { key: "linear", label: t("linear", "linear") },
-];
-
 const MM: Unit = Unit::Millimetre;
 const TRAVEL: [f64; 2] = [-10_000.0, 10_000.0];
 const TRAVEL_NOTE: Text =
     t("En coordenadas de programa; vacío: no se comprueba", "In program coordinates; empty: not checked");
 
-const GEOMETRY: &[Parameter] = &[
-    real(
-        "R",
-        "torus_R",
-        MM,
-        [5.0, 1000.0],
-        true,
-        t("Radio del toro, del eje al centro del meridiano", "Torus radius, axis to the centre of the meridian"),
-        t("Mayor que r", "Greater than r"),
+pub(super) static R: Field<f64, Required> = Field::real(
+    "R",
+    "torus_R",
+    MM,
+    [5.0, 1000.0],
+    t("Radio del toro, del eje al centro del meridiano", "Torus radius, axis to the centre of the meridian"),
+    t("Mayor que r", "Greater than r"),
+);
+pub(super) static MERIDIAN_R: Field<f64, Required> = Field::real(
+    "r",
+    "meridian_r",
+    MM,
+    [1.0, 900.0],
+    t("Radio del meridiano del toro", "Radius of the torus's meridian"),
+    t("Menor que R", "Less than R"),
+);
+pub(super) static INTERVALS_N: Field<u32, Required> = Field::whole(
+    "n",
+    "intervals_n",
+    Unit::Count,
+    [2, 100_000],
+    t("Número de intervalos de la discretización", "Number of intervals of the discretisation"),
+    t("n + 1 puntos por pasada", "n + 1 points a pass"),
+);
+pub(super) static EPS_V: Field<f64, Required> = Field::real(
+    "eps_v",
+    "end_backoff_eps_v",
+    Unit::Step,
+    [0.0, 0.5],
+    t("Retroceso del último punto, en pasos", "Back-off of the last point, in steps"),
+    t(
+        "0: llega al final; 1e-5: como los anexos publicados",
+        "0: up to the very end; 1e-5: as in the published annexes",
     ),
-    real(
-        "r",
-        "meridian_r",
-        MM,
-        [1.0, 900.0],
-        true,
-        t("Radio del meridiano del toro", "Radius of the torus's meridian"),
-        t("Menor que R", "Less than R"),
+);
+pub(super) static N: Field<u32, Required> = Field::whole(
+    "N",
+    "blades_N",
+    Unit::Count,
+    [1, 60],
+    t("Número de álabes", "Number of blades"),
+    t("No mayor que N_max", "Not above N_max"),
+);
+pub(super) static E: Field<f64, Required> = Field::real(
+    "e",
+    "thickness_e",
+    MM,
+    [0.05, 100.0],
+    t("Espesor del álabe", "Blade thickness"),
+    t("No mayor que e_max", "Not above e_max"),
+);
+pub(super) static A_P: Field<f64, Required> = Field::real(
+    "a_p",
+    "depth_a_p",
+    MM,
+    [0.01, 100.0],
+    t("Profundidad de mecanizado", "Depth of cut"),
+    t("Menor que R − r", "Less than R − r"),
+);
+pub(super) static SPLITTERS: Field<bool, Required> =
+    Field::choice("splitters", "splitters", t("Álabes intermedios", "Splitter blades"), t("sí o no", "yes or no"));
+pub(super) static SPLITTER_FADE: Field<Fade, Usual> = Field::choice_or(
+    Fade::Published,
+    "splitter_fade",
+    "splitter_fade",
+    t("Cómo nacen los álabes intermedios", "How splitter blades begin"),
+    t(
+        "each-side: la herramienta libra a los álabes vecinos; published, o vacío: como se publicó, los corta",
+        "each-side: the tool clears the neighbouring blades; published, or empty: as published, it cuts into them",
     ),
-    whole(
-        "n",
-        "intervals_n",
-        Unit::Count,
-        [2, 100_000],
-        true,
-        t("Número de intervalos de la discretización", "Number of intervals of the discretisation"),
-        t("n + 1 puntos por pasada", "n + 1 points a pass"),
-    ),
-    real(
-        "eps_v",
-        "end_backoff_eps_v",
-        Unit::Step,
-        [0.0, 0.5],
-        true,
-        t("Retroceso del último punto, en pasos", "Back-off of the last point, in steps"),
-        t(
-            "0: llega al final; 1e-5: como los anexos publicados",
-            "0: up to the very end; 1e-5: as in the published annexes",
-        ),
-    ),
-    whole(
-        "N",
-        "blades_N",
-        Unit::Count,
-        [1, 60],
-        true,
-        t("Número de álabes", "Number of blades"),
-        t("No mayor que N_max", "Not above N_max"),
-    ),
-    real(
-        "e",
-        "thickness_e",
-        MM,
-        [0.05, 100.0],
-        true,
-        t("Espesor del álabe", "Blade thickness"),
-        t("No mayor que e_max", "Not above e_max"),
-    ),
-    real(
-        "a_p",
-        "depth_a_p",
-        MM,
-        [0.01, 100.0],
-        true,
-        t("Profundidad de mecanizado", "Depth of cut"),
-        t("Menor que R − r", "Less than R − r"),
-    ),
-    other(
-        "splitters",
-        "splitters",
-        FieldKind::Choice(YES_NO),
-        true,
-        t("Álabes intermedios", "Splitter blades"),
-        t("sí o no", "yes or no"),
-    ),
-    other(
-        "splitter_fade",
-        "splitter_fade",
-        FieldKind::Choice(FADES),
-        false,
-        t("Cómo nacen los álabes intermedios", "How splitter blades begin"),
-        t(
-            "each-side: la herramienta libra a los álabes vecinos; published, o vacío: como se publicó, los corta",
-            "each-side: the tool clears the neighbouring blades; published, or empty: as published, it cuts into them",
-        ),
-    ),
+);
+
+const GEOMETRY: &[&Parameter] = &[
+    &R.row,
+    &MERIDIAN_R.row,
+    &INTERVALS_N.row,
+    &EPS_V.row,
+    &N.row,
+    &E.row,
+    &A_P.row,
+    &SPLITTERS.row,
+    &SPLITTER_FADE.row,
 ];
 
-const TOOL: &[Parameter] = &[
-    real(
-        "d_t",
-        "tool_diameter_d_t",
-        MM,
-        [0.2, 100.0],
-        true,
-        t("Diámetro de la herramienta", "Tool diameter"),
-        t("Fresa cilíndrica frontal; no mayor que 2·r", "Flat end mill; not above 2·r"),
+pub(super) static D_T: Field<f64, Required> = Field::real(
+    "d_t",
+    "tool_diameter_d_t",
+    MM,
+    [0.2, 100.0],
+    t("Diámetro de la herramienta", "Tool diameter"),
+    t("Fresa cilíndrica frontal; no mayor que 2·r", "Flat end mill; not above 2·r"),
+);
+pub(super) static T: Field<u32, Required> =
+    Field::whole("T", "tool_T", Unit::Count, [1, 9999], t("Número de herramienta", "Tool number"), t("", ""));
+pub(super) static D: Field<u32, Required> = Field::whole(
+    "D",
+    "tool_offset_D",
+    Unit::Count,
+    [1, 999],
+    t("Número de corrector", "Tool offset number"),
+    t("", ""),
+);
+
+const TOOL: &[&Parameter] = &[&D_T.row, &T.row, &D.row];
+
+pub(super) static R_B: Field<f64, Required> = Field::real(
+    "R_B",
+    "spindle_height_R_B",
+    MM,
+    [1.0, 5000.0],
+    t(
+        "Altura de la nariz del husillo portapieza sobre el eje de giro B",
+        "Height of the work spindle's nose over the B axis of rotation",
     ),
-    whole("T", "tool_T", Unit::Count, [1, 9999], true, t("Número de herramienta", "Tool number"), t("", "")),
-    whole("D", "tool_offset_D", Unit::Count, [1, 999], true, t("Número de corrector", "Tool offset number"), t("", "")),
+    t("De la calibración", "From the calibration"),
+);
+pub(super) static H: Field<f64, Required> = Field::real(
+    "H",
+    "height_H",
+    MM,
+    [1.0, 1000.0],
+    t(
+        "Altura de la cara torneada, el plano del centro del toro, sobre la nariz del husillo portapieza",
+        "Height of the turned face, the torus centre plane, over the work spindle's nose",
+    ),
+    t(
+        "L = R_B + H; no es la longitud de la herramienta, que solo entra en el cero o el corrector de Z",
+        "L = R_B + H; no tool length, which enters the zero or the length offset of Z alone",
+    ),
+);
+pub(super) static ROTARY: Field<Rotary, Optional> = Field::choice(
+    "rotary",
+    "rotary_axes",
+    t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),
+    t(
+        "rollover: de 0 a 360, el signo es el sentido (un Fagor 8055 de fábrica; así si queda vacía); linear: como un eje lineal",
+        "rollover: from 0 to 360, the sign is the direction (a Fagor 8055 as delivered; so if empty); linear: as a linear axis",
+    ),
+);
+pub(super) static B_MIN: Field<f64, Required> = Field::real(
+    "B_min",
+    "B_min",
+    Unit::Degree,
+    [-360.0, 360.0],
+    t("Límite inferior de B", "Lower limit of B"),
+    t("Menor que B_max", "Less than B_max"),
+);
+pub(super) static B_MAX: Field<f64, Required> = Field::real(
+    "B_max",
+    "B_max",
+    Unit::Degree,
+    [-360.0, 360.0],
+    t("Límite superior de B", "Upper limit of B"),
+    t("Mayor que B_min", "Greater than B_min"),
+);
+pub(super) static X_MIN: Field<f64, Optional> =
+    Field::real("X_min", "X_min", MM, TRAVEL, t("Límite inferior de X", "Lower limit of X"), TRAVEL_NOTE);
+pub(super) static X_MAX: Field<f64, Optional> =
+    Field::real("X_max", "X_max", MM, TRAVEL, t("Límite superior de X", "Upper limit of X"), TRAVEL_NOTE);
+pub(super) static Y_MIN: Field<f64, Optional> =
+    Field::real("Y_min", "Y_min", MM, TRAVEL, t("Límite inferior de Y", "Lower limit of Y"), TRAVEL_NOTE);
+pub(super) static Y_MAX: Field<f64, Optional> =
+    Field::real("Y_max", "Y_max", MM, TRAVEL, t("Límite superior de Y", "Upper limit of Y"), TRAVEL_NOTE);
+pub(super) static Z_MIN: Field<f64, Optional> =
+    Field::real("Z_min", "Z_min", MM, TRAVEL, t("Límite inferior de Z", "Lower limit of Z"), TRAVEL_NOTE);
+pub(super) static Z_MAX: Field<f64, Optional> =
+    Field::real("Z_max", "Z_max", MM, TRAVEL, t("Límite superior de Z", "Upper limit of Z"), TRAVEL_NOTE);
+pub(super) static F_MAX: Field<f64, Optional> = Field::real(
+    "F_max",
+    "feed_limit_F_max",
+    Unit::MillimetrePerMinute,
+    [1.0, 200_000.0],
+    t("Velocidad máxima de cada eje (°/min en B y C)", "Greatest speed of any axis (°/min in B and C)"),
+    t("Vacío: no se comprueba", "Empty: not checked"),
+);
+
+const MACHINE: &[&Parameter] = &[
+    &R_B.row,
+    &H.row,
+    &ROTARY.row,
+    &B_MIN.row,
+    &B_MAX.row,
+    &X_MIN.row,
+    &X_MAX.row,
+    &Y_MIN.row,
+    &Y_MAX.row,
+    &Z_MIN.row,
+    &Z_MAX.row,
+    &F_MAX.row,
 ];
 
-const MACHINE: &[Parameter] = &[
-    real(
-        "R_B",
-        "spindle_height_R_B",
-        MM,
-        [1.0, 5000.0],
-        true,
-        t(
-            "Altura de la nariz del husillo portapieza sobre el eje de giro B",
-            "Height of the work spindle's nose over the B axis of rotation",
-        ),
-        t("De la calibración", "From the calibration"),
+pub(super) static D_S: Field<f64, Required> = Field::real(
+    "d_s",
+    "safety_d_s",
+    MM,
+    [0.1, 500.0],
+    t("Distancia de seguridad", "Safety distance"),
+    t("Del filo de la herramienta a la pieza", "From the tool's edge to the part"),
+);
+pub(super) static F: Field<f64, Optional> = Field::real(
+    "F",
+    "feed_F",
+    Unit::MillimetrePerMinute,
+    [0.1, 50_000.0],
+    t("Avance de la punta sobre la pieza", "Feed of the tool tip over the part"),
+    t("Obligatorio con style = full", "Required with style = full"),
+);
+pub(super) static S: Field<u32, Optional> = Field::whole(
+    "S",
+    "speed_S",
+    Unit::RevolutionPerMinute,
+    [1, 200_000],
+    t("Velocidad del husillo", "Spindle speed"),
+    t("Obligatorio con style = full", "Required with style = full"),
+);
+pub(super) static TOL: Field<f64, Optional> = Field::real(
+    "tol",
+    "tip_tolerance_tol",
+    MM,
+    [0.0005, 10.0],
+    t("Tolerancia de la trayectoria de la punta entre bloques", "Tolerance of the tip path between blocks"),
+    t("Vacío: la desviación solo se informa", "Empty: the deviation is reported only"),
+);
+
+const CUTTING: &[&Parameter] = &[&D_S.row, &F.row, &S.row, &TOL.row];
+
+pub(super) static PART: Field<String, Required> = Field::line("part", "part", 200, t("Pieza", "Part"), t("", ""));
+pub(super) static MATERIAL: Field<String, Optional> =
+    Field::line("material", "material", 200, t("Material", "Material"), t("", ""));
+pub(super) static NUMBER: Field<u32, Required> = Field::whole(
+    "program",
+    "program_number",
+    Unit::Count,
+    [1, 9999],
+    t("Número de programa", "Program number"),
+    t("En la cabecera de los programas", "In the programs' header"),
+);
+pub(super) static DIALECT: Field<&'static Control, Required> =
+    Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
+pub(super) static STYLE: Field<Style, Required> = Field::choice(
+    "style",
+    "style",
+    t("Estilo de los programas", "Style of the programs"),
+    t("annex: como los anexos publicados; full: completo", "annex: as in the published annexes; full: complete"),
+);
+pub(super) static DISTANCE: Field<Distance, Required> = Field::choice(
+    "distance",
+    "distance",
+    t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
+    t(
+        "Sólo con style = full; annex es siempre G91. En un Fagor 8055, G90 sólo con rotary = linear",
+        "With style = full only; annex is always G91. On a Fagor 8055, G90 only with rotary = linear",
     ),
-    real(
-        "H",
-        "height_H",
-        MM,
-        [1.0, 1000.0],
-        true,
-        t(
-            "Altura de la cara torneada, el plano del centro del toro, sobre la nariz del husillo portapieza",
-            "Height of the turned face, the torus centre plane, over the work spindle's nose",
-        ),
-        t(
-            "L = R_B + H; no es la longitud de la herramienta, que solo entra en el cero o el corrector de Z",
-            "L = R_B + H; no tool length, which enters the zero or the length offset of Z alone",
-        ),
+);
+pub(super) static START_CODES: Field<Codes, Required> = Field::other(
+    "start_codes",
+    "start_codes",
+    FieldKind::Codes,
+    t("Códigos de máquina al empezar", "Machine codes at the start"),
+    t(
+        "Publicado: M3 M11 M13. M11 y M13: códigos del fabricante de la máquina publicada para los frenos de sus ejes giratorios; véalos en el manual de la suya",
+        "Published: M3 M11 M13. M11 and M13: codes of the published machine's builder for the clamps of its rotary axes; look up those of yours",
     ),
-    other(
-        "rotary",
-        "rotary_axes",
-        FieldKind::Choice(ROTARIES),
-        false,
-        t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),
-        t(
-            "rollover: de 0 a 360, el signo es el sentido (un Fagor 8055 de fábrica; así si queda vacía); linear: como un eje lineal",
-            "rollover: from 0 to 360, the sign is the direction (a Fagor 8055 as delivered; so if empty); linear: as a linear axis",
-        ),
+);
+pub(super) static COOLANT: Field<Codes, Optional> = Field::other(
+    "coolant",
+    "coolant",
+    FieldKind::Codes,
+    t("Códigos de refrigerante, antes de cortar", "Codes for coolant, before the cut"),
+    t("Como M8; vacía: sin refrigerante", "Such as M8; empty: no coolant"),
+);
+pub(super) static RETRACT: Field<Retract, Optional> = Field::other(
+    "retract",
+    "retract",
+    FieldKind::Block,
+    t(
+        "Bloque que retira la herramienta antes de que gire nada",
+        "Block that takes the tool away before anything turns",
     ),
-    real(
-        "B_min",
-        "B_min",
-        Unit::Degree,
-        [-360.0, 360.0],
-        true,
-        t("Límite inferior de B", "Lower limit of B"),
-        t("Menor que B_max", "Less than B_max"),
+    t(
+        "Sólo con style = full. G0 G53 Z0 si el cero de máquina está en lo alto de Z: compruébelo. Vacía: se avisa",
+        "With style = full only. G0 G53 Z0 if machine zero is at the top of Z: check that. Empty: a caution",
     ),
-    real(
-        "B_max",
-        "B_max",
-        Unit::Degree,
-        [-360.0, 360.0],
-        true,
-        t("Límite superior de B", "Upper limit of B"),
-        t("Mayor que B_min", "Greater than B_min"),
-    ),
-    real("X_min", "X_min", MM, TRAVEL, false, t("Límite inferior de X", "Lower limit of X"), TRAVEL_NOTE),
-    real("X_max", "X_max", MM, TRAVEL, false, t("Límite superior de X", "Upper limit of X"), TRAVEL_NOTE),
-    real("Y_min", "Y_min", MM, TRAVEL, false, t("Límite inferior de Y", "Lower limit of Y"), TRAVEL_NOTE),
-    real("Y_max", "Y_max", MM, TRAVEL, false, t("Límite superior de Y", "Upper limit of Y"), TRAVEL_NOTE),
-    real("Z_min", "Z_min", MM, TRAVEL, false, t("Límite inferior de Z", "Lower limit of Z"), TRAVEL_NOTE),
-    real("Z_max", "Z_max", MM, TRAVEL, false, t("Límite superior de Z", "Upper limit of Z"), TRAVEL_NOTE),
-    real(
-        "F_max",
-        "feed_limit_F_max",
-        Unit::MillimetrePerMinute,
-        [1.0, 200_000.0],
-        false,
-        t("Velocidad máxima de cada eje (°/min en B y C)", "Greatest speed of any axis (°/min in B and C)"),
-        t("Vacío: no se comprueba", "Empty: not checked"),
-    ),
+);
+pub(super) static END_CODES: Field<Codes, Required> = Field::other(
+    "end_codes",
+    "end_codes",
+    FieldKind::Codes,
+    t("Códigos de máquina al terminar", "Machine codes at the end"),
+    t("Publicado: M30", "Published: M30"),
+);
+pub(super) static BLOCK_STEP: Field<u32, Required> = Field::whole(
+    "block_step",
+    "block_step",
+    Unit::Count,
+    [1, 1000],
+    t("Paso de la numeración de bloques", "Step of the block numbers"),
+    t("Publicado: 10", "Published: 10"),
+);
+
+const PROGRAM: &[&Parameter] = &[
+    &PART.row,
+    &MATERIAL.row,
+    &NUMBER.row,
+    &DIALECT.row,
+    &STYLE.row,
+    &DISTANCE.row,
+    &START_CODES.row,
+    &COOLANT.row,
+    &RETRACT.row,
+    &END_CODES.row,
+    &BLOCK_STEP.row,
 ];
 
-const CUTTING: &[Parameter] = &[
-    real(
-        "d_s",
-        "safety_d_s",
-        MM,
-        [0.1, 500.0],
-        true,
-        t("Distancia de seguridad", "Safety distance"),
-        t("Del filo de la herramienta a la pieza", "From the tool's edge to the part"),
+pub(super) static C: Field<f64, Required> = Field::real(
+    "C",
+    "blank_step_C",
+    MM,
+    [0.01, 20.0],
+    t("Paso C del ciclo G85, en radios", "Step C of the G85 cycle, on the radius"),
+    t("Publicado: 1", "Published: 1"),
+);
+pub(super) static F_B: Field<f64, Required> = Field::real(
+    "F_b",
+    "blank_feed_F_b",
+    Unit::MillimetrePerRevolution,
+    [0.001, 5.0],
+    t("Avance del torno", "Feed of the lathe"),
+    t("Publicado: 0.1", "Published: 0.1"),
+);
+pub(super) static S_B: Field<u32, Required> = Field::whole(
+    "S_b",
+    "blank_speed_S_b",
+    Unit::MetrePerMinute,
+    [1, 5000],
+    t("Velocidad de corte constante del torno", "Constant surface speed of the lathe"),
+    t("Publicado: 300", "Published: 300"),
+);
+pub(super) static S_M: Field<u32, Optional> = Field::whole(
+    "S_m",
+    "blank_speed_limit_S_m",
+    Unit::RevolutionPerMinute,
+    [1, 20_000],
+    t("Límite de velocidad del husillo del torno", "Limit of the lathe's spindle speed"),
+    t(
+        "Con velocidad de corte constante el husillo se acelera hacia el centro; solo con style = full",
+        "Under constant surface speed the spindle speeds up towards the centre; with style = full only",
     ),
-    real(
-        "F",
-        "feed_F",
-        Unit::MillimetrePerMinute,
-        [0.1, 50_000.0],
-        false,
-        t("Avance de la punta sobre la pieza", "Feed of the tool tip over the part"),
-        t("Obligatorio con style = full", "Required with style = full"),
-    ),
-    whole(
-        "S",
-        "speed_S",
-        Unit::RevolutionPerMinute,
-        [1, 200_000],
-        false,
-        t("Velocidad del husillo", "Spindle speed"),
-        t("Obligatorio con style = full", "Required with style = full"),
-    ),
-    real(
-        "tol",
-        "tip_tolerance_tol",
-        MM,
-        [0.0005, 10.0],
-        false,
-        t("Tolerancia de la trayectoria de la punta entre bloques", "Tolerance of the tip path between blocks"),
-        t("Vacío: la desviación solo se informa", "Empty: the deviation is reported only"),
-    ),
+);
+pub(super) static T_B: Field<u32, Required> = Field::whole(
+    "T_b",
+    "blank_tool_T_b",
+    Unit::Count,
+    [1, 9999],
+    t("Herramienta del torno", "Tool of the lathe"),
+    t("", ""),
+);
+pub(super) static D_B: Field<u32, Required> = Field::whole(
+    "D_b",
+    "blank_tool_offset_D_b",
+    Unit::Count,
+    [1, 999],
+    t("Corrector del torno", "Tool offset of the lathe"),
+    t("", ""),
+);
+pub(super) static L_B: Field<f64, Required> = Field::real(
+    "L_b",
+    "blank_length_L_b",
+    MM,
+    [1.0, 5000.0],
+    t("Longitud del bruto", "Length of the stock"),
+    t("Mayor que r; diámetro 2·R", "Greater than r; diameter 2·R"),
+);
+pub(super) static Z_B: Field<f64, Required> = Field::real(
+    "Z_b",
+    "blank_start_Z_b",
+    MM,
+    [1.0, 5000.0],
+    t("Z de aproximación", "Approach Z"),
+    t("Publicado: 50", "Published: 50"),
+);
+pub(super) static C_F: Field<f64, Required> = Field::real(
+    "c_f",
+    "blank_facing_c_f",
+    MM,
+    [0.1, 100.0],
+    t("Holgura en diámetro al refrentar", "Clearance on the diameter for facing"),
+    t("Publicado: 1", "Published: 1"),
+);
+pub(super) static C_O: Field<f64, Required> = Field::real(
+    "c_o",
+    "blank_overrun_c_o",
+    MM,
+    [0.0, 10.0],
+    t("Rebase del centro al refrentar, en diámetro", "Overrun past the centre when facing, on the diameter"),
+    t("Publicado: 0.4", "Published: 0.4"),
+);
+pub(super) static C_C: Field<f64, Required> = Field::real(
+    "c_c",
+    "blank_cycle_c_c",
+    MM,
+    [0.1, 100.0],
+    t("Holgura en diámetro antes del ciclo", "Clearance on the diameter before the cycle"),
+    t("Publicado: 5", "Published: 5"),
+);
+pub(super) static X_E: Field<f64, Required> = Field::real(
+    "X_e",
+    "blank_end_X_e",
+    MM,
+    [1.0, 5000.0],
+    t("X final, en diámetro", "End X, on the diameter"),
+    t("Publicado: 80; mayor que 2·R", "Published: 80; greater than 2·R"),
+);
+pub(super) static Z_E: Field<f64, Required> =
+    Field::real("Z_e", "blank_end_Z_e", MM, [1.0, 5000.0], t("Z final", "End Z"), t("Publicado: 80", "Published: 80"));
+
+const BLANK: &[&Parameter] = &[
+    &C.row, &F_B.row, &S_B.row, &S_M.row, &T_B.row, &D_B.row, &L_B.row, &Z_B.row, &C_F.row, &C_O.row, &C_C.row,
+    &X_E.row, &Z_E.row,
 ];
 
-const PROGRAM: &[Parameter] = &[
-    other("part", "part", FieldKind::Line { max: 200 }, true, t("Pieza", "Part"), t("", "")),
-    other("material", "material", FieldKind::Line { max: 200 }, false, t("Material", "Material"), t("", "")),
-    whole(
-        "program",
-        "program_number",
-        Unit::Count,
-        [1, 9999],
-        true,
-        t("Número de programa", "Program number"),
-        t("En la cabecera de los programas", "In the programs' header"),
-    ),
-    other(
-        "dialect",
-        "dialect",
-        FieldKind::Choice(DIALECTS),
-        true,
-        t("Dialecto del control", "Dialect of the control"),
-        t("", ""),
-    ),
-    other(
-        "style",
-        "style",
-        FieldKind::Choice(STYLES),
-        true,
-        t("Estilo de los programas", "Style of the programs"),
-        t("annex: como los anexos publicados; full: completo", "annex: as in the published annexes; full: complete"),
-    ),
-    other(
-        "distance",
-        "distance",
-        FieldKind::Choice(DISTANCES),
-        true,
-        t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
-        t(
-            "Sólo con style = full; annex es siempre G91. En un Fagor 8055, G90 sólo con rotary = linear",
-            "With style = full only; annex is always G91. On a Fagor 8055, G90 only with rotary = linear",
-        ),
-    ),
-    other(
-        "start_codes",
-        "start_codes",
-        FieldKind::Codes,
-        true,
-        t("Códigos de máquina al empezar", "Machine codes at the start"),
-        t(
-            "Publicado: M3 M11 M13. M11 y M13: códigos del fabricante de la máquina publicada para los frenos de sus ejes giratorios; véalos en el manual de la suya",
-            "Published: M3 M11 M13. M11 and M13: codes of the published machine's builder for the clamps of its rotary axes; look up those of yours",
-        ),
-    ),
-    other(
-        "coolant",
-        "coolant",
-        FieldKind::Codes,
-        false,
-        t("Códigos de refrigerante, antes de cortar", "Codes for coolant, before the cut"),
-        t("Como M8; vacía: sin refrigerante", "Such as M8; empty: no coolant"),
-    ),
-    other(
-        "retract",
-        "retract",
-        FieldKind::Block,
-        false,
-        t(
-            "Bloque que retira la herramienta antes de que gire nada",
-            "Block that takes the tool away before anything turns",
-        ),
-        t(
-            "Sólo con style = full. G0 G53 Z0 si el cero de máquina está en lo alto de Z: compruébelo. Vacía: se avisa",
-            "With style = full only. G0 G53 Z0 if machine zero is at the top of Z: check that. Empty: a caution",
-        ),
-    ),
-    other(
-        "end_codes",
-        "end_codes",
-        FieldKind::Codes,
-        true,
-        t("Códigos de máquina al terminar", "Machine codes at the end"),
-        t("Publicado: M30", "Published: M30"),
-    ),
-    whole(
-        "block_step",
-        "block_step",
-        Unit::Count,
-        [1, 1000],
-        true,
-        t("Paso de la numeración de bloques", "Step of the block numbers"),
-        t("Publicado: 10", "Published: 10"),
-    ),
+pub(super) static CALIBRATION_H: Field<f64, WithSheet> = Field::real(
+    "calibration/H",
+    "calibration_H",
+    MM,
+    [0.0, 5000.0],
+    t("Altura de la pieza sobre el husillo", "Height of the part above the spindle"),
+    t("", ""),
+);
+pub(super) static CALIBRATION_D_W: Field<f64, WithSheet> = Field::real(
+    "calibration/d_w",
+    "calibration_d_w",
+    MM,
+    [0.0, 5000.0],
+    t("Anchura de la pieza por su centro", "Width of the part through its centre"),
+    t("", ""),
+);
+pub(super) static CALIBRATION_E_Z: Field<f64, WithSheet> = Field::real(
+    "calibration/e_z",
+    "calibration_e_z",
+    MM,
+    [-1000.0, 1000.0],
+    t("Profundidad de la ranura en Z", "Depth of the slot in Z"),
+    t("", ""),
+);
+pub(super) static CALIBRATION_E_X: Field<f64, WithSheet> = Field::real(
+    "calibration/e_x",
+    "calibration_e_x",
+    MM,
+    [-1000.0, 1000.0],
+    t("Profundidad de la ranura en X", "Depth of the slot in X"),
+    t("", ""),
+);
+pub(super) static CALIBRATION_D_T: Field<f64, WithSheet> = Field::real(
+    "calibration/d_t",
+    "calibration_d_t",
+    MM,
+    [0.2, 100.0],
+    t("Diámetro de la herramienta", "Tool diameter"),
+    t("", ""),
+);
+pub(super) static CALIBRATION_X0: Field<f64, WithSheet> = Field::real(
+    "calibration/x0",
+    "calibration_x0",
+    MM,
+    TRAVEL,
+    t("X programada con B = 90°", "X programmed at B = 90°"),
+    t("", ""),
+);
+pub(super) static CALIBRATION_Z0: Field<f64, WithSheet> = Field::real(
+    "calibration/z0",
+    "calibration_z0",
+    MM,
+    TRAVEL,
+    t("Z programada con B = 90°", "Z programmed at B = 90°"),
+    t("", ""),
+);
+
+const CALIBRATION: &[&Parameter] = &[
+    &CALIBRATION_H.row,
+    &CALIBRATION_D_W.row,
+    &CALIBRATION_E_Z.row,
+    &CALIBRATION_E_X.row,
+    &CALIBRATION_D_T.row,
+    &CALIBRATION_X0.row,
+    &CALIBRATION_Z0.row,
 ];
 
-const BLANK: &[Parameter] = &[
-    real(
-        "C",
-        "blank_step_C",
-        MM,
-        [0.01, 20.0],
-        true,
-        t("Paso C del ciclo G85, en radios", "Step C of the G85 cycle, on the radius"),
-        t("Publicado: 1", "Published: 1"),
-    ),
-    real(
-        "F_b",
-        "blank_feed_F_b",
-        Unit::MillimetrePerRevolution,
-        [0.001, 5.0],
-        true,
-        t("Avance del torno", "Feed of the lathe"),
-        t("Publicado: 0.1", "Published: 0.1"),
-    ),
-    whole(
-        "S_b",
-        "blank_speed_S_b",
-        Unit::MetrePerMinute,
-        [1, 5000],
-        true,
-        t("Velocidad de corte constante del torno", "Constant surface speed of the lathe"),
-        t("Publicado: 300", "Published: 300"),
-    ),
-    whole(
-        "S_m",
-        "blank_speed_limit_S_m",
-        Unit::RevolutionPerMinute,
-        [1, 20_000],
-        false,
-        t("Límite de velocidad del husillo del torno", "Limit of the lathe's spindle speed"),
-        t(
-            "Con velocidad de corte constante el husillo se acelera hacia el centro; solo con style = full",
-            "Under constant surface speed the spindle speeds up towards the centre; with style = full only",
-        ),
-    ),
-    whole(
-        "T_b",
-        "blank_tool_T_b",
-        Unit::Count,
-        [1, 9999],
-        true,
-        t("Herramienta del torno", "Tool of the lathe"),
-        t("", ""),
-    ),
-    whole(
-        "D_b",
-        "blank_tool_offset_D_b",
-        Unit::Count,
-        [1, 999],
-        true,
-        t("Corrector del torno", "Tool offset of the lathe"),
-        t("", ""),
-    ),
-    real(
-        "L_b",
-        "blank_length_L_b",
-        MM,
-        [1.0, 5000.0],
-        true,
-        t("Longitud del bruto", "Length of the stock"),
-        t("Mayor que r; diámetro 2·R", "Greater than r; diameter 2·R"),
-    ),
-    real(
-        "Z_b",
-        "blank_start_Z_b",
-        MM,
-        [1.0, 5000.0],
-        true,
-        t("Z de aproximación", "Approach Z"),
-        t("Publicado: 50", "Published: 50"),
-    ),
-    real(
-        "c_f",
-        "blank_facing_c_f",
-        MM,
-        [0.1, 100.0],
-        true,
-        t("Holgura en diámetro al refrentar", "Clearance on the diameter for facing"),
-        t("Publicado: 1", "Published: 1"),
-    ),
-    real(
-        "c_o",
-        "blank_overrun_c_o",
-        MM,
-        [0.0, 10.0],
-        true,
-        t("Rebase del centro al refrentar, en diámetro", "Overrun past the centre when facing, on the diameter"),
-        t("Publicado: 0.4", "Published: 0.4"),
-    ),
-    real(
-        "c_c",
-        "blank_cycle_c_c",
-        MM,
-        [0.1, 100.0],
-        true,
-        t("Holgura en diámetro antes del ciclo", "Clearance on the diameter before the cycle"),
-        t("Publicado: 5", "Published: 5"),
-    ),
-    real(
-        "X_e",
-        "blank_end_X_e",
-        MM,
-        [1.0, 5000.0],
-        true,
-        t("X final, en diámetro", "End X, on the diameter"),
-        t("Publicado: 80; mayor que 2·R", "Published: 80; greater than 2·R"),
-    ),
-    real("Z_e", "blank_end_Z_e", MM, [1.0, 5000.0], true, t("Z final", "End Z"), t("Publicado: 80", "Published: 80")),
-];
-
-const CALIBRATION: &[Parameter] = &[
-    real(
-        "calibration/H",
-        "calibration_H",
-        MM,
-        [0.0, 5000.0],
-        true,
-        t("Altura de la pieza sobre el husillo", "Height of the part above the spindle"),
-        t("", ""),
-    ),
-    real(
-        "calibration/d_w",
-        "calibration_d_w",
-        MM,
-        [0.0, 5000.0],
-        true,
-        t("Anchura de la pieza por su centro", "Width of the part through its centre"),
-        t("", ""),
-    ),
-    real(
-        "calibration/e_z",
-        "calibration_e_z",
-        MM,
-        [-1000.0, 1000.0],
-        true,
-        t("Profundidad de la ranura en Z", "Depth of the slot in Z"),
-        t("", ""),
-    ),
-    real(
-        "calibration/e_x",
-        "calibration_e_x",
-        MM,
-        [-1000.0, 1000.0],
-        true,
-        t("Profundidad de la ranura en X", "Depth of the slot in X"),
-        t("", ""),
-    ),
-    real(
-        "calibration/d_t",
-        "calibration_d_t",
-        MM,
-        [0.2, 100.0],
-        true,
-        t("Diámetro de la herramienta", "Tool diameter"),
-        t("", ""),
-    ),
-    real(
-        "calibration/x0",
-        "calibration_x0",
-        MM,
-        TRAVEL,
-        true,
-        t("X programada con B = 90°", "X programmed at B = 90°"),
-        t("", ""),
-    ),
-    real(
-        "calibration/z0",
-        "calibration_z0",
-        MM,
-        TRAVEL,
-        true,
-        t("Z programada con B = 90°", "Z programmed at B = 90°"),
-        t("", ""),
-    ),
-];
+static SCHEMA_CELL: Field<String, Required> = Field::schema();
 
 /// The impeller workbook.
 pub static FORM: Form = Form {
@@ -548,17 +539,7 @@ pub static FORM: Form = Form {
             title: t("Parámetros de diseño del rodete", "Design parameters of the impeller"),
             optional: false,
             sections: &[
-                Section {
-                    title: t("Esquema", "Schema"),
-                    parameters: &[other(
-                        "schema",
-                        "schema",
-                        FieldKind::Schema,
-                        true,
-                        t("Esquema y versión de este libro", "Schema and version of this workbook"),
-                        t("No se cambia", "Not to be changed"),
-                    )],
-                },
+                Section { title: t("Esquema", "Schema"), parameters: &[&SCHEMA_CELL.row] },
                 Section { title: t("Geometría", "Geometry"), parameters: GEOMETRY },
                 Section { title: t("Herramienta", "Tool"), parameters: TOOL },
                 Section { title: t("Máquina", "Machine"), parameters: MACHINE },

@@ -11,7 +11,7 @@ use crate::kinds::impeller::figures::{blade_halves, sections, splitter_halves};
 use crate::kinds::impeller::splitter::Splitter;
 use crate::machine::chain::Chain;
 use crate::number::trig::sin_cos;
-use crate::parameter::Values;
+use crate::parameter::field::Fields;
 use crate::scene::mesh::{Mesh, Paint};
 use crate::scene::part::Part;
 use crate::scene::{Shape, ShownTool};
@@ -24,8 +24,8 @@ const ALONG: u16 = 56;
 
 /// The impeller of checked values; `None` where they make none.
 #[must_use]
-pub fn part(values: &Values) -> Option<Part> {
-    let design = Design::new(values).ok()?;
+pub fn part(fields: &Fields) -> Option<Part> {
+    let design = Design::new(fields).ok()?;
     let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
     let splitter = if design.splitters { Splitter::new(&design, &blade).ok() } else { None };
     let mut blades = Mesh::new(Text::fixed("Álabes", "Blades"), Paint::Blade);

@@ -36,7 +36,8 @@ use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
-use crate::parameter::{Form, Values, t};
+use crate::parameter::field::Fields;
+use crate::parameter::t;
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::deviation::Profile;
@@ -125,8 +126,8 @@ pub struct Simulated {
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
-pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
-    watched(form, values, source, None, &mut |_| ()).map(|simulated| simulated.outcome)
+pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
+    watched(fields, source, None, &mut |_| ()).map(|simulated| simulated.outcome)
 }
 
 /// The same; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
@@ -134,33 +135,33 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
 /// # Errors
 /// A refusal with every contradiction between values.
 pub fn watched(
-    form: &'static Form,
-    values: Values,
+    fields: Fields,
     source: Provenance,
     program: Option<text::SheetProgram>,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Simulated, Refusal> {
+    let values = fields.values();
     let mut wrong = Vec::new();
     if program.is_none() {
-        wrong.extend(setup::without_rule(&values));
-        wrong.extend(text::twice(&values));
+        wrong.extend(setup::without_rule(values));
+        wrong.extend(text::twice(values));
     }
-    let profile = wanted(&values).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
-    let given = match Given::of(&values) {
+    let profile = wanted(values).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
+    let given = match Given::of(values) {
         Ok(given) if wrong.is_empty() => given,
         Ok(_) => return Err(refused(wrong)),
         Err(findings) => return Err(refused(findings.into_iter().chain(wrong).collect())),
     };
-    let first = program.or_else(|| text::SheetProgram::of(&values, PROGRAM_KEY)).unwrap_or_default();
+    let first = program.or_else(|| text::SheetProgram::of(values, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let begins = Begins::new(Simulation::new(given.setup.clone())?);
     let one = follow("program", title, &first, &given, begins, watch);
-    let second = text::SheetProgram::of(&values, SECOND_KEY);
+    let second = text::SheetProgram::of(values, SECOND_KEY);
     let two = if let Some(second) = &second {
         let simulation = one.simulation.turned_about(given.second)?;
         let title = t("Programa de la segunda colocación", "Program of the second set-up");
         // How a part is held that is not the one meant says nothing.
-        let held = (!one.lost && !one.endless).then(|| values.locate(held(simulation.setup())));
+        let held = (!one.lost && !one.endless).then(|| fields.locate(held(simulation.setup())));
         let lost = one.lost || one.endless || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
         // Of a program that was not followed to its end the part was not made.
         let begins = Begins { simulation, lost, uncut: one.uncut || one.endless, held };
@@ -170,7 +171,7 @@ pub fn watched(
     };
     let mut followed: Vec<Followed> = std::iter::once(one).chain(two).collect();
     late(&mut followed, watch);
-    Ok(outcome(form, values, source, &given, followed, profile))
+    Ok(outcome(fields, source, &given, followed, profile))
 }
 
 fn refused(findings: Vec<Finding>) -> Refusal {
@@ -433,8 +434,7 @@ fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
 }
 
 fn outcome(
-    form: &'static Form,
-    values: Values,
+    fields: Fields,
     source: Provenance,
     given: &Given,
     mut followed: Vec<Followed>,
@@ -471,7 +471,7 @@ fn outcome(
     let end = End::of(&findings, endless);
     let programs = followed.into_iter().filter(|_| end == End::Whole).map(Followed::proved).collect();
     let outcome = Outcome {
-        form,
+        fields,
         quantities,
         tables,
         charts: Vec::new(),
@@ -492,7 +492,6 @@ fn outcome(
         programs,
         findings,
         end,
-        values,
         source,
     };
     Simulated { outcome, alarms }

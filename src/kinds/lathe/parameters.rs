@@ -3,12 +3,16 @@
 //! Source: the lathe simulator's tables of the machine and of the stock (D, L, L1 to L5), in its symbols; what a machine
 //! needs beside them is added here. The tools have a file of their own.
 
+use crate::gcode::control::Control;
+use crate::gcode::interpreter::{DecimalPoint, HolePlane};
 use crate::kinds::lathe::cases::CASES;
 use crate::kinds::lathe::tool_sheet;
 pub use crate::kinds::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::limits::SHEET_BLOCKS;
+use crate::parameter::field::{Field, Optional, Required, Usual, choices};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, FieldKind, Form, Parameter, Section, Sheet, other, real, t};
+use crate::parameter::{Choice, Form, Parameter, Section, Sheet, t};
+use crate::removal::turning::stock::Support;
 use crate::table::Unit;
 use crate::text::Text;
 
@@ -24,355 +28,361 @@ pub const DIALECTS: &[Choice] = &[
     Choice { key: "fagor-8055-t", label: t("fagor-8055-t", "fagor-8055-t") },
 ];
 
-const POINTS: &[Choice] = &[
-    Choice { key: "calculator", label: t("calculadora (X100 = 100 mm)", "calculator (X100 = 100 mm)") },
-    Choice { key: "micrometre", label: t("micras (X100 = 0.1 mm)", "micrometre (X100 = 0.1 mm)") },
-];
-
-const YES_NO: &[Choice] = &[Choice { key: "yes", label: t("sí", "yes") }, Choice { key: "no", label: t("no", "no") }];
-
-const TAILSTOCK: &[Choice] = &[
-    Choice { key: "auto", label: t("según el voladizo", "by the overhang") },
-    Choice { key: "yes", label: t("sí", "yes") },
-    Choice { key: "no", label: t("no", "no") },
-];
-
-const TURRET: &[Choice] =
-    &[Choice { key: "front", label: t("delantera", "front") }, Choice { key: "rear", label: t("trasera", "rear") }];
-
-const RAPIDS: &[Choice] = &[
-    Choice { key: "straight", label: t("recto", "straight") },
-    Choice { key: "bent", label: t("cada eje a su ritmo", "each axis at its rate") },
-];
-
-const PART: &[Parameter] = &[
-    other("part", "part_name", FieldKind::Line { max: 60 }, true, t("Nombre de la pieza", "Name of the part"), NONE),
-    other("material", "material", FieldKind::Line { max: 60 }, false, t("Material", "Material"), NONE),
-];
-
-const PROGRAM: &[Parameter] = &[
-    other("dialect", "dialect", FieldKind::Choice(DIALECTS), true, t("Control", "Control"), NONE),
-    other(
-        "point",
-        "decimal_point",
-        FieldKind::Choice(POINTS),
-        false,
-        t("Cotas sin punto decimal", "Dimensions without a decimal point"),
-        t(
-            "Obligatorio con fanuc-lathe-a: es un parámetro de la máquina",
-            "Required with fanuc-lathe-a: a setting of the machine",
-        ),
-    ),
-    other(
-        "block_delete",
-        "block_delete",
-        FieldKind::Choice(YES_NO),
-        false,
-        t("Salta los bloques con /", "Skip blocks that begin with /"),
-        t("Vacío: no", "Empty: no"),
-    ),
-    real(
-        "eps",
-        "tolerance_eps",
-        MM,
-        [0.000_01, 0.01],
-        false,
-        t("Tolerancia de los arcos", "Tolerance of arcs"),
-        t("Vacío: 0.0002", "Empty: 0.0002"),
-    ),
-];
-
-const STOCK: &[Parameter] = &[
-    real("D", "stock_D", MM, [1.0, 1000.0], true, t("Diámetro del bruto D", "Diameter of the stock D"), NONE),
-    real("L", "stock_L", MM, [1.0, 1000.0], true, t("Longitud del bruto L", "Length of the stock L"), NONE),
-    real(
-        "d",
-        "stock_bore_d",
-        MM,
-        [0.5, 999.0],
-        false,
-        t("Agujero del bruto d", "Bore of the stock d"),
-        t("Vacío: macizo", "Empty: solid"),
-    ),
-    real(
-        "L4",
-        "held_L4",
-        MM,
-        [0.0, 400.0],
-        true,
-        t("Longitud sujeta en las garras L4", "Length held in the jaws L4"),
-        t("El voladizo es L3 = L − L4", "The overhang is L3 = L − L4"),
-    ),
-    real(
-        "L5",
-        "facing_L5",
-        MM,
-        [0.0, 50.0],
-        true,
-        t("Sobremetal de refrentado L5", "Facing allowance L5"),
-        t("El origen W1 (G54) está L5 a la izquierda de la cara", "The zero W1 (G54) lies L5 to the left of the face"),
-    ),
-];
-
-const CHUCK: &[Parameter] = &[
-    real(
-        "L1",
-        "chuck_L1",
-        MM,
-        [0.0, 1000.0],
-        true,
-        t("Cuerpo del plato L1", "Chuck body L1"),
-        t("Desde el cero máquina M, la cara del husillo", "From machine zero M, the face of the spindle"),
-    ),
-    real(
-        "L2",
-        "jaws_L2",
-        MM,
-        [0.0, 500.0],
-        true,
-        t("Garras L2", "Jaws L2"),
-        t("Delante del cuerpo", "In front of the body"),
-    ),
-    real("D_c", "chuck_D_c", MM, [1.0, 2000.0], true, t("Diámetro del plato D_c", "Diameter of the chuck D_c"), NONE),
-    other(
-        "tailstock",
-        "tailstock",
-        FieldKind::Choice(TAILSTOCK),
-        true,
-        t("Contrapunto", "Tailstock"),
-        t("Según el voladizo: cuando L3 pasa de 3·D", "By the overhang: where L3 is more than 3·D"),
-    ),
-];
-
-const MACHINE: &[Parameter] = &[
-    real(
-        "X_min",
-        "travel_X_min",
-        MM,
-        [-5000.0, 5000.0],
-        false,
-        t("Recorrido X mínimo", "Least X of the travel"),
-        t(
-            "Diámetro, del punto de referencia de la torreta, desde M",
-            "Diameter, of the turret's reference point, from M",
-        ),
-    ),
-    real(
-        "X_max",
-        "travel_X_max",
-        MM,
-        [-5000.0, 5000.0],
-        false,
-        t("Recorrido X máximo", "Greatest X of the travel"),
-        NONE,
-    ),
-    real(
-        "Z_min",
-        "travel_Z_min",
-        MM,
-        [-5000.0, 5000.0],
-        false,
-        t("Recorrido Z mínimo", "Least Z of the travel"),
-        t("Del punto de referencia de la torreta, desde M", "Of the turret's reference point, from M"),
-    ),
-    real(
-        "Z_max",
-        "travel_Z_max",
-        MM,
-        [-5000.0, 5000.0],
-        false,
-        t("Recorrido Z máximo", "Greatest Z of the travel"),
-        NONE,
-    ),
-    real(
-        "G_X",
-        "rapid_G_X",
-        Unit::MillimetrePerMinute,
-        [1.0, 200_000.0],
-        true,
-        t("Avance rápido en X", "Rapid rate in X"),
-        t("Del carro, en radio", "Of the slide, on the radius"),
-    ),
-    real(
-        "G_Z",
-        "rapid_G_Z",
-        Unit::MillimetrePerMinute,
-        [1.0, 200_000.0],
-        true,
-        t("Avance rápido en Z", "Rapid rate in Z"),
-        NONE,
-    ),
-    real(
-        "S_max",
-        "spindle_S_max",
-        Unit::RevolutionPerMinute,
-        [1.0, 100_000.0],
-        true,
-        t("Giro máximo del husillo", "Greatest speed of the spindle"),
-        NONE,
-    ),
-    other(
-        "rapid",
-        "rapid_path",
-        FieldKind::Choice(RAPIDS),
-        true,
-        t("Recorrido de G0", "Way of G0"),
-        t("Lo decide un parámetro del control", "A setting of the control decides"),
-    ),
-    other(
-        "turret",
-        "turret",
-        FieldKind::Choice(TURRET),
-        true,
-        t("Torreta", "Turret"),
-        t(
-            "Delantera: X hacia el operario; decide qué sentido de giro corta",
-            "Front: X towards the operator; decides which way the spindle must turn",
-        ),
-    ),
-];
-
-const BODY: &[Parameter] = &[
-    real(
-        "BX_min",
-        "body_BX_min",
-        MM,
-        [-1000.0, 1000.0],
-        false,
-        t("Menor X del cuerpo, en radio", "Least X of the body, on the radius"),
-        t(
-            "Desde el punto de referencia de la torreta, como Q_x; incluya lo que alcanzan el disco y las herramientas vecinas. Los cuatro vacíos: no se vigila",
-            "From the turret's reference point, as Q_x; include what the disc and the neighbouring tools reach. All four empty: not watched",
-        ),
-    ),
-    real(
-        "BX_max",
-        "body_BX_max",
-        MM,
-        [-1000.0, 1000.0],
-        false,
-        t("Mayor X del cuerpo, en radio", "Greatest X of the body, on the radius"),
-        NONE,
-    ),
-    real(
-        "BZ_min",
-        "body_BZ_min",
-        MM,
-        [-1000.0, 1000.0],
-        false,
-        t("Menor Z del cuerpo", "Least Z of the body"),
-        t(
-            "Una broca o una barra queda libre hasta su largo l, o hasta el punto de referencia",
-            "A drill or a bar is free up to its length l, or up to the reference point",
-        ),
-    ),
-    real(
-        "BZ_max",
-        "body_BZ_max",
-        MM,
-        [-1000.0, 1000.0],
-        false,
-        t("Mayor Z del cuerpo", "Greatest Z of the body"),
-        NONE,
-    ),
-];
-
-macro_rules! zero {
-    ($key:literal, $name:literal, $es:literal, $en:literal) => {
-        real($key, $name, MM, [-5000.0, 5000.0], false, t($es, $en), NONE)
-    };
+choices! { for DecimalPoint;
+    "calculator" ("calculadora (X100 = 100 mm)", "calculator (X100 = 100 mm)") => DecimalPoint::Calculator,
+    "micrometre" ("micras (X100 = 0.1 mm)", "micrometre (X100 = 0.1 mm)") => DecimalPoint::Micrometre
 }
 
-const ZEROS: &[Parameter] = &[
-    zero!("W2_X", "zero_W2_X", "W2 (G55), X en diámetro, desde M", "W2 (G55), X as a diameter, from M"),
-    zero!("W2_Z", "zero_W2_Z", "W2 (G55), Z", "W2 (G55), Z"),
-    zero!("W3_X", "zero_W3_X", "W3 (G56), X", "W3 (G56), X"),
-    zero!("W3_Z", "zero_W3_Z", "W3 (G56), Z", "W3 (G56), Z"),
-    zero!("W4_X", "zero_W4_X", "W4 (G57), X", "W4 (G57), X"),
-    zero!("W4_Z", "zero_W4_Z", "W4 (G57), Z", "W4 (G57), Z"),
-    zero!("W5_X", "zero_W5_X", "W5 (G58), X", "W5 (G58), X"),
-    zero!("W5_Z", "zero_W5_Z", "W5 (G58), Z", "W5 (G58), Z"),
-    zero!("W6_X", "zero_W6_X", "W6 (G59), X", "W6 (G59), X"),
-    zero!("W6_Z", "zero_W6_Z", "W6 (G59), Z", "W6 (G59), Z"),
-];
+choices! { for HolePlane;
+    "absolute" ("absoluta", "absolute") => HolePlane::Absolute,
+    "incremental" ("incremental", "incremental") => HolePlane::Incremental
+}
 
-const SECOND: &[Parameter] = &[real(
+choices! { for Support;
+    "auto" ("según el voladizo", "by the overhang") => Support::ByOverhang,
+    "yes" ("sí", "yes") => Support::Always,
+    "no" ("no", "no") => Support::Never
+}
+
+choices! {
+    /// On which side of the axis the turret is.
+    pub enum Side {
+        /// On the operator's.
+        Front = "front" ("delantera", "front"),
+        /// Beyond the axis.
+        Rear = "rear" ("trasera", "rear"),
+    }
+}
+
+choices! {
+    /// How G0 moves both axes.
+    pub enum Rapids {
+        /// Straight.
+        Straight = "straight" ("recto", "straight"),
+        /// Each at its own rate.
+        Bent = "bent" ("cada eje a su ritmo", "each axis at its rate"),
+    }
+}
+
+choices! {
+    /// What leads to a point of the wanted profile.
+    pub enum Element {
+        /// A straight line.
+        Line = "1" ("1", "1"),
+        /// A clockwise arc.
+        Clockwise = "2" ("2", "2"),
+        /// A counter-clockwise arc.
+        CounterClockwise = "3" ("3", "3"),
+    }
+}
+
+pub(crate) static PART: Field<String, Required> =
+    Field::line("part", "part_name", 60, t("Nombre de la pieza", "Name of the part"), NONE);
+pub(crate) static MATERIAL: Field<String, Optional> =
+    Field::line("material", "material", 60, t("Material", "Material"), NONE);
+
+const PIECE: &[&Parameter] = &[&PART.row, &MATERIAL.row];
+
+pub(crate) static DIALECT: Field<&'static Control, Required> =
+    Field::of_list("dialect", "dialect", DIALECTS, t("Control", "Control"), NONE);
+pub(crate) static POINT: Field<DecimalPoint, Optional> = Field::choice(
+    "point",
+    "decimal_point",
+    t("Cotas sin punto decimal", "Dimensions without a decimal point"),
+    t(
+        "Obligatorio con fanuc-lathe-a: es un parámetro de la máquina",
+        "Required with fanuc-lathe-a: a setting of the machine",
+    ),
+);
+pub(crate) static BLOCK_DELETE: Field<bool, Usual> = Field::choice_or(
+    false,
+    "block_delete",
+    "block_delete",
+    t("Salta los bloques con /", "Skip blocks that begin with /"),
+    t("Vacío: no", "Empty: no"),
+);
+pub(crate) static EPS: Field<f64, Usual> = Field::real_or(
+    0.0002,
+    "eps",
+    "tolerance_eps",
+    MM,
+    [0.000_01, 0.01],
+    t("Tolerancia de los arcos", "Tolerance of arcs"),
+    t("Vacío: 0.0002", "Empty: 0.0002"),
+);
+
+const PROGRAM: &[&Parameter] = &[&DIALECT.row, &POINT.row, &BLOCK_DELETE.row, &EPS.row];
+
+pub(crate) static D: Field<f64, Required> =
+    Field::real("D", "stock_D", MM, [1.0, 1000.0], t("Diámetro del bruto D", "Diameter of the stock D"), NONE);
+pub(crate) static L: Field<f64, Required> =
+    Field::real("L", "stock_L", MM, [1.0, 1000.0], t("Longitud del bruto L", "Length of the stock L"), NONE);
+pub(crate) static STOCK_BORE_D: Field<f64, Optional> = Field::real(
+    "d",
+    "stock_bore_d",
+    MM,
+    [0.5, 999.0],
+    t("Agujero del bruto d", "Bore of the stock d"),
+    t("Vacío: macizo", "Empty: solid"),
+);
+pub(crate) static L4: Field<f64, Required> = Field::real(
+    "L4",
+    "held_L4",
+    MM,
+    [0.0, 400.0],
+    t("Longitud sujeta en las garras L4", "Length held in the jaws L4"),
+    t("El voladizo es L3 = L − L4", "The overhang is L3 = L − L4"),
+);
+pub(crate) static L5: Field<f64, Required> = Field::real(
+    "L5",
+    "facing_L5",
+    MM,
+    [0.0, 50.0],
+    t("Sobremetal de refrentado L5", "Facing allowance L5"),
+    t("El origen W1 (G54) está L5 a la izquierda de la cara", "The zero W1 (G54) lies L5 to the left of the face"),
+);
+
+const STOCK: &[&Parameter] = &[&D.row, &L.row, &STOCK_BORE_D.row, &L4.row, &L5.row];
+
+pub(crate) static L1: Field<f64, Required> = Field::real(
+    "L1",
+    "chuck_L1",
+    MM,
+    [0.0, 1000.0],
+    t("Cuerpo del plato L1", "Chuck body L1"),
+    t("Desde el cero máquina M, la cara del husillo", "From machine zero M, the face of the spindle"),
+);
+pub(crate) static L2: Field<f64, Required> = Field::real(
+    "L2",
+    "jaws_L2",
+    MM,
+    [0.0, 500.0],
+    t("Garras L2", "Jaws L2"),
+    t("Delante del cuerpo", "In front of the body"),
+);
+pub(crate) static D_C: Field<f64, Required> =
+    Field::real("D_c", "chuck_D_c", MM, [1.0, 2000.0], t("Diámetro del plato D_c", "Diameter of the chuck D_c"), NONE);
+pub(crate) static TAILSTOCK: Field<Support, Required> = Field::choice(
+    "tailstock",
+    "tailstock",
+    t("Contrapunto", "Tailstock"),
+    t("Según el voladizo: cuando L3 pasa de 3·D", "By the overhang: where L3 is more than 3·D"),
+);
+
+const CHUCK: &[&Parameter] = &[&L1.row, &L2.row, &D_C.row, &TAILSTOCK.row];
+
+pub(crate) static X_MIN: Field<f64, Optional> = Field::real(
+    "X_min",
+    "travel_X_min",
+    MM,
+    [-5000.0, 5000.0],
+    t("Recorrido X mínimo", "Least X of the travel"),
+    t("Diámetro, del punto de referencia de la torreta, desde M", "Diameter, of the turret's reference point, from M"),
+);
+pub(crate) static X_MAX: Field<f64, Optional> = Field::real(
+    "X_max",
+    "travel_X_max",
+    MM,
+    [-5000.0, 5000.0],
+    t("Recorrido X máximo", "Greatest X of the travel"),
+    NONE,
+);
+pub(crate) static Z_MIN: Field<f64, Optional> = Field::real(
+    "Z_min",
+    "travel_Z_min",
+    MM,
+    [-5000.0, 5000.0],
+    t("Recorrido Z mínimo", "Least Z of the travel"),
+    t("Del punto de referencia de la torreta, desde M", "Of the turret's reference point, from M"),
+);
+pub(crate) static Z_MAX: Field<f64, Optional> = Field::real(
+    "Z_max",
+    "travel_Z_max",
+    MM,
+    [-5000.0, 5000.0],
+    t("Recorrido Z máximo", "Greatest Z of the travel"),
+    NONE,
+);
+pub(crate) static G_X: Field<f64, Required> = Field::real(
+    "G_X",
+    "rapid_G_X",
+    Unit::MillimetrePerMinute,
+    [1.0, 200_000.0],
+    t("Avance rápido en X", "Rapid rate in X"),
+    t("Del carro, en radio", "Of the slide, on the radius"),
+);
+pub(crate) static G_Z: Field<f64, Required> = Field::real(
+    "G_Z",
+    "rapid_G_Z",
+    Unit::MillimetrePerMinute,
+    [1.0, 200_000.0],
+    t("Avance rápido en Z", "Rapid rate in Z"),
+    NONE,
+);
+pub(crate) static S_MAX: Field<f64, Required> = Field::real(
+    "S_max",
+    "spindle_S_max",
+    Unit::RevolutionPerMinute,
+    [1.0, 100_000.0],
+    t("Giro máximo del husillo", "Greatest speed of the spindle"),
+    NONE,
+);
+pub(crate) static RAPID: Field<Rapids, Required> = Field::choice(
+    "rapid",
+    "rapid_path",
+    t("Recorrido de G0", "Way of G0"),
+    t("Lo decide un parámetro del control", "A setting of the control decides"),
+);
+pub(crate) static TURRET: Field<Side, Required> = Field::choice(
+    "turret",
+    "turret",
+    t("Torreta", "Turret"),
+    t(
+        "Delantera: X hacia el operario; decide qué sentido de giro corta",
+        "Front: X towards the operator; decides which way the spindle must turn",
+    ),
+);
+
+const MACHINE: &[&Parameter] =
+    &[&X_MIN.row, &X_MAX.row, &Z_MIN.row, &Z_MAX.row, &G_X.row, &G_Z.row, &S_MAX.row, &RAPID.row, &TURRET.row];
+
+pub(crate) static BX_MIN: Field<f64, Optional> = Field::real(
+    "BX_min",
+    "body_BX_min",
+    MM,
+    [-1000.0, 1000.0],
+    t("Menor X del cuerpo, en radio", "Least X of the body, on the radius"),
+    t(
+        "Desde el punto de referencia de la torreta, como Q_x; incluya lo que alcanzan el disco y las herramientas vecinas. Los cuatro vacíos: no se vigila",
+        "From the turret's reference point, as Q_x; include what the disc and the neighbouring tools reach. All four empty: not watched",
+    ),
+);
+pub(crate) static BX_MAX: Field<f64, Optional> = Field::real(
+    "BX_max",
+    "body_BX_max",
+    MM,
+    [-1000.0, 1000.0],
+    t("Mayor X del cuerpo, en radio", "Greatest X of the body, on the radius"),
+    NONE,
+);
+pub(crate) static BZ_MIN: Field<f64, Optional> = Field::real(
+    "BZ_min",
+    "body_BZ_min",
+    MM,
+    [-1000.0, 1000.0],
+    t("Menor Z del cuerpo", "Least Z of the body"),
+    t(
+        "Una broca o una barra queda libre hasta su largo l, o hasta el punto de referencia",
+        "A drill or a bar is free up to its length l, or up to the reference point",
+    ),
+);
+pub(crate) static BZ_MAX: Field<f64, Optional> = Field::real(
+    "BZ_max",
+    "body_BZ_max",
+    MM,
+    [-1000.0, 1000.0],
+    t("Mayor Z del cuerpo", "Greatest Z of the body"),
+    NONE,
+);
+
+const BODY: &[&Parameter] = &[&BX_MIN.row, &BX_MAX.row, &BZ_MIN.row, &BZ_MAX.row];
+
+pub(crate) static W2_X: Field<f64, Optional> = Field::real(
+    "W2_X",
+    "zero_W2_X",
+    MM,
+    [-5000.0, 5000.0],
+    t("W2 (G55), X en diámetro, desde M", "W2 (G55), X as a diameter, from M"),
+    NONE,
+);
+pub(crate) static W2_Z: Field<f64, Optional> =
+    Field::real("W2_Z", "zero_W2_Z", MM, [-5000.0, 5000.0], t("W2 (G55), Z", "W2 (G55), Z"), NONE);
+pub(crate) static W3_X: Field<f64, Optional> =
+    Field::real("W3_X", "zero_W3_X", MM, [-5000.0, 5000.0], t("W3 (G56), X", "W3 (G56), X"), NONE);
+pub(crate) static W3_Z: Field<f64, Optional> =
+    Field::real("W3_Z", "zero_W3_Z", MM, [-5000.0, 5000.0], t("W3 (G56), Z", "W3 (G56), Z"), NONE);
+pub(crate) static W4_X: Field<f64, Optional> =
+    Field::real("W4_X", "zero_W4_X", MM, [-5000.0, 5000.0], t("W4 (G57), X", "W4 (G57), X"), NONE);
+pub(crate) static W4_Z: Field<f64, Optional> =
+    Field::real("W4_Z", "zero_W4_Z", MM, [-5000.0, 5000.0], t("W4 (G57), Z", "W4 (G57), Z"), NONE);
+pub(crate) static W5_X: Field<f64, Optional> =
+    Field::real("W5_X", "zero_W5_X", MM, [-5000.0, 5000.0], t("W5 (G58), X", "W5 (G58), X"), NONE);
+pub(crate) static W5_Z: Field<f64, Optional> =
+    Field::real("W5_Z", "zero_W5_Z", MM, [-5000.0, 5000.0], t("W5 (G58), Z", "W5 (G58), Z"), NONE);
+pub(crate) static W6_X: Field<f64, Optional> =
+    Field::real("W6_X", "zero_W6_X", MM, [-5000.0, 5000.0], t("W6 (G59), X", "W6 (G59), X"), NONE);
+pub(crate) static W6_Z: Field<f64, Optional> =
+    Field::real("W6_Z", "zero_W6_Z", MM, [-5000.0, 5000.0], t("W6 (G59), Z", "W6 (G59), Z"), NONE);
+
+const ZEROS: &[&Parameter] =
+    &[&W2_X.row, &W2_Z.row, &W3_X.row, &W3_Z.row, &W4_X.row, &W4_Z.row, &W5_X.row, &W5_Z.row, &W6_X.row, &W6_Z.row];
+
+pub(crate) static Z_S: Field<f64, Optional> = Field::real(
     "Z_s",
     "second_Z_s",
     MM,
     [-1000.0, 1000.0],
-    false,
     t("Desplazamiento de la pieza vuelta", "Shift of the part turned round"),
     t(
         "Se refleja por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2",
         "It is mirrored about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2",
     ),
-)];
+);
 
-const PLANES: &[Choice] = &[
-    Choice { key: "absolute", label: t("absoluta", "absolute") },
-    Choice { key: "incremental", label: t("incremental", "incremental") },
-];
+const SECOND: &[&Parameter] = &[&Z_S.row];
 
-const CONTROL: &[Parameter] = &[
-    real(
-        "R_X",
-        "reference_R_X",
-        MM,
-        [-5000.0, 5000.0],
-        false,
-        t("Punto de referencia, X en diámetro, desde M", "Reference point, X as a diameter, from M"),
-        t(
-            "Donde G28 y G53 X0 Z0 llevan la torreta. Vacío: G28 la lleva 30 mm más allá del bruto, y G53 cuenta desde M",
-            "Where G28 and G53 X0 Z0 take the turret. Empty: G28 takes it 30 mm beyond the stock, and G53 counts from M",
-        ),
+pub(crate) static R_X: Field<f64, Optional> = Field::real(
+    "R_X",
+    "reference_R_X",
+    MM,
+    [-5000.0, 5000.0],
+    t("Punto de referencia, X en diámetro, desde M", "Reference point, X as a diameter, from M"),
+    t(
+        "Donde G28 y G53 X0 Z0 llevan la torreta. Vacío: G28 la lleva 30 mm más allá del bruto, y G53 cuenta desde M",
+        "Where G28 and G53 X0 Z0 take the turret. Empty: G28 takes it 30 mm beyond the stock, and G53 counts from M",
     ),
-    real(
-        "R_Z",
-        "reference_R_Z",
-        MM,
-        [-5000.0, 5000.0],
-        false,
-        t("Punto de referencia, Z desde M", "Reference point, Z from M"),
-        NONE,
+);
+pub(crate) static R_Z: Field<f64, Optional> = Field::real(
+    "R_Z",
+    "reference_R_Z",
+    MM,
+    [-5000.0, 5000.0],
+    t("Punto de referencia, Z desde M", "Reference point, Z from M"),
+    NONE,
+);
+pub(crate) static HOLE_R: Field<HolePlane, Optional> = Field::choice(
+    "hole_R",
+    "hole_R",
+    t("R de G81 a G83", "R of G81 to G83"),
+    t(
+        "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde donde está la herramienta. Vacío: absoluta",
+        "fanuc-lathe-a. Absolute: the Z of the plane. Incremental: from where the tool stands. Empty: absolute",
     ),
-    other(
-        "hole_R",
-        "hole_R",
-        FieldKind::Choice(PLANES),
-        false,
-        t("R de G81 a G83", "R of G81 to G83"),
-        t(
-            "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde donde está la herramienta. Vacío: absoluta",
-            "fanuc-lathe-a. Absolute: the Z of the plane. Incremental: from where the tool stands. Empty: absolute",
-        ),
-    ),
-];
+);
 
-const BLOCKS: &[Parameter] = &[
-    other("program/BLOCK", "", FieldKind::Line { max: 200 }, true, t("un bloque por fila", "one block a row"), NONE),
-    other("program/NOTE", "", FieldKind::Line { max: 200 }, false, t("no se lee", "not read"), NONE),
-];
+const CONTROL: &[&Parameter] = &[&R_X.row, &R_Z.row, &HOLE_R.row];
 
-const ELEMENTS: &[Choice] = &[
-    Choice { key: "1", label: t("1", "1") },
-    Choice { key: "2", label: t("2", "2") },
-    Choice { key: "3", label: t("3", "3") },
-];
+pub(crate) static BLOCK: Field<String, Required> =
+    Field::line("program/BLOCK", "", 200, t("un bloque por fila", "one block a row"), NONE);
+pub(crate) static NOTE: Field<String, Optional> =
+    Field::line("program/NOTE", "", 200, t("no se lee", "not read"), NONE);
 
-const PROFILE: &[Parameter] = &[
-    other(
-        "profile/G",
-        "",
-        FieldKind::Choice(ELEMENTS),
-        true,
-        t("1 recta, 2 arco horario, 3 antihorario", "1 straight, 2 clockwise arc, 3 counter-clockwise"),
-        NONE,
-    ),
-    real("profile/X", "", MM, [0.0, 2000.0], true, t("diámetro", "diameter"), NONE),
-    real("profile/Z", "", MM, [-2000.0, 2000.0], true, t("desde el origen W1", "from the zero W1"), NONE),
-    real("profile/R", "", MM, [0.001, 10_000.0], false, t("radio del arco", "radius of the arc"), NONE),
-];
+const BLOCKS: &[&Parameter] = &[&BLOCK.row, &NOTE.row];
+
+pub(crate) static PROFILE_G: Field<Element, Required> = Field::choice(
+    "profile/G",
+    "",
+    t("1 recta, 2 arco horario, 3 antihorario", "1 straight, 2 clockwise arc, 3 counter-clockwise"),
+    NONE,
+);
+pub(crate) static PROFILE_X: Field<f64, Required> =
+    Field::real("profile/X", "", MM, [0.0, 2000.0], t("diámetro", "diameter"), NONE);
+pub(crate) static PROFILE_Z: Field<f64, Required> =
+    Field::real("profile/Z", "", MM, [-2000.0, 2000.0], t("desde el origen W1", "from the zero W1"), NONE);
+pub(crate) static PROFILE_R: Field<f64, Optional> =
+    Field::real("profile/R", "", MM, [0.001, 10_000.0], t("radio del arco", "radius of the arc"), NONE);
+
+const PROFILE: &[&Parameter] = &[&PROFILE_G.row, &PROFILE_X.row, &PROFILE_Z.row, &PROFILE_R.row];
 
 const BLOCK_WIDTHS: &[f64] = &[52.0, 34.0];
 
@@ -390,6 +400,8 @@ const BLOCKS_NOTE: Text = t(
     "One block a row in column BLOCK; empty rows are skipped. External subprograms go on sheets called O and their number, such as O0005.",
 );
 
+static SCHEMA_CELL: Field<String, Required> = Field::schema();
+
 /// The lathe workbook.
 pub static FORM: Form = Form {
     kind: "lathe",
@@ -404,18 +416,8 @@ pub static FORM: Form = Form {
         title: t("Datos del torneado", "Data of the turning"),
         optional: false,
         sections: &[
-            Section {
-                title: t("Esquema", "Schema"),
-                parameters: &[other(
-                    "schema",
-                    "schema",
-                    FieldKind::Schema,
-                    true,
-                    t("Esquema y versión de este libro", "Schema and version of this workbook"),
-                    t("No se cambia", "Not to be changed"),
-                )],
-            },
-            Section { title: t("Pieza", "Part"), parameters: PART },
+            Section { title: t("Esquema", "Schema"), parameters: &[&SCHEMA_CELL.row] },
+            Section { title: t("Pieza", "Part"), parameters: PIECE },
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
             Section { title: t("Bruto", "Stock"), parameters: STOCK },
             Section { title: t("Plato y contrapunto", "Chuck and tailstock"), parameters: CHUCK },

@@ -3,8 +3,11 @@
 //! Source: the lathe simulator's tables of the tools (φ1, φ2, the inscribed circle, the nose radius), in its symbols; what a
 //! machine needs beside them is added here.
 
+use crate::gcode::in_force::Spindle;
+use crate::parameter::field::{Field, Optional, Required, Usual, choices};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, FieldKind, Parameter, other, real, t, whole};
+use crate::parameter::{Parameter, t};
+use crate::removal::turning::tool::{Hand, Shape};
 use crate::table::Unit;
 use crate::text::Text;
 
@@ -14,162 +17,157 @@ pub const KEY: &str = "tools";
 const MM: Unit = Unit::Millimetre;
 const NONE: Text = t("", "");
 
-const KINDS: &[Choice] = &[
-    Choice { key: "external", label: t("exterior", "external") },
-    Choice { key: "internal", label: t("interior", "internal") },
-    Choice { key: "groove", label: t("ranurar", "groove") },
-    Choice { key: "internal-groove", label: t("ranurar interior", "internal groove") },
-    Choice { key: "face-groove", label: t("ranurar frontal", "face groove") },
-    Choice { key: "thread", label: t("roscar", "thread") },
-    Choice { key: "internal-thread", label: t("roscar interior", "internal thread") },
-    Choice { key: "drill", label: t("broca", "drill") },
-    Choice { key: "centre-drill", label: t("broca de centrar", "centre drill") },
-];
+choices! {
+    /// What a tool is for.
+    pub enum ToolType {
+        /// Turning outside.
+        External = "external" ("exterior", "external"),
+        /// Boring.
+        Internal = "internal" ("interior", "internal"),
+        /// Grooves on the outside, and parting off.
+        Groove = "groove" ("ranurar", "groove"),
+        /// Grooves in a bore.
+        InternalGroove = "internal-groove" ("ranurar interior", "internal groove"),
+        /// Grooves into the face.
+        FaceGroove = "face-groove" ("ranurar frontal", "face groove"),
+        /// Threads on the outside.
+        Thread = "thread" ("roscar", "thread"),
+        /// Threads in a bore.
+        InternalThread = "internal-thread" ("roscar interior", "internal thread"),
+        /// A drill.
+        Drill = "drill" ("broca", "drill"),
+        /// A centre drill.
+        CentreDrill = "centre-drill" ("broca de centrar", "centre drill"),
+    }
+}
 
-const SHAPES: &[Choice] = &[
-    Choice { key: "C", label: t("C", "C") },
-    Choice { key: "D", label: t("D", "D") },
-    Choice { key: "V", label: t("V", "V") },
-    Choice { key: "T", label: t("T", "T") },
-    Choice { key: "S", label: t("S", "S") },
-    Choice { key: "W", label: t("W", "W") },
-    Choice { key: "R", label: t("R", "R") },
-    Choice { key: "K", label: t("K", "K") },
-];
+choices! { for Shape;
+    "C" ("C", "C") => Shape::C, "D" ("D", "D") => Shape::D, "V" ("V", "V") => Shape::V, "T" ("T", "T") => Shape::T,
+    "S" ("S", "S") => Shape::S, "W" ("W", "W") => Shape::W, "R" ("R", "R") => Shape::R, "K" ("K", "K") => Shape::K
+}
 
-const HANDS: &[Choice] = &[
-    Choice { key: "R", label: t("R", "R") },
-    Choice { key: "L", label: t("L", "L") },
-    Choice { key: "N", label: t("N", "N") },
-];
+choices! { for Hand;
+    "R" ("R", "R") => Hand::Right, "L" ("L", "L") => Hand::Left, "N" ("N", "N") => Hand::Neutral
+}
 
-const TURNS: &[Choice] = &[Choice { key: "M3", label: t("M3", "M3") }, Choice { key: "M4", label: t("M4", "M4") }];
+choices! { for Spindle; "M3" ("M3", "M3") => Spindle::Clockwise, "M4" ("M4", "M4") => Spindle::CounterClockwise }
 
-const TOOLS: &[Parameter] = &[
-    whole(
-        "tools/T",
-        "",
-        Unit::Count,
-        [1, 8],
-        false,
-        t("puesto de la torreta; vacío: no montada", "place in the turret; empty: not mounted"),
-        NONE,
-    ),
-    whole("tools/D", "", Unit::Count, [1, 99], false, t("corrector; vacío: T", "offset; empty: T"), NONE),
-    other("tools/name", "", FieldKind::Line { max: 60 }, false, t("nombre", "name"), NONE),
-    other("tools/type", "", FieldKind::Choice(KINDS), true, t("tipo", "type"), NONE),
-    other(
-        "tools/shape",
-        "",
-        FieldKind::Choice(SHAPES),
-        false,
-        t("forma de la placa, ISO 1832", "insert shape, ISO 1832"),
-        NONE,
-    ),
-    real(
-        "tools/IC",
-        "",
-        MM,
-        [1.0, 100.0],
-        false,
-        t("círculo inscrito; cuerpo de la broca de centrar", "inscribed circle; body of a centre drill"),
-        NONE,
-    ),
-    real("tools/R", "", MM, [0.0, 50.0], false, t("radio de punta", "nose radius"), NONE),
-    real("tools/phi1", "", Unit::Degree, [0.0, 180.0], false, t("ángulo principal φ1", "main angle φ1"), NONE),
-    real("tools/phi2", "", Unit::Degree, [0.0, 180.0], false, t("ángulo auxiliar φ2", "auxiliary angle φ2"), NONE),
-    real(
-        "tools/w",
-        "",
-        MM,
-        [0.1, 200.0],
-        false,
-        t("ancho de la ranuradora; diámetro de la broca", "width of a groover; diameter of a drill"),
-        NONE,
-    ),
-    real(
-        "tools/h",
-        "",
-        MM,
-        [0.1, 500.0],
-        false,
-        t("fondo de la ranura o del perfil; largo de las hélices", "depth of groove or profile; length of the flutes"),
-        NONE,
-    ),
-    real(
-        "tools/psi",
-        "",
-        Unit::Degree,
-        [10.0, 180.0],
-        false,
-        t("ángulo de la rosca o de la punta", "thread or point angle"),
-        NONE,
-    ),
-    real("tools/p_min", "", MM, [0.05, 50.0], false, t("paso menor", "least lead"), NONE),
-    real("tools/p_max", "", MM, [0.05, 50.0], false, t("paso mayor", "greatest lead"), NONE),
-    other("tools/hand", "", FieldKind::Choice(HANDS), false, t("mano; vacío: R", "hand; empty: R"), NONE),
-    whole(
-        "tools/tip",
-        "",
-        Unit::Count,
-        [1, 9],
-        false,
-        t("orientación de la punta; vacío: según tipo y mano", "orientation of the tip; empty: by type and hand"),
-        NONE,
-    ),
-    other(
-        "tools/M",
-        "",
-        FieldKind::Choice(TURNS),
-        false,
-        t("giro con el que corta; vacío: según la mano", "spindle's way in the cut; empty: by the hand"),
-        NONE,
-    ),
-    real(
-        "tools/b",
-        "",
-        MM,
-        [1.0, 200.0],
-        true,
-        t("ancho del mango o diámetro de la barra", "width of the shank, diameter of the bar"),
-        NONE,
-    ),
-    real(
-        "tools/l",
-        "",
-        MM,
-        [1.0, 500.0],
-        true,
-        t("largo del mango o de la barra", "length of the shank or the bar"),
-        NONE,
-    ),
-    real(
-        "tools/c",
-        "",
-        MM,
-        [0.0, 200.0],
-        false,
-        t("de la punta al eje de la barra", "from the tip to the centre of the bar"),
-        NONE,
-    ),
-    real(
-        "tools/Q_x",
-        "",
-        MM,
-        [-500.0, 500.0],
-        true,
-        t("de la punta a la torreta en X, en radio", "from the tip to the turret along X, on the radius"),
-        NONE,
-    ),
-    real(
-        "tools/Q_z",
-        "",
-        MM,
-        [-500.0, 500.0],
-        true,
-        t("de la punta a la torreta en Z", "from the tip to the turret along Z"),
-        NONE,
-    ),
+pub(crate) static T: Field<u32, Optional> = Field::whole(
+    "tools/T",
+    "",
+    Unit::Count,
+    [1, 8],
+    t("puesto de la torreta; vacío: no montada", "place in the turret; empty: not mounted"),
+    NONE,
+);
+pub(crate) static D: Field<u32, Optional> =
+    Field::whole("tools/D", "", Unit::Count, [1, 99], t("corrector; vacío: T", "offset; empty: T"), NONE);
+pub(crate) static NAME: Field<String, Optional> = Field::line("tools/name", "", 60, t("nombre", "name"), NONE);
+pub(crate) static TYPE: Field<ToolType, Required> = Field::choice("tools/type", "", t("tipo", "type"), NONE);
+pub(crate) static SHAPE: Field<Shape, Optional> =
+    Field::choice("tools/shape", "", t("forma de la placa, ISO 1832", "insert shape, ISO 1832"), NONE);
+pub(crate) static IC: Field<f64, Optional> = Field::real(
+    "tools/IC",
+    "",
+    MM,
+    [1.0, 100.0],
+    t("círculo inscrito; cuerpo de la broca de centrar", "inscribed circle; body of a centre drill"),
+    NONE,
+);
+pub(crate) static R: Field<f64, Optional> =
+    Field::real("tools/R", "", MM, [0.0, 50.0], t("radio de punta", "nose radius"), NONE);
+pub(crate) static PHI1: Field<f64, Optional> =
+    Field::real("tools/phi1", "", Unit::Degree, [0.0, 180.0], t("ángulo principal φ1", "main angle φ1"), NONE);
+pub(crate) static PHI2: Field<f64, Optional> =
+    Field::real("tools/phi2", "", Unit::Degree, [0.0, 180.0], t("ángulo auxiliar φ2", "auxiliary angle φ2"), NONE);
+pub(crate) static W: Field<f64, Optional> = Field::real(
+    "tools/w",
+    "",
+    MM,
+    [0.1, 200.0],
+    t("ancho de la ranuradora; diámetro de la broca", "width of a groover; diameter of a drill"),
+    NONE,
+);
+pub(crate) static H: Field<f64, Optional> = Field::real(
+    "tools/h",
+    "",
+    MM,
+    [0.1, 500.0],
+    t("fondo de la ranura o del perfil; largo de las hélices", "depth of groove or profile; length of the flutes"),
+    NONE,
+);
+pub(crate) static PSI: Field<f64, Optional> = Field::real(
+    "tools/psi",
+    "",
+    Unit::Degree,
+    [10.0, 180.0],
+    t("ángulo de la rosca o de la punta", "thread or point angle"),
+    NONE,
+);
+pub(crate) static P_MIN: Field<f64, Optional> =
+    Field::real("tools/p_min", "", MM, [0.05, 50.0], t("paso menor", "least lead"), NONE);
+pub(crate) static P_MAX: Field<f64, Optional> =
+    Field::real("tools/p_max", "", MM, [0.05, 50.0], t("paso mayor", "greatest lead"), NONE);
+pub(crate) static HAND: Field<Hand, Usual> =
+    Field::choice_or(Hand::Right, "tools/hand", "", t("mano; vacío: R", "hand; empty: R"), NONE);
+pub(crate) static TIP: Field<u32, Optional> = Field::whole(
+    "tools/tip",
+    "",
+    Unit::Count,
+    [1, 9],
+    t("orientación de la punta; vacío: según tipo y mano", "orientation of the tip; empty: by type and hand"),
+    NONE,
+);
+pub(crate) static M: Field<Spindle, Optional> = Field::choice(
+    "tools/M",
+    "",
+    t("giro con el que corta; vacío: según la mano", "spindle's way in the cut; empty: by the hand"),
+    NONE,
+);
+pub(crate) static B: Field<f64, Required> = Field::real(
+    "tools/b",
+    "",
+    MM,
+    [1.0, 200.0],
+    t("ancho del mango o diámetro de la barra", "width of the shank, diameter of the bar"),
+    NONE,
+);
+pub(crate) static L: Field<f64, Required> = Field::real(
+    "tools/l",
+    "",
+    MM,
+    [1.0, 500.0],
+    t("largo del mango o de la barra", "length of the shank or the bar"),
+    NONE,
+);
+pub(crate) static C: Field<f64, Optional> = Field::real(
+    "tools/c",
+    "",
+    MM,
+    [0.0, 200.0],
+    t("de la punta al eje de la barra", "from the tip to the centre of the bar"),
+    NONE,
+);
+pub(crate) static Q_X: Field<f64, Required> = Field::real(
+    "tools/Q_x",
+    "",
+    MM,
+    [-500.0, 500.0],
+    t("de la punta a la torreta en X, en radio", "from the tip to the turret along X, on the radius"),
+    NONE,
+);
+pub(crate) static Q_Z: Field<f64, Required> = Field::real(
+    "tools/Q_z",
+    "",
+    MM,
+    [-500.0, 500.0],
+    t("de la punta a la torreta en Z", "from the tip to the turret along Z"),
+    NONE,
+);
+
+const TOOLS: &[&Parameter] = &[
+    &T.row, &D.row, &NAME.row, &TYPE.row, &SHAPE.row, &IC.row, &R.row, &PHI1.row, &PHI2.row, &W.row, &H.row, &PSI.row,
+    &P_MIN.row, &P_MAX.row, &HAND.row, &TIP.row, &M.row, &B.row, &L.row, &C.row, &Q_X.row, &Q_Z.row,
 ];
 
 /// The sheet.

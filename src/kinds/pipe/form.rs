@@ -1,104 +1,106 @@
 //! The parameters that the forms of both pipe workbooks share.
 
-use crate::figure::PAPERS;
-use crate::kinds::pipe::size::{NPS, SCHEDULES};
-use crate::parameter::{DIALECTS, FieldKind, Parameter, other, real, t, whole};
+use crate::figure::Paper;
+use crate::gcode::chosen::Codes;
+use crate::gcode::control::Control;
+use crate::kinds::pipe::size::{NPS, SCHEDULES, Schedule, Size};
+use crate::parameter::field::{Field, Optional, Required, Usual};
+use crate::parameter::{DIALECTS, FieldKind, Parameter, t};
 use crate::table::Unit;
 
 const MM: Unit = Unit::Millimetre;
 const DIAMETER: [f64; 2] = [5.0, 3000.0];
 const WALL: [f64; 2] = [0.3, 200.0];
 
+pub(in crate::kinds) static BRANCH_SIZE: Field<&'static Size, Optional> = Field::of_list(
+    "branch_size",
+    "branch_size",
+    NPS,
+    t("Tamaño nominal del injerto (NPS)", "Nominal size of the branch (NPS)"),
+    t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
+);
+pub(in crate::kinds) static BRANCH_SCHEDULE: Field<Schedule, Optional> = Field::of_list(
+    "branch_schedule",
+    "branch_schedule",
+    SCHEDULES,
+    t("Cédula del injerto", "Schedule of the branch"),
+    t("ASME B36.10", "ASME B36.10"),
+);
+pub(in crate::kinds) static D_BRANCH: Field<f64, Optional> = Field::real(
+    "D_branch",
+    "branch_diameter_D",
+    MM,
+    DIAMETER,
+    t("Diámetro exterior del injerto", "Outside diameter of the branch"),
+    t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
+);
+pub(in crate::kinds) static T_BRANCH: Field<f64, Optional> = Field::real(
+    "t_branch",
+    "branch_wall_t",
+    MM,
+    WALL,
+    t("Espesor de pared del injerto", "Wall of the branch"),
+    t("Menor que el radio", "Less than the radius"),
+);
+pub(in crate::kinds) static HEADER_SIZE: Field<&'static Size, Optional> = Field::of_list(
+    "header_size",
+    "header_size",
+    NPS,
+    t("Tamaño nominal del tubo base (NPS)", "Nominal size of the header (NPS)"),
+    t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
+);
+pub(in crate::kinds) static HEADER_SCHEDULE: Field<Schedule, Optional> = Field::of_list(
+    "header_schedule",
+    "header_schedule",
+    SCHEDULES,
+    t("Cédula del tubo base", "Schedule of the header"),
+    t("ASME B36.10", "ASME B36.10"),
+);
+pub(in crate::kinds) static D_HEADER: Field<f64, Optional> = Field::real(
+    "D_header",
+    "header_diameter_D",
+    MM,
+    DIAMETER,
+    t("Diámetro exterior del tubo base", "Outside diameter of the header"),
+    t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
+);
+pub(in crate::kinds) static T_HEADER: Field<f64, Optional> = Field::real(
+    "t_header",
+    "header_wall_t",
+    MM,
+    WALL,
+    t("Espesor de pared del tubo base", "Wall of the header"),
+    t("Menor que el radio", "Less than the radius"),
+);
+
 /// The sizes of both pipes.
-pub(super) const PIPES: &[Parameter] = &[
-    other(
-        "branch_size",
-        "branch_size",
-        FieldKind::Choice(NPS),
-        false,
-        t("Tamaño nominal del injerto (NPS)", "Nominal size of the branch (NPS)"),
-        t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
-    ),
-    other(
-        "branch_schedule",
-        "branch_schedule",
-        FieldKind::Choice(SCHEDULES),
-        false,
-        t("Cédula del injerto", "Schedule of the branch"),
-        t("ASME B36.10", "ASME B36.10"),
-    ),
-    real(
-        "D_branch",
-        "branch_diameter_D",
-        MM,
-        DIAMETER,
-        false,
-        t("Diámetro exterior del injerto", "Outside diameter of the branch"),
-        t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
-    ),
-    real(
-        "t_branch",
-        "branch_wall_t",
-        MM,
-        WALL,
-        false,
-        t("Espesor de pared del injerto", "Wall of the branch"),
-        t("Menor que el radio", "Less than the radius"),
-    ),
-    other(
-        "header_size",
-        "header_size",
-        FieldKind::Choice(NPS),
-        false,
-        t("Tamaño nominal del tubo base (NPS)", "Nominal size of the header (NPS)"),
-        t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
-    ),
-    other(
-        "header_schedule",
-        "header_schedule",
-        FieldKind::Choice(SCHEDULES),
-        false,
-        t("Cédula del tubo base", "Schedule of the header"),
-        t("ASME B36.10", "ASME B36.10"),
-    ),
-    real(
-        "D_header",
-        "header_diameter_D",
-        MM,
-        DIAMETER,
-        false,
-        t("Diámetro exterior del tubo base", "Outside diameter of the header"),
-        t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
-    ),
-    real(
-        "t_header",
-        "header_wall_t",
-        MM,
-        WALL,
-        false,
-        t("Espesor de pared del tubo base", "Wall of the header"),
-        t("Menor que el radio", "Less than the radius"),
-    ),
+pub(super) const PIPES: &[&Parameter] = &[
+    &BRANCH_SIZE.row,
+    &BRANCH_SCHEDULE.row,
+    &D_BRANCH.row,
+    &T_BRANCH.row,
+    &HEADER_SIZE.row,
+    &HEADER_SCHEDULE.row,
+    &D_HEADER.row,
+    &T_HEADER.row,
 ];
 
 /// The angle between the axes.
-pub(super) const THETA: Parameter = real(
+pub(in crate::kinds) static THETA: Field<f64, Required> = Field::real(
     "theta",
     "angle_theta",
     Unit::Degree,
     [1.0, 179.0],
-    true,
     t("Ángulo entre los ejes", "Angle between the axes"),
     t("90: perpendicular", "90: square"),
 );
 
 /// How far the axes pass each other.
-pub(super) const E: Parameter = real(
+pub(in crate::kinds) static E: Field<f64, Required> = Field::real(
     "e",
     "eccentricity_e",
     MM,
     [-1500.0, 1500.0],
-    true,
     t("Excentricidad: distancia entre los ejes", "Eccentricity: distance between the axes"),
     t(
         "Visto inclinado a la derecha, e > 0 pasa por delante; no debe sobresalir",
@@ -107,92 +109,79 @@ pub(super) const E: Parameter = real(
 );
 
 /// The pierce delay.
-pub(super) const PIERCE_DELAY: Parameter = real(
+pub(in crate::kinds) static PIERCE_DELAY: Field<f64, Required> = Field::real(
     "pierce_delay",
     "pierce_delay",
     Unit::Second,
     [0.0, 60.0],
-    true,
     t("Espera al perforar", "Pierce delay"),
     t("0: sin espera", "0: none"),
 );
 
 /// The part.
-pub(super) const PART: Parameter =
-    other("part", "part", FieldKind::Line { max: 200 }, true, t("Pieza", "Part"), t("", ""));
+pub(in crate::kinds) static PART: Field<String, Required> =
+    Field::line("part", "part", 200, t("Pieza", "Part"), t("", ""));
 
 /// The material.
-pub(super) const MATERIAL: Parameter =
-    other("material", "material", FieldKind::Line { max: 200 }, false, t("Material", "Material"), t("", ""));
+pub(in crate::kinds) static MATERIAL: Field<String, Optional> =
+    Field::line("material", "material", 200, t("Material", "Material"), t("", ""));
 
 /// The program number.
-pub(super) const NUMBER: Parameter = whole(
+pub(in crate::kinds) static NUMBER: Field<u32, Required> = Field::whole(
     "program",
     "program_number",
     Unit::Count,
     [1, 9999],
-    true,
     t("Número de programa", "Program number"),
     t("En la cabecera del programa", "In the program's header"),
 );
 
 /// The dialect.
-pub(super) const DIALECT: Parameter = other(
-    "dialect",
-    "dialect",
-    FieldKind::Choice(DIALECTS),
-    true,
-    t("Dialecto del control", "Dialect of the control"),
-    t("", ""),
-);
+pub(in crate::kinds) static DIALECT: Field<&'static Control, Required> =
+    Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
 
 /// The codes that turn the torch on.
-pub(super) const TORCH_ON: Parameter = other(
+pub(in crate::kinds) static TORCH_ON: Field<Codes, Required> = Field::other(
     "torch_on",
     "torch_on",
     FieldKind::Codes,
-    true,
     t("Códigos que encienden la antorcha", "Codes that turn the torch on"),
     t("Lo usual: M3", "Usual: M3"),
 );
 
 /// The codes that turn it off.
-pub(super) const TORCH_OFF: Parameter = other(
+pub(in crate::kinds) static TORCH_OFF: Field<Codes, Required> = Field::other(
     "torch_off",
     "torch_off",
     FieldKind::Codes,
-    true,
     t("Códigos que la apagan", "Codes that turn it off"),
     t("Lo usual: M5", "Usual: M5"),
 );
 
 /// The codes at the end.
-pub(super) const END_CODES: Parameter = other(
+pub(in crate::kinds) static END_CODES: Field<Codes, Required> = Field::other(
     "end_codes",
     "end_codes",
     FieldKind::Codes,
-    true,
     t("Códigos al terminar", "Codes at the end"),
     t("Lo usual: M30", "Usual: M30"),
 );
 
 /// The step of the block numbers.
-pub(super) const BLOCK_STEP: Parameter = whole(
+pub(in crate::kinds) static BLOCK_STEP: Field<u32, Required> = Field::whole(
     "block_step",
     "block_step",
     Unit::Count,
     [1, 1000],
-    true,
     t("Paso de la numeración de bloques", "Step of the block numbers"),
     t("Lo usual: 10", "Usual: 10"),
 );
 
 /// The paper that templates are printed on.
-pub(super) const PAPER: Parameter = other(
+pub(in crate::kinds) static PAPER: Field<Paper, Usual> = Field::choice_or(
+    Paper::A4,
     "paper",
     "paper",
-    FieldKind::Choice(PAPERS),
-    false,
     t("Papel de la plantilla a tamaño natural", "Paper of the template at full size"),
     t("Vacío: A4", "Empty: A4"),
 );

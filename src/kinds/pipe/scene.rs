@@ -10,7 +10,7 @@ use crate::kinds::pipe::insert::design::{Design as Insert, Mode};
 use crate::machine::chain::Chain;
 use crate::machine::torch::TorchAxes;
 use crate::number::trig::sin_cos;
-use crate::parameter::Values;
+use crate::parameter::field::Fields;
 use crate::scene::mesh::{Mesh, Paint};
 use crate::scene::part::Part;
 use crate::scene::{Curve, Shape, ShownTool};
@@ -45,8 +45,8 @@ fn shell(mesh: &mut Mesh, outside: &[[Vector3<f64>; 2]], inside: &[[Vector3<f64>
 
 /// The branch of checked values, as a sheet or a pipe; `None` where they make none.
 #[must_use]
-pub fn insert(values: &Values) -> Option<Part> {
-    let design = Insert::new(values).ok()?;
+pub fn insert(fields: &Fields) -> Option<Part> {
+    let design = Insert::new(fields).ok()?;
     let outline = design.outline();
     let far = outline.extent()[1] + design.branch.t.max(0.1 * outline.round());
     let rotary = design.mode == Mode::Rotary;
@@ -84,8 +84,8 @@ pub fn insert(values: &Values) -> Option<Part> {
 
 /// The header of checked values with its bevelled hole; `None` where they make none.
 #[must_use]
-pub fn hole(values: &Values) -> Option<Part> {
-    let design = Hole::new(values).ok()?;
+pub fn hole(fields: &Fields) -> Option<Part> {
+    let design = Hole::new(fields).ok()?;
     let (groove, torch_form) = (design.groove(), design.torch());
     let stations: Vec<_> = angles().filter_map(|alpha| groove.at(alpha)).collect();
     let roots: Vec<Vector3<f64>> = stations.iter().map(|station| station.root).collect();

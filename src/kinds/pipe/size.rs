@@ -12,7 +12,8 @@
 //! NPS 22 and 30, 120 below NPS 4, 160 and XXS below NPS 1/2) and what only older charts have (60 of NPS 4, XXS of
 //! NPS 3-1/2).
 
-use crate::parameter::{Choice, t};
+use crate::parameter::field::Typed;
+use crate::parameter::{Choice, Value, t};
 
 /// A nominal size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,6 +139,23 @@ pub const SCHEDULES: &[Choice] = &[
     Choice { key: "XS", label: t("XS", "XS") },
     Choice { key: "XXS", label: t("XXS", "XXS") },
 ];
+
+/// A schedule, by its key in [`SCHEDULES`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Schedule(pub &'static str);
+
+impl Typed for &'static Size {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Choice(nps) = value { size(nps) } else { None }
+    }
+}
+
+impl Typed for Schedule {
+    fn typed(value: &Value) -> Option<Self> {
+        let Value::Choice(key) = value else { return None };
+        SCHEDULES.iter().find(|schedule| schedule.key == *key).map(|schedule| Self(schedule.key))
+    }
+}
 
 #[cfg(test)]
 mod tests {

@@ -6,6 +6,7 @@ use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::fade::Fade;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
+use rodete::parameter::field::Fields;
 use rodete::text::Language;
 
 use super::common;
@@ -187,9 +188,9 @@ fn a_workbook_without_the_rows_of_optional_parameters_opens_and_fades_as_publish
         .iter()
         .fold(Parts::sound(), |parts, column| parts.cell(DATA, &format!("{column}{}", row("splitter_fade")), ""));
     let values = impeller(&without.zip()).unwrap().values;
-    assert_eq!(Design::new(&values).unwrap().splitter_fade, Fade::Published);
+    assert_eq!(Design::new(&Fields::of(&FORM, values.clone()).unwrap()).unwrap().splitter_fade, Fade::Published);
     let values = impeller(&Parts::sound().zip()).unwrap().values;
-    assert_eq!(Design::new(&values).unwrap().splitter_fade, Fade::EachSide);
+    assert_eq!(Design::new(&Fields::of(&FORM, values.clone()).unwrap()).unwrap().splitter_fade, Fade::EachSide);
 }
 
 #[test]
@@ -324,6 +325,6 @@ fn a_results_workbook_of_two_thousand_intervals_is_an_input() {
         let filled = impeller(&written.into_inner()).unwrap();
         assert!(filled.findings.is_empty(), "{:?}", filled.findings);
         assert_eq!(filled.values.language, language);
-        assert_eq!(filled.values.values, outcome.values.values);
+        assert_eq!(filled.values.values, outcome.fields.values().values);
     }
 }

@@ -14,7 +14,7 @@ use super::common;
 
 /// The design of a case with its blank's program, as text.
 fn blank(case: &str, changes: &[(&'static str, Value)]) -> (Design, String) {
-    let design = Design::new(&common::values(case, changes)).unwrap();
+    let design = Design::new(&common::fields(case, changes)).unwrap();
     (design, common::program(&common::outcome(case, changes), "blank"))
 }
 
@@ -138,7 +138,7 @@ fn a_way_that_is_clear_only_straight_is_told_from_one_that_is_clear_on_any() {
 
 #[test]
 fn a_stock_beyond_what_is_followed_is_a_caution() {
-    let mut design = Design::new(&common::values("full", &[])).unwrap();
+    let mut design = Design::new(&common::fields("full", &[])).unwrap();
     design.torus.R = 501.0;
     design.blank.X_e = 1100.0;
     let text = design.blank.program(design.torus, NumberFormat::Fixed, 10).unwrap().text();
@@ -154,7 +154,7 @@ proptest! {
         (Z_b, c_f, c_o, c_c) in (1.0..60.0_f64, 0.1..20.0_f64, 0.0..10.0_f64, 0.1..20.0_f64),
         (X_e, Z_e) in (0.1..100.0_f64, 1.0..60.0_f64), fixed in any::<bool>(),
     ) {
-        let mut design = Design::new(&common::values("full", &[])).unwrap();
+        let mut design = Design::new(&common::fields("full", &[])).unwrap();
         let r = (R * part).max(1.0);
         design.torus = rodete::geometry::torus::Torus { R, r };
         let blank = &mut design.blank;

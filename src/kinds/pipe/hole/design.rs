@@ -4,13 +4,20 @@ use crate::figure::Paper;
 use crate::finding::{Finding, Place};
 use crate::gcode::control::Control;
 use crate::gcode::machine_codes::refused_codes;
-use crate::gcode::word::{Word, codes};
+use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
+use crate::kinds::pipe::form::{
+    BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, THETA, TORCH_OFF, TORCH_ON,
+};
 use crate::kinds::pipe::hole::height::Torch;
+use crate::kinds::pipe::hole::parameters::{
+    ARC_TOLERANCE, B, D_MAX, D0, F, F_MAX, G0, GAMMA, H, HOLD_OFF, HOLD_ON, KERF, LEAD_IN, M, N, NOZZLE_R_G, OVERCUT,
+    PSI, TORCH_BODY_RADIUS, Z_S,
+};
 use crate::kinds::pipe::hole::station::Groove;
 use crate::kinds::pipe::insert::design::{BRANCH, HEADER, Pipe};
 use crate::number::shown;
-use crate::parameter::Values;
+use crate::parameter::field::Fields;
 use crate::text::Text;
 
 /// A design that may be computed. Lengths in mm, angles in degrees.
@@ -91,64 +98,57 @@ impl Design {
     ///
     /// # Errors
     /// Every check of one value against another that fails, as findings on parameters (the caller turns them into cells).
-    pub fn new(values: &Values) -> Result<Self, Vec<Finding>> {
-        let pipes = [Pipe::from_values(values, BRANCH), Pipe::from_values(values, HEADER)];
+    pub fn new(fields: &Fields) -> Result<Self, Vec<Finding>> {
+        let pipes = [Pipe::of(fields, BRANCH), Pipe::of(fields, HEADER)];
         let (branch, header) = match pipes {
             [Ok(branch), Ok(header)] => (branch, header),
             [one, other] => {
                 return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect());
             }
         };
-        let Some(design) = Self::from_values(values, branch, header) else {
-            return Err(vec![Finding::stop(
-                Place::File,
-                Text::fixed("faltan valores obligatorios", "required values are missing"),
-                Text::fixed("rellene las celdas obligatorias", "fill in the required cells"),
-            )]);
-        };
+        let design = Self::of(fields, branch, header);
         let findings = design.contradictions();
         if findings.is_empty() { Ok(design) } else { Err(findings) }
     }
 
-    fn from_values(values: &Values, branch: Pipe, header: Pipe) -> Option<Self> {
-        let real = |key| values.real(key);
-        let m = real("m")?;
-        Some(Self {
+    fn of(fields: &Fields, branch: Pipe, header: Pipe) -> Self {
+        let m = fields.get(&M);
+        Self {
             header,
             branch,
-            theta: real("theta")?,
-            e: real("e")?,
-            gamma: real("gamma")?,
-            b: real("b")?,
-            h: real("h")?,
-            N: values.whole("N")?,
-            r_g: real("r_g")?,
-            R_g: real("R_g")?,
-            Psi: real("Psi")?,
+            theta: fields.get(&THETA),
+            e: fields.get(&E),
+            gamma: fields.get(&GAMMA),
+            b: fields.get(&B),
+            h: fields.get(&H),
+            N: fields.get(&N),
+            r_g: fields.get(&NOZZLE_R_G),
+            R_g: fields.get(&TORCH_BODY_RADIUS),
+            Psi: fields.get(&PSI),
             m,
-            d0: real("d0")?,
-            g0: real("g0")?,
-            D_max: real("D_max")?,
-            kerf: real("kerf").unwrap_or(2.0 * m),
-            F: real("F")?,
-            F_max: real("F_max"),
-            pierce_delay: real("pierce_delay")?,
-            lead_in: real("lead_in")?,
-            overcut: real("overcut")?,
-            arc_tolerance: real("arc_tolerance")?,
-            Z_s: real("Z_s")?,
-            paper: values.choice("paper").and_then(Paper::of).unwrap_or(Paper::A4),
-            part: values.line("part").to_owned(),
-            material: values.line("material").to_owned(),
-            program: values.whole("program")?,
-            control: Control::milling(values.choice("dialect")?)?,
-            torch_on: codes(values.line("torch_on"))?,
-            torch_off: codes(values.line("torch_off"))?,
-            hold_on: codes(values.line("hold_on"))?,
-            hold_off: codes(values.line("hold_off"))?,
-            end_codes: codes(values.line("end_codes"))?,
-            block_step: values.whole("block_step")?,
-        })
+            d0: fields.get(&D0),
+            g0: fields.get(&G0),
+            D_max: fields.get(&D_MAX),
+            kerf: fields.get(&KERF).unwrap_or(2.0 * m),
+            F: fields.get(&F),
+            F_max: fields.get(&F_MAX),
+            pierce_delay: fields.get(&PIERCE_DELAY),
+            lead_in: fields.get(&LEAD_IN),
+            overcut: fields.get(&OVERCUT),
+            arc_tolerance: fields.get(&ARC_TOLERANCE),
+            Z_s: fields.get(&Z_S),
+            paper: fields.get(&PAPER),
+            part: fields.get(&PART),
+            material: fields.get(&MATERIAL).unwrap_or_default(),
+            program: fields.get(&NUMBER),
+            control: fields.get(&DIALECT),
+            torch_on: fields.get(&TORCH_ON).0,
+            torch_off: fields.get(&TORCH_OFF).0,
+            hold_on: fields.get(&HOLD_ON).unwrap_or_default().0,
+            hold_off: fields.get(&HOLD_OFF).unwrap_or_default().0,
+            end_codes: fields.get(&END_CODES).0,
+            block_step: fields.get(&BLOCK_STEP),
+        }
     }
 
     /// R_o, the header's outside radius.

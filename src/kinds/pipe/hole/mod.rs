@@ -29,7 +29,7 @@ use crate::kinds::pipe::hole::figures::{figures, template};
 use crate::kinds::pipe::hole::program::{distance, full, hold};
 use crate::kinds::pipe::hole::proof::verify;
 use crate::number::shown;
-use crate::parameter::{Form, Values};
+use crate::parameter::field::Fields;
 use crate::proof::account::Account;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::Text;
@@ -42,12 +42,12 @@ const fn t(es: &'static str, en: &'static str) -> Text {
 ///
 /// # Errors
 /// A refusal with every contradiction between values, or for a torch that would have to be higher than it may.
-pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
     let refused = |findings: Vec<Finding>| Refusal {
         exit: Exit::Refused,
-        findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),
+        findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
     };
-    let design = Design::new(&values).map_err(refused)?;
+    let design = Design::new(&fields).map_err(refused)?;
     if let Some(place) = too_high(&design) {
         return Err(refused(vec![height_refused(&design, &place)]));
     }
@@ -55,7 +55,7 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         workbook: &source.workbook,
         sha256: &source.sha256,
         version: source.version,
-        language: values.language,
+        language: fields.language(),
     };
     let made = cut(&design).and_then(|cut| {
         let Some(cut) = cut else { return Ok(None) };
@@ -91,12 +91,12 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
     let quantities = quantities(&design, &stations, &account);
     let mut findings = remarks(&design, cut.pierce_held || cut.legs.iter().any(|leg| leg.held));
     findings.extend(verification.findings);
-    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
+    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let end = End::of(&findings, false);
     let series = |name, y| Series { name, x: ("height", "α"), y: ("height", y) };
     Ok(Outcome {
-        form,
+        fields,
         quantities,
         charts: vec![
             Chart {
@@ -128,7 +128,6 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         setup: Vec::new(),
         findings,
         end,
-        values,
         source,
     })
 }

@@ -4,30 +4,20 @@ use crate::figure::Paper;
 use crate::finding::{Finding, Place};
 use crate::gcode::control::Control;
 use crate::gcode::program::Style;
-use crate::gcode::word::{Word, codes};
+use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
+use crate::kinds::pipe::form::{
+    BLOCK_STEP, BRANCH_SCHEDULE, BRANCH_SIZE, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, HEADER_SCHEDULE, HEADER_SIZE,
+    MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_BRANCH, T_HEADER, THETA, TORCH_OFF, TORCH_ON,
+};
 use crate::kinds::pipe::insert::outline::Outline;
-use crate::kinds::pipe::size::wall;
-use crate::parameter::Values;
+use crate::kinds::pipe::insert::parameters::{
+    ARC_TOLERANCE, CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, N, OVERCUT, R, R_DEV, SHEET, STYLE, Surface, Z,
+};
+pub use crate::kinds::pipe::insert::parameters::{Contact, Mode};
+use crate::kinds::pipe::size::{Schedule, Size};
+use crate::parameter::field::{Field, Fields, Optional};
 use crate::text::Text;
-
-/// On what the torch cuts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
-    /// A flat sheet: X and Y.
-    Flat,
-    /// The pipe, turning: A and X.
-    Rotary,
-}
-
-/// Which of the branch's curves rests on the header.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Contact {
-    /// That of its bore.
-    Inside,
-    /// That of its outside.
-    Outside,
-}
 
 /// Outside diameter and wall of a pipe, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,42 +28,52 @@ pub struct Pipe {
     pub t: f64,
 }
 
-/// The parameters that give a pipe's size: nominal size, schedule, outside diameter, wall.
-pub type SizeKeys = [&'static str; 4];
+/// The fields that give a pipe's size.
+#[derive(Clone, Copy, Debug)]
+pub struct SizeFields {
+    size: &'static Field<&'static Size, Optional>,
+    schedule: &'static Field<Schedule, Optional>,
+    D: &'static Field<f64, Optional>,
+    t: &'static Field<f64, Optional>,
+}
 
-/// The parameters of the branch's size.
-pub const BRANCH: SizeKeys = ["branch_size", "branch_schedule", "D_branch", "t_branch"];
-/// The parameters of the header's size.
-pub const HEADER: SizeKeys = ["header_size", "header_schedule", "D_header", "t_header"];
+/// The fields of the branch's size.
+pub const BRANCH: SizeFields =
+    SizeFields { size: &BRANCH_SIZE, schedule: &BRANCH_SCHEDULE, D: &D_BRANCH, t: &T_BRANCH };
+/// The fields of the header's size.
+pub const HEADER: SizeFields =
+    SizeFields { size: &HEADER_SIZE, schedule: &HEADER_SCHEDULE, D: &D_HEADER, t: &T_HEADER };
 
 impl Pipe {
     /// The pipe of nominal size and schedule, or of outside diameter and wall.
     ///
     /// # Errors
     /// Where both are given and differ, neither is given whole, or the schedule does not exist in that size.
-    pub fn from_values(values: &Values, keys: SizeKeys) -> Result<Self, Box<Finding>> {
+    pub fn of(fields: &Fields, from: SizeFields) -> Result<Self, Box<Finding>> {
+        let keys = [from.size.key(), from.schedule.key(), from.D.key(), from.t.key()];
         let [size, schedule, D, t] = keys;
         let stop = |keys: &[&'static str], es: String, en: String, remedy: Text| {
             Err(Box::new(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy)))
         };
-        let typed = (values.real(D), values.real(t));
-        let named = (values.choice(size), values.choice(schedule));
+        let typed = (fields.get(from.D), fields.get(from.t));
+        let named = (fields.get(from.size), fields.get(from.schedule));
         match (named, typed) {
             ((None, None), (Some(D), Some(t))) => Ok(Self { D, t }),
-            ((Some(nps), Some(number)), typed) => match (wall(nps, number), typed) {
+            ((Some(found), Some(Schedule(number))), typed) => match (found.wall(number), typed) {
                 (None, _) => stop(
                     &[size, schedule],
-                    format!("ASME B36.10 no tiene cédula {number} en el tamaño {nps}"),
-                    format!("ASME B36.10 has no schedule {number} in size {nps}"),
+                    format!("ASME B36.10 no tiene cédula {number} en el tamaño {}", found.nps),
+                    format!("ASME B36.10 has no schedule {number} in size {}", found.nps),
                     Text::new(
                         format!("elija otra cédula, o escriba {D} y {t}"),
                         format!("choose another schedule, or fill in {D} and {t}"),
                     ),
                 ),
-                (Some((outside, thick)), (typed_D, typed_t))
-                    if typed_D.is_some_and(|D| (D - outside).abs() > 1e-9)
+                (Some(thick), (typed_D, typed_t))
+                    if typed_D.is_some_and(|D| (D - found.outside).abs() > 1e-9)
                         || typed_t.is_some_and(|t| (t - thick).abs() > 1e-9) =>
                 {
+                    let Size { nps, outside, .. } = found;
                     stop(
                         &keys,
                         format!("{size} {nps} cédula {number} es {outside} × {thick} mm, y {D} o {t} dicen otra cosa"),
@@ -86,7 +86,7 @@ impl Pipe {
                         ),
                     )
                 }
-                (Some((D, t)), _) => Ok(Self { D, t }),
+                (Some(t), _) => Ok(Self { D: found.outside, t }),
             },
             _ => stop(
                 &keys,
@@ -164,65 +164,63 @@ impl Design {
     ///
     /// # Errors
     /// Every check of one value against another that fails, as findings on parameters (the caller turns them into cells).
-    pub fn new(values: &Values) -> Result<Self, Vec<Finding>> {
-        let pipes = [Pipe::from_values(values, BRANCH), Pipe::from_values(values, HEADER)];
+    pub fn new(fields: &Fields) -> Result<Self, Vec<Finding>> {
+        let pipes = [Pipe::of(fields, BRANCH), Pipe::of(fields, HEADER)];
         let (branch, header) = match pipes {
             [Ok(branch), Ok(header)] => (branch, header),
             [one, other] => {
                 return Err([one.err(), other.err()].into_iter().flatten().map(|finding| *finding).collect());
             }
         };
-        let Some(design) = Self::from_values(values, branch, header) else {
-            return Err(vec![Finding::stop(
-                Place::File,
-                Text::fixed("faltan valores obligatorios", "required values are missing"),
-                Text::fixed("rellene las celdas obligatorias", "fill in the required cells"),
-            )]);
-        };
+        let design = Self::of(fields, branch, header);
         let findings = design.contradictions();
         if findings.is_empty() { Ok(design) } else { Err(findings) }
     }
 
-    fn from_values(values: &Values, branch: Pipe, header: Pipe) -> Option<Self> {
-        let real = |key| values.real(key);
-        let contact = if values.choice("contact")? == "outside" { Contact::Outside } else { Contact::Inside };
+    fn of(fields: &Fields, branch: Pipe, header: Pipe) -> Self {
+        let contact = fields.get(&CONTACT);
         let outside = branch.D / 2.0;
         let bore = outside - branch.t;
-        let r_dev = match values.choice("sheet")? {
-            "outside" => outside,
-            "mean" => outside - branch.t / 2.0,
-            _ => bore,
+        let r = match contact {
+            Contact::Outside => outside,
+            Contact::Inside => bore,
         };
-        Some(Self {
+        let r_dev = match fields.get(&SHEET) {
+            Surface::Outside => outside,
+            Surface::Mean => outside - branch.t / 2.0,
+            Surface::Inside => bore,
+        };
+        let typed_r = fields.get(&EXPERT_BRANCH_R);
+        Self {
             branch,
             header,
             contact,
-            theta: real("theta")?,
-            e: real("e")?,
-            Z: real("Z")?,
-            N: values.whole("N")?,
-            r: real("r").unwrap_or(if contact == Contact::Outside { outside } else { bore }),
-            R: real("R").unwrap_or(header.D / 2.0),
-            r_dev: real("r_dev").unwrap_or(r_dev),
-            typed_r: real("r").is_some(),
-            mode: if values.choice("mode")? == "rotary" { Mode::Rotary } else { Mode::Flat },
-            kerf: real("kerf")?,
-            F: real("F"),
-            pierce_delay: real("pierce_delay")?,
-            lead_in: real("lead_in")?,
-            overcut: real("overcut")?,
-            arc_tolerance: real("arc_tolerance")?,
-            paper: values.choice("paper").and_then(Paper::of).unwrap_or(Paper::A4),
-            part: values.line("part").to_owned(),
-            material: values.line("material").to_owned(),
-            program: values.whole("program")?,
-            control: Control::milling(values.choice("dialect")?)?,
-            style: if values.choice("style")? == "full" { Style::Full } else { Style::Annex },
-            torch_on: codes(values.line("torch_on"))?,
-            torch_off: codes(values.line("torch_off"))?,
-            end_codes: codes(values.line("end_codes"))?,
-            block_step: values.whole("block_step")?,
-        })
+            theta: fields.get(&THETA),
+            e: fields.get(&E),
+            Z: fields.get(&Z),
+            N: fields.get(&N),
+            r: typed_r.unwrap_or(r),
+            R: fields.get(&R).unwrap_or(header.D / 2.0),
+            r_dev: fields.get(&R_DEV).unwrap_or(r_dev),
+            typed_r: typed_r.is_some(),
+            mode: fields.get(&MODE),
+            kerf: fields.get(&KERF),
+            F: fields.get(&F),
+            pierce_delay: fields.get(&PIERCE_DELAY),
+            lead_in: fields.get(&LEAD_IN),
+            overcut: fields.get(&OVERCUT),
+            arc_tolerance: fields.get(&ARC_TOLERANCE),
+            paper: fields.get(&PAPER),
+            part: fields.get(&PART),
+            material: fields.get(&MATERIAL).unwrap_or_default(),
+            program: fields.get(&NUMBER),
+            control: fields.get(&DIALECT),
+            style: fields.get(&STYLE),
+            torch_on: fields.get(&TORCH_ON).0,
+            torch_off: fields.get(&TORCH_OFF).0,
+            end_codes: fields.get(&END_CODES).0,
+            block_step: fields.get(&BLOCK_STEP),
+        }
     }
 
     /// The two pipes as they meet.

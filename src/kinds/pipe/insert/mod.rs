@@ -40,7 +40,7 @@ use crate::kinds::pipe::insert::figures::{figures, template};
 use crate::kinds::pipe::insert::program::{distance, full, published};
 use crate::kinds::pipe::insert::proof::verify;
 use crate::number::shown;
-use crate::parameter::{Form, Values};
+use crate::parameter::field::Fields;
 use crate::proof::account::Account;
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
@@ -53,17 +53,17 @@ const fn t(es: &'static str, en: &'static str) -> Text {
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
-pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
+pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
     let refused = |findings: Vec<Finding>| Refusal {
         exit: Exit::Refused,
-        findings: findings.into_iter().map(|finding| values.locate(finding)).collect(),
+        findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
     };
-    let design = Design::new(&values).map_err(refused)?;
+    let design = Design::new(&fields).map_err(refused)?;
     let origin = Origin {
         workbook: &source.workbook,
         sha256: &source.sha256,
         version: source.version,
-        language: values.language,
+        language: fields.language(),
     };
     let made = match design.style {
         Style::Annex => published(&design).map(|program| (None, program)),
@@ -93,11 +93,11 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
     let quantities = quantities(&design, &account);
     let mut findings = remarks(&design);
     findings.extend(verification.findings);
-    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| values.locate(finding)).collect();
+    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
     let end = End::of(&findings, false);
     Ok(Outcome {
-        form,
+        fields,
         quantities,
         charts: vec![Chart {
             table: "template",
@@ -120,7 +120,6 @@ pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Ou
         setup: Vec::new(),
         findings,
         end,
-        values,
         source,
     })
 }

@@ -4,173 +4,179 @@
 //! machine needs beside them is added here. The published form asks for an inside and an outside radius; this one asks for
 //! what is stamped on a pipe, and keeps the radii as an override.
 
+use crate::gcode::program::Style;
 use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
 use crate::kinds::pipe::insert::cases::CASES;
-use crate::parameter::{Choice, FieldKind, Form, Parameter, Section, Sheet, other, real, t, whole};
+use crate::parameter::field::{Field, Optional, Required, choices};
+use crate::parameter::{Form, Parameter, Section, Sheet, t};
 use crate::table::Unit;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-pipe-insert 1";
 
 const MM: Unit = Unit::Millimetre;
-const CONTACT: &[Choice] = &[
-    Choice { key: "inside", label: t("interior", "inside") },
-    Choice { key: "outside", label: t("exterior", "outside") },
-];
-const SHEETS: &[Choice] = &[
-    Choice { key: "outside", label: t("exterior", "outside") },
-    Choice { key: "mean", label: t("media", "mean") },
-    Choice { key: "inside", label: t("interior", "inside") },
-];
-const MODES: &[Choice] =
-    &[Choice { key: "flat", label: t("plano", "flat") }, Choice { key: "rotary", label: t("giratorio", "rotary") }];
-const STYLES: &[Choice] =
-    &[Choice { key: "annex", label: t("annex", "annex") }, Choice { key: "full", label: t("full", "full") }];
 
-const JOINT: &[Parameter] = &[
-    other(
-        "contact",
-        "contact",
-        FieldKind::Choice(CONTACT),
-        true,
-        t("Curva del injerto que apoya en el tubo base", "Curve of the branch that rests on the header"),
-        t("interior o exterior", "inside or outside"),
-    ),
-    THETA,
-    E,
-    real(
-        "Z",
-        "offset_Z",
-        MM,
-        [0.0, 10_000.0],
-        true,
-        t("Z, del borde de la plantilla a la curva en φ = 0", "Z, from the template's edge to the curve at φ = 0"),
-        t("Publicado: 20", "Published: 20"),
-    ),
-    whole(
-        "N",
-        "divisions_N",
-        Unit::Count,
-        [3, 10_000],
-        true,
-        t("Número de divisiones de la circunferencia", "Number of divisions of the circumference"),
-        t("Par: arcos por ternas; impar: acaba en recta", "Even: arcs through triples; odd: ends in a line"),
-    ),
-    real(
-        "r",
-        "expert_branch_r",
-        MM,
-        [1.0, 1500.0],
-        false,
-        t("Experto: r, radio de la curva del injerto", "Expert: r, radius of the branch's curve"),
-        t("Sustituye al que sale de D, t y contacto", "In place of that from D, t and contact"),
-    ),
-    real(
-        "R",
-        "expert_header_R",
-        MM,
-        [1.0, 1500.0],
-        false,
-        t("Experto: R, radio del tubo base", "Expert: R, radius of the header"),
-        t("Sustituye a D/2", "In place of D/2"),
-    ),
-    real(
-        "r_dev",
-        "expert_sheet_r_dev",
-        MM,
-        [1.0, 1700.0],
-        false,
-        t("Experto: radio del desarrollo", "Expert: radius of the development"),
-        t("Sustituye al que sale de la chapa", "In place of that from the sheet"),
-    ),
+choices! {
+    /// On what the torch cuts.
+    pub enum Mode {
+        /// A flat sheet: X and Y.
+        Flat = "flat" ("plano", "flat"),
+        /// The pipe, turning: A and X.
+        Rotary = "rotary" ("giratorio", "rotary"),
+    }
+}
+
+choices! {
+    /// Which of the branch's curves rests on the header.
+    pub enum Contact {
+        /// That of its bore.
+        Inside = "inside" ("interior", "inside"),
+        /// That of its outside.
+        Outside = "outside" ("exterior", "outside"),
+    }
+}
+
+choices! {
+    /// The surface that is developed.
+    pub enum Surface {
+        /// The outside of the branch.
+        Outside = "outside" ("exterior", "outside"),
+        /// The middle of its wall.
+        Mean = "mean" ("media", "mean"),
+        /// Its bore.
+        Inside = "inside" ("interior", "inside"),
+    }
+}
+
+pub(super) static CONTACT: Field<Contact, Required> = Field::choice(
+    "contact",
+    "contact",
+    t("Curva del injerto que apoya en el tubo base", "Curve of the branch that rests on the header"),
+    t("interior o exterior", "inside or outside"),
+);
+pub(super) static Z: Field<f64, Required> = Field::real(
+    "Z",
+    "offset_Z",
+    MM,
+    [0.0, 10_000.0],
+    t("Z, del borde de la plantilla a la curva en φ = 0", "Z, from the template's edge to the curve at φ = 0"),
+    t("Publicado: 20", "Published: 20"),
+);
+pub(super) static N: Field<u32, Required> = Field::whole(
+    "N",
+    "divisions_N",
+    Unit::Count,
+    [3, 10_000],
+    t("Número de divisiones de la circunferencia", "Number of divisions of the circumference"),
+    t("Par: arcos por ternas; impar: acaba en recta", "Even: arcs through triples; odd: ends in a line"),
+);
+pub(super) static EXPERT_BRANCH_R: Field<f64, Optional> = Field::real(
+    "r",
+    "expert_branch_r",
+    MM,
+    [1.0, 1500.0],
+    t("Experto: r, radio de la curva del injerto", "Expert: r, radius of the branch's curve"),
+    t("Sustituye al que sale de D, t y contacto", "In place of that from D, t and contact"),
+);
+pub(super) static R: Field<f64, Optional> = Field::real(
+    "R",
+    "expert_header_R",
+    MM,
+    [1.0, 1500.0],
+    t("Experto: R, radio del tubo base", "Expert: R, radius of the header"),
+    t("Sustituye a D/2", "In place of D/2"),
+);
+pub(super) static R_DEV: Field<f64, Optional> = Field::real(
+    "r_dev",
+    "expert_sheet_r_dev",
+    MM,
+    [1.0, 1700.0],
+    t("Experto: radio del desarrollo", "Expert: radius of the development"),
+    t("Sustituye al que sale de la chapa", "In place of that from the sheet"),
+);
+
+const JOINT: &[&Parameter] =
+    &[&CONTACT.row, &THETA.row, &E.row, &Z.row, &N.row, &EXPERT_BRANCH_R.row, &R.row, &R_DEV.row];
+
+pub(super) static MODE: Field<Mode, Required> = Field::choice(
+    "mode",
+    "mode",
+    t("Máquina: chapa plana (X, Y) o tubo que gira (A, X)", "Machine: flat sheet (X, Y) or turning pipe (A, X)"),
+    t("plano o giratorio", "flat or rotary"),
+);
+pub(super) static SHEET: Field<Surface, Required> = Field::choice(
+    "sheet",
+    "sheet",
+    t("Superficie del desarrollo", "Surface of the development"),
+    t("exterior: plantilla que envuelve el tubo", "outside: a template wrapped round the pipe"),
+);
+pub(super) static KERF: Field<f64, Required> = Field::real(
+    "kerf",
+    "kerf",
+    MM,
+    [0.0, 20.0],
+    t("Ancho del corte", "Kerf"),
+    t("0: sin compensar", "0: not compensated"),
+);
+pub(super) static F: Field<f64, Optional> = Field::real(
+    "F",
+    "feed_F",
+    Unit::MillimetrePerMinute,
+    [1.0, 50_000.0],
+    t("Velocidad de corte", "Cutting speed"),
+    t("Obligatorio con style = full", "Required with style = full"),
+);
+pub(super) static LEAD_IN: Field<f64, Required> = Field::real(
+    "lead_in",
+    "lead_in",
+    MM,
+    [0.0, 200.0],
+    t("Entrada, de la perforación a la curva", "Lead-in, from the pierce to the curve"),
+    t("Por el lado del sobrante", "On the side of the waste"),
+);
+pub(super) static OVERCUT: Field<f64, Required> = Field::real(
+    "overcut",
+    "overcut",
+    MM,
+    [0.0, 200.0],
+    t("Salida más allá del final de la curva", "Overcut beyond the end of the curve"),
+    t("En el tubo, sobre el principio del corte", "On the pipe, over the beginning of the cut"),
+);
+pub(super) static ARC_TOLERANCE: Field<f64, Required> = Field::real(
+    "arc_tolerance",
+    "arc_tolerance",
+    MM,
+    [0.004, 5.0],
+    t("Tolerancia de la trayectoria a la curva exacta", "Tolerance of the path against the exact curve"),
+    t("giratorio: fija los tramos; plano: se comprueba", "rotary: sets the moves; flat: is checked"),
+);
+
+const CUTTING: &[&Parameter] =
+    &[&MODE.row, &SHEET.row, &KERF.row, &F.row, &PIERCE_DELAY.row, &LEAD_IN.row, &OVERCUT.row, &ARC_TOLERANCE.row];
+
+pub(super) static STYLE: Field<Style, Required> = Field::choice(
+    "style",
+    "style",
+    t("Estilo del programa", "Style of the program"),
+    t("annex: como el publicado; full: completo", "annex: as published; full: complete"),
+);
+
+const PROGRAM: &[&Parameter] = &[
+    &PAPER.row,
+    &PART.row,
+    &MATERIAL.row,
+    &NUMBER.row,
+    &DIALECT.row,
+    &STYLE.row,
+    &TORCH_ON.row,
+    &TORCH_OFF.row,
+    &END_CODES.row,
+    &BLOCK_STEP.row,
 ];
 
-const CUTTING: &[Parameter] = &[
-    other(
-        "mode",
-        "mode",
-        FieldKind::Choice(MODES),
-        true,
-        t("Máquina: chapa plana (X, Y) o tubo que gira (A, X)", "Machine: flat sheet (X, Y) or turning pipe (A, X)"),
-        t("plano o giratorio", "flat or rotary"),
-    ),
-    other(
-        "sheet",
-        "sheet",
-        FieldKind::Choice(SHEETS),
-        true,
-        t("Superficie del desarrollo", "Surface of the development"),
-        t("exterior: plantilla que envuelve el tubo", "outside: a template wrapped round the pipe"),
-    ),
-    real(
-        "kerf",
-        "kerf",
-        MM,
-        [0.0, 20.0],
-        true,
-        t("Ancho del corte", "Kerf"),
-        t("0: sin compensar", "0: not compensated"),
-    ),
-    real(
-        "F",
-        "feed_F",
-        Unit::MillimetrePerMinute,
-        [1.0, 50_000.0],
-        false,
-        t("Velocidad de corte", "Cutting speed"),
-        t("Obligatorio con style = full", "Required with style = full"),
-    ),
-    PIERCE_DELAY,
-    real(
-        "lead_in",
-        "lead_in",
-        MM,
-        [0.0, 200.0],
-        true,
-        t("Entrada, de la perforación a la curva", "Lead-in, from the pierce to the curve"),
-        t("Por el lado del sobrante", "On the side of the waste"),
-    ),
-    real(
-        "overcut",
-        "overcut",
-        MM,
-        [0.0, 200.0],
-        true,
-        t("Salida más allá del final de la curva", "Overcut beyond the end of the curve"),
-        t("En el tubo, sobre el principio del corte", "On the pipe, over the beginning of the cut"),
-    ),
-    real(
-        "arc_tolerance",
-        "arc_tolerance",
-        MM,
-        [0.004, 5.0],
-        true,
-        t("Tolerancia de la trayectoria a la curva exacta", "Tolerance of the path against the exact curve"),
-        t("giratorio: fija los tramos; plano: se comprueba", "rotary: sets the moves; flat: is checked"),
-    ),
-];
-
-const PROGRAM: &[Parameter] = &[
-    PAPER,
-    PART,
-    MATERIAL,
-    NUMBER,
-    DIALECT,
-    other(
-        "style",
-        "style",
-        FieldKind::Choice(STYLES),
-        true,
-        t("Estilo del programa", "Style of the program"),
-        t("annex: como el publicado; full: completo", "annex: as published; full: complete"),
-    ),
-    TORCH_ON,
-    TORCH_OFF,
-    END_CODES,
-    BLOCK_STEP,
-];
+static SCHEMA_CELL: Field<String, Required> = Field::schema();
 
 /// The pipe-insert workbook.
 pub static FORM: Form = Form {
@@ -186,17 +192,7 @@ pub static FORM: Form = Form {
         title: t("Injerto de tubo: parámetros", "Branch pipe: parameters"),
         optional: false,
         sections: &[
-            Section {
-                title: t("Esquema", "Schema"),
-                parameters: &[other(
-                    "schema",
-                    "schema",
-                    FieldKind::Schema,
-                    true,
-                    t("Esquema y versión de este libro", "Schema and version of this workbook"),
-                    t("No se cambia", "Not to be changed"),
-                )],
-            },
+            Section { title: t("Esquema", "Schema"), parameters: &[&SCHEMA_CELL.row] },
             Section { title: t("Tubos", "Pipes"), parameters: PIPES },
             Section { title: t("Unión", "Joint"), parameters: JOINT },
             Section { title: t("Corte", "Cut"), parameters: CUTTING },

@@ -1,0 +1,42 @@
+//! What the cells of a form become where they speak of programs: codes, blocks, and the settings of a control.
+
+use crate::gcode::control::{Control, Rotary};
+use crate::gcode::program::Style;
+use crate::gcode::word::{Distance, Word, block, codes};
+use crate::parameter::Value;
+use crate::parameter::field::{Typed, choices};
+
+/// Machine codes, as `M3 M11 M13`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Codes(pub Vec<Word>);
+
+/// A block that takes the tool away, as `G0 G53 Z0`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Retract(pub Vec<Word>);
+
+impl Typed for Codes {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Line(line) = value { codes(line).map(Self) } else { None }
+    }
+}
+
+impl Typed for Retract {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Line(line) = value { block(line).map(Self) } else { None }
+    }
+}
+
+impl Typed for &'static Control {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Choice(name) = value { Control::named(name) } else { None }
+    }
+}
+
+choices! { for Style; "annex" ("annex", "annex") => Style::Annex, "full" ("full", "full") => Style::Full }
+
+choices! { for Distance; "G90" ("G90", "G90") => Distance::Absolute, "G91" ("G91", "G91") => Distance::Incremental }
+
+choices! { for Rotary;
+    "rollover" ("rollover", "rollover") => Rotary::Rollover,
+    "linear" ("linear", "linear") => Rotary::Linear
+}

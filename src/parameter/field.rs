@@ -1,0 +1,530 @@
+//! Typed fields: key, defined name, unit, limits, meaning and Rust type of a parameter in one row.
+//!
+//! [`Fields::of`] is the only way from the values of a workbook to what a design is made of. It proves that every value that
+//! the form requires is there, and that each is of its field's type; [`Fields::get`] then gives it as that type.
+
+use std::marker::PhantomData;
+
+use crate::finding::{CellPlace, Exit, Finding, Place, Raise, Refusal};
+use crate::parameter::list::{List, Row};
+use crate::parameter::rules::{Missing, Mistyped};
+use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, Values};
+use crate::table::Unit;
+use crate::text::{Language, Text};
+
+/// What an empty cell means.
+pub trait Presence {
+    /// What a field gives.
+    type Of<T>;
+    /// An empty cell is refused.
+    const REQUIRED: bool;
+    /// What the field gives; `None` where it can give nothing.
+    fn of<T: Clone>(found: Option<T>, usual: Option<&T>) -> Option<Self::Of<T>>;
+}
+
+/// A presence without a usual value.
+pub trait Bare: Presence {}
+
+/// The value must be there.
+#[derive(Debug)]
+pub struct Required;
+
+/// The cell may be empty.
+#[derive(Debug)]
+pub struct Optional;
+
+/// An empty cell means the usual value.
+#[derive(Debug)]
+pub struct Usual;
+
+/// The value must be there where anything is on its sheet, which may be missing.
+#[derive(Debug)]
+pub struct WithSheet;
+
+impl Presence for Required {
+    type Of<T> = T;
+    const REQUIRED: bool = true;
+
+    fn of<T: Clone>(found: Option<T>, _: Option<&T>) -> Option<T> {
+        found
+    }
+}
+
+impl Presence for Optional {
+    type Of<T> = Option<T>;
+    const REQUIRED: bool = false;
+
+    fn of<T: Clone>(found: Option<T>, _: Option<&T>) -> Option<Option<T>> {
+        Some(found)
+    }
+}
+
+impl Presence for Usual {
+    type Of<T> = T;
+    const REQUIRED: bool = false;
+
+    fn of<T: Clone>(found: Option<T>, usual: Option<&T>) -> Option<T> {
+        found.or_else(|| usual.cloned())
+    }
+}
+
+impl Presence for WithSheet {
+    type Of<T> = Option<T>;
+    const REQUIRED: bool = true;
+
+    fn of<T: Clone>(found: Option<T>, _: Option<&T>) -> Option<Option<T>> {
+        Some(found)
+    }
+}
+
+impl Bare for Required {}
+impl Bare for Optional {}
+impl Bare for WithSheet {}
+
+/// A type that the value of a cell becomes.
+pub trait Typed: Clone + 'static {
+    /// The value as this type; `None` where it is none.
+    fn typed(value: &Value) -> Option<Self>;
+
+    /// True where the value is one of this type.
+    fn admits(value: &Value) -> bool {
+        Self::typed(value).is_some()
+    }
+}
+
+impl Typed for f64 {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Real(number) = value { Some(*number).filter(|number| number.is_finite()) } else { None }
+    }
+}
+
+impl Typed for u32 {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Whole(number) = value { Some(*number) } else { None }
+    }
+}
+
+impl Typed for String {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Line(line) = value { Some(line.clone()) } else { None }
+    }
+}
+
+/// A type that is chosen from a list: an enum whose variants, keys and labels stand in one place (see
+/// [`choices!`](crate::parameter::field::choices)).
+pub trait Chosen: Copy + 'static {
+    /// The list.
+    const CHOICES: &'static [Choice];
+
+    /// What the key of a choice stands for.
+    fn of(key: &str) -> Option<Self>;
+}
+
+impl<T: Chosen> Typed for T {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Choice(key) = value { Self::of(key) } else { None }
+    }
+}
+
+/// An enum with the keys of its choices and their labels in Spanish and English; or these for a type that is there.
+macro_rules! choices {
+    (
+        $(#[$about:meta])*
+        $vis:vis enum $name:ident {
+            $($(#[$each:meta])* $variant:ident = $key:literal ($es:literal, $en:literal)),+ $(,)?
+        }
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        $vis enum $name {
+            $($(#[$each])* $variant),+
+        }
+
+        $crate::parameter::field::choices! { for $name; $($key ($es, $en) => $name::$variant),+ }
+    };
+    (for $type:ty; $($key:literal ($es:literal, $en:literal) => $value:expr),+ $(,)?) => {
+        impl $crate::parameter::field::Chosen for $type {
+            const CHOICES: &'static [$crate::parameter::Choice] = &[$(
+                $crate::parameter::Choice { key: $key, label: $crate::text::Text::fixed($es, $en) }
+            ),+];
+
+            fn of(key: &str) -> Option<Self> {
+                match key {
+                    $($key => Some($value),)+
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+pub(crate) use choices;
+
+choices! { for bool; "yes" ("sí", "yes") => true, "no" ("no", "no") => false }
+
+/// One parameter with its type.
+#[derive(Debug)]
+pub struct Field<T, P> {
+    /// The row of the form.
+    pub row: Parameter,
+    usual: Option<T>,
+    presence: PhantomData<P>,
+}
+
+impl<T: Typed, P: Presence> Field<T, P> {
+    const fn new(
+        (key, name): (&'static str, &'static str),
+        (unit, kind): (Unit, FieldKind),
+        usual: Option<T>,
+        meaning: Text,
+        note: Text,
+    ) -> Self {
+        let row = Parameter { key, name, meaning, unit, kind, required: P::REQUIRED, admits: T::admits, note };
+        Self { row, usual, presence: PhantomData }
+    }
+
+    /// Its key in the form.
+    #[must_use]
+    pub const fn key(&self) -> &'static str {
+        self.row.key
+    }
+
+    /// The value before it is proved to be there; `None` where it is not, or of another type.
+    #[must_use]
+    pub fn found(&self, values: &Values) -> Option<T> {
+        values.values.get(self.row.key).and_then(T::typed)
+    }
+}
+
+impl<T: Typed, P: Bare> Field<T, P> {
+    /// One of a list.
+    #[must_use]
+    pub const fn of_list(
+        key: &'static str,
+        name: &'static str,
+        list: &'static [Choice],
+        meaning: Text,
+        note: Text,
+    ) -> Self {
+        Self::new((key, name), (Unit::None, FieldKind::Choice(list)), None, meaning, note)
+    }
+
+    /// What has a type of its own and no unit.
+    #[must_use]
+    pub const fn other(key: &'static str, name: &'static str, kind: FieldKind, meaning: Text, note: Text) -> Self {
+        Self::new((key, name), (Unit::None, kind), None, meaning, note)
+    }
+}
+
+impl<T: Chosen, P: Bare> Field<T, P> {
+    /// One of the choices of a type.
+    #[must_use]
+    pub const fn choice(key: &'static str, name: &'static str, meaning: Text, note: Text) -> Self {
+        Self::of_list(key, name, T::CHOICES, meaning, note)
+    }
+}
+
+impl<T: Chosen> Field<T, Usual> {
+    /// One of the choices of a type, or the usual one.
+    #[must_use]
+    pub const fn choice_or(usual: T, key: &'static str, name: &'static str, meaning: Text, note: Text) -> Self {
+        Self::new((key, name), (Unit::None, FieldKind::Choice(T::CHOICES)), Some(usual), meaning, note)
+    }
+}
+
+impl<P: Bare> Field<f64, P> {
+    /// A real number within limits, both included.
+    #[must_use]
+    pub const fn real(
+        key: &'static str,
+        name: &'static str,
+        unit: Unit,
+        [min, max]: [f64; 2],
+        meaning: Text,
+        note: Text,
+    ) -> Self {
+        Self::new((key, name), (unit, FieldKind::Real { min, max }), None, meaning, note)
+    }
+}
+
+impl Field<f64, Usual> {
+    /// A real number within limits, both included, or the usual one.
+    #[must_use]
+    pub const fn real_or(
+        usual: f64,
+        key: &'static str,
+        name: &'static str,
+        unit: Unit,
+        [min, max]: [f64; 2],
+        meaning: Text,
+        note: Text,
+    ) -> Self {
+        Self::new((key, name), (unit, FieldKind::Real { min, max }), Some(usual), meaning, note)
+    }
+}
+
+impl<P: Bare> Field<u32, P> {
+    /// A whole number within limits, both included.
+    #[must_use]
+    pub const fn whole(
+        key: &'static str,
+        name: &'static str,
+        unit: Unit,
+        [min, max]: [u32; 2],
+        meaning: Text,
+        note: Text,
+    ) -> Self {
+        Self::new((key, name), (unit, FieldKind::Whole { min, max }), None, meaning, note)
+    }
+}
+
+impl<P: Bare> Field<String, P> {
+    /// One line of text of at most `max` characters.
+    #[must_use]
+    pub const fn line(key: &'static str, name: &'static str, max: usize, meaning: Text, note: Text) -> Self {
+        Self::other(key, name, FieldKind::Line { max }, meaning, note)
+    }
+}
+
+impl Field<String, Required> {
+    /// The cell that says which form and version the workbook follows.
+    #[must_use]
+    pub const fn schema() -> Self {
+        Self::other(
+            "schema",
+            "schema",
+            FieldKind::Schema,
+            Text::fixed("Esquema y versión de este libro", "Schema and version of this workbook"),
+            Text::fixed("No se cambia", "Not to be changed"),
+        )
+    }
+}
+
+/// The values of a form, all that it requires among them, each of its field's type.
+#[derive(Clone, Debug)]
+pub struct Fields {
+    form: &'static Form,
+    values: Values,
+}
+
+impl Fields {
+    /// The values of a form.
+    ///
+    /// # Errors
+    /// What is missing and what is of another type: a workbook's schema has told both before.
+    pub fn of(form: &'static Form, values: Values) -> Result<Self, Refusal> {
+        let mut findings = Vec::new();
+        for (sheet, parameter) in form.parameters() {
+            let mut sections = sheet.sections.iter().flat_map(|section| section.parameters);
+            let absent = sheet.optional && !sections.any(|one| values.values.contains_key(one.key));
+            let value = values.values.get(parameter.key);
+            findings.extend(unproved(parameter, value, !absent).map(|place| values.locate(place)));
+        }
+        for rows in &values.lists {
+            let columns = form.lists.iter().filter(|list| list.key == rows.list).flat_map(|list| list.columns);
+            for (parameter, row) in columns.flat_map(|column| rows.rows.iter().map(move |row| (column, row))) {
+                findings.extend(unproved(parameter, row.values.get(parameter.key), true));
+            }
+        }
+        if findings.is_empty() { Ok(Self { form, values }) } else { Err(Refusal { exit: Exit::Refused, findings }) }
+    }
+
+    /// The value of a field.
+    ///
+    /// # Panics
+    /// Where the field is of another form: a slip of the source, which no input can make.
+    #[must_use]
+    pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
+        let own = self.form.parameters().any(|(_, own)| std::ptr::eq(own, &field.row));
+        taken(field, self.values.values.get(field.key()), own)
+    }
+
+    /// The rows of a list; none where its sheet is not there.
+    pub fn rows(&self, list: &str) -> impl Iterator<Item = Entry<'_>> {
+        let described = self.form.lists.iter().find(|described| described.key == list);
+        described.into_iter().flat_map(|list| self.values.rows(list.key).iter().map(move |row| Entry { list, row }))
+    }
+
+    /// The language of the workbook.
+    #[must_use]
+    pub const fn language(&self) -> Language {
+        self.values.language
+    }
+
+    /// The finding with its parameters turned into the cells they came from.
+    #[must_use]
+    pub fn locate(&self, finding: Finding) -> Finding {
+        self.values.locate(finding)
+    }
+
+    /// The form.
+    #[must_use]
+    pub const fn form(&self) -> &'static Form {
+        self.form
+    }
+
+    /// The values as the workbook holds them.
+    #[must_use]
+    pub const fn values(&self) -> &Values {
+        &self.values
+    }
+}
+
+/// A row of a list.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry<'a> {
+    list: &'static List,
+    row: &'a Row,
+}
+
+impl Entry<'_> {
+    /// The value of a column.
+    ///
+    /// # Panics
+    /// Where the column is of another list: a slip of the source, which no input can make.
+    #[must_use]
+    pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
+        let own = self.list.columns.iter().any(|own| std::ptr::eq(*own, &field.row));
+        taken(field, self.row.values.get(field.key()), own)
+    }
+
+    /// The cell of a column; none where the sheet has no such column.
+    #[must_use]
+    pub fn cell<T, P>(&self, field: &Field<T, P>) -> Vec<CellPlace> {
+        self.row.cell(field.row.key)
+    }
+}
+
+/// The value of a field that is of this form, or of one that is not.
+fn taken<T: Typed, P: Presence>(field: &Field<T, P>, value: Option<&Value>, own: bool) -> P::Of<T> {
+    match P::of(value.and_then(T::typed), field.usual.as_ref()).filter(|_| own) {
+        Some(value) => value,
+        None => panic!("{} is no field of this form", field.row.key),
+    }
+}
+
+/// What is wrong with a value that a form has not read.
+fn unproved(parameter: &'static Parameter, value: Option<&Value>, asked: bool) -> Option<Finding> {
+    let (place, symbol) = (Place::Parameters(vec![parameter.key]), parameter.symbol());
+    match value {
+        None => (parameter.required && asked).then(|| Missing { symbol }.at(place)),
+        Some(value) => (!(parameter.admits)(value)).then(|| Mistyped { symbol }.at(place)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameter::list::{Naming, Rows};
+    use crate::parameter::{Section, Sheet, t};
+
+    const NONE: Text = t("", "");
+
+    choices! {
+        enum Way {
+            In = "in" ("dentro", "inside"),
+            Out = "out" ("fuera", "outside"),
+        }
+    }
+
+    static R: Field<f64, Required> = Field::real("R", "R", Unit::Millimetre, [1.0, 9.0], NONE, NONE);
+    static EPS: Field<f64, Usual> = Field::real_or(0.5, "eps", "eps", Unit::Millimetre, [0.1, 1.0], NONE, NONE);
+    static BORE: Field<f64, Optional> = Field::real("bore", "bore", Unit::Millimetre, [1.0, 9.0], NONE, NONE);
+    static WAY: Field<Way, Required> = Field::choice("way", "way", NONE, NONE);
+    static SLOT: Field<u32, WithSheet> = Field::whole("slots/N", "slots_N", Unit::Count, [1, 9], NONE, NONE);
+    static X: Field<f64, Required> = Field::real("list/X", "", Unit::Millimetre, [0.0, 9.0], NONE, NONE);
+    /// As `R`, of no form.
+    static ALIEN: Field<f64, Required> = Field::real("R", "R", Unit::Millimetre, [1.0, 9.0], NONE, NONE);
+    static ALIEN_BORE: Field<f64, Optional> = Field::real("bore", "bore", Unit::Millimetre, [1.0, 9.0], NONE, NONE);
+
+    static FORM: Form = Form {
+        kind: "ring",
+        schema: "ring 1",
+        earlier: &[],
+        cases: &[],
+        programs: &[],
+        drawings: &[],
+        solids: &[],
+        sheets: &[
+            Sheet {
+                name: t("DATOS", "DATA"),
+                title: NONE,
+                optional: false,
+                sections: &[Section { title: NONE, parameters: &[&R.row, &EPS.row, &BORE.row, &WAY.row] }],
+            },
+            Sheet {
+                name: t("RANURAS", "SLOTS"),
+                title: NONE,
+                optional: true,
+                sections: &[Section { title: NONE, parameters: &[&SLOT.row] }],
+            },
+        ],
+        lists: &[List {
+            key: "list",
+            is_program: false,
+            naming: Naming::One(t("LISTA", "LIST")),
+            title: NONE,
+            note: NONE,
+            optional: true,
+            columns: &[&X.row],
+            widths: &[9.0],
+            most: 9,
+        }],
+    };
+
+    fn values(given: &[(&'static str, Value)]) -> Values {
+        let x = [("list/X", Value::Real(3.0))].into_iter().collect();
+        let rows = vec![Row { values: x, ..Row::default() }];
+        let lists = vec![Rows { list: "list", rows, ..Rows::default() }];
+        Values { values: given.iter().cloned().collect(), lists, ..Values::default() }
+    }
+
+    fn fields() -> Fields {
+        Fields::of(&FORM, values(&[("R", Value::Real(2.0)), ("way", Value::Choice("out"))])).expect("fields")
+    }
+
+    #[test]
+    fn a_field_gives_its_type_and_an_empty_cell_what_its_presence_says() {
+        let fields = fields();
+        assert_eq!((fields.get(&R), fields.get(&EPS), fields.get(&BORE)), (2.0, 0.5, None));
+        assert_eq!((fields.get(&WAY), fields.get(&SLOT)), (Way::Out, None));
+        assert_eq!(fields.rows("list").map(|row| row.get(&X)).collect::<Vec<_>>(), [3.0]);
+        assert_eq!(
+            [WAY.row.required, EPS.row.required, BORE.row.required, SLOT.row.required],
+            [true, false, false, true]
+        );
+    }
+
+    #[test]
+    fn what_is_missing_or_of_another_type_is_told_with_its_key() {
+        let told = |given: &[(&'static str, Value)]| -> Vec<(&'static str, Place)> {
+            let refusal = Fields::of(&FORM, values(given)).expect_err("no fields");
+            refusal.findings.into_iter().map(|one| (one.rule.map_or("", |rule| rule.code), one.place)).collect()
+        };
+        let at = |key| Place::Parameters(vec![key]);
+        assert_eq!(told(&[]), [("P0001", at("R")), ("P0001", at("way"))]);
+        assert_eq!(
+            told(&[("R", Value::Whole(2)), ("eps", Value::Real(f64::NAN)), ("way", Value::Choice("up"))]),
+            [("P0002", at("R")), ("P0002", at("eps")), ("P0002", at("way"))]
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "R is no field of this form")]
+    fn a_field_of_another_form_is_caught_though_its_key_is_one_of_this_form() {
+        let _ = fields().get(&ALIEN);
+    }
+
+    #[test]
+    #[should_panic(expected = "bore is no field of this form")]
+    fn an_optional_field_of_another_form_is_caught_and_not_taken_for_an_empty_cell() {
+        let _ = fields().get(&ALIEN_BORE);
+    }
+
+    #[test]
+    #[should_panic(expected = "R is no field of this form")]
+    fn a_field_that_is_no_column_of_a_list_is_caught() {
+        let fields = fields();
+        let _ = fields.rows("list").map(|row| row.get(&R)).sum::<f64>();
+    }
+}
