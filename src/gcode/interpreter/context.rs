@@ -156,6 +156,7 @@ impl Interpreter<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::finding::Grade;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
     use crate::machine::axis::Axis;
