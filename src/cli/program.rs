@@ -19,6 +19,7 @@ use crate::kinds::lathe::parameters::FORM;
 use crate::kinds::lathe::setup::Given;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
+use crate::parameter::field::Fields;
 use crate::store;
 use crate::text::{Language, Text};
 use crate::workbook::{self, Input};
@@ -210,7 +211,7 @@ impl<'a> Shared<'a> {
 /// What a lathe workbook gives.
 fn given(bytes: &[u8]) -> Result<Given, Refusal> {
     let filled = workbook::read(bytes, &[&FORM])?;
-    Given::of(&filled.values).map_err(|findings| Refusal { exit: Exit::Refused, findings })
+    Given::of(&Fields::of(&FORM, filled.values)?).map_err(|findings| Refusal { exit: Exit::Refused, findings })
 }
 
 /// The note on a dialect that nobody named.

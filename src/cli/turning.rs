@@ -16,15 +16,18 @@ use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::lexis::Utf16;
 use crate::kind::{Outcome, Provenance};
 use crate::kinds::lathe::cases;
-use crate::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY};
+use crate::kinds::lathe::parameters::{
+    self as form, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY,
+};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::text;
+use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::kinds::lathe::{self, Raised, Simulated};
 use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::SHEET_BLOCKS;
 use crate::machine::axis::Axis;
-use crate::parameter::field::Fields;
+use crate::parameter::field::{Field, Fields, Required};
 use crate::parameter::list::{Row, Rows};
 use crate::parameter::{Value, Values};
 use crate::store;
@@ -199,38 +202,39 @@ fn for_program(
     dialect: &'static Control,
     program: &text::SheetProgram,
 ) -> Values {
-    values.values.insert("dialect", Value::Choice(dialect.name));
+    values.values.insert(form::DIALECT.key(), Value::Choice(dialect.name));
     match wanted.point {
-        Some(DecimalPoint::Calculator) => values.values.insert("point", Value::Choice("calculator")),
-        Some(DecimalPoint::Micrometre) => values.values.insert("point", Value::Choice("micrometre")),
-        None if wanted.tools.is_none() => values.values.remove("point"),
+        Some(DecimalPoint::Calculator) => values.values.insert(form::POINT.key(), Value::Choice("calculator")),
+        Some(DecimalPoint::Micrometre) => values.values.insert(form::POINT.key(), Value::Choice("micrometre")),
+        None if wanted.tools.is_none() => values.values.remove(form::POINT.key()),
         None => None,
     };
     if let Some(plane) = wanted.plane {
         let plane = if plane == HolePlane::Absolute { "absolute" } else { "incremental" };
-        values.values.insert("hole_R", Value::Choice(plane));
+        values.values.insert(form::HOLE_R.key(), Value::Choice(plane));
     }
     if wanted.block_delete {
-        values.values.insert("block_delete", Value::Choice("yes"));
+        values.values.insert(form::BLOCK_DELETE.key(), Value::Choice("yes"));
     }
     if wanted.tools.is_none() {
         let name = wanted.program.file_stem().unwrap_or_default().to_string_lossy();
-        values.values.insert("part", Value::Line(printable(&name).chars().take(60).collect()));
-        values.values.remove("material");
+        values.values.insert(form::PART.key(), Value::Line(printable(&name).chars().take(60).collect()));
+        values.values.remove(form::MATERIAL.key());
     }
     values.lists.retain(|rows| matches!(rows.list, TOOLS_KEY | PROFILE_KEY));
     if wanted.tools.is_none() && only_left(&program.main.text) {
         // Nobody said which face of the example's tools looks up: it is the one that cuts as the program turns. A drill has none.
         let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
-        let faced = rows.filter(|row| !matches!(row.choice("tools/type"), Some("drill" | "centre-drill")));
-        faced.for_each(|row| drop(row.values.insert("tools/M", Value::Choice("M4"))));
+        let faced =
+            rows.filter(|row| !matches!(row.found(&tools::TYPE), Some(ToolType::Drill | ToolType::CentreDrill)));
+        faced.for_each(|row| drop(row.values.insert(tools::M.key(), Value::Choice("M4"))));
     }
     let mut put = |list: &'static str, sheet: &str, text: &text::Lines| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
         if lines.len() <= SHEET_BLOCKS {
             let row = |line: &&str| Row {
-                values: BTreeMap::from([("program/BLOCK", Value::Line((*line).to_owned()))]),
+                values: BTreeMap::from([(form::BLOCK.key(), Value::Line((*line).to_owned()))]),
                 cells: BTreeMap::new(),
             };
             values.lists.push(Rows { list, sheet: sheet.to_owned(), rows: lines.iter().map(row).collect() });
@@ -260,28 +264,29 @@ fn only_left(text: &str) -> bool {
 
 /// Puts another bar into the jaws: of a workbook that was named, what is held and what is faced off stay where they fit.
 fn put_stock(values: &mut Values, stock: Stock, of_workbook: bool) {
-    let stays = |key: &str| values.real(key).filter(|length| of_workbook && *length < stock.L);
-    let held = stays("L4").unwrap_or(HELD.min(stock.L / 4.0));
-    let faced = stays("L5").filter(|faced| *faced < stock.L - held).unwrap_or(0.0);
-    values.values.insert("D", Value::Real(stock.D));
-    values.values.insert("L", Value::Real(stock.L));
-    values.values.insert("L4", Value::Real(held));
-    values.values.insert("L5", Value::Real(faced));
+    let stays = |field: &Field<f64, Required>| values.found(field).filter(|length| of_workbook && *length < stock.L);
+    let held = stays(&form::L4).unwrap_or(HELD.min(stock.L / 4.0));
+    let faced = stays(&form::L5).filter(|faced| *faced < stock.L - held).unwrap_or(0.0);
+    values.values.insert(form::D.key(), Value::Real(stock.D));
+    values.values.insert(form::L.key(), Value::Real(stock.L));
+    values.values.insert(form::L4.key(), Value::Real(held));
+    values.values.insert(form::L5.key(), Value::Real(faced));
     match stock.d {
-        Some(d) => values.values.insert("d", Value::Real(d)),
-        None => values.values.remove("d"),
+        Some(d) => values.values.insert(form::STOCK_BORE_D.key(), Value::Real(d)),
+        None => values.values.remove(form::STOCK_BORE_D.key()),
     };
 }
 
 fn stock_of(values: &Values) -> Stock {
-    let real = |key| values.real(key).unwrap_or_default();
-    Stock { D: real("D"), L: real("L"), d: values.real("d") }
+    let length = |field| values.found(field).unwrap_or_default();
+    Stock { D: length(&form::D), L: length(&form::L), d: values.found(&form::STOCK_BORE_D) }
 }
 
 /// A stock that holds the path at feed: its greatest diameter and its least Z, rounded up to whole millimetres, and what is
 /// held in the jaws.
 fn enclosing(values: &Values, program: &text::SheetProgram) -> Result<Stock, Refusal> {
-    let given = Given::of(values).map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
+    let given =
+        Given::of(&Fields::of(&FORM, values.clone())?).map_err(|findings| Refusal { exit: Exit::Refused, findings })?;
     let (mut X, mut Z): (f64, f64) = (0.0, 0.0);
     let interpreter: Interpreter<'_> = program.read(given.setting());
     // No more than are followed.

@@ -188,12 +188,6 @@ impl<T: Typed, P: Presence> Field<T, P> {
     pub const fn key(&self) -> &'static str {
         self.row.key
     }
-
-    /// The value before it is proved to be there; `None` where it is not, or of another type.
-    #[must_use]
-    pub fn found(&self, values: &Values) -> Option<T> {
-        values.values.get(self.row.key).and_then(T::typed)
-    }
 }
 
 impl<T: Typed, P: Bare> Field<T, P> {
@@ -339,10 +333,21 @@ impl Fields {
         taken(field, self.values.values.get(field.key()), own)
     }
 
-    /// The rows of a list; none where its sheet is not there.
+    /// The rows of a list's first sheet; none where it is not there.
     pub fn rows(&self, list: &str) -> impl Iterator<Item = Entry<'_>> {
+        self.sheets(list).take(1).flat_map(|(_, rows)| rows)
+    }
+
+    /// The sheets of a list by their names, each with its rows.
+    pub fn sheets(&self, list: &str) -> impl Iterator<Item = (&str, impl Iterator<Item = Entry<'_>>)> {
         let described = self.form.lists.iter().find(|described| described.key == list);
-        described.into_iter().flat_map(|list| self.values.rows(list.key).iter().map(move |row| Entry { list, row }))
+        let of = |list: &'static List| {
+            self.values.lists.iter().filter(|rows| rows.list == list.key).map(move |one| (list, one))
+        };
+        described
+            .into_iter()
+            .flat_map(of)
+            .map(|(list, one)| (one.sheet.as_str(), one.rows.iter().map(move |row| Entry { list, row })))
     }
 
     /// The language of the workbook.
@@ -390,8 +395,8 @@ impl Entry<'_> {
 
     /// The cell of a column; none where the sheet has no such column.
     #[must_use]
-    pub fn cell<T, P>(&self, field: &Field<T, P>) -> Vec<CellPlace> {
-        self.row.cell(field.row.key)
+    pub fn cell(&self, column: &Parameter) -> Vec<CellPlace> {
+        self.row.cell(column.key)
     }
 }
 

@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::CellPlace;
+use crate::parameter::field::{Field, Typed};
 use crate::parameter::{Parameter, Value};
 use crate::text::Text;
 
@@ -51,28 +52,10 @@ pub struct Row {
 }
 
 impl Row {
-    /// A real number; `None` where the cell is empty.
+    /// The value of a column before it is proved to be there; `None` where it is not, or of another type.
     #[must_use]
-    pub fn real(&self, key: &str) -> Option<f64> {
-        self.values.get(key)?.real()
-    }
-
-    /// A whole number; `None` where the cell is empty.
-    #[must_use]
-    pub fn whole(&self, key: &str) -> Option<u32> {
-        self.values.get(key)?.whole()
-    }
-
-    /// The key of a choice; `None` where the cell is empty.
-    #[must_use]
-    pub fn choice(&self, key: &str) -> Option<&'static str> {
-        self.values.get(key)?.choice()
-    }
-
-    /// A line of text; empty where the cell is empty.
-    #[must_use]
-    pub fn line(&self, key: &str) -> &str {
-        self.values.get(key).and_then(Value::line).unwrap_or_default()
+    pub fn found<T: Typed, P>(&self, field: &Field<T, P>) -> Option<T> {
+        self.values.get(field.row.key).and_then(T::typed)
     }
 
     /// The cell of a column, as the place of a finding; none where the sheet has no such column.

@@ -10,6 +10,7 @@ pub mod rules;
 use std::collections::BTreeMap;
 
 use crate::finding::{CellPlace, Finding, Place};
+use crate::parameter::field::{Field, Typed};
 use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
 use crate::text::{Language, Text};
@@ -206,14 +207,6 @@ pub enum Value {
 }
 
 impl Value {
-    const fn real(&self) -> Option<f64> {
-        if let Self::Real(value) = self { Some(*value) } else { None }
-    }
-
-    const fn whole(&self) -> Option<u32> {
-        if let Self::Whole(value) = self { Some(*value) } else { None }
-    }
-
     const fn choice(&self) -> Option<&'static str> {
         if let Self::Choice(value) = self { Some(value) } else { None }
     }
@@ -237,16 +230,10 @@ pub struct Values {
 }
 
 impl Values {
-    /// A real number; `None` where the cell is empty.
+    /// The value of a field before it is proved to be there; `None` where it is not, or of another type.
     #[must_use]
-    pub fn real(&self, key: &str) -> Option<f64> {
-        self.values.get(key)?.real()
-    }
-
-    /// A whole number; `None` where the cell is empty.
-    #[must_use]
-    pub fn whole(&self, key: &str) -> Option<u32> {
-        self.values.get(key)?.whole()
+    pub fn found<T: Typed, P>(&self, field: &Field<T, P>) -> Option<T> {
+        self.values.get(field.row.key).and_then(T::typed)
     }
 
     /// The key of a choice; `None` where the cell is empty.

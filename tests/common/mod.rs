@@ -27,7 +27,19 @@ pub fn values(case: &str, changes: &[(&'static str, Value)]) -> Values {
     values
 }
 
-/// The same, proved.
+/// A real number of a filled-in form.
+#[allow(dead_code, reason = "not every test reads forms")]
+pub fn real(values: &Values, key: &str) -> Option<f64> {
+    if let Value::Real(value) = values.values.get(key)? { Some(*value) } else { None }
+}
+
+/// A whole number of a filled-in form.
+#[allow(dead_code, reason = "not every test reads forms")]
+pub fn whole(values: &Values, key: &str) -> Option<u32> {
+    if let Value::Whole(value) = values.values.get(key)? { Some(*value) } else { None }
+}
+
+/// The values of a shipped case, some of them replaced, proved.
 #[allow(dead_code, reason = "not every test builds designs")]
 pub fn fields(case: &str, changes: &[(&'static str, Value)]) -> Fields {
     Fields::of(&FORM, values(case, changes)).expect("all that the form requires")

@@ -17,8 +17,8 @@ const OLD: &[u8] = include_bytes!("../golden/impeller-schema-1.xlsx");
 #[test]
 fn a_workbook_of_schema_1_gives_the_same_figures_and_a_caution_at_its_cells() {
     let filled = rodete::workbook::read(OLD, &[&FORM]).expect("it is read");
-    assert_eq!(filled.values.real("H"), Some(95.4));
-    assert_eq!(filled.values.real("R_B"), Some(147.5));
+    assert_eq!(common::real(&filled.values, "H"), Some(95.4));
+    assert_eq!(common::real(&filled.values, "R_B"), Some(147.5));
     let [told] = filled.findings.as_slice() else { panic!("{:?}", filled.findings) };
     assert_eq!(told.grade, Grade::Caution);
     assert!(told.what.en.contains("L_t is read as H here, and L = R_p + L_t"), "{}", told.what.en);

@@ -164,7 +164,8 @@ const MOST_WORK: u64 = 800_000;
 
 /// Follows a program within a small budget, and counts its motions. `None` where the budget ends before the program.
 fn followed(values: &Values, program: &text::SheetProgram) -> Option<u64> {
-    let Ok(given) = Given::of(values) else { return Some(0) };
+    let Ok(fields) = Fields::of(&parameters::FORM, values.clone()) else { return Some(0) };
+    let Ok(given) = Given::of(&fields) else { return Some(0) };
     let setup = Setup { most_work: MOST_WORK, ..given.setup.clone() };
     let Ok(mut simulation) = Simulation::new(setup) else { return Some(0) };
     let mut setting = given.setting();

@@ -18,7 +18,7 @@ fn kinds() -> [(&'static Form, Made); 4] {
         (&impeller::parameters::FORM, |fields| impeller::design::Design::new(fields).map(drop)),
         (&pipe::insert::parameters::FORM, |fields| pipe::insert::design::Design::new(fields).map(drop)),
         (&pipe::hole::parameters::FORM, |fields| pipe::hole::design::Design::new(fields).map(drop)),
-        (&lathe::parameters::FORM, |fields| lathe::setup::Given::of(fields.values()).map(drop)),
+        (&lathe::parameters::FORM, |fields| lathe::setup::Given::of(fields).map(drop)),
     ]
 }
 

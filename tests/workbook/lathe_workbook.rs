@@ -30,6 +30,10 @@ fn book(case: usize, language: Language, change: impl FnOnce(&mut Vec<Rows>)) ->
     out.into_inner()
 }
 
+fn line(row: &Row, key: &str) -> String {
+    if let Some(Value::Line(line)) = row.values.get(key) { line.clone() } else { String::new() }
+}
+
 fn read(bytes: &[u8]) -> Result<Values, Refusal> {
     workbook::read(bytes, &[&FORM]).map(|filled| filled.values)
 }
@@ -79,7 +83,7 @@ fn rows_may_be_left_empty_between_others() {
     let without = read(&book(0, Language::En, |_| ())).unwrap();
     let with_gaps = read(&with_gaps).unwrap();
     let blocks = |values: &Values| -> Vec<String> {
-        values.rows(PROGRAM_KEY).iter().map(|row| row.line("program/BLOCK").to_owned()).collect()
+        values.rows(PROGRAM_KEY).iter().map(|row| line(row, "program/BLOCK")).collect()
     };
     assert_eq!(blocks(&with_gaps), blocks(&without));
     assert_eq!(with_gaps.rows(PROGRAM_KEY)[3].cell("program/BLOCK")[0].cell, "A11");
@@ -147,9 +151,10 @@ fn every_tool_of_the_catalogue_can_be_mounted() {
     assert!(rows.len() > 80, "{}", rows.len());
     for mut row in rows {
         row.values.insert("tools/T", Value::Whole(1));
-        let name = row.line("tools/name").to_owned();
+        let name = line(&row, "tools/name");
         values.lists = vec![Rows { list: TOOLS_KEY, sheet: "TOOLS".to_owned(), rows: vec![row] }];
-        let given = Given::of(&values).unwrap_or_else(|findings| panic!("{name}: {findings:?}"));
+        let given = Given::of(&Fields::of(&FORM, values.clone()).unwrap())
+            .unwrap_or_else(|findings| panic!("{name}: {findings:?}"));
         assert_eq!(given.setup.turret.tools.len(), 1, "{name}");
     }
 }

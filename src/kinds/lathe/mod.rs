@@ -140,23 +140,22 @@ pub fn watched(
     program: Option<text::SheetProgram>,
     watch: &mut dyn FnMut(Seen<'_>),
 ) -> Result<Simulated, Refusal> {
-    let values = fields.values();
     let mut wrong = Vec::new();
     if program.is_none() {
-        wrong.extend(setup::without_rule(values));
-        wrong.extend(text::twice(values));
+        wrong.extend(setup::without_rule(&fields));
+        wrong.extend(text::twice(&fields));
     }
-    let profile = wanted(values).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
-    let given = match Given::of(values) {
+    let profile = wanted(&fields).map_err(|finding| wrong.push(*finding)).unwrap_or_default();
+    let given = match Given::of(&fields) {
         Ok(given) if wrong.is_empty() => given,
         Ok(_) => return Err(refused(wrong)),
         Err(findings) => return Err(refused(findings.into_iter().chain(wrong).collect())),
     };
-    let first = program.or_else(|| text::SheetProgram::of(values, PROGRAM_KEY)).unwrap_or_default();
+    let first = program.or_else(|| text::SheetProgram::of(&fields, PROGRAM_KEY)).unwrap_or_default();
     let title = t("Programa", "Program");
     let begins = Begins::new(Simulation::new(given.setup.clone())?);
     let one = follow("program", title, &first, &given, begins, watch);
-    let second = text::SheetProgram::of(values, SECOND_KEY);
+    let second = text::SheetProgram::of(&fields, SECOND_KEY);
     let two = if let Some(second) = &second {
         let simulation = one.simulation.turned_about(given.second)?;
         let title = t("Programa de la segunda colocación", "Program of the second set-up");

@@ -2,11 +2,11 @@
 
 use crate::finding::{Finding, Place};
 use crate::geometry::exact::region::Ring;
-use crate::kinds::lathe::parameters::PROFILE_KEY;
+use crate::kinds::lathe::parameters::{Element, PROFILE_G, PROFILE_KEY, PROFILE_R, PROFILE_X, PROFILE_Z};
 use crate::number::shown;
 use crate::number::trig::hypot;
-use crate::parameter::list::Row;
-use crate::parameter::{Values, t};
+use crate::parameter::field::{Entry, Fields};
+use crate::parameter::{Parameter, t};
 use crate::removal::turning::deviation::{Profile, Span, Unmeasured, deviation};
 use crate::table::{Quantity, Unit};
 use crate::text::Text;
@@ -15,38 +15,38 @@ use crate::text::Text;
 ///
 /// # Errors
 /// The cells of a profile that has one point only, and of an arc without a radius or one that does not reach its end.
-pub(super) fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
-    let rows = values.rows(PROFILE_KEY);
-    let point =
-        |row: &Row| [row.real("profile/Z").unwrap_or_default(), row.real("profile/X").unwrap_or_default() / 2.0];
-    let stop =
-        |row: &Row, key: &str, what, remedy| Err(Box::new(Finding::stop(Place::Cells(row.cell(key)), what, remedy)));
-    let Some((first, rest)) = rows.split_first() else { return Ok(None) };
-    if rest.is_empty() {
+pub(super) fn wanted(fields: &Fields) -> Result<Option<Profile>, Box<Finding>> {
+    let mut rows = fields.rows(PROFILE_KEY).peekable();
+    let point = |row: &Entry<'_>| [row.get(&PROFILE_Z), row.get(&PROFILE_X) / 2.0];
+    let stop = |row: &Entry<'_>, column: &Parameter, what, remedy| {
+        Err(Box::new(Finding::stop(Place::Cells(row.cell(column)), what, remedy)))
+    };
+    let Some(first) = rows.next() else { return Ok(None) };
+    if rows.peek().is_none() {
         return stop(
-            first,
-            "profile/G",
+            &first,
+            &PROFILE_G.row,
             t("el perfil tiene un solo punto", "the profile has one point only"),
             t("escriba también dónde termina, o borre la fila", "write where it ends too, or delete the row"),
         );
     }
-    let mut profile = Profile { start: point(first), spans: Vec::new() };
+    let mut profile = Profile { start: point(&first), spans: Vec::new() };
     let mut from = profile.start;
-    for row in rest {
-        let to = point(row);
-        let clockwise = match row.choice("profile/G") {
-            Some("2") => true,
-            Some("3") => false,
-            _ => {
+    for row in rows {
+        let to = point(&row);
+        let clockwise = match row.get(&PROFILE_G) {
+            Element::Clockwise => true,
+            Element::CounterClockwise => false,
+            Element::Line => {
                 profile.spans.push(Span::Line(to));
                 from = to;
                 continue;
             }
         };
-        let Some(radius) = row.real("profile/R") else {
+        let Some(radius) = row.get(&PROFILE_R) else {
             return stop(
-                row,
-                "profile/R",
+                &row,
+                &PROFILE_R.row,
                 t("el arco del perfil no tiene radio", "the arc of the profile has no radius"),
                 t("escriba el radio", "write the radius"),
             );
@@ -56,8 +56,8 @@ pub(super) fn wanted(values: &Values) -> Result<Option<Profile>, Box<Finding>> {
             let chord = hypot(to[0] - from[0], to[1] - from[1]);
             let [r, c, half] = [radius, chord, chord / 2.0].map(|value| shown(value, 3));
             return stop(
-                row,
-                "profile/R",
+                &row,
+                &PROFILE_R.row,
                 Text::new(
                     format!("el arco del perfil tiene {r} mm de radio y su cuerda mide {c} mm: no llega a su final"),
                     format!(

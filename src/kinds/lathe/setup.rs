@@ -3,27 +3,25 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::{CellPlace, Finding, Place};
-use crate::gcode::control::{Control, FANUC_LATHE_A};
-use crate::gcode::in_force::{InForce, Spindle};
+use crate::gcode::control::Control;
+use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
-use crate::kinds::lathe::parameters::TOOLS_KEY;
+use crate::kinds::lathe::parameters::{self as form, Rapids, Side, TOOLS_KEY};
+use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G28_FIRST, System};
 use crate::number::shown;
-use crate::parameter::Values;
-use crate::parameter::list::Row;
+use crate::parameter::Parameter;
+use crate::parameter::field::{Entry, Field, Fields, Optional};
 use crate::removal::turning::machine::{Chuck, Lathe};
 use crate::removal::turning::simulation::Setup;
-use crate::removal::turning::stock::{Stock, Support};
+use crate::removal::turning::stock::Stock;
 use crate::removal::turning::tool::{Cutter, Hand, Holder, Shape, TurningTool};
 use crate::removal::turning::turret::Turret;
 use crate::text::Text;
-
-/// Tolerance of arcs where the form gives none, mm.
-const EPS: f64 = 0.0002;
 
 /// Z′ and X′ of the source: how far the longest tools stand off the stock at the reference point, mm.
 const MARGIN: f64 = 30.0;
@@ -57,28 +55,35 @@ pub struct Given {
     empty: BTreeMap<u8, Vec<CellPlace>>,
 }
 
-/// The cells of W2 to W6, X and Z.
-const ZEROS: [[&str; 2]; 5] =
-    [["W2_X", "W2_Z"], ["W3_X", "W3_Z"], ["W4_X", "W4_Z"], ["W5_X", "W5_Z"], ["W6_X", "W6_Z"]];
+/// A length that may be left out.
+type Length = &'static Field<f64, Optional>;
 
-/// The cells of the turret's body, along X and along Z.
-const BODY: [[&str; 2]; 2] = [["BX_min", "BX_max"], ["BZ_min", "BZ_max"]];
+/// W2 to W6, X and Z.
+const ZEROS: [[Length; 2]; 5] = [
+    [&form::W2_X, &form::W2_Z],
+    [&form::W3_X, &form::W3_Z],
+    [&form::W4_X, &form::W4_Z],
+    [&form::W5_X, &form::W5_Z],
+    [&form::W6_X, &form::W6_Z],
+];
+
+/// The turret's body, along X and along Z.
+const BODY: [[Length; 2]; 2] = [[&form::BX_MIN, &form::BX_MAX], [&form::BZ_MIN, &form::BZ_MAX]];
 
 impl Given {
     /// The set-up of a filled-in form.
     ///
     /// # Errors
     /// Every contradiction, each with its cells.
-    pub fn of(values: &Values) -> Result<Self, Vec<Finding>> {
+    pub fn of(fields: &Fields) -> Result<Self, Vec<Finding>> {
         let mut findings = Vec::new();
-        let real = |key| values.real(key).unwrap_or_default();
-        let (D, L, L4) = (real("D"), real("L"), real("L4"));
+        let (D, L, L4, L5) = (fields.get(&form::D), fields.get(&form::L), fields.get(&form::L4), fields.get(&form::L5));
         let mut stop = |keys: &[&'static str], what: Text, remedy: Text| {
-            findings.push(values.locate(Finding::stop(Place::Parameters(keys.to_vec()), what, remedy)));
+            findings.push(fields.locate(Finding::stop(Place::Parameters(keys.to_vec()), what, remedy)));
         };
         if L4 >= L {
             stop(
-                &["L4", "L"],
+                &[form::L4.key(), form::L.key()],
                 Text::new(
                     format!("L4 es {} mm y debe ser menor que L = {} mm", shown(L4, 3), shown(L, 3)),
                     format!("L4 is {} mm, must be less than L = {} mm", shown(L4, 3), shown(L, 3)),
@@ -86,42 +91,35 @@ impl Given {
                 Text::fixed("sujete menos, o un bruto más largo", "hold less, or take a longer stock"),
             );
         }
-        if L4 < L && real("L5") >= L - L4 {
+        if L4 < L && L5 >= L - L4 {
             stop(
-                &["L5", "L", "L4"],
+                &[form::L5.key(), form::L.key(), form::L4.key()],
                 Text::new(
-                    format!(
-                        "L5 es {} mm y debe ser menor que el voladizo de {} mm",
-                        shown(real("L5"), 3),
-                        shown(L - L4, 3)
-                    ),
-                    format!(
-                        "L5 is {} mm, must be less than the overhang of {} mm",
-                        shown(real("L5"), 3),
-                        shown(L - L4, 3)
-                    ),
+                    format!("L5 es {} mm y debe ser menor que el voladizo de {} mm", shown(L5, 3), shown(L - L4, 3)),
+                    format!("L5 is {} mm, must be less than the overhang of {} mm", shown(L5, 3), shown(L - L4, 3)),
                 ),
                 Text::fixed("un refrentado menor", "a smaller facing allowance"),
             );
         }
-        if values.real("d").is_some_and(|d| d >= D) {
+        let bore = fields.get(&form::STOCK_BORE_D);
+        if let Some(d) = bore.filter(|d| *d >= D) {
             stop(
-                &["d", "D"],
+                &[form::STOCK_BORE_D.key(), form::D.key()],
                 Text::new(
-                    format!("el agujero d es {} mm y debe ser menor que D = {} mm", shown(real("d"), 3), shown(D, 3)),
-                    format!("the bore d is {} mm, must be less than D = {} mm", shown(real("d"), 3), shown(D, 3)),
+                    format!("el agujero d es {} mm y debe ser menor que D = {} mm", shown(d, 3), shown(D, 3)),
+                    format!("the bore d is {} mm, must be less than D = {} mm", shown(d, 3), shown(D, 3)),
                 ),
                 Text::fixed("corrija d o D", "correct d or D"),
             );
         }
         let travel = Text::fixed("corrija el recorrido", "correct the travel");
         let sizes = Text::fixed("corrija el cuerpo de la torreta", "correct the turret's body");
-        for (keys, remedy) in
-            [(["X_min", "X_max"], &travel), (["Z_min", "Z_max"], &travel), (BODY[0], &sizes), (BODY[1], &sizes)]
-        {
-            if let [Some(least), Some(greatest)] = keys.map(|key| values.real(key))
+        let travels: [[Length; 2]; 2] = [[&form::X_MIN, &form::X_MAX], [&form::Z_MIN, &form::Z_MAX]];
+        for (pair, remedy) in [(travels[0], &travel), (travels[1], &travel), (BODY[0], &sizes), (BODY[1], &sizes)] {
+            if let [Some(least), Some(greatest)] = pair.map(|one| fields.get(one))
                 && least >= greatest
             {
+                let keys = pair.map(Field::key);
                 stop(
                     &keys,
                     Text::new(
@@ -144,7 +142,8 @@ impl Given {
                 );
             }
         }
-        let (given, empty): (Vec<_>, Vec<_>) = BODY.into_iter().flatten().partition(|key| values.real(key).is_some());
+        let (given, empty): (Vec<_>, Vec<_>) = BODY.into_iter().flatten().partition(|one| fields.get(one).is_some());
+        let empty: Vec<&'static str> = empty.into_iter().map(Field::key).collect();
         if !given.is_empty() && !empty.is_empty() {
             let lost = empty.join(", ");
             stop(
@@ -159,10 +158,10 @@ impl Given {
                 ),
             );
         }
-        let given_reference = ["R_X", "R_Z"].map(|key| values.real(key));
+        let given_reference = [fields.get(&form::R_X), fields.get(&form::R_Z)];
         if given_reference.iter().flatten().count() == 1 {
             stop(
-                &["R_X", "R_Z"],
+                &[form::R_X.key(), form::R_Z.key()],
                 Text::fixed(
                     "el punto de referencia se da con X y Z, y solo hay una",
                     "the reference point is given by X and Z, and only one of them is",
@@ -170,48 +169,47 @@ impl Given {
                 Text::fixed("rellene R_X y R_Z, o vacíe las dos", "fill in R_X and R_Z, or empty both"),
             );
         }
-        let (dialect, point) = control(values);
-        let tolerance = values.real("eps").unwrap_or(EPS);
-        let behind = values.choice("turret") == Some("rear");
-        let (tools, offsets) = turret(values.rows(TOOLS_KEY), (tolerance, behind), &mut findings);
-        let own: BTreeMap<u32, u32> = values
+        let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
+        let tolerance = fields.get(&form::EPS);
+        let behind = fields.get(&form::TURRET) == Side::Rear;
+        let (tools, offsets) = turret(fields, (tolerance, behind), &mut findings);
+        let own: BTreeMap<u32, u32> = fields
             .rows(TOOLS_KEY)
-            .iter()
-            .filter_map(|row| row.whole("tools/T").map(|T| (T, row.whole("tools/D").unwrap_or(T))))
+            .filter_map(|row| row.get(&tools::T).map(|T| (T, row.get(&tools::D).unwrap_or(T))))
             .collect();
         let first_offset = own.first_key_value().map_or(0, |(_, D)| *D);
-        let between = |least, greatest, scale: f64| {
-            let bound = |key, beyond: f64| values.real(key).map_or(beyond, |value: f64| value * scale);
+        let between = |[least, greatest]: [Length; 2], scale: f64| {
+            let bound = |one: Length, beyond: f64| fields.get(one).map_or(beyond, |value: f64| value * scale);
             [bound(least, -5000.0), bound(greatest, 5000.0)]
         };
         let default = Lathe::default();
-        let support = match values.choice("tailstock") {
-            Some("yes") => Support::Always,
-            Some("no") => Support::Never,
-            _ => Support::ByOverhang,
-        };
         let origin = match given_reference {
             [Some(X), Some(Z)] => [X / 2.0, Z],
             _ => [0.0, 0.0],
         };
         let lathe = Lathe {
             origin,
-            travel_x: between("X_min", "X_max", 0.5),
-            travel_z: between("Z_min", "Z_max", 1.0),
-            rapid: [real("G_X"), real("G_Z")],
-            bent_rapid: values.choice("rapid") == Some("bent"),
-            greatest_speed: real("S_max"),
+            travel_x: between(travels[0], 0.5),
+            travel_z: between(travels[1], 1.0),
+            rapid: [fields.get(&form::G_X), fields.get(&form::G_Z)],
+            bent_rapid: fields.get(&form::RAPID) == Rapids::Bent,
+            greatest_speed: fields.get(&form::S_MAX),
             turret_behind: behind,
-            chuck: Chuck { body: real("L1"), jaws: real("L2"), diameter: real("D_c"), ..default.chuck },
+            chuck: Chuck {
+                body: fields.get(&form::L1),
+                jaws: fields.get(&form::L2),
+                diameter: fields.get(&form::D_C),
+                ..default.chuck
+            },
             tailstock: default.tailstock,
         };
         let stock = Stock {
             diameter: D,
             length: L,
-            bore: values.real("d").unwrap_or_default(),
+            bore: bore.unwrap_or_default(),
             overhang: L - L4,
-            facing: real("L5"),
-            support,
+            facing: L5,
+            support: fields.get(&form::TAILSTOCK),
         };
         if !findings.is_empty() {
             return Err(findings);
@@ -220,29 +218,26 @@ impl Given {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let body = empty.is_empty().then(|| [0, 1].map(|end| [real(BODY[1][end]), real(BODY[0][end])]));
-        let zeros = ZEROS.map(|[X, Z]| [real(X) / 2.0, real(Z)]);
+        let size = |one: Length| fields.get(one).unwrap_or_default();
+        let body = empty.is_empty().then(|| [0, 1].map(|end| [size(BODY[1][end]), size(BODY[0][end])]));
+        let zeros = ZEROS.map(|[X, Z]| [size(X) / 2.0, size(Z)]);
         // An X that is not given is 0, on the axis; a Z has no such place.
         let empty = (2..)
             .zip(ZEROS)
-            .filter(|(_, [_, Z])| values.real(Z).is_none())
-            .map(|(system, keys)| {
-                let empty = keys.into_iter().filter(|key| values.real(key).is_none());
-                (system, empty.filter_map(|key| values.cells.get(key).cloned()).collect())
+            .filter(|(_, [_, Z])| fields.get(Z).is_none())
+            .map(|(system, pair)| {
+                let empty = pair.into_iter().filter(|one| fields.get(one).is_none());
+                (system, empty.filter_map(|one| fields.values().cells.get(one.key()).cloned()).collect())
             })
             .collect();
         Ok(Self {
             setup: Setup { tolerance, ..Setup::new(lathe, stock, Turret { tools, body }) },
-            control: dialect,
+            control,
             point,
-            block_delete: values.choice("block_delete") == Some("yes"),
-            second: real("Z_s"),
+            block_delete: fields.get(&form::BLOCK_DELETE),
+            second: fields.get(&form::Z_S).unwrap_or_default(),
             own,
-            plane: match values.choice("hole_R") {
-                Some("incremental") => Some(HolePlane::Incremental),
-                Some("absolute") => Some(HolePlane::Absolute),
-                _ => None,
-            },
+            plane: fields.get(&form::HOLE_R),
             referred: given_reference.iter().all(Option::is_some),
             offsets,
             first_offset,
@@ -351,25 +346,14 @@ impl Given {
     }
 }
 
-/// The control's dialect, and its rule for dimensions without a decimal point.
-fn control(values: &Values) -> (&'static Control, Option<DecimalPoint>) {
-    let dialect = Control::named(values.choice("dialect").unwrap_or_default()).unwrap_or(&FANUC_LATHE_A);
-    let point = match values.choice("point") {
-        Some("calculator") => Some(DecimalPoint::Calculator),
-        Some("micrometre") => Some(DecimalPoint::Micrometre),
-        _ => None,
-    };
-    (dialect, point)
-}
-
 /// The stop of a workbook that does not say the control's rule for dimensions without a decimal point, where it must. Of a
 /// program's file each such dimension is refused by itself.
 #[must_use]
-pub fn without_rule(values: &Values) -> Option<Finding> {
-    let (control, point) = control(values);
+pub fn without_rule(fields: &Fields) -> Option<Finding> {
+    let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
     (point.is_none() && control.lexis.point.by_setting()).then(|| {
-        values.locate(Finding::stop(
-            Place::Parameters(vec!["point"]),
+        fields.locate(Finding::stop(
+            Place::Parameters(vec![form::POINT.key()]),
             Text::fixed(
                 "falta decir qué es una cota sin punto decimal: depende de un parámetro del control",
                 "it must be said what a dimension without a decimal point is: a setting of the control decides",
@@ -384,18 +368,18 @@ pub fn without_rule(values: &Values) -> Option<Finding> {
 
 /// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
 fn turret(
-    rows: &[Row],
+    fields: &Fields,
     (tolerance, behind): (f64, bool),
     findings: &mut Vec<Finding>,
 ) -> (BTreeMap<u32, TurningTool>, Tools) {
     let mut tools = BTreeMap::new();
     let mut offsets = Tools::new();
     let mut places: BTreeSet<u32> = BTreeSet::new();
-    for row in rows {
-        let Some(T) = row.whole("tools/T") else { continue };
+    for row in fields.rows(TOOLS_KEY) {
+        let Some(T) = row.get(&tools::T) else { continue };
         if !places.insert(T) {
             findings.push(Finding::stop(
-                Place::Cells(row.cell("tools/T")),
+                Place::Cells(row.cell(&tools::T.row)),
                 Text::new(
                     format!("el puesto {T} de la torreta está dos veces"),
                     format!("place {T} of the turret is given twice"),
@@ -404,8 +388,8 @@ fn turret(
             ));
             continue;
         }
-        let D = row.whole("tools/D").unwrap_or(T);
-        let tool = match tool(row) {
+        let D = row.get(&tools::D).unwrap_or(T);
+        let tool = match tool(&row) {
             Ok(tool) => tool,
             Err(lost) => {
                 findings.push(*lost);
@@ -414,7 +398,7 @@ fn turret(
         };
         if let Err(why) = tool.outline(tolerance, behind) {
             findings.push(Finding::stop(
-                Place::Cells(cells(row, sizes(&tool))),
+                Place::Cells(cells(&row, &sizes(&tool))),
                 Text::new(format!("herramienta {T}: {}", why.es), format!("tool {T}: {}", why.en)),
                 Text::fixed("compruebe las medidas de la herramienta", "check the sizes of the tool"),
             ));
@@ -426,7 +410,7 @@ fn turret(
         let nose = Some(Nose { radius: tool.nose(), tip: tool.tip });
         if offsets.insert(D, ToolOffset { offset, nose, ..ToolOffset::default() }).is_some() {
             findings.push(Finding::stop(
-                Place::Cells(cells(row, &["tools/D", "tools/T"])),
+                Place::Cells([row.cell(&tools::D.row), row.cell(&tools::T.row)].concat()),
                 Text::new(format!("el corrector {D} está dos veces"), format!("offset {D} is given twice")),
                 Text::fixed("un corrector por herramienta", "one offset for each tool"),
             ));
@@ -436,42 +420,45 @@ fn turret(
     (tools, offsets)
 }
 
-fn cells(row: &Row, keys: &[&str]) -> Vec<CellPlace> {
-    keys.iter().flat_map(|key| row.cell(key)).collect()
+fn cells(row: &Entry<'_>, columns: &[&'static Parameter]) -> Vec<CellPlace> {
+    columns.iter().flat_map(|column| row.cell(column)).collect()
 }
 
 /// The cells of what is wrong with a tool that has no outline: of its holder, or else of its type and the sizes that it needs.
-fn sizes(tool: &TurningTool) -> &'static [&'static str] {
+fn sizes(tool: &TurningTool) -> Vec<&'static Parameter> {
     match (tool.check_holder(), tool.cutter, tool.holder) {
-        (Err(_), _, Holder::Bar { .. }) => &["tools/b", "tools/l", "tools/c"],
-        (Err(_), _, Holder::Shank { .. }) => &["tools/b", "tools/l"],
+        (Err(_), _, Holder::Bar { .. }) => vec![&tools::B.row, &tools::L.row, &tools::C.row],
+        (Err(_), _, Holder::Shank { .. }) => vec![&tools::B.row, &tools::L.row],
         (_, Cutter::Insert { .. }, _) => {
-            &["tools/type", "tools/shape", "tools/IC", "tools/R", "tools/phi1", "tools/phi2"]
+            vec![&tools::TYPE.row, &tools::SHAPE.row, &tools::IC.row, &tools::R.row, &tools::PHI1.row, &tools::PHI2.row]
         }
-        (_, Cutter::Groover { .. }, _) => &["tools/type", "tools/R", "tools/w", "tools/h"],
+        (_, Cutter::Groover { .. }, _) => vec![&tools::TYPE.row, &tools::R.row, &tools::W.row, &tools::H.row],
         (_, Cutter::Threader { .. }, _) => {
-            &["tools/type", "tools/R", "tools/h", "tools/psi", "tools/p_min", "tools/p_max"]
+            vec![&tools::TYPE.row, &tools::R.row, &tools::H.row, &tools::PSI.row, &tools::P_MIN.row, &tools::P_MAX.row]
         }
-        (_, Cutter::Drill { .. }, _) => &["tools/type", "tools/w", "tools/h", "tools/psi"],
-        (_, Cutter::CentreDrill { .. }, _) => &["tools/type", "tools/IC", "tools/w", "tools/h", "tools/l"],
+        (_, Cutter::Drill { .. }, _) => vec![&tools::TYPE.row, &tools::W.row, &tools::H.row, &tools::PSI.row],
+        (_, Cutter::CentreDrill { .. }, _) => {
+            vec![&tools::TYPE.row, &tools::IC.row, &tools::W.row, &tools::H.row, &tools::L.row]
+        }
     }
 }
 
 /// What a tool needs and its row does not have: the cell is empty, or the sheet has no such column.
-fn lost(row: &Row, key: &'static str) -> Box<Finding> {
-    let (T, symbol) = (row.whole("tools/T").unwrap_or_default(), key.rsplit('/').next().unwrap_or(key));
+fn lost(row: &Entry<'_>, column: &'static Parameter) -> Box<Finding> {
+    let (T, symbol) = (row.get(&tools::T).unwrap_or_default(), column.symbol());
     let what = Text::new(format!("la herramienta {T} necesita {symbol}"), format!("tool {T} needs {symbol}"));
-    let cell = row.cell(key);
+    let cell = row.cell(column);
     if cell.is_empty() {
         let remedy = Text::new(
             format!("la hoja no tiene la columna {symbol}: escriba su título y los valores"),
             format!("the sheet has no column {symbol}: write its heading and the values"),
         );
-        return Box::new(Finding::stop(Place::Cells(row.cell("tools/T")), what, remedy));
+        return Box::new(Finding::stop(Place::Cells(row.cell(&tools::T.row)), what, remedy));
     }
-    let remedy = match key {
-        "tools/shape" => Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832"),
-        _ => Text::fixed("rellene la celda", "fill the cell in"),
+    let remedy = if std::ptr::eq(column, &tools::SHAPE.row) {
+        Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832")
+    } else {
+        Text::fixed("rellene la celda", "fill the cell in")
     };
     Box::new(Finding::stop(Place::Cells(cell), what, remedy))
 }
@@ -480,76 +467,68 @@ fn lost(row: &Row, key: &'static str) -> Box<Finding> {
 ///
 /// # Errors
 /// The first value that its type needs and that is missing.
-fn tool(row: &Row) -> Result<TurningTool, Box<Finding>> {
-    let kind = row.choice("tools/type").unwrap_or_default();
-    let need = |key: &'static str| row.real(key).ok_or_else(|| lost(row, key));
-    let hand = match row.choice("tools/hand") {
-        Some("L") => Hand::Left,
-        Some("N") => Hand::Neutral,
-        _ => Hand::Right,
-    };
-    let internal = matches!(kind, "internal" | "internal-groove" | "internal-thread");
+fn tool(row: &Entry<'_>) -> Result<TurningTool, Box<Finding>> {
+    let (kind, hand) = (row.get(&tools::TYPE), row.get(&tools::HAND));
+    let need = |field: &'static Field<f64, Optional>| row.get(field).ok_or_else(|| lost(row, &field.row));
+    let internal = matches!(kind, ToolType::Internal | ToolType::InternalGroove | ToolType::InternalThread);
     let cutter = match kind {
-        "external" | "internal" => {
-            let letter = row.choice("tools/shape").and_then(|shape| shape.chars().next());
-            let shape = letter.and_then(Shape::of).ok_or_else(|| lost(row, "tools/shape"))?;
-            let circle = need("tools/IC")?;
+        ToolType::External | ToolType::Internal => {
+            let shape = row.get(&tools::SHAPE).ok_or_else(|| lost(row, &tools::SHAPE.row))?;
+            let circle = need(&tools::IC)?;
             if shape == Shape::R {
                 Cutter::Insert { shape, circle, main: 90.0, auxiliary: 90.0, nose: circle / 2.0 }
             } else {
-                let (main, auxiliary) = (need("tools/phi1")?, need("tools/phi2")?);
-                Cutter::Insert { shape, circle, main, auxiliary, nose: need("tools/R")? }
+                let (main, auxiliary) = (need(&tools::PHI1)?, need(&tools::PHI2)?);
+                Cutter::Insert { shape, circle, main, auxiliary, nose: need(&tools::R)? }
             }
         }
-        "thread" | "internal-thread" => Cutter::Threader {
-            angle: need("tools/psi")?,
-            nose: row.real("tools/R").unwrap_or_default(),
-            depth: need("tools/h")?,
-            leads: [need("tools/p_min")?, need("tools/p_max")?],
+        ToolType::Thread | ToolType::InternalThread => Cutter::Threader {
+            angle: need(&tools::PSI)?,
+            nose: row.get(&tools::R).unwrap_or_default(),
+            depth: need(&tools::H)?,
+            leads: [need(&tools::P_MIN)?, need(&tools::P_MAX)?],
         },
-        "drill" => Cutter::Drill { diameter: need("tools/w")?, point: need("tools/psi")?, length: need("tools/h")? },
-        "centre-drill" => Cutter::CentreDrill {
-            pilot: need("tools/w")?,
-            reach: need("tools/h")?,
-            diameter: need("tools/IC")?,
-            length: need("tools/l")?,
+        ToolType::Drill => {
+            Cutter::Drill { diameter: need(&tools::W)?, point: need(&tools::PSI)?, length: need(&tools::H)? }
+        }
+        ToolType::CentreDrill => Cutter::CentreDrill {
+            pilot: need(&tools::W)?,
+            reach: need(&tools::H)?,
+            diameter: need(&tools::IC)?,
+            length: row.get(&tools::L),
         },
-        _ => Cutter::Groover {
-            width: need("tools/w")?,
-            depth: need("tools/h")?,
-            corner: row.real("tools/R").unwrap_or_default(),
-            face: kind == "face-groove",
+        ToolType::Groove | ToolType::InternalGroove | ToolType::FaceGroove => Cutter::Groover {
+            width: need(&tools::W)?,
+            depth: need(&tools::H)?,
+            corner: row.get(&tools::R).unwrap_or_default(),
+            face: kind == ToolType::FaceGroove,
         },
     };
     let usual = match (kind, hand) {
-        ("external", Hand::Right) | ("groove" | "face-groove", _) => Tip::OutsideLeft,
-        ("external", Hand::Left) => Tip::OutsideRight,
-        ("internal", Hand::Right) | ("internal-groove", _) => Tip::InsideLeft,
-        ("internal", Hand::Left) => Tip::InsideRight,
-        ("internal" | "internal-thread", _) => Tip::Inside,
-        ("drill" | "centre-drill", _) => Tip::Left,
-        _ => Tip::Outside,
+        (ToolType::External, Hand::Right) | (ToolType::Groove | ToolType::FaceGroove, _) => Tip::OutsideLeft,
+        (ToolType::External, Hand::Left) => Tip::OutsideRight,
+        (ToolType::Internal, Hand::Right) | (ToolType::InternalGroove, _) => Tip::InsideLeft,
+        (ToolType::Internal, Hand::Left) => Tip::InsideRight,
+        (ToolType::Internal, Hand::Neutral) | (ToolType::InternalThread, _) => Tip::Inside,
+        (ToolType::Drill | ToolType::CentreDrill, _) => Tip::Left,
+        (ToolType::External, Hand::Neutral) | (ToolType::Thread, _) => Tip::Outside,
     };
-    let number = row.whole("tools/tip").and_then(|number| u8::try_from(number).ok());
-    let (width, length) = (need("tools/b")?, need("tools/l")?);
+    let number = row.get(&tools::TIP).and_then(|number| u8::try_from(number).ok());
+    let (width, length) = (row.get(&tools::B), row.get(&tools::L));
     let holder = if internal {
-        Holder::Bar { diameter: width, length, reach: need("tools/c")? }
-    } else if matches!(kind, "drill" | "centre-drill") {
+        Holder::Bar { diameter: width, length, reach: need(&tools::C)? }
+    } else if matches!(kind, ToolType::Drill | ToolType::CentreDrill) {
         Holder::Bar { diameter: width, length, reach: 0.0 }
     } else {
         Holder::Shank { width, length }
     };
     Ok(TurningTool {
-        name: Text::same(row.line("tools/name")),
+        name: Text::same(row.get(&tools::NAME).unwrap_or_default()),
         cutter,
         hand,
         tip: number.and_then(Tip::new).unwrap_or(usual),
         holder,
-        turns: match row.choice("tools/M") {
-            Some("M3") => Some(Spindle::Clockwise),
-            Some("M4") => Some(Spindle::CounterClockwise),
-            _ => None,
-        },
-        overhang: [need("tools/Q_x")?, need("tools/Q_z")?],
+        turns: row.get(&tools::M),
+        overhang: [row.get(&tools::Q_X), row.get(&tools::Q_Z)],
     })
 }

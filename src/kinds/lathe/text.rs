@@ -5,12 +5,8 @@ use std::collections::BTreeMap;
 use crate::finding::{CellPlace, Finding, Place};
 use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting, line_feeds};
 use crate::gcode::program::Part;
-use crate::kinds::lathe::parameters::SUBPROGRAM_KEY;
-use crate::parameter::Values;
-use crate::parameter::list::Row;
-
-/// The column of the blocks.
-const BLOCK: &str = "program/BLOCK";
+use crate::kinds::lathe::parameters::{BLOCK, SUBPROGRAM_KEY};
+use crate::parameter::field::{Entry, Fields};
 
 /// Lines of a program, each with the cell it stands in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -24,14 +20,14 @@ pub struct Lines {
 impl Lines {
     /// The lines of a list's rows; a row without a block is none.
     #[must_use]
-    pub fn of(rows: &[Row]) -> Self {
+    pub fn of<'a>(rows: impl Iterator<Item = Entry<'a>>) -> Self {
         let mut text = Self::default();
         for row in rows {
-            let block = row.line(BLOCK);
+            let block = row.get(&BLOCK);
             if !block.is_empty() {
-                text.text.push_str(block);
+                text.text.push_str(&block);
                 text.text.push('\n');
-                text.cells.push(row.cells.get(BLOCK).cloned());
+                text.cells.push(row.cell(&BLOCK.row).pop());
             }
         }
         text
@@ -69,15 +65,13 @@ pub struct SheetProgram {
 impl SheetProgram {
     /// The program of a list of a filled-in form, with the subprograms of its sheets; `None` where it has no block.
     #[must_use]
-    pub fn of(values: &Values, list: &str) -> Option<Self> {
-        let main = Lines::of(values.rows(list));
-        let subprograms = values
-            .lists
-            .iter()
-            .filter(|rows| rows.list == SUBPROGRAM_KEY)
-            .filter_map(|rows| {
-                let number = number(&rows.sheet)?;
-                Some((format!("O{number:04}"), Lines::of(&rows.rows)))
+    pub fn of(fields: &Fields, list: &str) -> Option<Self> {
+        let main = Lines::of(fields.rows(list));
+        let subprograms = fields
+            .sheets(SUBPROGRAM_KEY)
+            .filter_map(|(sheet, rows)| {
+                let number = number(sheet)?;
+                Some((format!("O{number:04}"), Lines::of(rows)))
             })
             .collect();
         (!main.text.is_empty()).then_some(Self { main, subprograms })
@@ -158,11 +152,11 @@ impl SheetProgram {
 
 /// The stops of subprograms that stand on two sheets: `O5` and `O0005` are one number.
 #[must_use]
-pub fn twice(values: &Values) -> Vec<Finding> {
+pub fn twice(fields: &Fields) -> Vec<Finding> {
     let mut sheets: BTreeMap<u32, Vec<&str>> = BTreeMap::new();
-    for rows in values.lists.iter().filter(|rows| rows.list == SUBPROGRAM_KEY) {
-        if let Some(number) = number(&rows.sheet) {
-            sheets.entry(number).or_default().push(&rows.sheet);
+    for (sheet, _) in fields.sheets(SUBPROGRAM_KEY) {
+        if let Some(number) = number(sheet) {
+            sheets.entry(number).or_default().push(sheet);
         }
     }
     let of_one = |(number, sheets): (u32, Vec<&str>)| {

@@ -128,22 +128,22 @@ fn rows_may_be_moved_because_values_are_found_by_their_symbol() {
     }
     assert_ne!(data[start..end], moved);
     let filled = impeller(&Parts::sound().put(DATA, moved).zip()).unwrap();
-    assert_eq!(filled.values.real("R"), Some(25.0));
+    assert_eq!(common::real(&filled.values, "R"), Some(25.0));
     assert_eq!(filled.values.cells["R"].cell, format!("C{}", row("R") + 1000));
 }
 
 #[test]
 fn capitals_tell_symbols_apart() {
     let filled = impeller(&Parts::sound().zip()).unwrap();
-    assert_eq!((filled.values.whole("n"), filled.values.whole("N")), (Some(40), Some(4)));
-    assert_eq!((filled.values.real("R"), filled.values.real("r")), (Some(25.0), Some(15.0)));
+    assert_eq!((common::whole(&filled.values, "n"), common::whole(&filled.values, "N")), (Some(40), Some(4)));
+    assert_eq!((common::real(&filled.values, "R"), common::real(&filled.values, "r")), (Some(25.0), Some(15.0)));
 }
 
 #[test]
 fn a_negative_zero_is_read_as_zero_and_digits_are_kept() {
     let filled = impeller(&Parts::sound().number("X_min", "-0").number("R", "25.000000000000004").zip()).unwrap();
-    assert_eq!(filled.values.real("X_min").map(f64::to_bits), Some(0.0_f64.to_bits()));
-    assert_eq!(filled.values.real("R"), Some(25.000_000_000_000_004));
+    assert_eq!(common::real(&filled.values, "X_min").map(f64::to_bits), Some(0.0_f64.to_bits()));
+    assert_eq!(common::real(&filled.values, "R"), Some(25.000_000_000_000_004));
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn a_number_in_a_text_cell_is_its_digits_and_codes_are_set_in_order() {
     let filled = impeller(&parts.zip()).unwrap();
     assert_eq!(filled.values.line("part"), "1234567");
     assert_eq!(filled.values.line("start_codes"), "M3 M11 M13");
-    assert_eq!(filled.values.whole("n"), Some(40));
+    assert_eq!(common::whole(&filled.values, "n"), Some(40));
 }
 
 #[test]
@@ -182,7 +182,7 @@ fn a_workbook_without_the_rows_of_optional_parameters_opens_and_fades_as_publish
     for key in &optional {
         assert!(!filled.values.values.contains_key(key) && !filled.values.cells.contains_key(key), "{key}");
     }
-    assert_eq!(filled.values.whole("N"), Some(4));
+    assert_eq!(common::whole(&filled.values, "N"), Some(4));
 
     let without = ["A", "B", "C", "D"]
         .iter()
@@ -214,7 +214,7 @@ fn a_filled_calibration_sheet_is_read() {
         parts = parts.cell(CALIBRATION, &address, &format!("<c r=\"{address}\"><v>{value}</v></c>"));
     }
     let filled = impeller(&parts.zip()).unwrap();
-    assert_eq!(filled.values.real("calibration/x0"), Some(-200.0));
+    assert_eq!(common::real(&filled.values, "calibration/x0"), Some(-200.0));
     assert_eq!(filled.values.values["calibration/d_t"], Value::Real(6.0));
 }
 

@@ -3,6 +3,7 @@
 use rodete::gcode::interpreter::Interpreter;
 use rodete::kinds::lathe::parameters::FORM;
 use rodete::kinds::lathe::setup::Given;
+use rodete::parameter::field::Fields;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{Value, Values};
 use rodete::removal::turning::simulation::{Setup, Simulation};
@@ -67,7 +68,7 @@ fn shaft() -> Given {
     let mut values = Values::default();
     values.values.extend(FORM.cases[0].values(Language::En));
     values.lists.extend((FORM.cases[0].listed)(Language::En));
-    Given::of(&values).unwrap()
+    Given::of(&Fields::of(&FORM, values).unwrap()).unwrap()
 }
 
 /// A program in the words of the interpreter over a bar of 50 mm, with so many steps of work allowed: the motions made, and the
