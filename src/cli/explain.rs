@@ -8,7 +8,7 @@ use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
 use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
-use crate::gcode::turning;
+use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::parameter::{self, t};
 use crate::removal::turning::rules as alarms;
 use crate::text::{Language, Text};
@@ -18,7 +18,13 @@ use crate::workbook;
 pub const RULES: &[&[&Rule]] = &[
     parameter::rules::RULES,
     alarms::RULES,
-    turning::rules::RULES,
+    corner::RULES,
+    cycles::RULES,
+    fagor::RULES,
+    contour::RULES,
+    holes::RULES,
+    nose::RULES,
+    lathe::RULES,
     lexis::RULES,
     expressions::RULES,
     workbook::rules::file::RULES,

@@ -58,6 +58,12 @@ impl Size {
         Self { value, unit: "", decimals }
     }
 
+    /// A number without a unit, or whose sentence says the unit.
+    #[must_use]
+    pub const fn plain(value: f64, decimals: usize) -> Self {
+        Self { value, unit: "", decimals }
+    }
+
     /// A speed of a spindle in revolutions a minute, said to the whole one.
     #[must_use]
     pub const fn rpm(value: f64) -> Self {
@@ -127,6 +133,16 @@ impl Said for i64 {
 
     fn datum(&self) -> Datum {
         Datum::Whole(*self)
+    }
+}
+
+impl Said for u8 {
+    fn said(&self, _: Language) -> Cow<'_, str> {
+        self.to_string().into()
+    }
+
+    fn datum(&self) -> Datum {
+        Datum::Whole(i64::from(*self))
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the cells of a form become where they speak of programs: codes, blocks, and the settings of a control.
 
-use crate::gcode::control::{Control, Rotary};
+use crate::gcode::control::{Control, Rotary, Written};
 use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word, block, codes};
 use crate::parameter::Value;
@@ -29,6 +29,12 @@ impl Typed for Retract {
 impl Typed for &'static Control {
     fn typed(value: &Value) -> Option<Self> {
         if let Value::Choice(name) = value { Control::named(name) } else { None }
+    }
+}
+
+impl Typed for Written {
+    fn typed(value: &Value) -> Option<Self> {
+        if let Value::Choice(name) = value { Control::milling(name) } else { None }
     }
 }
 

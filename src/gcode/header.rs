@@ -42,7 +42,7 @@ impl Header {
     #[must_use]
     pub fn new(control: &Control, key: &str, title: &Text, work: Work<'_>, origin: &Origin<'_>) -> Self {
         let Work { part, material, number } = work;
-        let opening = control.opening_line(number, key).map(Part::Line);
+        let opening = control.text.opening_line(number, key).map(Part::Line);
         let mut header = Self { language: origin.language, parts: opening.into_iter().collect() };
         header.line(&format!("PROGRAMA {number:04} - {}", title.es), &format!("PROGRAM {number:04} - {}", title.en));
         header.line(&format!("PIEZA {part}"), &format!("PART {part}"));

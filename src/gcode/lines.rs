@@ -101,7 +101,7 @@ impl<'a> Lines<'a> {
                 }
                 Part::Comment(text) => {
                     self.part += 1;
-                    match program.control.comment {
+                    match program.control.text.comment {
                         CommentForm::Semicolon => {
                             self.line.push(';');
                             self.line.push_str(text);
@@ -142,7 +142,7 @@ impl<'a> Lines<'a> {
     /// Puts the next line, with its number and its end, into `line`; false where there is none.
     pub(super) fn next_whole(&mut self, line: &mut String) -> bool {
         line.clear();
-        let end_of_line = self.program.control.end_of_line;
+        let end_of_line = self.program.control.text.end_of_line;
         let Some((number, text)) = self.next() else { return false };
         if let Some(number) = number {
             line.push('N');
@@ -179,7 +179,7 @@ impl<'a> Lines<'a> {
         );
         if let Feed::Each { words, .. } = &path.feed
             && let Some(&feed) = words.get(step)
-            && (self.program.control.law.in_every_block() || self.feed != Some(feed))
+            && self.program.control.feed.law.is_written(self.feed, feed)
         {
             Word::feed(feed).write(format, &mut self.line);
             self.feed = Some(feed);

@@ -22,3 +22,4 @@ pub mod rules;
 pub mod summary;
 pub mod turning;
 pub mod word;
+pub mod writer;

@@ -53,7 +53,7 @@ impl Program {
     #[must_use]
     pub fn summary(&self) -> Summary {
         let mut summary = Summary::default();
-        let end_of_line = self.control.end_of_line.len();
+        let end_of_line = self.control.text.end_of_line.len();
         let mut lines = self.lines();
         while let Some((number, text)) = lines.next() {
             let digits = number.map_or(0, |number| number.checked_ilog10().unwrap_or(0) as usize + 1 + "N ".len());

@@ -29,7 +29,7 @@ pub fn feed_word(program: &Program, worst: Option<(f64, At)>) -> Check {
         let none = Text::fixed("sin palabra F", "no F word");
         return Check::passed("feed-word", name, program, none, Text::same("")).informing();
     };
-    let law = program.control.law;
+    let law = program.control.feed.law;
     let part = |part: f64| format!("{} %", shown(part * 100.0, 3));
     let limit = part(SLOWER);
     let limit = match law {

@@ -44,7 +44,7 @@ impl<'a> Characters<'a> {
     pub fn line(&mut self, line: &str) {
         self.lines += 1;
         self.longest = self.longest.max(line.len());
-        self.bytes += (line.len() + self.program.control.end_of_line.len()) as u64;
+        self.bytes += (line.len() + self.program.control.text.end_of_line.len()) as u64;
         if self.fault.is_none()
             && let Err(fault) = self.judge(line)
         {
@@ -68,10 +68,10 @@ impl<'a> Characters<'a> {
             return Err(quoted("carácter", "character", &wrong.escape_default().to_string()));
         }
         if line.starts_with('%') {
-            let opens = self.lines == 1 && dialect.opening != Opening::None;
+            let opens = self.lines == 1 && dialect.text.opening != Opening::None;
             return if opens { Ok(()) } else { Err(quoted("carácter", "character", "%")) };
         }
-        let inside = match dialect.comment {
+        let inside = match dialect.text.comment {
             CommentForm::Semicolon => line.strip_prefix(';'),
             CommentForm::Parentheses => line.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')),
         };
@@ -85,7 +85,7 @@ impl<'a> Characters<'a> {
             let expected = self.number;
             let first = words.next().unwrap_or_default();
             let number: Option<u32> = first.strip_prefix('N').and_then(|digits| digits.parse().ok());
-            if number != Some(expected) || expected > dialect.greatest_number {
+            if number != Some(expected) || expected > dialect.text.greatest_number {
                 return Err(quoted("número de bloque", "block number", first));
             }
         }
@@ -99,7 +99,7 @@ impl<'a> Characters<'a> {
         let good = if SIZES.contains(letter) {
             size(number, self.program.format)
                 || (DWELLS.contains(letter) && digits(number, 8))
-                || (letter == 'F' && timed(number, self.program.control.law))
+                || (letter == 'F' && timed(number, self.program.control.feed.law))
         } else {
             // A block number inside the block would be a second one.
             letter != 'N' && WHOLES.contains(letter) && digits(number, 8)

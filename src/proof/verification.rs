@@ -125,7 +125,7 @@ pub fn torch(program: &Program, codes: Option<[&[Word]; 2]>) -> Check {
 
 /// The caution for a program that its control may not hold.
 fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
-    (bytes > program.control.memory).then(|| {
+    (bytes > program.control.text.memory).then(|| {
         Finding::caution(
             Place::Block { program: program.key, line: 1 },
             Text::new(
@@ -137,7 +137,7 @@ fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
             ),
             Text::fixed("ejecútelo desde disco o red, o un n menor", "run it from disk or network, or a smaller n"),
         )
-        .with(bytes.to_string(), program.control.memory.to_string())
+        .with(bytes.to_string(), program.control.text.memory.to_string())
     })
 }
 

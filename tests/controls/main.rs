@@ -7,3 +7,4 @@ mod common;
 mod linuxcnc;
 mod pipe_rollover;
 mod rotary_axes;
+mod round_trip;

@@ -10,7 +10,7 @@ mod properties;
 mod threads;
 
 use lathe::{arc, bare, line, profile, rapid};
-use rodete::finding::Exit;
+use rodete::finding::{AlarmFamily, Exit};
 use rodete::gcode::turning::finish::finish;
 use rodete::gcode::turning::pattern_repeating::{Repeat, repeat};
 use rodete::gcode::turning::rough::{Rough, axial, radial};
@@ -192,9 +192,10 @@ fn arcs_of_the_contour_end_the_passes_where_the_circle_is() {
 #[test]
 fn a_contour_that_a_control_refuses_is_refused_with_its_alarm_and_block() {
     let alarm = |contour: &rodete::gcode::turning::profile::Profile, rough: &Rough| -> (Option<u16>, Option<usize>) {
-        let Trouble { alarm, line, exit, .. } = axial(contour, rough).unwrap_err();
+        let trouble = axial(contour, rough).unwrap_err();
+        let Trouble { line, exit, .. } = *trouble;
         assert_eq!(exit, Exit::Refused);
-        (alarm, line)
+        (trouble.alarm(AlarmFamily::Fanuc), line)
     };
     let good = step_and_taper();
     for depth in [0.0, -1.0] {
@@ -223,12 +224,12 @@ fn a_contour_that_a_control_refuses_is_refused_with_its_alarm_and_block() {
     let faced =
         profile([2.0, 30.0], [rapid([2.0, 10.0]), line([-20.0, 12.0]), line([-10.0, 20.0]), line([-30.0, 30.0])]);
     let trouble = radial(&faced, &Rough { both_axes: Some(true), ..ROUGH }).unwrap_err();
-    assert_eq!((trouble.alarm, trouble.line), (Some(329), Some(3)));
+    assert_eq!((trouble.alarm(AlarmFamily::Fanuc), trouble.line), (Some(329), Some(3)));
     let faced =
         profile([2.0, 30.0], [rapid([2.0, 10.0]), line([-10.0, 12.0]), line([-20.0, 9.0]), line([-30.0, 30.0])]);
     let trouble = radial(&faced, &ROUGH).unwrap_err();
-    assert_eq!((trouble.alarm, trouble.line), (Some(64), Some(3)));
-    assert!(trouble.message().en.starts_with("PS0064: "));
+    assert_eq!((trouble.alarm(AlarmFamily::Fanuc), trouble.line), (Some(64), Some(3)));
+    assert!(trouble.what.en.starts_with("the contour goes forth and back along Z"));
     // Allowances into the metal, no extent, no numbers.
     assert_eq!(alarm(&good, &Rough { U: -0.5, ..ROUGH }), (None, None));
     assert_eq!(alarm(&good, &Rough { W: -0.1, ..ROUGH }), (None, None));
@@ -267,7 +268,7 @@ fn g73_repeats_the_contour_by_the_relief_divided_among_the_passes() {
     assert_moves(&single, &expected[8..]);
     for passes in [0, -3] {
         let trouble = repeat(&contour, &Repeat { relief: [4.0, 2.0], passes, allowance: [0.0; 2], feed: None });
-        assert_eq!(trouble.unwrap_err().alarm, Some(321));
+        assert_eq!(trouble.unwrap_err().alarm(AlarmFamily::Fanuc), Some(321));
     }
 }
 

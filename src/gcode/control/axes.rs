@@ -2,6 +2,7 @@
 
 use super::Letters;
 use crate::machine::axis::Axis;
+use crate::number::grid::Milli;
 
 /// What a word of X is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +20,15 @@ impl AcrossWord {
         match self {
             Self::Radius => word,
             Self::Diameter => word / 2.0,
+        }
+    }
+
+    /// The word of X that says a coordinate.
+    #[must_use]
+    pub fn word(self, coordinate: Milli) -> Milli {
+        match self {
+            Self::Radius => coordinate,
+            Self::Diameter => coordinate + coordinate,
         }
     }
 }

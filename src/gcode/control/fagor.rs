@@ -8,21 +8,16 @@
 use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
-    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
-    SpindleRule, Start, ToolCall, ToolChange, Turns,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
+    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed,
+    NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
 
 /// Fagor CNC 8055, milling.
-pub static FAGOR_8055: Control = Control {
-    name: "fagor-8055",
-    safety: &[('G', 17), ('G', 40), ('G', 44), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
-    change_in_tool_block: false,
-    ..FAGOR_8055_BASE
-};
+pub static FAGOR_8055: Control = Control { name: "fagor-8055", ..FAGOR_8055_BASE };
 
 /// Fagor CNC 8055 T, turning.
 pub static FAGOR_8055_T: Control = Control {
@@ -38,19 +33,18 @@ pub static FAGOR_8055_T: Control = Control {
     spindle: SpindleRule { turns: Turns::Part, limit: SpeedLimit::Code },
     tool: ToolCall::Words,
     radius: RadiusRule::Nose(NoseCorner::StraightTo120),
+    written: Some(&WRITING_8055_T),
     ..FAGOR_8055_BASE
 };
 
 /// Fagor CNC 8070, milling.
 pub static FAGOR_8070: Control = Control {
     name: "fagor-8070",
-    opening: Opening::Name,
-    safety: &[('G', 17), ('G', 40), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
-    change_in_tool_block: true,
-    law: FeedLaw::Seconds,
-    memory: 1 << 30,
+    text: TextForm { opening: Opening::Name, memory: 1 << 30, ..FAGOR_8055_BASE.text },
+    feed: FeedRule { law: FeedLaw::Seconds, ..FAGOR_8055_BASE.feed },
+    written: Some(&WRITING_8070),
     codes: &CODES_8070,
-    lexis: Lexis { dwell: &[(b'K' - b'A', 1.0)], ..LEXIS },
+    lexis: Lexis { dwell: &[DwellWord { letter: 'K', unit: 1.0 }], ..LEXIS },
     arcs: ArcWords { across: Across::Unknown, ..FAGOR_8055_BASE.arcs },
     rotary: RotaryRule { delivered: Rotary::Linear, ..FAGOR_8055_BASE.rotary },
     ..FAGOR_8055_BASE
@@ -59,16 +53,13 @@ pub static FAGOR_8070: Control = Control {
 /// What milling and turning have in common.
 const FAGOR_8055_BASE: Control = Control {
     name: "",
-    opening: Opening::NameAndAttributes,
-    comment: CommentForm::Semicolon,
-    end_of_line: "\r\n",
-    greatest_number: 99_999_999,
-    safety: &[],
-    change_in_tool_block: true,
-    offset_word: true,
-    law: FeedLaw::Resultant,
-    height: HeightHold::Builder,
-    memory: 1 << 20,
+    text: TextForm {
+        opening: Opening::NameAndAttributes,
+        comment: CommentForm::Semicolon,
+        end_of_line: "\r\n",
+        greatest_number: 99_999_999,
+        memory: 1 << 20,
+    },
     class: Class::Mill,
     lexis: LEXIS,
     codes: &CODES_8055,
@@ -79,6 +70,7 @@ const FAGOR_8055_BASE: Control = Control {
     arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Pitch },
     rotary: RotaryRule { delivered: Rotary::Rollover, rollover: Rollover::Numbered },
     feed: FeedRule {
+        law: FeedLaw::Resultant,
         codes: FeedCodes::G94,
         missing: MissingFeed::Cautioned,
         change: FeedChange::Keeps,
@@ -96,7 +88,26 @@ const FAGOR_8055_BASE: Control = Control {
     radius: RadiusRule::None,
     drilling: Drilling::None,
     calls: Calls { by: CallBy::Nothing, depth: 10 },
+    written: Some(&WRITING_8055),
     alarms: None,
+};
+
+/// How rodete writes for the 8055 M.
+static WRITING_8055: Writing = Writing {
+    safety: &[('G', 17), ('G', 40), ('G', 44), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
+    tool: ToolBlocks::OffsetThenChange,
+    height: HeightHold::Builder,
+};
+
+/// How rodete writes for the 8055 T.
+static WRITING_8055_T: Writing =
+    Writing { safety: &[('G', 71), ('G', 90), ('G', 94)], tool: ToolBlocks::Turret, height: HeightHold::Builder };
+
+/// How rodete writes for the 8070.
+static WRITING_8070: Writing = Writing {
+    safety: &[('G', 17), ('G', 40), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
+    tool: ToolBlocks::OffsetAndChange,
+    height: HeightHold::Builder,
 };
 
 /// What the text of an 8055 M is made of.
@@ -105,7 +116,7 @@ const LEXIS: Lexis = Lexis {
     refused: Letters::of("P"),
     free: Letters::of("DFST"),
     negative: Letters::of(""),
-    dwell: &[(b'K' - b'A', 0.01)],
+    dwell: &[DwellWord { letter: 'K', unit: 0.01 }],
     language: Language::Words,
     comments: Comments::Semicolon,
     delete: BlockDelete::Numbered,

@@ -14,10 +14,10 @@ use crate::finding::AlarmFamily;
 use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
+    FeedPath, FeedRule, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner,
     OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
-    SpindleRule, Start, ToolCall, ToolChange, Turns,
+    SpindleRule, Start, TextForm, ToolCall, ToolChange, Turns,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -25,23 +25,24 @@ use crate::gcode::motion::{FeedMode, Plane};
 /// Fanuc, turning, G-code system A. Read only: rodete writes no program in it.
 pub static FANUC_LATHE_A: Control = Control {
     name: "fanuc-lathe-a",
-    opening: Opening::None,
-    comment: CommentForm::Parentheses,
-    end_of_line: "\r\n",
-    greatest_number: 99_999,
-    safety: &[],
-    change_in_tool_block: true,
-    offset_word: false,
-    law: FeedLaw::Resultant,
-    height: HeightHold::Builder,
-    memory: 1 << 19,
+    text: TextForm {
+        opening: Opening::None,
+        comment: CommentForm::Parentheses,
+        end_of_line: "\r\n",
+        greatest_number: 99_999,
+        memory: 1 << 19,
+    },
     class: Class::Lathe,
     lexis: Lexis {
         letters: Letters::of("FIKLPQRSTUWXZ"),
         refused: Letters::of("ABCDEHJVY"),
         free: Letters::of("FST"),
         negative: Letters::of("Q"),
-        dwell: &[(b'X' - b'A', 1.0), (b'U' - b'A', 1.0), (b'P' - b'A', 0.001)],
+        dwell: &[
+            DwellWord { letter: 'X', unit: 1.0 },
+            DwellWord { letter: 'U', unit: 1.0 },
+            DwellWord { letter: 'P', unit: 0.001 },
+        ],
         language: Language::Macros,
         comments: Comments::Parentheses,
         delete: BlockDelete::Numbered,
@@ -59,6 +60,7 @@ pub static FANUC_LATHE_A: Control = Control {
     arcs: ArcWords { letters: Letters::of("IKR"), across: Across::Foreign },
     rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Numbered },
     feed: FeedRule {
+        law: FeedLaw::Resultant,
         codes: FeedCodes::G98,
         missing: MissingFeed::Cautioned,
         change: FeedChange::KeepsStale,
@@ -76,6 +78,7 @@ pub static FANUC_LATHE_A: Control = Control {
     radius: RadiusRule::Nose(NoseCorner::Straight),
     drilling: Drilling::Lathe,
     calls: Calls { by: CallBy::Number, depth: 4 },
+    written: None,
     alarms: Some(AlarmFamily::Fanuc),
 };
 

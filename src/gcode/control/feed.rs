@@ -1,5 +1,6 @@
 //! What F means: how it is read, and how it is written.
 
+use crate::gcode::feed_word::FeedWord;
 use crate::limits::FEED_WORD;
 
 /// How the control takes the F word of a move that linear and rotary axes make together. In each form the move takes
@@ -18,15 +19,24 @@ impl FeedLaw {
     /// True where F is not modal: it belongs to its own move.
     #[must_use]
     pub const fn in_every_block(self) -> bool {
-        !matches!(self, Self::Resultant)
+        match self {
+            Self::Resultant => false,
+            Self::Seconds | Self::InverseTime => true,
+        }
     }
 
-    /// The G code that selects it.
+    /// True where a move writes its F behind one that wrote another, or none.
     #[must_use]
-    pub const fn code(self) -> u32 {
+    pub fn is_written(self, last: Option<FeedWord>, word: FeedWord) -> bool {
+        self.in_every_block() || last != Some(word)
+    }
+
+    /// The G codes before and behind moves that it holds for; `None` where it is that of every feed.
+    #[must_use]
+    pub const fn codes(self) -> Option<[u32; 2]> {
         match self {
-            Self::Resultant => 94,
-            Self::Seconds | Self::InverseTime => 93,
+            Self::Resultant => None,
+            Self::Seconds | Self::InverseTime => Some([93, 94]),
         }
     }
 
@@ -135,6 +145,8 @@ impl FeedCodes {
 /// How F is read.
 #[derive(Clone, Copy, Debug)]
 pub struct FeedRule {
+    /// In a move that linear and rotary axes make together.
+    pub law: FeedLaw,
     /// Its codes.
     pub codes: FeedCodes,
     /// Without it.

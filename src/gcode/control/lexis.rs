@@ -1,6 +1,6 @@
 //! The characters of a program: letters, comments, expressions, `/` and `%`.
 
-use super::Letters;
+use super::{DwellWord, Letters};
 
 /// What a control reads beside letters with numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -167,8 +167,8 @@ pub struct Lexis {
     pub free: Letters,
     /// Addresses of F, S, T, D, L and Q whose number may be negative.
     pub negative: Letters,
-    /// The addresses of a dwell, counted from A = 0, each with what its number is multiplied with to give seconds.
-    pub dwell: &'static [(u8, f64)],
+    /// The addresses of a dwell; the first is written.
+    pub dwell: &'static [DwellWord],
     /// Beside letters with numbers.
     pub language: Language,
     /// Comments.

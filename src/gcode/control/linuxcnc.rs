@@ -3,10 +3,10 @@
 use crate::gcode::code::{Cycle, G, Group, M, Name};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
-    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, FeedChange, FeedCodes, FeedLaw, FeedPath,
-    FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, OffsetRule,
-    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
-    Start, ToolCall, ToolChange, Turns,
+    CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
+    FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed,
+    OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit,
+    SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -14,24 +14,20 @@ use crate::gcode::motion::{FeedMode, Plane};
 /// LinuxCNC, milling.
 pub static LINUXCNC: Control = Control {
     name: "linuxcnc",
-    opening: Opening::None,
-    comment: CommentForm::Parentheses,
-    end_of_line: "\n",
-    greatest_number: 99_999,
-    safety: &[('G', 17), ('G', 21), ('G', 40), ('G', 49), ('G', 54), ('G', 80), ('G', 90), ('G', 94), ('G', 97)],
-    change_in_tool_block: true,
-    offset_word: false,
-    law: FeedLaw::InverseTime,
-    // QtPlasmaC, its plasma table, holds the height while output 2 is on.
-    height: HeightHold::Output(2),
-    memory: 1 << 30,
+    text: TextForm {
+        opening: Opening::None,
+        comment: CommentForm::Parentheses,
+        end_of_line: "\n",
+        greatest_number: 99_999,
+        memory: 1 << 30,
+    },
     class: Class::Mill,
     lexis: Lexis {
         letters: Letters::of("ABCDEFHIJKLPQRSTUVWXYZ"),
         refused: Letters::of(""),
         free: Letters::of("FST"),
         negative: Letters::of("D"),
-        dwell: &[(b'P' - b'A', 1.0)],
+        dwell: &[DwellWord { letter: 'P', unit: 1.0 }],
         language: Language::OWords,
         comments: Comments::ParenthesesAndSemicolon,
         delete: BlockDelete::Plain,
@@ -49,6 +45,7 @@ pub static LINUXCNC: Control = Control {
     arcs: ArcWords { letters: Letters::of("IJKRP"), across: Across::Foreign },
     rotary: RotaryRule { delivered: Rotary::Linear, rollover: Rollover::Wrapped },
     feed: FeedRule {
+        law: FeedLaw::InverseTime,
         codes: FeedCodes::G94,
         missing: MissingFeed::Refused,
         change: FeedChange::Forgets,
@@ -66,7 +63,16 @@ pub static LINUXCNC: Control = Control {
     radius: RadiusRule::Cutter,
     drilling: Drilling::Rs274,
     calls: Calls { by: CallBy::Label, depth: 10 },
+    written: Some(&WRITING),
     alarms: None,
+};
+
+/// How rodete writes for LinuxCNC.
+static WRITING: Writing = Writing {
+    safety: &[('G', 17), ('G', 21), ('G', 40), ('G', 49), ('G', 54), ('G', 80), ('G', 90), ('G', 94), ('G', 97)],
+    tool: ToolBlocks::Change,
+    // QtPlasmaC, its plasma table, holds the height while output 2 is on.
+    height: HeightHold::Output(2),
 };
 
 const SPLINE: Name = ("curvas spline y NURBS", "spline and NURBS curves");

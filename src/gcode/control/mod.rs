@@ -11,6 +11,7 @@
 
 mod axes;
 mod codes;
+mod dwell;
 mod fagor;
 mod fanuc;
 mod feed;
@@ -23,9 +24,11 @@ mod path;
 mod rotary;
 mod spindle;
 mod tool;
+mod writing;
 
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments};
 pub use self::codes::{Codes, Letters};
+pub use self::dwell::DwellWord;
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedLaw, FeedPath, FeedRule, MissingFeed};
@@ -36,11 +39,11 @@ pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
 pub use self::rotary::{Rollover, Rotary, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
-pub use self::tool::{LengthWord, ToolCall, ToolChange};
+pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
+pub use self::writing::{CommentForm, Opening, TextForm, Writing, Written};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::gcode::word::Word;
 
 /// What stands in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,26 +67,6 @@ pub struct Start {
     pub retract: Retract,
 }
 
-/// How comments are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CommentForm {
-    /// `;text`
-    Semicolon,
-    /// `(text)`
-    Parentheses,
-}
-
-/// The first line of a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Opening {
-    /// None.
-    None,
-    /// `%name,MX--,`: name and attributes (modifiable, executable).
-    NameAndAttributes,
-    /// `%name`
-    Name,
-}
-
 /// A control: how its programs are read and, where rodete writes for it, how they are written.
 ///
 /// It is data: each behaviour is obeyed at one place, and no code asks which control it is. Controls cannot be compared.
@@ -91,26 +74,8 @@ pub enum Opening {
 pub struct Control {
     /// The name in workbooks and on the command line.
     pub name: &'static str,
-    /// The first line.
-    pub opening: Opening,
-    /// The form of comments.
-    pub comment: CommentForm,
-    /// The end of a line.
-    pub end_of_line: &'static str,
-    /// The greatest block number.
-    pub greatest_number: u32,
-    /// The block that puts the control into a known state: plane, units, no compensation, absolute, work offset.
-    pub safety: &'static [(char, u32)],
-    /// True where tool and offset are called in one block with the change (`T1 D1 M6`), false where M6 follows.
-    pub change_in_tool_block: bool,
-    /// True where the tool block carries the D word.
-    pub offset_word: bool,
-    /// How F of a move that linear and rotary axes make together is written.
-    pub law: FeedLaw,
-    /// The height control of a torch.
-    pub height: HeightHold,
-    /// Memory for one program in bytes, beyond which a Caution is given.
-    pub memory: u64,
+    /// What the text of a program looks like.
+    pub text: TextForm,
     /// Mill or lathe.
     pub class: Class,
     /// The characters of a program.
@@ -155,6 +120,8 @@ pub struct Control {
     pub drilling: Drilling,
     /// Subprograms.
     pub calls: Calls,
+    /// How rodete writes for it; `None` where it reads only.
+    pub written: Option<&'static Writing>,
     /// The family of its alarms, where their numbers are known.
     pub alarms: Option<AlarmFamily>,
 }
@@ -181,47 +148,15 @@ impl Control {
         ALL.into_iter().find(|control| control.name == name)
     }
 
-    /// The milling control with a name.
+    /// The milling control with a name, to be written for.
     #[must_use]
-    pub fn milling(name: &str) -> Option<&'static Self> {
-        MILLING.into_iter().find(|control| control.name == name)
-    }
-
-    /// The safety block.
-    #[must_use]
-    pub fn safety_block(&self) -> Vec<Word> {
-        self.safety.iter().map(|&(letter, number)| Word::whole(letter, number)).collect()
-    }
-
-    /// The blocks that bring a tool into the spindle.
-    #[must_use]
-    pub fn tool_blocks(&self, T: u32, D: u32) -> Vec<Vec<Word>> {
-        let mut block = vec![Word::whole('T', T)];
-        if self.offset_word {
-            block.push(Word::whole('D', D));
-        }
-        if self.change_in_tool_block {
-            block.push(Word::whole('M', 6));
-            vec![block]
-        } else {
-            vec![block, vec![Word::whole('M', 6)]]
-        }
+    pub fn milling(name: &str) -> Option<Written> {
+        MILLING.into_iter().find(|control| control.name == name).and_then(Written::of)
     }
 
     /// True where an M code may stand by itself in a block of the control.
     #[must_use]
     pub fn knows_machine_code(&self, number: u32) -> bool {
         !matches!((self.machine_code)(number), None | Some(M::Refused(_) | M::Call | M::Return | M::SetTool))
-    }
-
-    /// The first line of a program with a number and a name; `None` where there is none.
-    #[must_use]
-    pub fn opening_line(&self, number: u32, name: &str) -> Option<String> {
-        let name = name.to_uppercase();
-        match self.opening {
-            Opening::None => None,
-            Opening::Name => Some(format!("%{number:04}-{name}")),
-            Opening::NameAndAttributes => Some(format!("%{number:04}-{name},MX--,")),
-        }
     }
 }

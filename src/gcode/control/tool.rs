@@ -1,5 +1,7 @@
 //! How a tool is called, read and written.
 
+use crate::gcode::word::Word;
+
 /// How T is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToolCall {
@@ -19,6 +21,33 @@ impl ToolCall {
         match self {
             Self::Digits => false,
             Self::Change | Self::Words => true,
+        }
+    }
+}
+
+/// The blocks that call a tool with its offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToolBlocks {
+    /// `T1 M6`
+    Change,
+    /// `T1 D1 M6`
+    OffsetAndChange,
+    /// `T1 D1`, then `M6`
+    OffsetThenChange,
+    /// `T1 D1`
+    Turret,
+}
+
+impl ToolBlocks {
+    /// The blocks that bring a tool and its offset D to work.
+    #[must_use]
+    pub fn blocks(self, T: u32, D: u32) -> Vec<Vec<Word>> {
+        let [T, D, change] = [('T', T), ('D', D), ('M', 6)].map(|(letter, number)| Word::whole(letter, number));
+        match self {
+            Self::Change => vec![vec![T, change]],
+            Self::OffsetAndChange => vec![vec![T, D, change]],
+            Self::OffsetThenChange => vec![vec![T, D], vec![change]],
+            Self::Turret => vec![vec![T, D]],
         }
     }
 }

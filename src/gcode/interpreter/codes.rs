@@ -54,7 +54,7 @@ impl Interpreter<'_> {
         if !self.modal.constant_surface_speed {
             self.modal.speed = 0.0;
             let line = self.line;
-            self.remarks.graded(Grade::Caution, &SurfaceSpeedMissing {}, line, Some(column));
+            self.remarks.row_as(Grade::Caution, &SurfaceSpeedMissing {}, line, Some(column));
         }
         Ok(())
     }
@@ -145,12 +145,14 @@ impl Interpreter<'_> {
 
     /// The letter of a dwell's time, and the time in seconds.
     pub(super) fn dwell_time(&self) -> Outcome<(usize, f64)> {
-        let found =
-            self.control.lexis.dwell.iter().find_map(|&(letter, factor)| {
-                Some((usize::from(letter), self.block.get(usize::from(letter))? * factor))
-            });
+        let found = self
+            .control
+            .lexis
+            .dwell
+            .iter()
+            .find_map(|dwell| Some((dwell.index(), dwell.seconds(self.block.get(dwell.index())?))));
         let column = self.block.g_column(Group::NonModal);
-        let times = self.control.lexis.dwell.iter().filter(|(letter, _)| self.block.has(usize::from(*letter))).count();
+        let times = self.control.lexis.dwell.iter().filter(|dwell| self.block.has(dwell.index())).count();
         if times > 1 {
             return Err(Fault::of(&DwellTwice {}, &[column]));
         }

@@ -19,7 +19,7 @@
 
 use std::f64::consts::PI;
 
-use crate::finding::Grade;
+use crate::finding::Size;
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::control::{NoseCorner, RadiusRule};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -29,10 +29,13 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::turning::nose::{Element, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
 use crate::gcode::turning::pace::Pace;
+use crate::gcode::turning::rules::{
+    ArcOfOtherPlane, CompensationBeginsOnArc, CompensationEndsOnArc, CompensationPlane, CompensationWithoutOffset,
+    MachineMoveCancelsNose, NoseChanges, NoseCutsContour, NoseInArc, NoseInCorner, NoseInShortPiece, NoseNotInTable,
+    NoseWithoutTable, PassTip, PassesNotCompensated, SharpNose, ThreadUnderCompensation, TooManyStillBlocks,
+};
 use crate::limits::STILL_PIECES;
 use crate::machine::axis::{Axis, Pose};
-use crate::number::shown;
-use crate::text::Text;
 
 /// The sharpest outer corner that a Fagor goes round straight: 300 degrees between the paths, a turn of 120.
 const FAGOR_STRAIGHT: f64 = PI * 2.0 / 3.0;
@@ -97,27 +100,14 @@ impl Interpreter<'_> {
     /// G40, G41 and G42.
     pub(super) fn set_compensation(&mut self, side: Compensation) -> Outcome<()> {
         if side != Compensation::Off && self.modal.plane != Plane::ZX {
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &CompensationPlane { plane: self.modal.plane.name() },
                 &[self.block.g_column(Group::CutterCompensation)],
-                Text::new(
-                    format!("compensación de radio en el plano {}", self.modal.plane.name()),
-                    format!("nose radius compensation in the plane {}", self.modal.plane.name()),
-                ),
-                Text::fixed("en un torno solo vale en G18", "on a lathe it works in G18 only"),
             ));
         }
         if side != Compensation::Off && self.modal.offset == 0 {
             let (line, column) = (self.line, self.block.g_column(Group::CutterCompensation));
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                Some(column),
-                Text::fixed(
-                    "G41 o G42 sin corrector en vigor: el control no compensa hasta que T dé uno",
-                    "G41 or G42 without an offset in force: the control does not compensate until T gives one",
-                ),
-                Text::fixed("llame antes al corrector de la herramienta", "call the tool's offset before it"),
-            );
+            self.remarks.row(&CompensationWithoutOffset {}, line, Some(column));
         }
         self.modal.compensation = side;
         Ok(())
@@ -144,14 +134,7 @@ impl Interpreter<'_> {
         let (along, across) = if pass == SinglePassCycle::Radial { (x, z) } else { (z, x) };
         if across == 0.0 && nose.radius > 0.0 {
             let (number, tip) = (pass.number(), nose.tip.number());
-            return Err(Fault::at(
-                &[self.block.g_column(Group::Motion)],
-                Text::new(
-                    format!("G{number} con G41 o G42 y orientación de punta {tip} no está implementado"),
-                    format!("G{number} with G41 or G42 and tip orientation {tip} is not supported"),
-                ),
-                Text::fixed("programe la pasada con G0 y G1, o use G40", "program the pass with G0 and G1, or use G40"),
-            ));
+            return Err(Fault::of(&PassTip { cycle: number, tip }, &[self.block.g_column(Group::Motion)]));
         }
         let aside = -nose.radius * (slope * along + across * ((1.0 + slope * slope).sqrt() - 1.0));
         Ok(if slope == 0.0 || !aside.is_finite() { 0.0 } else { aside })
@@ -165,24 +148,12 @@ impl Interpreter<'_> {
             return;
         }
         let line = self.line;
-        self.remarks.add(
-            Grade::Note,
-            line,
-            None,
-            Text::fixed(
-                "las pasadas del ciclo se hacen sin compensar el radio de punta, como en el control",
-                "the passes of the cycle are made without nose radius compensation, as the control makes them",
-            ),
-            Text::fixed(
-                "G70 sigue el contorno con la punta compensada; programe G40 antes de los demás ciclos",
-                "G70 follows the contour with the nose compensated; program G40 before other cycles",
-            ),
-        );
+        self.remarks.row(&PassesNotCompensated {}, line, None);
     }
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = InForce { file: self.at, ..self.modal.in_force() };
+        let mut control = InForce { file: self.library.at(), ..self.modal.in_force() };
         let number = self.made();
         let side = self.side(&motion);
         control.compensation = side;
@@ -242,13 +213,7 @@ impl Interpreter<'_> {
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
         if at_once && !dwell && !self.control.machine_move.by_itself() && self.modal.compensation != Compensation::Off {
             self.modal.compensation = Compensation::Off;
-            self.remarks.add(
-                Grade::Caution,
-                motion.line,
-                None,
-                Text::fixed("G53 anula G41 y G42", "G53 cancels G41 and G42"),
-                Text::fixed("programe de nuevo G41 o G42 después", "program G41 or G42 again after it"),
-            );
+            self.remarks.row(&MachineMoveCancelsNose {}, motion.line, None);
         }
         if (at_once && !dwell) || self.modal.offset == 0 {
             return Compensation::Off;
@@ -262,36 +227,15 @@ impl Interpreter<'_> {
             return Ok(Nose::default());
         }
         if let MotionKind::Thread(_) = motion.kind {
-            return Err(Fault::block(
-                Text::fixed("rosca con G41 o G42 en vigor", "thread with G41 or G42 in force"),
-                Text::fixed("programe G40 antes de la rosca", "program G40 before the thread"),
-            ));
+            return Err(Fault::of(&ThreadUnderCompensation {}, &[]));
         }
         if matches!(motion.kind, MotionKind::Arc(arc, _) if arc.plane != Plane::ZX) {
-            return Err(Fault::block(
-                Text::fixed(
-                    "arco de otro plano con G41 o G42 en vigor",
-                    "arc of another plane with G41 or G42 in force",
-                ),
-                Text::fixed(
-                    "en un torno la compensación solo vale en G18",
-                    "on a lathe compensation works in G18 only",
-                ),
-            ));
+            return Err(Fault::of(&ArcOfOtherPlane {}, &[]));
         }
         let nose = self.known_nose()?;
         if nose.radius == 0.0 {
             let offset = self.modal.offset;
-            self.remarks.add(
-                Grade::Note,
-                motion.line,
-                None,
-                Text::new(
-                    format!("G41 o G42 con radio de punta 0 (corrector {offset}): la punta sigue el programa"),
-                    format!("G41 or G42 with nose radius 0 (offset {offset}): the tip follows the program"),
-                ),
-                Text::fixed("", ""),
-            );
+            self.remarks.row(&SharpNose { offset }, motion.line, None);
         }
         Ok(nose)
     }
@@ -300,23 +244,11 @@ impl Interpreter<'_> {
     fn known_nose(&self) -> Outcome<Nose> {
         let offset = self.modal.offset;
         self.tools.get(&offset).and_then(|tool| tool.nose).ok_or_else(|| {
-            Fault::block(
-                Text::new(
-                    format!("G41 o G42, y el corrector {offset} no tiene radio de punta en la tabla de herramientas"),
-                    format!("G41 or G42, and offset {offset} has no nose radius in the tool table"),
-                ),
-                if self.setting.tools.is_some() {
-                    Text::fixed(
-                        "dé el radio y la orientación de la punta en la tabla, o quite G41 y G42",
-                        "give the nose radius and the orientation in the table, or take G41 and G42 out",
-                    )
-                } else {
-                    Text::fixed(
-                        "indique con --tools una tabla con el radio y la orientación de la punta",
-                        "name a table with nose radius and orientation with --tools",
-                    )
-                },
-            )
+            if self.setting.tools.is_some() {
+                Fault::of(&NoseNotInTable { offset }, &[])
+            } else {
+                Fault::of(&NoseWithoutTable { offset }, &[])
+            }
         })
     }
 
@@ -330,19 +262,14 @@ impl Interpreter<'_> {
         }
         for cut in self.compensator.stage.cuts() {
             self.remarks.turn_to(cut.along.file.as_ref());
-            let (radius, depth, into) = (shown(cut.radius, 4), shown(cut.depth, 3), cut.into.motion.line);
-            self.remarks.add(
-                Grade::Caution,
+            self.remarks.row(
+                &NoseCutsContour {
+                    radius: Size::plain(cut.radius, 4),
+                    depth: Size::mm(cut.depth),
+                    into: cut.into.motion.line,
+                },
                 cut.along.motion.line,
                 None,
-                Text::new(
-                    format!("la punta, de radio {radius}, corta {depth} mm en el contorno de la línea {into}"),
-                    format!("the nose, of radius {radius}, cuts {depth} mm into the contour of line {into}"),
-                ),
-                Text::fixed(
-                    "el control solo mira los bloques vecinos: use una punta menor, o cambie el contorno",
-                    "a control looks at neighbouring blocks only: use a smaller nose radius, or change the contour",
-                ),
             );
         }
         if let Err((misfit, carried)) = result {
@@ -416,91 +343,25 @@ fn time(motion: &Motion, control: &InForce) -> Option<f64> {
 }
 
 fn refusal(misfit: &Misfit) -> Box<Fault> {
-    let mm = |value: f64| shown(value, 4);
-    let degrees = |angle: f64| shown(angle.to_degrees(), 2);
-    let (what, remedy) = match *misfit {
-        Misfit::ArcEntry => (
-            Text::fixed("G41 o G42 empieza en un arco", "G41 or G42 begins on an arc"),
-            Text::fixed(
-                "el primer movimiento con compensación debe ser recto: G0 o G1",
-                "the first motion under compensation must be straight: G0 or G1",
-            ),
+    match *misfit {
+        Misfit::ArcEntry => Fault::of(&CompensationBeginsOnArc {}, &[]),
+        Misfit::ArcExit => Fault::of(&CompensationEndsOnArc {}, &[]),
+        Misfit::Arc { radius, arc } => {
+            Fault::of(&NoseInArc { radius: Size::plain(radius, 4), arc: Size::plain(arc, 4) }, &[])
+        }
+        Misfit::Corner { radius, turn } => {
+            Fault::of(&NoseInCorner { radius: Size::plain(radius, 4), turn: Size::plain(turn.to_degrees(), 2) }, &[])
+        }
+        Misfit::Short { radius, length, taken } => Fault::of(
+            &NoseInShortPiece {
+                radius: Size::plain(radius, 4),
+                length: Size::plain(length, 4),
+                taken: Size::plain(taken, 4),
+                most: Size::plain(radius * length / taken, 4),
+            },
+            &[],
         ),
-        Misfit::ArcExit => (
-            Text::fixed("G40 termina la compensación en un arco", "G40 ends the compensation on an arc"),
-            Text::fixed(
-                "el primer movimiento sin compensación debe ser recto: G0 o G1",
-                "the first motion without compensation must be straight: G0 or G1",
-            ),
-        ),
-        Misfit::Arc { radius, arc } => (
-            Text::new(
-                format!("el radio de punta {} no cabe en el arco de radio {}", mm(radius), mm(arc)),
-                format!("nose radius {} does not fit into the arc of radius {}", mm(radius), mm(arc)),
-            ),
-            Text::new(
-                format!("use una punta de radio {} o menor, o un arco mayor", mm(arc)),
-                format!("use a nose radius of {} or less, or a larger arc", mm(arc)),
-            ),
-        ),
-        Misfit::Corner { radius, turn } => (
-            Text::new(
-                format!(
-                    "el radio de punta {} no cabe en el rincón, donde el contorno gira {}°",
-                    mm(radius),
-                    degrees(turn)
-                ),
-                format!(
-                    "nose radius {} does not fit into the corner, where the contour turns by {}°",
-                    mm(radius),
-                    degrees(turn)
-                ),
-            ),
-            Text::fixed(
-                "use una punta menor, o cambie el contorno",
-                "use a smaller nose radius, or change the contour",
-            ),
-        ),
-        Misfit::Short { radius, length, taken } => (
-            Text::new(
-                format!(
-                    "el radio de punta {} no cabe: el tramo mide {} y los rincones de sus extremos ocupan {}",
-                    mm(radius),
-                    mm(length),
-                    mm(taken)
-                ),
-                format!(
-                    "nose radius {} does not fit: the piece is {} long and the corners at its ends take {}",
-                    mm(radius),
-                    mm(length),
-                    mm(taken)
-                ),
-            ),
-            Text::new(
-                format!("use una punta de radio {} o menor, o cambie el contorno", mm(radius * length / taken)),
-                format!("use a nose radius of {} or less, or change the contour", mm(radius * length / taken)),
-            ),
-        ),
-        Misfit::Changed => (
-            Text::fixed(
-                "la punta de la herramienta cambia con G41 o G42 en vigor",
-                "the nose of the tool changes with G41 or G42 in force",
-            ),
-            Text::fixed(
-                "programe G40 y un movimiento recto antes de cambiar de herramienta o de corrector",
-                "program G40 and a straight motion before the tool or the offset changes",
-            ),
-        ),
-        Misfit::Still => (
-            Text::new(
-                format!("más de {STILL_PIECES} bloques sin movimiento en el plano con G41 o G42 en vigor"),
-                format!("more than {STILL_PIECES} blocks without motion in the plane with G41 or G42 in force"),
-            ),
-            Text::fixed(
-                "el control no ve el movimiento siguiente: quite bloques o programe G40",
-                "the control does not see the next motion: take blocks out or program G40",
-            ),
-        ),
-    };
-    Fault::block(what, remedy)
+        Misfit::Changed => Fault::of(&NoseChanges {}, &[]),
+        Misfit::Still => Fault::of(&TooManyStillBlocks { most: STILL_PIECES }, &[]),
+    }
 }

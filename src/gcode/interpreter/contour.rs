@@ -12,7 +12,7 @@
 //! finishing, and so are G96 and G97. Yaskawa LX3, operator's manual, G70: F and S alike. Schools teach the same of F, S, T and
 //! the compensation.
 
-use crate::finding::{AlarmFamily, Grade};
+use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::in_force::Compensation;
@@ -25,7 +25,11 @@ use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::rules::flow::ContourBlockMissing;
 use crate::gcode::turning::profile::{Element, Profile};
-use crate::gcode::turning::rules::CornerInContour;
+use crate::gcode::turning::rules::{
+    BlocksBeforeContour, ContourBegins, ContourBlockNotNamed, ContourDwellAndMotion, ContourEndsBeforeItBegins,
+    ContourEndsWithCorner, ContourStandsStill, ContourTooLong, ContourToolChange, ContourWithoutEnd,
+    ContourWordsPassedOver, CornerInContour, NoBlockNumber, NotInContour,
+};
 use crate::limits::CONTOUR_BLOCKS;
 use crate::machine::axis::Axis;
 use crate::text::Text;
@@ -88,19 +92,12 @@ impl Interpreter<'_> {
         let missing = |at: usize| ContourBlockMissing { number: numbers[at] };
         let first = self.block_numbered(numbers[0], columns[0], &missing(0))?;
         let last = self.block_numbered(numbers[1], columns[1], &missing(1))?;
-        let alarm = self.alarm(63);
         if last.line() < first.line() {
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &ContourEndsBeforeItBegins { cycle, last: numbers[1], first: numbers[0] },
                 &[columns[1], columns[0]],
-                Text::new(
-                    format!("{alarm}G{cycle}: N{} está delante de N{}", numbers[1], numbers[0]),
-                    format!("{alarm}G{cycle}: N{} stands before N{}", numbers[1], numbers[0]),
-                ),
-                Text::fixed(
-                    "nombre primero el primer bloque del contorno y luego el último",
-                    "name the contour's first block first and its last block last",
-                ),
-            ));
+            )
+            .as_alarm_of(self.alarms()));
         }
         Ok(Ends { first, last, numbers })
     }
@@ -108,26 +105,15 @@ impl Interpreter<'_> {
     fn number_of_block(&self, cycle: u8, letter: usize) -> Outcome<u32> {
         let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
         let Some(value) = self.block.get(letter) else {
-            let alarm = self.alarm(61);
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &ContourBlockNotNamed { letter: name, cycle },
                 &[self.block.g_column(Group::NonModal)],
-                Text::new(
-                    format!("{alarm}falta {name} en G{cycle}: el número de un bloque del contorno"),
-                    format!("{alarm}{name} is missing in G{cycle}: the number of a block of the contour"),
-                ),
-                Text::new(format!("dé {name} en el bloque"), format!("give {name} in the block")),
-            ));
-        };
-        whole(value).and_then(|number| u32::try_from(number).ok()).ok_or_else(|| {
-            Fault::at(
-                &[self.block.column(letter)],
-                Text::new(
-                    format!("{name}{value} no es un número de bloque"),
-                    format!("{name}{value} is no block number"),
-                ),
-                Text::fixed("dé un número entero", "give a whole number"),
             )
-        })
+            .as_alarm_of(self.alarms()));
+        };
+        whole(value)
+            .and_then(|number| u32::try_from(number).ok())
+            .ok_or_else(|| Fault::of(&NoBlockNumber { letter: name, value }, &[self.block.column(letter)]))
     }
 
     /// Reads the contour of a cycle from where the tool stands. The program stays where it is.
@@ -166,51 +152,21 @@ impl Interpreter<'_> {
             self.count_line()?;
             let Some(mut cursor) = self.open_line(&line)? else { continue };
             if matches!(cursor.peek(), b'%' | b'o') {
-                return Err(Fault::at(
-                    &[cursor.column()],
-                    Text::new(
-                        format!("el contorno de G{cycle} no termina"),
-                        format!("the contour of G{cycle} does not end"),
-                    ),
-                    Text::fixed("ponga sus bloques seguidos", "write its blocks one after another"),
-                ));
+                return Err(Fault::of(&ContourWithoutEnd { cycle }, &[cursor.column()]));
             }
             self.read_words(&mut cursor)?;
             self.contour_block(cycle, &mut contour)?;
             if contour.blocks.len() > CONTOUR_BLOCKS {
-                return Err(Fault::block(
-                    Text::new(
-                        format!("el contorno de G{cycle} tiene más de {CONTOUR_BLOCKS} bloques"),
-                        format!("the contour of G{cycle} has more than {CONTOUR_BLOCKS} blocks"),
-                    ),
-                    Text::fixed("compruebe P y Q", "check P and Q"),
-                ));
+                return Err(Fault::of(&ContourTooLong { cycle, most: CONTOUR_BLOCKS }, &[]));
             }
         }
         contour.behind = self.source().position();
         if let Some((word, line)) = contour.edge {
-            let name = word.name;
-            return Err(word.refusal(
-                line,
-                Text::new(
-                    format!("PS0326: el contorno de G{cycle} acaba con «{name}», sin la recta que la sigue"),
-                    format!("PS0326: the contour of G{cycle} ends with '{name}', without the line that follows it"),
-                ),
-                Text::fixed(
-                    "ponga en el contorno la segunda recta de la esquina",
-                    "let the contour have the corner's second line",
-                ),
-            ));
+            return Err(word.refusal(line, &ContourEndsWithCorner { cycle, word: word.name }));
         }
         if contour.profile.elements.is_empty() {
-            let ([P, Q], alarm) = (ends.numbers, self.alarm(63));
-            return Err(Fault::block(
-                Text::new(
-                    format!("{alarm}G{cycle}: no hay movimiento de N{P} a N{Q}"),
-                    format!("{alarm}G{cycle}: there is no motion from N{P} to N{Q}"),
-                ),
-                Text::fixed("dé el contorno con G0, G1, G2 y G3", "give the contour with G0, G1, G2 and G3"),
-            ));
+            let [P, Q] = ends.numbers;
+            return Err(Fault::of(&ContourStandsStill { cycle, first: P, last: Q }, &[]).as_alarm_of(self.alarms()));
         }
         Ok(contour)
     }
@@ -292,15 +248,8 @@ impl Interpreter<'_> {
     }
 
     /// A contour that begins with neither G0 nor G1.
-    fn contour_begins(&self, cycle: u8, (es, en): (&str, &str)) -> Box<Fault> {
-        let alarm = self.alarm(65);
-        Fault::block(
-            Text::new(
-                format!("{alarm}el primer {es} del contorno de G{cycle} no lleva G0 ni G1"),
-                format!("{alarm}the first {en} of the contour of G{cycle} has neither G0 nor G1"),
-            ),
-            Text::fixed("programe G0 o G1 en él", "program G0 or G1 in it"),
-        )
+    fn contour_begins(&self, cycle: u8, (es, en): (&'static str, &'static str)) -> Box<Fault> {
+        Fault::of(&ContourBegins { part: Text::fixed(es, en), cycle }, &[]).as_alarm_of(self.alarms())
     }
 
     /// The letter of the time of a dwell in a contour, one bit; a dwell stands without a motion.
@@ -310,11 +259,7 @@ impl Interpreter<'_> {
         }
         let time = 1 << self.dwell_time()?.0;
         if self.block.present & MOVES.mask() & !time != 0 {
-            return Err(Fault::at(
-                &[self.block.g_column(Group::NonModal)],
-                Text::fixed("G4 y un movimiento en un bloque", "G4 and a motion in one block"),
-                Text::fixed("escriba dos bloques", "write two blocks"),
-            ));
+            return Err(Fault::of(&ContourDwellAndMotion {}, &[self.block.g_column(Group::NonModal)]));
         }
         Ok(time)
     }
@@ -326,36 +271,13 @@ impl Interpreter<'_> {
             block.words.machine_codes > 0 || block.words.groups & other != 0 || block.words.has(letter::T)
         };
         let Some(line) = contour.blocks.iter().find(|block| says(block)).map(|block| block.line) else { return };
-        self.remarks.add(
-            Grade::Note,
-            line,
-            None,
-            Text::new(
-                format!("G{cycle} pasa por alto M, T, G4 y G96 a G99 del contorno, como F y S; G70 los obedece"),
-                format!("G{cycle} passes over M, T, G4 and G96 to G99 of the contour, as F and S; G70 obeys them"),
-            ),
-            Text::fixed(
-                "lo que el desbaste necesite va antes del ciclo",
-                "what roughing needs stands before the cycle",
-            ),
-        );
+        self.remarks.row(&ContourWordsPassedOver { cycle }, line, None);
     }
 
     /// Refuses what may not stand in a contour.
     fn contour_refuses(&self, cycle: u8, first: bool) -> Outcome<()> {
-        let alarm = self.alarm(325);
-        let remedy = || {
-            Text::fixed(
-                "un contorno lleva G0 a G3, sus cotas, G4, G40 a G42, G96 a G99, F, S y M; escriba lo demás fuera",
-                "a contour has G0 to G3, their dimensions, G4, G40 to G42, G96 to G99, F, S and M; write the rest outside",
-            )
-        };
-        let refuse = |column: usize, (es, en): (&str, &str)| {
-            let what = Text::new(
-                format!("{alarm}{es} dentro del contorno de G{cycle}"),
-                format!("{alarm}{en} inside the contour of G{cycle}"),
-            );
-            Err(Fault::at(&[column], what, remedy()))
+        let refuse = |column: usize, (es, en): (&'static str, &'static str)| {
+            Err(Fault::of(&NotInContour { code: Text::fixed(es, en), cycle }, &[column]).as_alarm_of(self.alarms()))
         };
         let block = &self.block;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {
@@ -366,17 +288,7 @@ impl Interpreter<'_> {
         }
         self.turret_place()?;
         if block.has(letter::T) && !first {
-            return Err(Fault::at(
-                &[block.column(letter::T)],
-                Text::new(
-                    format!("un cambio de herramienta dentro del contorno de G{cycle} no está implementado"),
-                    format!("a tool change inside the contour of G{cycle} is not supported"),
-                ),
-                Text::fixed(
-                    "escriba T fuera, o en el primer bloque del contorno, que G70 obedece: después la torreta giraría en el corte",
-                    "write T outside, or in the contour's first block, which G70 obeys: behind it the turret would turn in the cut",
-                ),
-            ));
+            return Err(Fault::of(&ContourToolChange { cycle }, &[block.column(letter::T)]));
         }
         let groups = block.groups & !(1 << Group::Motion as u16) & !(1 << Group::CutterCompensation as u16);
         let odd = match block.g(Group::Motion) {
@@ -408,16 +320,7 @@ impl Interpreter<'_> {
         }
         if skipped > 0 {
             let at = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                at,
-                None,
-                Text::new(
-                    format!("{skipped} bloques entre G{cycle} y su contorno no se ejecutan"),
-                    format!("{skipped} blocks between G{cycle} and its contour are not executed"),
-                ),
-                Text::fixed("ponga el contorno justo detrás del ciclo", "put the contour right behind the cycle"),
-            );
+            self.remarks.row(&BlocksBeforeContour { blocks: skipped, cycle }, at, None);
         }
         self.source().go_to(contour.behind)
     }
@@ -426,7 +329,7 @@ impl Interpreter<'_> {
     pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Outcome<()> {
         // Where the blocks are not found there is no contour to pass over, and the cycle was refused for that.
         let Ok(ends) = self.contour_ends(cycle, [letter::P, letter::Q]) else { return Ok(()) };
-        let contour = (self.at, ends.first_line());
+        let contour = (self.library.at(), ends.first_line());
         if !self.modal.refused.contains(&contour) {
             self.modal.refused.push(contour);
         }
@@ -442,11 +345,6 @@ impl Interpreter<'_> {
     /// Whose alarms the control raises; none where its numbers are not known.
     pub(super) fn alarms(&self) -> Option<AlarmFamily> {
         self.control.alarms
-    }
-
-    /// The number of an alarm as a Fanuc control shows it before its text; nothing for other controls.
-    pub(super) fn alarm(&self, number: u16) -> String {
-        self.control.alarms.map_or_else(String::new, |family| format!("{}: ", family.shown(number)))
     }
 
     /// True where the block has an axis word.

@@ -11,7 +11,7 @@
 //! # References
 //! Fanuc Series 0i-T, operator's manual, direct drawing dimensions programming; see [`crate::gcode::turning::edge`].
 
-use crate::finding::AlarmFamily;
+use crate::finding::{AlarmFamily, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
@@ -37,8 +37,8 @@ pub(super) struct Corner {
     edge: Edge,
     line: usize,
     n: Option<u32>,
-    /// The source that its block stands in.
-    at: usize,
+    /// The text that its block stands in.
+    text: usize,
     from: Pose,
     feed: Feed,
     /// What was in force in its block.
@@ -53,28 +53,27 @@ impl EdgeWord {
     }
 
     /// A refusal at the corner's own line.
-    pub(super) fn refusal(&self, line: usize, what: Text, remedy: Text) -> Box<Fault> {
-        let mut fault = Fault::at(&[self.column], what, remedy);
-        fault.line = line;
-        fault
+    pub(super) fn refusal(&self, line: usize, row: &dyn Raise) -> Box<Fault> {
+        let fault = Fault::of(row, &[self.column]).as_alarm_of(Some(AlarmFamily::Fanuc));
+        Box::new(Fault { line, ..*fault })
     }
 
     /// The refusal of a corner that cannot be broken.
     pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Fault> {
-        let (name, told) = (self.name, trouble.message());
-        let what = Text::new(format!("{} ({name})", told.es), format!("{} ({name})", told.en));
-        self.refusal(line, what, trouble.remedy.clone())
+        let (name, Text { es, en }) = (self.name, &trouble.what);
+        let what = Text::new(format!("{es} ({name})"), format!("{en} ({name})"));
+        let fault = Fault::from(Trouble { what, line: Some(line), ..trouble.clone() });
+        Box::new(Fault { columns: vec![self.column + 1], ..fault }).as_alarm_of(Some(AlarmFamily::Fanuc))
     }
 
     /// The refusal of a corner behind which no line at feed comes.
     pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Fault> {
-        let (word, at) = (self.name, [self.column]);
-        let fault = if motion {
-            Fault::of(&CornerBeforeOtherMotion { word }, &at)
+        let word = self.name;
+        if motion {
+            self.refusal(line, &CornerBeforeOtherMotion { word })
         } else {
-            Fault::of(&CornerBeforeNoMotion { word }, &at)
-        };
-        Box::new(Fault { line, ..*fault.as_alarm_of(Some(AlarmFamily::Fanuc)) })
+            self.refusal(line, &CornerBeforeNoMotion { word })
+        }
     }
 }
 
@@ -143,7 +142,7 @@ impl Interpreter<'_> {
 
     /// Hands out the refusal of a corner, and its line, which is made whole. The program goes on.
     fn refuse_corner(&mut self, corner: Corner, mut fault: Box<Fault>) {
-        fault.file = self.sources.get(corner.at).and_then(|source| source.file.clone());
+        fault.file = self.library.file(corner.text).cloned();
         self.queue.push_back(Err(fault));
         self.make_corner(corner, None);
     }
@@ -174,7 +173,7 @@ impl Interpreter<'_> {
             edge: word.edge(self.modal.unit),
             line: self.line,
             n: self.block.n,
-            at: self.at,
+            text: self.library.at(),
             from: self.current,
             feed,
             modal: self.modal.clone(),
@@ -188,7 +187,7 @@ impl Interpreter<'_> {
         let whole = point(&self.current);
         let (line, n) = (self.line, self.block.n);
         let modal = std::mem::replace(&mut self.modal, corner.modal);
-        let at = std::mem::replace(&mut self.at, corner.at);
+        let text = self.library.turn_to(corner.text);
         self.turn_remarks();
         (self.line, self.block.n, self.current) = (corner.line, corner.n, corner.from);
         let straight = |to| Move { way: Way::Feed(None), to, line: None };
@@ -202,7 +201,8 @@ impl Interpreter<'_> {
             // A motion at a feed that is given is never refused.
             let _ = self.make_way(&way, Some(corner.feed));
         }
-        (self.modal, self.at) = (modal, at);
+        self.modal = modal;
+        self.library.turn_to(text);
         self.turn_remarks();
         (self.line, self.block.n) = (line, n);
     }

@@ -178,7 +178,7 @@ impl Interpreter<'_> {
         let given = matches!(length, Some(G::ToolLengthGiven | G::ToolLengthAdded));
         // A dwell may carry its time on an axis letter.
         let dwell: u32 = if at_once == Some(G::Dwell) {
-            self.control.lexis.dwell.iter().map(|(letter, _)| 1 << letter).sum::<u32>() & block.present
+            self.control.lexis.dwell.iter().map(|dwell| 1 << dwell.index()).sum::<u32>() & block.present
         } else {
             0
         };

@@ -5,7 +5,6 @@
 //! G87 and G89 too) as the axis is programmed, on the diameter; all distances on the radius; K of G83, G88 and G89 in
 //! hundredths of a second. The cycles are not modal, and F in their blocks is theirs alone.
 
-use crate::finding::Grade;
 use crate::gcode::code::Group;
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
@@ -17,8 +16,10 @@ use crate::gcode::turning::fagor::drill::{Drill, drill};
 use crate::gcode::turning::fagor::groove::{Groove, groove};
 use crate::gcode::turning::fagor::section::{Section, section};
 use crate::gcode::turning::fagor::thread::{Threading, thread};
+use crate::gcode::turning::rules::{
+    FagorGroovePoint, FagorGrooveStepMissing, FagorLetterMissing, FagorLetterNotSupported, FagorTapping,
+};
 use crate::machine::axis::Axis;
-use crate::text::Text;
 
 /// The angle of a thread's flank where A does not give it, degrees.
 const FLANK: f64 = 30.0;
@@ -59,35 +60,17 @@ impl Interpreter<'_> {
         for index in 0..26_u8 {
             let at = usize::from(index);
             if needed.has(index) && !self.block.has(at) {
-                let letter = name(index);
-                let remedy = if matches!(number, 88 | 89) && letter == 'C' {
-                    Text::fixed(
-                        "dé C: sin ella vale el ancho de la cuchilla, que el programa no dice",
-                        "give C: without it the width of the cutter holds, which the program does not say",
-                    )
+                let (letter, at) = (name(index), [self.block.g_column(Group::NonModal)]);
+                return Err(if matches!(number, 88 | 89) && letter == 'C' {
+                    Fault::of(&FagorGrooveStepMissing { number }, &at)
                 } else {
-                    Text::new(format!("dé {letter} en el bloque"), format!("give {letter} in the block"))
-                };
-                return Err(Fault::at(
-                    &[self.block.g_column(Group::NonModal)],
-                    Text::new(format!("falta {letter} en G{number}"), format!("{letter} is missing in G{number}")),
-                    remedy,
-                ));
+                    Fault::of(&FagorLetterMissing { letter, number }, &at)
+                });
             }
             let parameter = crate::gcode::code::TurningCycle::Fagor(number).letters().has(index);
             if parameter && self.block.has(at) && !needed.has(index) && !may.has(index) {
                 let letter = name(index);
-                return Err(Fault::at(
-                    &[self.block.column(at)],
-                    Text::new(
-                        format!("{letter} en G{number} no está implementado"),
-                        format!("{letter} in G{number} is not supported"),
-                    ),
-                    Text::new(
-                        format!("quite {letter}, o escriba los movimientos sin el ciclo"),
-                        format!("take {letter} out, or write the motions without the cycle"),
-                    ),
-                ));
+                return Err(Fault::of(&FagorLetterNotSupported { letter, number }, &[self.block.column(at)]));
             }
         }
         Ok(())
@@ -143,14 +126,7 @@ impl Interpreter<'_> {
             let name = char::from(b'A' + u8::try_from(word).unwrap_or(0));
             // Written with 0, as the examples of the control do, they say nothing.
             if name == 'R' || self.length(word) != 0.0 && name != 'C' {
-                return Err(Fault::at(
-                    &[self.block.column(word)],
-                    Text::new(
-                        format!("{name} en G83 con B0 (roscado con macho) no está implementado"),
-                        format!("{name} in G83 with B0 (tapping) is not supported"),
-                    ),
-                    Text::new(format!("quite {name}"), format!("take {name} out")),
-                ));
+                return Err(Fault::of(&FagorTapping { letter: name }, &[self.block.column(word)]));
             }
         }
         let parameters = Drill {
@@ -195,19 +171,7 @@ impl Interpreter<'_> {
         };
         let moves = self.told(groove(self.here(), along, &parameters))?;
         let (line, column) = (self.line, self.block.g_column(Group::NonModal));
-        self.remarks.add(
-            Grade::Caution,
-            line,
-            Some(column),
-            Text::new(
-                format!("G{number}: la ranura se recorre con la punta programada; el control le resta el ancho de la cuchilla"),
-                format!("G{number}: the groove is run with the programmed point; the control takes the width of the cutter off"),
-            ),
-            Text::fixed(
-                "compruebe el ancho de la cuchilla (NOSEW) en la tabla del control",
-                "check the width of the cutter (NOSEW) in the control's table",
-            ),
-        );
+        self.remarks.row(&FagorGroovePoint { number }, line, Some(column));
         Ok(moves)
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule, Size};
 use crate::gcode::rules::geometry::HalfTurn;
+use crate::gcode::turning::trouble::Trouble;
 use crate::limits::REMARKS;
 use crate::text::Text;
 
@@ -19,8 +20,8 @@ pub struct Fault {
     /// Other lines of one file that are at fault with it, which `what` does not name: the file as in `file`, and the line,
     /// counted from 1.
     pub others: Vec<(Option<String>, usize)>,
-    /// The row that it is of; none where it has no code yet.
-    pub rule: Option<&'static Rule>,
+    /// The row that it is of.
+    pub rule: &'static Rule,
     /// What it carries, by name, unrounded.
     pub data: Vec<(&'static str, Datum)>,
     /// The alarm that it is for the control.
@@ -39,31 +40,29 @@ pub struct Fault {
 }
 
 impl Fault {
-    /// A refusal at columns of the line in hand (counted from 0).
-    pub(super) fn at(columns: &[usize], what: Text, remedy: Text) -> Box<Self> {
-        Box::new(Self {
+    /// What a row says, at no place yet.
+    fn new(rule: &'static Rule, data: Vec<(&'static str, Datum)>, what: Text, remedy: Text) -> Self {
+        Self {
             exit: Exit::Refused,
             file: None,
             line: 0,
-            columns: columns.iter().map(|column| column + 1).collect(),
+            columns: Vec::new(),
             others: Vec::new(),
-            rule: None,
-            data: Vec::new(),
+            rule,
+            data,
             alarm: None,
             what,
             remedy,
             fatal: false,
             uncut: false,
             hangs: 0,
-        })
+        }
     }
 
     /// A row at columns of the line in hand (counted from 0); at none, of the block as a whole.
     pub(super) fn of(row: &dyn Raise, columns: &[usize]) -> Box<Self> {
-        let mut fault = Self::at(columns, row.what(), row.remedy());
-        fault.rule = Some(row.rule());
-        fault.data = row.carries();
-        fault
+        let columns = columns.iter().map(|column| column + 1).collect();
+        Box::new(Self { columns, ..Self::new(row.rule(), row.carries(), row.what(), row.remedy()) })
     }
 
     /// The same, as the end of a budget.
@@ -83,26 +82,13 @@ impl Fault {
 
     /// The refusal with the alarm that a control of a family raises for it, its number before the sentence.
     pub(super) fn as_alarm_of(mut self: Box<Self>, family: Option<AlarmFamily>) -> Box<Self> {
-        let alarm = family.and_then(|family| Some((family, self.rule?.alarm_of(family)?)));
+        let alarm = family.and_then(|family| Some((family, self.rule.alarm_of(family)?)));
         if let Some((family, number)) = alarm {
             let (alarm, Text { es, en }) = (family.shown(number), &self.what);
             self.what = Text::new(format!("{alarm}: {es}"), format!("{alarm}: {en}"));
         }
         self.alarm = alarm;
         self
-    }
-
-    /// A refusal of the block as a whole.
-    pub(super) fn block(what: Text, remedy: Text) -> Box<Self> {
-        Self::at(&[], what, remedy)
-    }
-
-    /// The end of a budget.
-    pub(super) fn limit(what: Text, remedy: Text) -> Box<Self> {
-        let mut fault = Self::at(&[], what, remedy);
-        fault.exit = Exit::Limit;
-        fault.fatal = true;
-        fault
     }
 
     /// What is wrong, with the other lines at fault.
@@ -133,7 +119,14 @@ impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
         let told = fault.message();
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
-        Self { rule: fault.rule, data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
+        Self { rule: Some(fault.rule), data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
+    }
+}
+
+impl From<Trouble> for Fault {
+    fn from(trouble: Trouble) -> Self {
+        let Trouble { rule, data, exit, what, remedy, line } = trouble;
+        Self { exit, line: line.unwrap_or(0), ..Self::new(rule, data, what, remedy) }
     }
 }
 
@@ -175,31 +168,20 @@ impl Remarks {
         }
     }
 
-    /// Remarks something at a line and column (counted from 0). `what` tells one thing from another.
-    pub(super) fn add(&mut self, grade: Grade, line: usize, column: Option<usize>, what: Text, remedy: Text) {
-        if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| finding.what == what) {
-            *count += 1;
-        } else if self.list.len() < REMARKS {
-            let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, Finding::new(grade, place(self.file.as_deref(), line, columns), what, remedy)));
-        }
-    }
-
     /// Remarks a row at a line and column (counted from 0). Row and values tell one thing from another.
     pub(super) fn row(&mut self, row: &dyn Raise, line: usize, column: Option<usize>) {
-        self.graded(row.rule().grade, row, line, column);
+        self.row_as(row.rule().grade, row, line, column);
     }
 
-    /// The same with a grade below the row's.
-    pub(super) fn graded(&mut self, grade: Grade, row: &dyn Raise, line: usize, column: Option<usize>) {
+    /// The same, less grave than the row is at its gravest.
+    pub(super) fn row_as(&mut self, grade: Grade, row: &dyn Raise, line: usize, column: Option<usize>) {
         let (rule, data) = (row.rule(), row.carries());
         let same = |finding: &Finding| finding.is(rule) && finding.data == data;
         if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| same(finding)) {
             *count += 1;
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
-            let found = row.at(place(self.file.as_deref(), line, columns));
-            self.list.push((1, Finding { grade, ..found }));
+            self.list.push((1, Finding { grade, ..row.at(place(self.file.as_deref(), line, columns)) }));
         }
     }
 

@@ -8,9 +8,10 @@ use crate::gcode::interpreter::context::Context;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::parameters::LOCAL;
-use crate::gcode::interpreter::source::{Position, SourceText};
-use crate::gcode::interpreter::structure::{Mark, Structure, Word, label, shown, word};
+use crate::gcode::interpreter::source::Position;
+use crate::gcode::interpreter::structure::{OWord, Structure, Word, label, shown, word};
 use crate::gcode::rules::flow::{
     ArgumentsTooMany, BehindOWord, CallWithWords, CallWithoutP, CallsTooDeep, LabelNotWhole, MainReturns, NotCalled,
     OWordUnknown, ProgramMissing, RepeatsTooMany, ReturnInsideSub, SubprogramMissing, SubprogramOutside,
@@ -25,13 +26,12 @@ pub(super) const LARGEST_FILE: usize = 16 << 20;
 #[derive(Debug)]
 pub(super) struct Call {
     label: String,
-    source: usize,
-    back: Position,
+    back: Mark,
     /// The caller's #1 to #30; `None` for M98, which shares them.
     saved: Option<Vec<(f64, bool)>>,
     /// How often M98 still runs it, and where it begins.
     again: i64,
-    start: Position,
+    start: Mark,
     /// The loops that were open in the caller.
     loops: Vec<(usize, i64)>,
     /// What M70 or M73 has kept in it.
@@ -40,21 +40,12 @@ pub(super) struct Call {
 
 impl Call {
     /// A call that shares its parameters with the caller and runs some times.
-    pub(super) fn of(label: String, source: usize, back: Position, times: i64, start: Position) -> Self {
-        Self {
-            label,
-            source,
-            back,
-            saved: None,
-            again: times - 1,
-            start,
-            loops: Vec::new(),
-            context: Context::default(),
-        }
+    pub(super) fn of(label: String, back: Mark, times: i64, start: Mark) -> Self {
+        Self { label, back, saved: None, again: times - 1, start, loops: Vec::new(), context: Context::default() }
     }
 
     /// Where it begins once more, if it does; that is counted.
-    pub(super) fn repeat(&mut self) -> Option<Position> {
+    pub(super) fn repeat(&mut self) -> Option<Mark> {
         self.again -= 1;
         (self.again >= 0).then_some(self.start)
     }
@@ -82,23 +73,27 @@ impl Flow {
 impl Interpreter<'_> {
     /// The O-words of the file in hand.
     fn structure(&mut self) -> Outcome<&Structure> {
-        let (at, lexis) = (self.at, &self.control.lexis);
-        match &mut self.structures[at] {
-            Some(known) => Ok(known),
-            unknown => Ok(unknown.insert(Structure::of(&mut self.sources[at], lexis)?)),
-        }
+        let at = self.library.at();
+        self.library.structure(at, &self.control.lexis)
     }
 
-    fn mark(&mut self, index: Option<usize>) -> Outcome<Mark> {
+    fn mark(&mut self, index: Option<usize>) -> Outcome<OWord> {
         let structure = self.structure()?;
         index
-            .and_then(|index| structure.mark(index))
+            .and_then(|index| structure.o_word(index))
             .cloned()
             .ok_or_else(|| Fault::of(&WithoutCounterpart {}, &[]).fatal())
     }
 
+    /// Goes on with a line of the text in hand.
     pub(super) fn go_to(&mut self, position: Position) -> Outcome<()> {
         self.source().go_to(position)
+    }
+
+    /// Goes on with a line of any text.
+    pub(super) fn open(&mut self, mark: Mark) -> Outcome<()> {
+        self.library.turn_to(mark.text);
+        self.go_to(mark.line)
     }
 
     /// An O-word line; the cursor stands on O.
@@ -214,7 +209,7 @@ impl Interpreter<'_> {
         Ok(value != 0.0)
     }
 
-    fn next_clause(&mut self, mark: &Mark) -> Outcome<()> {
+    fn next_clause(&mut self, mark: &OWord) -> Outcome<()> {
         let next = self.mark(mark.next)?;
         if next.word == Word::EndIf {
             self.go_to(next.after)
@@ -231,7 +226,7 @@ impl Interpreter<'_> {
         self.go_to(end.after)
     }
 
-    fn repeat(&mut self, cursor: &mut Cursor<'_>, mark: &Mark, index: Option<usize>) -> Outcome<()> {
+    fn repeat(&mut self, cursor: &mut Cursor<'_>, mark: &OWord, index: Option<usize>) -> Outcome<()> {
         let value = self.expression(cursor)?;
         self.nothing_more(cursor)?;
         #[expect(clippy::cast_possible_truncation, reason = "clamped; the budget ends more rounds than that")]
@@ -247,13 +242,13 @@ impl Interpreter<'_> {
     }
 
     /// BREAK and CONTINUE of a WHILE or DO; REPEAT loops inside it are left.
-    fn leave_round(&mut self, mark: &Mark, leave: bool) -> Outcome<()> {
+    fn leave_round(&mut self, mark: &OWord, leave: bool) -> Outcome<()> {
         let opens = self.mark(mark.opens)?;
         let closes = self.mark(opens.next)?;
         let start = opens.at.lines;
         let structure = self.structure()?;
         let inside: Vec<bool> = {
-            let loops: Vec<usize> = structure.marks.iter().map(|mark| mark.at.lines).collect();
+            let loops: Vec<usize> = structure.words.iter().map(|mark| mark.at.lines).collect();
             self.flow.loops.iter().map(|(index, _)| loops.get(*index).is_some_and(|&line| line > start)).collect()
         };
         let keep = inside.iter().position(|&inside| inside).unwrap_or(inside.len());
@@ -279,16 +274,14 @@ impl Interpreter<'_> {
             arguments.push(value);
         }
         self.nothing_more(cursor)?;
-        let back = self.source().position();
-        let source = self.at;
+        let back = self.library.mark();
         let found = self.structure()?.sub(name);
-        let (into, start) = match found {
-            Some(index) => (source, self.mark(Some(index))?.after),
+        let start = match found {
+            Some(index) => Mark { line: self.mark(Some(index))?.after, ..back },
             None => self.file_of(name)?,
         };
         self.enter(Call {
             label: name.to_owned(),
-            source,
             back,
             saved: Some(Vec::new()),
             again: 0,
@@ -299,8 +292,7 @@ impl Interpreter<'_> {
         if let Some(call) = self.flow.frames.last_mut() {
             call.saved = Some(self.parameters.enter(&arguments));
         }
-        self.at = into;
-        self.go_to(start)
+        self.open(start)
     }
 
     pub(super) fn enter(&mut self, mut call: Call) -> Outcome<()> {
@@ -316,17 +308,17 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// The subprogram of a file of its own: its source and where it begins.
-    fn file_of(&mut self, name: &str) -> Outcome<(usize, Position)> {
+    /// Where the subprogram of a file of its own begins.
+    fn file_of(&mut self, name: &str) -> Outcome<Mark> {
         let unknown = || Fault::of(&SubprogramMissing { label: shown(name) }, &[]);
         let plain =
             !name.starts_with('.') && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"_-.".contains(&byte));
         if !plain {
             return Err(Fault::of(&SubprogramOutside { name: name.to_owned() }, &[]));
         }
-        let known = self.sources.iter().position(|source| source.file.as_deref() == Some(name));
-        let index = match known {
-            Some(index) => index,
+        let known = self.library.find(|file| file == name);
+        let text = match known {
+            Some(text) => text,
             None => {
                 let bytes = self
                     .setting
@@ -337,18 +329,12 @@ impl Interpreter<'_> {
                 if bytes.len() > LARGEST_FILE {
                     return Err(Fault::ended(&SubprogramTooLarge { name: name.to_owned() }));
                 }
-                self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name.to_owned())));
-                self.structures.push(None);
-                self.sources.len() - 1
+                self.library.add(bytes, name.to_owned())
             }
         };
-        let from = self.at;
-        self.at = index;
-        let found = self
-            .structure()
-            .map(|structure| structure.sub(name).and_then(|sub| structure.mark(sub)).map(|mark| mark.after));
-        self.at = from;
-        found?.map(|start| (index, start)).ok_or_else(unknown)
+        let structure = self.library.structure(text, &self.control.lexis)?;
+        let sub = structure.sub(name).and_then(|sub| structure.o_word(sub));
+        sub.map(|sub| Mark { text, line: sub.after }).ok_or_else(unknown)
     }
 
     /// ENDSUB and RETURN, with their value.
@@ -371,9 +357,9 @@ impl Interpreter<'_> {
             self.parameters.leave(saved);
         }
         self.flow.loops = call.loops;
-        self.at = call.source;
+        self.library.turn_to(call.back.text);
         self.leave_context(&call.context);
-        self.go_to(call.back)
+        self.open(call.back)
     }
 
     /// M98 and M99 of the block in hand.
@@ -409,15 +395,14 @@ impl Interpreter<'_> {
         if repeats == 0 {
             return Ok(());
         }
-        let back = self.source().position();
-        let source = self.at;
+        let back = self.library.mark();
         let found = self.structure()?.program(&name);
         let Some(index) = found else {
             return Err(Fault::of(&ProgramMissing { number: name }, &[self.block.column(letter::P)]));
         };
-        let start = self.mark(Some(index))?.after;
-        self.enter(Call::of(name, source, back, repeats, start))?;
-        self.go_to(start)
+        let start = Mark { line: self.mark(Some(index))?.after, ..back };
+        self.enter(Call::of(name, back, repeats, start))?;
+        self.open(start)
     }
 
     fn return_from_program(&mut self) -> Outcome<()> {
@@ -429,7 +414,7 @@ impl Interpreter<'_> {
                     // Each round keeps its own state.
                     let context = std::mem::take(&mut call.context);
                     self.leave_context(&context);
-                    self.go_to(start)
+                    self.open(start)
                 }
                 None => self.leave(),
             },

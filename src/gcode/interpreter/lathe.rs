@@ -16,10 +16,13 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
 use crate::gcode::turning::pace::Pace;
+use crate::gcode::turning::rules::{
+    BeyondAxis, G91InSystemA, MachineMoveByIncrements, ReferencePointNotKnown, ReferencePointNotSupported,
+    ReferenceWithoutAxes, StaleFeed, SystemShifted, TwoWordsAnAxis,
+};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::work_offset::{ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, WorkOffset};
-use crate::text::Text;
 
 /// The axes of a lathe with the letters of their absolute and their incremental words.
 const WORDS: [(Axis, usize, usize); 2] = [(Axis::X, letter::X, letter::U), (Axis::Z, letter::Z, letter::W)];
@@ -38,21 +41,10 @@ impl Interpreter<'_> {
             let column = self.block.column(incremental);
             if self.block.has(absolute) && self.block.has(incremental) {
                 let (name, step) = (axis.letter(), if axis == Axis::X { 'U' } else { 'W' });
-                return Err(Fault::at(
-                    &[self.block.column(absolute), column],
-                    Text::new(
-                        format!("{name} y {step} en un bloque: las dos mueven el eje {name}"),
-                        format!("{name} and {step} in one block: both move the axis {name}"),
-                    ),
-                    Text::fixed("deje una de las dos", "leave one of the two"),
-                ));
+                return Err(Fault::of(&TwoWordsAnAxis { axis: name, step }, &[self.block.column(absolute), column]));
             }
             if at_once == Some(G::MachineCoordinates) && self.block.has(incremental) {
-                return Err(Fault::at(
-                    &[column],
-                    Text::fixed("G53 con cotas incrementales", "G53 with incremental coordinates"),
-                    Text::fixed("dé X y Z", "give X and Z"),
-                ));
+                return Err(Fault::of(&MachineMoveByIncrements {}, &[column]));
             }
         }
         Ok(())
@@ -67,16 +59,7 @@ impl Interpreter<'_> {
         if self.has_axes() {
             return Err(self.unknown('G', 91.0, column));
         }
-        self.remarks.add(
-            Grade::Caution,
-            self.line,
-            Some(column),
-            Text::fixed(
-                "G91 no es un código del sistema A: leído como si no estuviera, X y Z siguen absolutas",
-                "G91 is no code of system A: read as if it were not there, X and Z stay absolute",
-            ),
-            Text::fixed("escriba los incrementos con U y W", "write increments with U and W"),
-        );
+        self.remarks.row(&G91InSystemA {}, self.line, Some(column));
         Ok(())
     }
 
@@ -115,16 +98,7 @@ impl Interpreter<'_> {
             origin.set(axis, origin.get(axis) + self.axis_word(axis).unwrap_or(0.0));
         }
         let line = self.line;
-        self.remarks.add(
-            Grade::Caution,
-            line,
-            Some(self.block.g_column(Group::WorkOffset)),
-            Text::fixed(
-                "G54 a G59 con X o Z y sin G0 ni G1: se desplaza el sistema desde el cero W1, sin movimiento; un Fanuc se movería",
-                "G54 to G59 with X or Z and without G0 or G1: the system is shifted from the zero W1, without motion; a Fanuc would move",
-            ),
-            Text::fixed("escriba G0 o G1 en el bloque si ha de ser un movimiento", "write G0 or G1 in the block if it is to move"),
-        );
+        self.remarks.row(&SystemShifted {}, line, Some(self.block.g_column(Group::WorkOffset)));
         self.modal.system = system;
         self.modal.shifted = true;
         self.parameters.set(ACTIVE as usize, f64::from(system));
@@ -153,38 +127,15 @@ impl Interpreter<'_> {
             .map(|(axis, ..)| axis)
             .collect();
         if let Some(P) = self.block.get(letter::P).filter(|&P| second && P != 2.0) {
-            return Err(Fault::at(
-                &[self.block.column(letter::P)],
-                Text::new(
-                    format!("G30 P{P}: el tercer y el cuarto punto de referencia no están implementados"),
-                    format!("G30 P{P}: the third and fourth reference points are not supported"),
-                ),
-                Text::fixed("use G30 P2 o G53", "use G30 P2, or G53"),
-            ));
+            return Err(Fault::of(&ReferencePointNotSupported { value: P }, &[self.block.column(letter::P)]));
         }
         if named.is_empty() {
-            return Err(Fault::at(
-                &[column],
-                Text::new(format!("G{number} sin ejes"), format!("G{number} without axes")),
-                Text::new(format!("programe G{number} U0 W0"), format!("program G{number} U0 W0")),
-            ));
+            return Err(Fault::of(&ReferenceWithoutAxes { code: number }, &[column]));
         }
         let first = if second { G30_FIRST } else { G28_FIRST };
         if !self.setting.var_file.iter().any(|(parameter, _)| (first..first + 3).contains(&parameter)) {
             let line = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                Some(column),
-                Text::new(
-                    format!("punto de referencia de G{number} no conocido: se toma el cero de la máquina"),
-                    format!("reference point of G{number} not known: the machine's zero is taken"),
-                ),
-                Text::new(
-                    format!("dé los parámetros {first} y {} (X como radio, Z)", first + 2),
-                    format!("give the parameters {first} and {} (X as radius, Z)", first + 2),
-                ),
-            );
+            self.remarks.row(&ReferencePointNotKnown { code: number, first, last: first + 2 }, line, Some(column));
         }
         let over = self.end_point();
         if over != self.current {
@@ -202,16 +153,7 @@ impl Interpreter<'_> {
     /// The program has gone on with a feed from before F changed its meaning.
     pub(super) fn remark_stale_feed(&mut self) {
         let line = self.line;
-        self.remarks.add(
-            Grade::Caution,
-            line,
-            None,
-            Text::fixed(
-                "el avance por minuto o por vuelta ha cambiado y F no se ha vuelto a dar: vale el número de antes",
-                "feed per minute or per revolution has changed and F was not given again: its old number holds",
-            ),
-            Text::fixed("dé F con el cambio", "give F with the change"),
-        );
+        self.remarks.row(&StaleFeed {}, line, None);
     }
 
     /// X has been given below the axis. Facing ends a little beyond it, by the nose of the tool; farther is a slip of the
@@ -220,16 +162,8 @@ impl Interpreter<'_> {
         let line = self.line;
         let Some(word) = [letter::X, letter::U].into_iter().find(|&word| self.block.has(word)) else { return };
         let facing = 2.0 * to.get(Axis::X) >= -FACING;
-        self.remarks.add(
-            if facing { Grade::Note } else { Grade::Caution },
-            line,
-            Some(self.block.column(word)),
-            Text::fixed(
-                "X negativo: el punto programado pasa del eje de giro",
-                "negative X: the programmed point is beyond the axis",
-            ),
-            Text::fixed("compruebe el signo y que X es un diámetro", "check the sign, and that X is a diameter"),
-        );
+        let grade = if facing { Grade::Note } else { Grade::Caution };
+        self.remarks.row_as(grade, &BeyondAxis {}, line, Some(self.block.column(word)));
     }
 
     /// True for a feed per revolution of a lathe, whose spindle's speed may change along the motion.

@@ -102,8 +102,8 @@ impl Interpreter<'_> {
                 self.percent = true;
                 return Ok(());
             }
-            if self.percent || self.at != 0 || self.control.lexis.percent.leader() {
-                if self.stage == Stage::Opening || self.at != 0 {
+            if self.percent || self.library.at() != 0 || self.control.lexis.percent.leader() {
+                if self.stage == Stage::Opening || self.library.at() != 0 {
                     return self.end_of_file();
                 }
                 if self.control.lexis.percent.leader() {
@@ -157,7 +157,7 @@ impl Interpreter<'_> {
         }
         if self.control.lexis.percent.leader() && cursor.peek() == 0 {
             // What follows is another program: whether a control goes on into it is not known.
-            let inside = self.at != 0 || !self.flow.frames.is_empty();
+            let inside = self.library.at() != 0 || !self.flow.frames.is_empty();
             return if inside { self.end_of_file().map_err(Fault::fatal) } else { Err(without_end(false).fatal()) };
         }
         Err(Fault::of(&ProgramNumber {}, &[column]))

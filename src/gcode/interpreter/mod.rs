@@ -42,6 +42,7 @@ mod fault;
 mod flow;
 mod inputs;
 mod lathe;
+mod library;
 mod line;
 mod milling;
 mod modal;
@@ -66,7 +67,7 @@ pub mod tool_table;
 mod turning;
 mod turret;
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::io::Cursor as Memory;
 
 pub use self::arc::radii_tolerance;
@@ -80,9 +81,9 @@ pub use self::fault::Fault;
 use self::fault::Outcome;
 use self::fault::Remarks;
 use self::flow::Flow;
+use self::library::Library;
 use self::milling::Milling;
 use self::modal::Modal;
-use self::numbers::Numbers;
 use self::out::Pending;
 use self::parameters::Parameters;
 use self::round::Rounds;
@@ -121,12 +122,7 @@ enum Stage {
 pub struct Interpreter<'a> {
     control: &'static Control,
     setting: Setting,
-    sources: Vec<SourceText<'a>>,
-    structures: Vec<Option<Structure>>,
-    /// The block numbers of the sources by whose number something has been sought.
-    numbers: BTreeMap<usize, Numbers>,
-    /// The source in hand.
-    at: usize,
+    library: Library<'a>,
     buffer: Vec<u8>,
     line: usize,
     block: Block,
@@ -202,10 +198,7 @@ impl<'a> Interpreter<'a> {
         let system = offsets.active.number() as u8;
         Self {
             control,
-            sources: vec![SourceText::new(bytes, None)],
-            structures: vec![None],
-            numbers: BTreeMap::new(),
-            at: 0,
+            library: Library::new(bytes),
             buffer: Vec::new(),
             line: 0,
             block: Block::new(),
@@ -256,7 +249,7 @@ impl<'a> Interpreter<'a> {
     /// The name of a subprogram's own file by its number in [`InForce::file`]; `None` for the program itself.
     #[must_use]
     pub fn file(&self, number: usize) -> Option<&str> {
-        self.sources.get(number)?.file.as_deref()
+        self.library.file(number).map(String::as_str)
     }
 
     /// The position reached, in program and machine coordinates.
@@ -316,9 +309,8 @@ impl<'a> Interpreter<'a> {
     }
 
     fn source(&mut self) -> &mut SourceText<'a> {
-        // There is always the program itself, and `at` is only set to a source that was pushed.
-        let last = self.sources.len() - 1;
-        &mut self.sources[self.at.min(last)]
+        let at = self.library.at();
+        self.library.text(at)
     }
 
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
@@ -342,14 +334,14 @@ impl<'a> Interpreter<'a> {
 
     /// What is remarked from here on stands in the file in hand.
     fn turn_remarks(&mut self) {
-        self.remarks.turn_to(self.sources.get(self.at).and_then(|source| source.file.as_ref()));
+        self.remarks.turn_to(self.library.file(self.library.at()));
     }
 
     fn end_of_file(&mut self) -> Outcome<()> {
         let (stage, percent) = (self.stage, self.percent);
         self.stage = Stage::Ended;
         self.lose_corner(false);
-        if self.at != 0 || !self.flow.frames.is_empty() {
+        if self.library.at() != 0 || !self.flow.frames.is_empty() {
             return Err(Fault::of(&EndsInSubprogram {}, &[]));
         }
         if stage == Stage::Opening {
@@ -363,7 +355,7 @@ impl<'a> Interpreter<'a> {
             return self.end();
         }
         self.line = self.source().position().lines;
-        let subprograms = self.structures.first().and_then(Option::as_ref).is_some_and(Structure::has_subprograms);
+        let subprograms = self.library.known_structure().is_some_and(Structure::has_subprograms);
         if subprograms && self.made() == 0 {
             return Err(Fault::of(&SubprogramsAlone {}, &[]));
         }

@@ -1,7 +1,6 @@
 //! The block numbers and program numbers of a file, for what is called or pointed at by number.
 
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 
 use crate::finding::Raise;
 use crate::gcode::control::Lexis;
@@ -40,7 +39,7 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Looks through a file up to the second `%` and goes back to where it was.
-    fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
+    pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
         let back = source.position();
         let mut numbers = Self::default();
         let mut tape = Tape::new(lexis);
@@ -96,21 +95,22 @@ impl Numbers {
 }
 
 impl Interpreter<'_> {
-    /// The numbers of the file in hand.
-    pub(super) fn numbers(&mut self) -> Outcome<&Numbers> {
-        let at = self.at;
-        let lexis = &self.control.lexis;
-        match self.numbers.entry(at) {
-            Entry::Occupied(known) => Ok(known.into_mut()),
-            Entry::Vacant(place) => Ok(place.insert(Numbers::of(&mut self.sources[at], lexis)?)),
-        }
-    }
-
     /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
     /// `missing` what is told where there is none.
     pub(super) fn block_numbered(&mut self, number: u32, column: usize, missing: &dyn Raise) -> Outcome<Numbered> {
-        let line = self.line;
-        let found = self.numbers()?.block(number, line);
+        self.block_near(self.line, number, column, missing)
+    }
+
+    /// The same for the program that a line (counted from 1) of the text in hand belongs to.
+    pub(super) fn block_near(
+        &mut self,
+        near: usize,
+        number: u32,
+        column: usize,
+        missing: &dyn Raise,
+    ) -> Outcome<Numbered> {
+        let at = self.library.at();
+        let found = self.library.numbers(at, &self.control.lexis)?.block(number, near);
         match found {
             None => Err(Fault::of(missing, &[column]).as_alarm_of(self.alarms())),
             Some(Numbered { again: Some(again), at }) => {

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, Stage};
+use crate::gcode::turning::rules::{EndlessLoop, RefusedInLoop, TooManyCycleMotions};
 use crate::limits::{BLOCK_REFUSALS, IDLE_ROUNDS, REFUSED_LINES};
-use crate::text::Text;
 
 /// What is watched of the rounds of loops.
 #[derive(Debug, Default)]
@@ -23,7 +23,7 @@ pub(super) struct Rounds {
 impl Interpreter<'_> {
     /// A refusal as it is to be told: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
     pub(super) fn told_once(&mut self, fault: Box<Fault>) -> Option<Box<Fault>> {
-        let key = (self.at, fault.line);
+        let key = (self.library.at(), fault.line);
         if fault.fatal {
             return Some(fault);
         }
@@ -37,13 +37,7 @@ impl Interpreter<'_> {
             1 => (!follows).then_some(fault),
             BLOCK_REFUSALS => {
                 self.stage = Stage::Ended;
-                let mut limit = Fault::limit(
-                    Text::new(
-                        format!("el bloque se ha rehusado {BLOCK_REFUSALS} veces en un bucle; no se lee más"),
-                        format!("the block was refused {BLOCK_REFUSALS} times in a loop; nothing more is read"),
-                    ),
-                    Text::fixed("corrija el bloque", "correct the block"),
-                );
+                let mut limit = Fault::ended(&RefusedInLoop { times: BLOCK_REFUSALS });
                 (limit.line, limit.file) = (fault.line, fault.file);
                 Some(limit)
             }
@@ -59,16 +53,7 @@ impl Interpreter<'_> {
         if rounds.idle < IDLE_ROUNDS {
             return Ok(());
         }
-        Err(Fault::limit(
-            Text::new(
-                format!("bucle sin fin: {IDLE_ROUNDS} vueltas sin que nada se mueva ni cambie ningún parámetro"),
-                format!("endless loop: {IDLE_ROUNDS} rounds in which nothing moves and no parameter changes"),
-            ),
-            Text::fixed(
-                "cambie dentro del bucle lo que su condición compara; las entradas de la máquina no se conocen",
-                "change what its condition compares inside the loop; the machine's inputs are not known",
-            ),
-        ))
+        Err(Fault::ended(&EndlessLoop { rounds: IDLE_ROUNDS }))
     }
 
     /// A cycle has gone on, from so many motions made.
@@ -80,13 +65,7 @@ impl Interpreter<'_> {
         }
         self.run = None;
         self.stage = Stage::Ended;
-        let mut limit = Fault::limit(
-            Text::new(
-                format!("los ciclos fijos del programa pasan de {most} movimientos; no se lee más"),
-                format!("the program's canned cycles come to more than {most} motions; nothing more is read"),
-            ),
-            Text::fixed("menos agujeros, o pasadas mayores", "fewer holes, or greater pecks"),
-        );
+        let mut limit = Fault::ended(&TooManyCycleMotions { most });
         limit.line = self.line;
         self.queue.push_back(Err(limit));
     }

@@ -55,7 +55,7 @@ impl Interpreter<'_> {
     /// What is in force at the block that was read last, and where the machine stands.
     #[must_use]
     pub fn stands(&self) -> Standstill {
-        let control = InForce { file: self.at, ..self.modal.in_force() };
+        let control = InForce { file: self.library.at(), ..self.modal.in_force() };
         Standstill { line: self.line, control, at: self.current, machine: self.frame.to_machine(&self.current) }
     }
 

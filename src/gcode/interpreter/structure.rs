@@ -100,7 +100,7 @@ impl Word {
 
 /// An O-word in its file.
 #[derive(Clone, Debug)]
-pub(super) struct Mark {
+pub(super) struct OWord {
     pub(super) word: Word,
     pub(super) label: String,
     /// Where the line behind it begins.
@@ -116,7 +116,7 @@ pub(super) struct Mark {
 /// The O-words of a file.
 #[derive(Debug, Default)]
 pub(super) struct Structure {
-    pub(super) marks: Vec<Mark>,
+    pub(super) words: Vec<OWord>,
     lines: BTreeMap<usize, usize>,
     subs: BTreeMap<String, usize>,
     programs: BTreeMap<String, usize>,
@@ -147,7 +147,7 @@ fn refused(line: usize, row: &dyn Raise) -> Box<Fault> {
 }
 
 /// A word that stands in nothing it belongs to, with what is open around it.
-fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
+fn stray(mark: &OWord, open: Option<&OWord>) -> Box<Fault> {
     let (label, word, home) = (shown(&mark.label), mark.word.name(), mark.word.belongs_to());
     let clause = matches!(mark.word, Word::Else | Word::ElseIf);
     if let Some(open) = open.filter(|open| clause && open.word == Word::Else && open.label == mark.label) {
@@ -165,7 +165,7 @@ fn stray(mark: &Mark, open: Option<&Mark>) -> Box<Fault> {
 }
 
 /// A subprogram or program that begins inside something else.
-fn inside(mark: &Mark, outer: &Mark) -> Box<Fault> {
+fn inside(mark: &OWord, outer: &OWord) -> Box<Fault> {
     let (label, around, line) = (shown(&mark.label), shown(&outer.label), outer.at.lines + 1);
     refused(
         mark.at.lines + 1,
@@ -203,13 +203,13 @@ impl Structure {
             // What is wrong inside a line is refused when it is executed.
             let Ok(Some(label)) = label(&mut cursor) else { continue };
             let Some(word) = word(&mut cursor) else { continue };
-            let mark = Mark { word, label, at, after: source.position(), next: None, opens: None };
+            let mark = OWord { word, label, at, after: source.position(), next: None, opens: None };
             structure.add(mark, &mut open)?;
-            if structure.marks.len() > O_WORDS {
+            if structure.words.len() > O_WORDS {
                 return Err(Fault::ended(&OWordsTooMany { most: O_WORDS }));
             }
         }
-        if let Some(mark) = open.last().and_then(|&index| structure.marks.get(index)) {
+        if let Some(mark) = open.last().and_then(|&index| structure.words.get(index)) {
             let (label, word, close) = (shown(&mark.label), mark.word.name(), mark.word.closed_by());
             return Err(refused(mark.at.lines + 1, &NotClosed { label, word, close }));
         }
@@ -217,15 +217,15 @@ impl Structure {
         Ok(structure)
     }
 
-    fn add(&mut self, mut mark: Mark, open: &mut Vec<usize>) -> Outcome<()> {
-        let index = self.marks.len();
+    fn add(&mut self, mut mark: OWord, open: &mut Vec<usize>) -> Outcome<()> {
+        let index = self.words.len();
         let line = mark.at.lines + 1;
-        let top = open.last().copied().filter(|&top| self.marks.get(top).is_some_and(|one| one.label == mark.label));
-        let opener = top.and_then(|top| Some((top, self.marks.get(top)?.word)));
-        let around = open.last().and_then(|&top| self.marks.get(top));
+        let top = open.last().copied().filter(|&top| self.words.get(top).is_some_and(|one| one.label == mark.label));
+        let opener = top.and_then(|top| Some((top, self.words.get(top)?.word)));
+        let around = open.last().and_then(|&top| self.words.get(top));
         match (mark.word, opener) {
             (Word::Sub, _) => {
-                if let Some(outer) = open.first().and_then(|&outer| self.marks.get(outer)) {
+                if let Some(outer) = open.first().and_then(|&outer| self.words.get(outer)) {
                     return Err(inside(&mark, outer));
                 }
                 self.define(&mark, index)?;
@@ -243,25 +243,25 @@ impl Structure {
             | (Word::EndRepeat, Some((top, Word::Repeat)))
             | (Word::EndSub, Some((top, Word::Sub))) => {
                 mark.opens = Some(top);
-                self.marks[top].next = Some(index);
+                self.words[top].next = Some(index);
                 open.pop();
             }
             (Word::While, _) => open.push(index),
             (Word::ElseIf | Word::Else, Some((top, Word::If | Word::ElseIf))) => {
                 // Each clause opens anew and knows the next; ENDIF closes them all.
                 mark.opens = Some(top);
-                self.marks[top].next = Some(index);
+                self.words[top].next = Some(index);
                 open.pop();
                 open.push(index);
             }
             (Word::EndIf, Some((top, Word::If | Word::ElseIf | Word::Else))) => {
                 mark.opens = Some(top);
-                self.marks[top].next = Some(index);
+                self.words[top].next = Some(index);
                 open.pop();
             }
             (Word::Break | Word::Continue, _) => {
                 let enclosing = open.iter().rev().copied().find(|&at| {
-                    self.marks
+                    self.words
                         .get(at)
                         .is_some_and(|one| one.label == mark.label && matches!(one.word, Word::While | Word::Do))
                 });
@@ -269,7 +269,7 @@ impl Structure {
                 mark.opens = Some(enclosing);
             }
             (Word::Return, _) => {
-                let inside = open.first().and_then(|&outer| self.marks.get(outer));
+                let inside = open.first().and_then(|&outer| self.words.get(outer));
                 if inside.is_none_or(|outer| outer.word != Word::Sub) {
                     return Err(stray(&mark, around));
                 }
@@ -278,25 +278,25 @@ impl Structure {
             _ => return Err(stray(&mark, around)),
         }
         self.lines.insert(line, index);
-        self.marks.push(mark);
+        self.words.push(mark);
         Ok(())
     }
 
-    fn define(&mut self, mark: &Mark, index: usize) -> Outcome<()> {
+    fn define(&mut self, mark: &OWord, index: usize) -> Outcome<()> {
         let list = if mark.word == Word::Sub { &mut self.subs } else { &mut self.programs };
         let Some(first) = list.insert(mark.label.clone(), index) else { return Ok(()) };
-        let line = self.marks.get(first).map_or(0, |first| first.at.lines + 1);
+        let line = self.words.get(first).map_or(0, |first| first.at.lines + 1);
         Err(refused(mark.at.lines + 1, &LabelTwice { label: shown(&mark.label), line }))
     }
 
     /// The SUB that an O-word stands in.
     pub(super) fn around(&self, index: Option<usize>) -> Option<usize> {
-        (0..index?).rev().find(|&at| self.marks.get(at).is_some_and(|mark| mark.word == Word::Sub))
+        (0..index?).rev().find(|&at| self.words.get(at).is_some_and(|mark| mark.word == Word::Sub))
     }
 
     /// True where the file holds subprograms.
     pub(super) fn has_subprograms(&self) -> bool {
-        self.marks.iter().any(|mark| mark.word == Word::Sub)
+        self.words.iter().any(|mark| mark.word == Word::Sub)
     }
 
     /// The O-word of a line.
@@ -314,14 +314,14 @@ impl Structure {
         self.programs.get(number).copied()
     }
 
-    /// The mark at an index.
-    pub(super) fn mark(&self, index: usize) -> Option<&Mark> {
-        self.marks.get(index)
+    /// The O-word at an index.
+    pub(super) fn o_word(&self, index: usize) -> Option<&OWord> {
+        self.words.get(index)
     }
 
     /// The ENDIF of a clause.
     pub(super) fn end_of_clauses(&self, mut index: usize) -> Option<usize> {
-        while let Some(next) = self.marks.get(index)?.next {
+        while let Some(next) = self.words.get(index)?.next {
             index = next;
         }
         Some(index)

@@ -14,7 +14,8 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::flow::{Call, LARGEST_FILE};
-use crate::gcode::interpreter::source::{Position, SourceText};
+use crate::gcode::interpreter::library::Mark;
+use crate::gcode::interpreter::source::Position;
 use crate::gcode::rules::flow::{
     BlockCallWithoutP, BlockMissing, CallWithoutP, FileOfAnother, MainReturns, NotAProgramNumber, ProgramNowhere,
     ProgramTwice, RepeatsOfP, RepeatsTooMany, RepeatsTwice, SubprogramTooLarge, SubprogramUnreadable,
@@ -64,9 +65,10 @@ impl Interpreter<'_> {
         if repeats == 0 {
             return Ok(());
         }
-        let (back, source) = (self.source().position(), self.at);
-        self.enter(Call::of(format!("N{number}"), source, back, repeats, block.at))?;
-        self.go_to(block.at)
+        let back = self.library.mark();
+        let start = Mark { line: block.at, ..back };
+        self.enter(Call::of(format!("N{number}"), back, repeats, start))?;
+        self.open(start)
     }
 
     fn call_numbered_program(&mut self) -> Outcome<()> {
@@ -89,38 +91,33 @@ impl Interpreter<'_> {
                 &[self.block.column(letter::P)],
             ));
         }
-        let (back, source) = (self.source().position(), self.at);
-        let (into, start) = self.program_numbered(number)?;
+        let back = self.library.mark();
+        let start = self.program_numbered(number)?;
         if repeats == 0 {
             return Ok(());
         }
-        self.enter(Call::of(number.to_string(), source, back, repeats, start))?;
-        self.at = into;
-        self.go_to(start)
+        self.enter(Call::of(number.to_string(), back, repeats, start))?;
+        self.open(start)
     }
 
-    /// Where a program begins: its source, and the line behind its number.
-    fn program_numbered(&mut self, number: u32) -> Outcome<(usize, Position)> {
+    /// Where a program begins: behind the line of its number.
+    fn program_numbered(&mut self, number: u32) -> Outcome<Mark> {
         let column = self.block.column(letter::P);
         let twice = |places: String| Fault::of(&ProgramTwice { number: format!("{number:04}"), places }, &[column]);
         // The file in hand, then the program's own file.
-        for at in [self.at, 0] {
-            let from = std::mem::replace(&mut self.at, at);
-            let found = self.numbers().map(|numbers| numbers.programs(number).collect::<Vec<_>>());
-            self.at = from;
-            match found?.as_slice() {
+        for text in [self.library.at(), 0] {
+            let found: Vec<_> = self.library.numbers(text, &self.control.lexis)?.programs(number).collect();
+            match *found.as_slice() {
                 [] => {}
-                [one] => return Ok((at, *one)),
+                [line] => return Ok(Mark { text, line }),
                 [one, two, ..] => return Err(twice(format!("{}, {}", one.lines, two.lines))),
             }
         }
         let mut names =
             vec![format!("O{number:04}"), format!("o{number:04}"), format!("{number:04}"), number.to_string()];
         names.dedup();
-        let known =
-            self.sources.iter().position(|source| source.file.as_ref().is_some_and(|file| names.contains(file)));
-        if let Some(known) = known {
-            return Ok((known, self.beginning(known, number)?));
+        if let Some(known) = self.library.find(|file| names.iter().any(|name| name == file)) {
+            return self.beginning(known, number);
         }
         let mut found: Option<(String, Vec<u8>)> = None;
         for name in names {
@@ -144,36 +141,28 @@ impl Interpreter<'_> {
         if bytes.len() > LARGEST_FILE {
             return Err(Fault::ended(&SubprogramTooLarge { name }));
         }
-        self.sources.push(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name)));
-        self.structures.push(None);
-        let into = self.sources.len() - 1;
-        Ok((into, self.beginning(into, number)?))
+        let text = self.library.add(bytes, name);
+        self.beginning(text, number)
     }
 
     /// Where the program of a file of its own begins: behind its number, or behind `%`, or with its first line.
-    fn beginning(&mut self, source: usize, number: u32) -> Outcome<Position> {
-        let from = std::mem::replace(&mut self.at, source);
-        let found = self.beginning_here(number);
-        self.at = from;
-        found
-    }
-
-    fn beginning_here(&mut self, number: u32) -> Outcome<Position> {
-        if let Some(first) = self.numbers()?.programs(number).next() {
-            return Ok(first);
+    fn beginning(&mut self, text: usize, number: u32) -> Outcome<Mark> {
+        let numbers = self.library.numbers(text, &self.control.lexis)?;
+        if let Some(line) = numbers.programs(number).next() {
+            return Ok(Mark { text, line });
         }
-        if let Some(other) = self.numbers()?.first_program() {
-            let name = self.source().file.clone().unwrap_or_default();
+        if let Some(other) = numbers.first_program() {
+            let name = self.library.file(text).cloned().unwrap_or_default();
             return Err(Fault::of(
                 &FileOfAnother { name, other: format!("{other:04}"), number: format!("{number:04}") },
                 &[self.block.column(letter::P)],
             ));
         }
-        let start = Position::START;
         let mut line = Vec::new();
-        self.go_to(start)?;
-        let opens = self.source().next_line(&mut line)? && line.trim_ascii() == b"%";
-        Ok(if opens { self.source().position() } else { start })
+        let source = self.library.text(text);
+        source.go_to(Position::START)?;
+        let opens = source.next_line(&mut line)? && line.trim_ascii() == b"%";
+        Ok(Mark { text, line: if opens { source.position() } else { Position::START } })
     }
 
     /// M99: again, or back to the caller.
@@ -182,20 +171,19 @@ impl Interpreter<'_> {
         match (self.flow.frames.last_mut(), P) {
             (None, _) => Err(Fault::ended(&MainReturns {})),
             (Some(call), None) => match call.repeat() {
-                Some(start) => self.go_to(start),
+                Some(start) => self.open(start),
                 None => self.leave(),
             },
             (Some(_), Some(number)) => {
                 let column = self.block.column(letter::P);
-                let (here, line) = (self.at, self.line);
+                let here = self.library.at();
                 self.leave()?;
                 // The number is one of the caller's program.
-                self.line = self.source().position().lines.max(1);
-                let block = self.block_numbered(number, column, &BlockMissing { number });
-                self.line = line;
+                let near = self.library.mark().line.lines.max(1);
+                let block = self.block_near(near, number, column, &BlockMissing { number });
                 let block = block.map_err(|mut fault| {
                     // M99 stands here, and the blocks it may mean there.
-                    if std::mem::replace(&mut self.at, here) != here && fault.others.is_empty() {
+                    if self.library.turn_to(here) != here && fault.others.is_empty() {
                         let Text { es, en } = &fault.what;
                         fault.what = Text::new(
                             format!("{es} en el programa que llama"),

@@ -1,6 +1,5 @@
 //! Tools: selection, change, length offsets.
 
-use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::{ToolCall, ToolChange};
 use crate::gcode::in_force::Spindle;
@@ -9,10 +8,13 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::setting::ToolOffset;
 use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::turning::rules::{
+    AddedLength, ChangeWithoutTool, LengthWithoutAxes, NoOrientation, NoToolNumber, NoToolTable,
+    OffsetMeasuredAtMachine, SetToolWithoutQ, ToolNotInTable, ToolOffsetWithoutValues, ToolTableNotKnown,
+};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{ActiveOffsets, G92_FIRST, G92_SWITCH};
 use crate::number::trig::sin_cos;
-use crate::text::Text;
 
 impl Interpreter<'_> {
     /// T: the tool that the next change brings, or the turret's place.
@@ -33,21 +35,10 @@ impl Interpreter<'_> {
     pub(super) fn tool_number(&mut self, letter: usize, value: f64) -> Outcome<u32> {
         let column = self.block.column(letter);
         let Some(number) = whole(value).and_then(|number| u32::try_from(number).ok()) else {
-            return Err(Fault::at(
-                &[column],
-                Text::new(format!("{value} no es un número de herramienta"), format!("{value} is no tool number")),
-                Text::fixed("dé un número entero", "give a whole number"),
-            ));
+            return Err(Fault::of(&NoToolNumber { value }, &[column]));
         };
         if !self.has_place(number) {
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("la herramienta {number} no está en la tabla"),
-                    format!("tool {number} is not in the tool table"),
-                ),
-                Text::fixed("añádala a la tabla de herramientas", "add it to the tool table"),
-            ));
+            return Err(Fault::of(&ToolNotInTable { tool: number }, &[column]));
         }
         Ok(number)
     }
@@ -58,11 +49,7 @@ impl Interpreter<'_> {
         let column = self.block.m_column(6);
         if code == M::SetTool {
             let Some(Q) = self.block.get(letter::Q) else {
-                return Err(Fault::at(
-                    &[column],
-                    Text::fixed("M61 sin Q", "M61 without Q"),
-                    Text::fixed("dé Q", "give Q"),
-                ));
+                return Err(Fault::of(&SetToolWithoutQ {}, &[column]));
             };
             self.modal.tool = self.tool_number(letter::Q, Q)?;
             return Ok(());
@@ -72,12 +59,7 @@ impl Interpreter<'_> {
         match self.control.change {
             ToolChange::Routine => {}
             ToolChange::Selected if selected.is_none() => {
-                return Err(Fault::at(
-                    &[column],
-                    Text::fixed("M6 sin herramienta elegida con T", "M6 without a tool selected by T"),
-                    Text::fixed("programe T antes de M6", "program T before M6"),
-                )
-                .hanging_on(doubt::TOOL));
+                return Err(Fault::of(&ChangeWithoutTool {}, &[column]).hanging_on(doubt::TOOL));
             }
             ToolChange::Selected => self.modal.spindle = Spindle::Stopped,
         }
@@ -87,26 +69,11 @@ impl Interpreter<'_> {
     /// A tool's offset; 0 where there is no table, with a Caution, or a Note where the program's header names the tool.
     pub(super) fn offset_of(&mut self, number: u32) -> Pose {
         if self.setting.tools.is_none() && number != 0 {
-            let (grade, what, remedy) = if self.setting.headed.contains(&number) {
-                (
-                    Grade::Note,
-                    Text::fixed(
-                        "la cabecera nombra esta herramienta; su corrector, que se mide en la máquina, vale aquí 0",
-                        "the header names this tool; its offset, which is measured at the machine, is taken as 0 here",
-                    ),
-                    Text::fixed("", ""),
-                )
+            if self.setting.headed.contains(&number) {
+                self.remarks.row(&OffsetMeasuredAtMachine {}, self.line, None);
             } else {
-                (
-                    Grade::Caution,
-                    Text::fixed(
-                        "sin tabla de herramientas: las longitudes valen 0",
-                        "no tool table: tool lengths are taken as 0",
-                    ),
-                    Text::fixed("indique la tabla con --tools", "name the table with --tools"),
-                )
-            };
-            self.remarks.add(grade, self.line, None, what, remedy);
+                self.remarks.row(&NoToolTable {}, self.line, None);
+            }
         }
         self.tools.get(&number).map_or_else(Pose::default, |tool| tool.offset)
     }
@@ -128,11 +95,7 @@ impl Interpreter<'_> {
                 self.offset_of(number)
             }
             (G::ToolLengthGiven, _) if !axes => {
-                return Err(Fault::at(
-                    &[column],
-                    Text::fixed("G43.1 sin palabras de eje", "G43.1 without axis words"),
-                    Text::fixed("dé la longitud en su eje", "give the length on its axis"),
-                ));
+                return Err(Fault::of(&LengthWithoutAxes {}, &[column]));
             }
             (G::ToolLengthGiven, _) => {
                 let mut tool = self.frame.tool;
@@ -151,11 +114,7 @@ impl Interpreter<'_> {
                 tool
             }
             _ => {
-                return Err(Fault::at(
-                    &[column],
-                    Text::fixed("G43.2 espera o H o palabras de eje", "G43.2 wants either H or axis words"),
-                    Text::fixed("deje uno de los dos", "leave one of the two"),
-                ));
+                return Err(Fault::of(&AddedLength {}, &[column]));
             }
         };
         let machine = self.frame.to_machine(&self.current);
@@ -178,41 +137,19 @@ impl Interpreter<'_> {
     pub(super) fn set_tool_offset(&mut self, number: u32, system: Option<u8>) -> Outcome<()> {
         let column = self.block.g_column(Group::NonModal);
         if self.setting.tools.is_none() {
-            return Err(Fault::at(
-                &[column],
-                Text::fixed(
-                    "G10 cambia una tabla de herramientas desconocida",
-                    "G10 changes a tool table that is not known",
-                ),
-                Text::fixed("indique la tabla con --tools", "name the table with --tools"),
-            ));
+            return Err(Fault::of(&ToolTableNotKnown {}, &[column]));
         }
         let Some(&old) = self.tools.get(&number) else {
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("la herramienta {number} no está en la tabla"),
-                    format!("tool {number} is not in the tool table"),
-                ),
-                Text::fixed("añádala a la tabla de herramientas", "add it to the tool table"),
-            ));
+            return Err(Fault::of(&ToolNotInTable { tool: number }, &[column]));
         };
         let words = [letter::R, letter::Q, letter::I, letter::J];
         if !AXES.into_iter().chain(words).any(|letter| self.block.has(letter)) {
-            return Err(Fault::at(
-                &[column],
-                Text::fixed("G10 L1, L10 o L11 sin valores", "G10 L1, L10 or L11 without values"),
-                Text::fixed("dé los valores que cambian", "give the values that change"),
-            ));
+            return Err(Fault::of(&ToolOffsetWithoutValues {}, &[column]));
         }
         if let Some(Q) = self.block.get(letter::Q)
             && whole(Q).is_none_or(|orientation| !(0..=9).contains(&orientation))
         {
-            return Err(Fault::at(
-                &[self.block.column(letter::Q)],
-                Text::new(format!("Q{Q} no es una orientación"), format!("Q{Q} is no orientation")),
-                Text::fixed("Q va de 0 a 9", "Q goes from 0 to 9"),
-            ));
+            return Err(Fault::of(&NoOrientation { value: Q }, &[self.block.column(letter::Q)]));
         }
         let mut tool: ToolOffset = old;
         match system {

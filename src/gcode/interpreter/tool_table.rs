@@ -6,13 +6,13 @@
 //! 9 D is twice the nose radius. No length or angle may go beyond what a coordinate may be, 99,999.999 mm or degrees.
 
 use crate::escape::excerpt;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::interpreter::setting::{ToolOffset, Tools};
 use crate::gcode::turning::nose::{Nose, Tip};
+use crate::gcode::turning::rules::{NoWordOfToolTable, ToolTwiceInTable};
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::grid::LIMIT;
-use crate::text::Text;
 
 /// Reads a tool table whose lengths are in a unit.
 ///
@@ -44,19 +44,8 @@ const SHOWN: usize = 40;
 
 fn refused(line: usize, column: usize, word: &str, twice: bool) -> Finding {
     let word = excerpt(word, SHOWN);
-    let what = if twice {
-        Text::new(format!("{word} está dos veces en la tabla"), format!("{word} stands twice in the tool table"))
-    } else {
-        Text::new(
-            format!("«{word}» no es una palabra de la tabla de herramientas"),
-            format!("'{word}' is no word of a tool table"),
-        )
-    };
-    Finding::stop(
-        Place::Line { line, columns: vec![column] },
-        what,
-        Text::fixed("escriba una herramienta por línea: T1 P1 Z10.5 D6", "write one tool a line: T1 P1 Z10.5 D6"),
-    )
+    let place = Place::Line { line, columns: vec![column] };
+    if twice { ToolTwiceInTable { word }.at(place) } else { NoWordOfToolTable { word }.at(place) }
 }
 
 /// One tool, or the column and the word that is wrong.

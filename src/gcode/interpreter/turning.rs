@@ -18,10 +18,12 @@ use crate::gcode::turning::finish::finish;
 use crate::gcode::turning::groove::{self, Groove};
 use crate::gcode::turning::pattern_repeating::{Repeat, repeat};
 use crate::gcode::turning::rough::{self, Rough};
+use crate::gcode::turning::rules::{
+    FirstBlockMissing, FirstBlockWordMissing, RepeatPassesNotWhole, ThreadFirstBlockDigits, ThreadWordMissing,
+};
 use crate::gcode::turning::thread_cycle::{Threading, thread};
 use crate::gcode::turning::trouble::Trouble;
 use crate::machine::axis::Axis;
-use crate::text::Text;
 
 /// The words of the first block of a cycle of two: of each letter of [`FIRST`] that it gave, the number as programmed.
 pub(super) type First = [Option<f64>; 5];
@@ -43,7 +45,7 @@ impl Interpreter<'_> {
             TurningCycle::Finish => {
                 let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
                 // What was refused once is not refused again, nor finished where it was not roughed.
-                if self.modal.refused.contains(&(self.at, ends.first_line())) {
+                if self.modal.refused.contains(&(self.library.at(), ends.first_line())) {
                     return Ok(());
                 }
                 let contour = self.contour(cycle.number(), ends)?;
@@ -89,14 +91,7 @@ impl Interpreter<'_> {
             TurningCycle::Radial => rough::radial(&contour.profile, &rough),
             _ => {
                 let passes = whole(retract).ok_or_else(|| {
-                    Fault::at(
-                        &[self.block.g_column(Group::NonModal)],
-                        Text::new(
-                            format!("R{retract} del primer bloque de G73 no es un número de pasadas"),
-                            format!("R{retract} of the first block of G73 is no number of passes"),
-                        ),
-                        Text::fixed("dé un número entero de pasadas", "give a whole number of passes"),
-                    )
+                    Fault::of(&RepeatPassesNotWhole { value: retract }, &[self.block.g_column(Group::NonModal)])
                 })?;
                 let relief = [depth, axial];
                 repeat(&contour.profile, &Repeat { relief, passes, allowance: [U, W], feed: None })
@@ -139,28 +134,9 @@ impl Interpreter<'_> {
         let P = self.first(cycle, letter::P)?;
         let digits = whole(P).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 999_999);
         let Some(digits) = digits else {
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("P{P} del primer bloque de G76 no son seis cifras"),
-                    format!("P{P} of the first block of G76 is not six digits"),
-                ),
-                Text::fixed(
-                    "dé P con dos cifras de pasadas de acabado, dos de salida y dos del ángulo: P020060",
-                    "give P with two digits of finishing passes, two of the pull-out and two of the angle: P020060",
-                ),
-            ));
+            return Err(Fault::of(&ThreadFirstBlockDigits { value: P }, &[column]));
         };
-        let missing = |name: char| {
-            Fault::at(
-                &[column],
-                Text::new(
-                    format!("falta {name} en el segundo bloque de G76"),
-                    format!("{name} is missing in the second block of G76"),
-                ),
-                Text::new(format!("dé {name}"), format!("give {name}")),
-            )
-        };
+        let missing = |name: char| Fault::of(&ThreadWordMissing { letter: name }, &[column]);
         let height = self.block.get(letter::P).ok_or_else(|| missing('P'))?;
         let first = self.block.get(letter::Q).ok_or_else(|| missing('Q'))?;
         let least = self.first(cycle, letter::Q)?;
@@ -199,15 +175,11 @@ impl Interpreter<'_> {
     }
 
     /// The moves of a cycle, or its trouble as a refusal at its place.
-    pub(super) fn told(&self, moves: Result<Vec<Move>, Trouble>) -> Outcome<Vec<Move>> {
+    pub(super) fn told(&self, moves: Result<Vec<Move>, Box<Trouble>>) -> Outcome<Vec<Move>> {
         moves.map_err(|trouble| {
-            let mut fault =
-                Fault::at(&[self.block.g_column(Group::NonModal)], trouble.message(), trouble.remedy.clone());
-            fault.exit = trouble.exit;
-            if let Some(line) = trouble.line {
-                (fault.line, fault.columns) = (line, Vec::new());
-            }
-            fault
+            let columns =
+                if trouble.line.is_none() { vec![self.block.g_column(Group::NonModal) + 1] } else { Vec::new() };
+            Box::new(Fault { columns, ..Fault::from(*trouble) }).as_alarm_of(self.alarms())
         })
     }
 
@@ -232,30 +204,12 @@ impl Interpreter<'_> {
         let found = kept.zip(at).and_then(|(kept, at)| kept.get(at).copied().flatten());
         found.ok_or_else(|| {
             let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
-            let (what, remedy) = if kept.is_none() {
-                (
-                    Text::new(
-                        format!("falta el primer bloque de G{number}"),
-                        format!("the first block of G{number} is missing"),
-                    ),
-                    Text::new(
-                        format!("escriba G{number} en dos bloques: sin el primero valen parámetros del control"),
-                        format!("write G{number} in two blocks: without the first the control's parameters hold"),
-                    ),
-                )
+            let at = [self.block.g_column(Group::NonModal)];
+            if kept.is_none() {
+                Fault::of(&FirstBlockMissing { cycle: number }, &at)
             } else {
-                (
-                    Text::new(
-                        format!("falta {name} en el primer bloque de G{number}"),
-                        format!("{name} is missing in the first block of G{number}"),
-                    ),
-                    Text::new(
-                        format!("dé {name}: sin ella vale un parámetro del control"),
-                        format!("give {name}: without it a parameter of the control holds"),
-                    ),
-                )
-            };
-            Fault::at(&[self.block.g_column(Group::NonModal)], what, remedy)
+                Fault::of(&FirstBlockWordMissing { letter: name, cycle: number }, &at)
+            }
         })
     }
 }

@@ -12,9 +12,9 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::turning::rules::{NoTurretPlace, OffsetAlone, OffsetNotInTable, ToolNotInTurret};
 use crate::machine::axis::Pose;
 use crate::machine::work_offset::ActiveOffsets;
-use crate::text::Text;
 
 impl Interpreter<'_> {
     /// T and D of a lathe.
@@ -46,27 +46,13 @@ impl Interpreter<'_> {
         let column = self.block.column(letter::T);
         let Some(digits) = whole(T).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 9999)
         else {
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("T{T} no es un puesto con su corrector"),
-                    format!("T{T} is no place with its offset"),
-                ),
-                Text::fixed("escriba T0101: puesto 01, corrector 01", "write T0101: place 01, offset 01"),
-            ));
+            return Err(Fault::of(&NoTurretPlace { value: T }, &[column]));
         };
         let (place, offset) = (digits / 100, digits % 100);
         if place == 0 && offset != 0 {
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &OffsetAlone { value: T, offset, whole: format!("{offset:02}{offset:02}") },
                 &[column],
-                Text::new(
-                    format!("T{T} no nombra ningún puesto de la torreta, solo el corrector {offset}"),
-                    format!("T{T} names no place of the turret, only offset {offset}"),
-                ),
-                Text::new(
-                    format!("escriba T{offset:02}{offset:02}: puesto y corrector con dos cifras cada uno"),
-                    format!("write T{offset:02}{offset:02}: place and offset with two digits each"),
-                ),
             ));
         }
         self.known(column, place, false)?;
@@ -84,22 +70,11 @@ impl Interpreter<'_> {
         if there {
             return Ok(());
         }
-        let (es, en) = if offset { ("el corrector", "offset") } else { ("la herramienta", "tool") };
-        Err(Fault::at(
-            &[column],
-            Text::new(format!("{es} {number} no está en la tabla"), format!("{en} {number} is not in the tool table")),
-            if offset {
-                Text::fixed(
-                    "añádalo a una herramienta: en un libro, hoja HERRAMIENTAS, columna D",
-                    "give it to a tool: in a workbook on the sheet TOOLS, column D",
-                )
-            } else {
-                Text::fixed(
-                    "añádala a la torreta: en un libro, hoja HERRAMIENTAS, columna T",
-                    "mount it in the turret: in a workbook on the sheet TOOLS, column T",
-                )
-            },
-        ))
+        Err(if offset {
+            Fault::of(&OffsetNotInTable { offset: number }, &[column])
+        } else {
+            Fault::of(&ToolNotInTurret { tool: number }, &[column])
+        })
     }
 
     /// True for a place or a tool that is there, and where none is known.

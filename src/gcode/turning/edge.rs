@@ -6,9 +6,12 @@
 //! both lines. Fanuc Series 30i, user's manual, chamfering and corner R: I, K and R on a line along one axis, before one along
 //! the other; their sign says which way the second goes. Alarms PS0051 to PS0055: the texts are rodete's own.
 
+use crate::finding::Size;
+use crate::gcode::turning::rules::{
+    CornerLineWithoutLength, CornerNotSquare, CornerRunsBack, CornerSignAgainstLine, CornerTooLong,
+};
 use crate::gcode::turning::trouble::Trouble;
-use crate::number::{shown, trig};
-use crate::text::Text;
+use crate::number::trig;
 
 /// By how much a corner may be longer than its line: rounding alone; mm.
 const TOLERANCE: f64 = 1e-6;
@@ -35,21 +38,16 @@ pub struct Square {
 
 impl Square {
     /// Refuses another corner.
-    fn check(self, u: [f64; 2], v: [f64; 2]) -> Result<(), Trouble> {
+    fn check(self, u: [f64; 2], v: [f64; 2]) -> Result<(), Box<Trouble>> {
         let along = |way: [f64; 2]| [0, 1].into_iter().find(|&axis| way[1 - axis].abs() < STRAIGHT);
-        let (Some(first), Some(second)) = (along(u), along(v)) else { return Err(Trouble::ps(54)) };
+        let (Some(first), Some(second)) = (along(u), along(v)) else { return Err(Trouble::of(&CornerNotSquare {})) };
         if first == second || self.axis.is_some_and(|axis| axis != second) {
-            return Err(Trouble::ps(54));
+            return Err(Trouble::of(&CornerNotSquare {}));
         }
         if v[second] * self.toward > 0.0 {
             return Ok(());
         }
-        let mut trouble = Trouble::ps(51);
-        trouble.what = Text::fixed(
-            "el signo de la esquina va al revés que la recta siguiente",
-            "the sign of the corner leads the other way than the next line",
-        );
-        Err(trouble)
+        Err(Trouble::of(&CornerSignAgainstLine {}))
     }
 }
 
@@ -80,8 +78,10 @@ fn way(from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], f64)> {
 /// # Errors
 /// PS0051 where a line has no length or goes another way than `square` says, PS0054 for lines that are not along one axis each,
 /// PS0055 for an edge that takes more than a line has; a refusal between two lines that run back along each other.
-pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> Result<Option<Broken>, Trouble> {
-    let (Some((u, before)), Some((v, behind))) = (way(a, b), way(b, c)) else { return Err(Trouble::ps(51)) };
+pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> Result<Option<Broken>, Box<Trouble>> {
+    let (Some((u, before)), Some((v, behind))) = (way(a, b), way(b, c)) else {
+        return Err(Trouble::of(&CornerLineWithoutLength {}));
+    };
     square.map_or(Ok(()), |square| square.check(u, v))?;
     // Positive where the path turns from +Z to +X, as G3 does.
     let turn = u[1] * v[0] - u[0] * v[1];
@@ -93,13 +93,7 @@ pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> R
     // 0 where they run back along each other, and then for a turn of up to 1e-8 short of it.
     let open = 1.0 + straight;
     if straight < 0.0 && (turn.abs() < STRAIGHT || open <= 0.0) {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "las dos rectas van y vuelven: no hay esquina",
-                "the two lines run back along each other: there is no corner",
-            ),
-            Text::fixed("compruebe los dos bloques", "check the two blocks"),
-        ));
+        return Err(Trouble::of(&CornerRunsBack {}));
     }
     let taken = match edge {
         Edge::Chamfer(_) => size,
@@ -108,13 +102,7 @@ pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> R
     };
     let shortest = before.min(behind);
     if taken > shortest + TOLERANCE {
-        let mut trouble = Trouble::ps(55);
-        let (taken, shortest) = (shown(taken, 3), shown(shortest, 3));
-        trouble.what = Text::new(
-            format!("la esquina ocupa {taken} mm de cada recta, y la más corta mide {shortest}"),
-            format!("the corner takes {taken} mm of either line, and the shorter is {shortest} long"),
-        );
-        return Err(trouble);
+        return Err(Trouble::of(&CornerTooLong { taken: Size::mm(taken), shortest: Size::plain(shortest, 3) }));
     }
     let along = |way: [f64; 2], by: f64| [b[0] + way[0] * by, b[1] + way[1] * by];
     // A corner that takes a whole line ends where the line does.
@@ -133,6 +121,7 @@ pub fn broken([a, b, c]: [[f64; 2]; 3], edge: Edge, square: Option<Square>) -> R
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::finding::AlarmFamily;
 
     #[test]
     fn a_chamfer_lies_at_its_size_from_the_corner_along_both_lines() {
@@ -167,15 +156,19 @@ mod tests {
         let whole = broken(lines, Edge::Round(5.0), None).unwrap().unwrap();
         assert_eq!(whole.to, [20.0, -5.0]);
         let trouble = broken(lines, Edge::Chamfer(5.001), None).unwrap_err();
-        assert_eq!(trouble.message().en, "PS0055: the corner takes 5.001 mm of either line, and the shorter is 5 long");
-        assert_eq!(broken([[0.0; 2], [0.0; 2], [1.0, 0.0]], Edge::Chamfer(0.5), None).unwrap_err().alarm, Some(51));
+        assert_eq!(trouble.what.en, "the corner takes 5.001 mm of either line, and the shorter is 5 long");
+        assert_eq!(
+            broken([[0.0; 2], [0.0; 2], [1.0, 0.0]], Edge::Chamfer(0.5), None).unwrap_err().rule,
+            CornerLineWithoutLength::RULE
+        );
     }
 
     #[test]
     fn a_square_corner_has_a_line_along_each_axis_and_the_sign_of_the_second() {
         let (up, along) = ([[10.0, 0.0], [20.0, 0.0], [20.0, -30.0]], [[20.0, 0.0], [20.0, -9.0], [30.0, -9.0]]);
         let alarm = |lines, axis, toward: f64| {
-            broken(lines, Edge::Chamfer(1.0), Some(Square { axis, toward })).map_err(|trouble| trouble.alarm)
+            broken(lines, Edge::Chamfer(1.0), Some(Square { axis, toward }))
+                .map_err(|trouble| trouble.alarm(AlarmFamily::Fanuc))
         };
         for axis in [None, Some(1)] {
             assert!(alarm(up, axis, -1.0).unwrap().is_some());
@@ -201,7 +194,7 @@ mod tests {
             assert_eq!(broken(lines, Edge::Round(0.0), None).unwrap(), None);
             for edge in [Edge::Round(2.0), Edge::Chamfer(2.0)] {
                 let trouble = broken(lines, edge, None).unwrap_err();
-                assert_eq!(trouble.message().en, "the two lines run back along each other: there is no corner");
+                assert_eq!(trouble.what.en, "the two lines run back along each other: there is no corner");
             }
         }
     }

@@ -5,6 +5,7 @@
 
 use crate::gcode::turning::profile::Profile;
 use crate::gcode::turning::rough::check;
+use crate::gcode::turning::rules::{ContourBeginsWithArc, ContourNotFound};
 use crate::gcode::turning::trouble::Trouble;
 use crate::gcode::turning::{Move, Way};
 
@@ -12,11 +13,11 @@ use crate::gcode::turning::{Move, Way};
 ///
 /// # Errors
 /// PS0063 for a contour without blocks, PS0065 for one that begins with an arc.
-pub fn finish(profile: &Profile) -> Result<Vec<Move>, Trouble> {
+pub fn finish(profile: &Profile) -> Result<Vec<Move>, Box<Trouble>> {
     check(profile)?;
-    let Some(first) = profile.elements.first() else { return Err(Trouble::ps(63)) };
+    let Some(first) = profile.elements.first() else { return Err(Trouble::of(&ContourNotFound {})) };
     if first.arc.is_some() {
-        return Err(Trouble::ps(65).at(first.line));
+        return Err(Trouble::of(&ContourBeginsWithArc {}).at(first.line));
     }
     let mut moves: Vec<Move> = Vec::with_capacity(profile.elements.len() + 1);
     for element in &profile.elements {

@@ -12,13 +12,17 @@
 //! # Left open, and chosen here
 //! The relief, where given, is made at every place, the first included, as the figure of the manual draws it.
 
+use crate::finding::Size;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::rough::finite;
+use crate::gcode::turning::rules::{
+    GrooveReliefNegative, GrooveStepNegative, GrooveStepZero, GrooveWithoutDepth, RetractionNegative,
+    TooManyGrooveSteps,
+};
 use crate::gcode::turning::scan::{EPS, PassFrame};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::GROOVE_STEPS;
-use crate::text::Text;
 
 /// The parameters of G74 and G75. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +44,7 @@ pub struct Groove {
 /// # Errors
 /// PS0318 to PS0320 for reliefs and steps of the wrong sign, or a step of 0 along an axis with a way to go; refusals for a
 /// groove without depth; a limit for more than 100,000 steps.
-pub fn face(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Trouble> {
+pub fn face(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Box<Trouble>> {
     expand(start, groove, [0, 1])
 }
 
@@ -48,7 +52,7 @@ pub fn face(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Trouble> {
 ///
 /// # Errors
 /// As for [`face`].
-pub fn radial(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Trouble> {
+pub fn radial(start: [f64; 2], groove: &Groove) -> Result<Vec<Move>, Box<Trouble>> {
     expand(start, groove, [1, 0])
 }
 
@@ -63,41 +67,32 @@ fn step_end(from: f64, to: f64, step: f64, n: usize, count: usize) -> f64 {
     if n == count { to } else { from + (to - from).signum() * step * n as f64 }
 }
 
-fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move>, Trouble> {
+fn expand(start: [f64; 2], groove: &Groove, axes: [usize; 2]) -> Result<Vec<Move>, Box<Trouble>> {
     let Groove { retract, to, step, relief, feed } = *groove;
     finite(&[start[0], start[1], retract, to[0], to[1], step[0], step[1], relief, feed.unwrap_or(0.0)])?;
     let frame = PassFrame { axes, signs: [1.0; 2] };
     let [from, to, step] = [start, to, step].map(|p| frame.inward(p));
     if step.iter().any(|&step| step < 0.0) {
-        return Err(Trouble::ps(320));
+        return Err(Trouble::of(&GrooveStepNegative {}));
     }
     let way: [f64; 2] = std::array::from_fn(|axis| to[axis] - from[axis]);
     if way[1].abs() < EPS {
-        return Err(Trouble::plain(
-            Text::fixed("el ranurado no tiene profundidad", "the grooving has no depth"),
-            Text::fixed(
-                "el punto final va más allá del punto de comienzo",
-                "the end point lies beyond the starting point",
-            ),
-        ));
+        return Err(Trouble::of(&GrooveWithoutDepth {}));
     }
     if way.iter().zip(step).any(|(way, step)| way.abs() >= EPS && step == 0.0) {
-        return Err(Trouble::ps(319));
+        return Err(Trouble::of(&GrooveStepZero {}));
     }
     let stepping = way[0].abs() >= EPS;
     if stepping && relief < 0.0 {
-        return Err(Trouble::ps(318));
+        return Err(Trouble::of(&GrooveReliefNegative {}));
     }
     if retract < 0.0 {
-        return Err(Trouble::plain(
-            Text::fixed("la retirada R es negativa", "the retraction R is negative"),
-            Text::fixed("dé R sin signo", "give R without a sign"),
-        ));
+        return Err(Trouble::of(&RetractionNegative {}));
     }
     let [across, down] = [steps(way[0], step[0]), steps(way[1], step[1])];
     let total = (across + 1.0) * down;
     if total > GROOVE_STEPS {
-        return Err(Trouble::too_many(total, GROOVE_STEPS, Text::fixed("aumente P o Q", "make P or Q greater")));
+        return Err(Trouble::of(&TooManyGrooveSteps { passes: Size::plain(total, 0), most: GROOVE_STEPS }).beyond());
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 100,000")]
     let [across, down] = [across as usize, down as usize];

@@ -11,15 +11,16 @@
 //! # Left open, and chosen here
 //! The ways from one pass to the next, and back to the start, are straight, as in the figure.
 
+use crate::finding::Size;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::profile::Profile;
 use crate::gcode::turning::rough::{check, finite};
+use crate::gcode::turning::rules::{ContourBeginsWithArc, ContourNotFound, RepeatWithoutPasses, TooManyRepeats};
 use crate::gcode::turning::scan::{PassFrame, moved};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::REPEATED_MOVES;
 use crate::limits::ROUGHING_PASSES;
-use crate::text::Text;
 
 /// The parameters of G73. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,25 +40,21 @@ pub struct Repeat {
 /// # Errors
 /// PS0321 for a number of passes below 1, PS0063 for a contour without blocks, PS0065 for one that begins with an arc, and a
 /// limit for more than [`ROUGHING_PASSES`] passes or 1,000,000 moves.
-pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Trouble> {
+pub fn repeat(profile: &Profile, repeat: &Repeat) -> Result<Vec<Move>, Box<Trouble>> {
     let Repeat { relief, passes, allowance, feed } = *repeat;
     finite(&[relief[0], relief[1], allowance[0], allowance[1], feed.unwrap_or(0.0)])?;
     check(profile)?;
-    let Some(first) = profile.elements.first() else { return Err(Trouble::ps(63)) };
+    let Some(first) = profile.elements.first() else { return Err(Trouble::of(&ContourNotFound {})) };
     if first.arc.is_some() {
-        return Err(Trouble::ps(65).at(first.line));
+        return Err(Trouble::of(&ContourBeginsWithArc {}).at(first.line));
     }
     let Some(count) = usize::try_from(passes).ok().filter(|&passes| passes > 0) else {
-        return Err(Trouble::ps(321));
+        return Err(Trouble::of(&RepeatWithoutPasses {}));
     };
     let most = ROUGHING_PASSES.min(REPEATED_MOVES / profile.elements.len());
     #[expect(clippy::cast_precision_loss, reason = "counts of passes")]
     if count > most {
-        return Err(Trouble::too_many(
-            count as f64,
-            most as f64,
-            Text::fixed("dé menos pasadas con R", "give fewer passes with R"),
-        ));
+        return Err(Trouble::of(&TooManyRepeats { passes: Size::plain(count as f64, 0), most: most as f64 }).beyond());
     }
     let plain = PassFrame { axes: [0, 1], signs: [1.0; 2] };
     let mut tool = CycleMoves::new(plain, profile.start);

@@ -31,7 +31,7 @@ impl Profile {
     ///
     /// # Errors
     /// Those of [`broken`].
-    pub fn break_edge(&mut self, point: [f64; 2], edge: Edge, square: Option<Square>) -> Result<(), Trouble> {
+    pub fn break_edge(&mut self, point: [f64; 2], edge: Edge, square: Option<Square>) -> Result<(), Box<Trouble>> {
         let (before, last) = match self.elements.as_mut_slice() {
             [] => return Ok(()),
             [last] => (self.start, last),

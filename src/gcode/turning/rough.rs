@@ -17,13 +17,17 @@
 //! cut) falls to the pass along the contour. Between the level of C and the first point of a contour of type II the passes go
 //! no deeper than that point. The way back to A goes by the level of C, so that it crosses nothing.
 
+use crate::finding::Size;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::profile::Profile;
+use crate::gcode::turning::rules::{
+    AllowanceIntoMetal, ContourBackAlongX, ContourBackAlongZ, ContourBeginsWithArc, ContourBeyondStart,
+    ContourDoesNotAdvance, ContourNotFound, CycleNotFinite, NoDepthOfCut, RetractionNegative, TooManyRoughingPasses,
+};
 use crate::gcode::turning::scan::{EPS, PassFrame, Path, Span, moved};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::{ROUGHING_PASSES, ROUGHING_WORK};
-use crate::text::Text;
 
 /// The least input increment of a control, mm: by so much a contour may go back, and no pass is shorter.
 const TOLERANCE: f64 = 0.001;
@@ -51,7 +55,7 @@ pub struct Rough {
 /// PS0062 for a depth of cut that is not above 0, PS0065 for a contour that begins with an arc, PS0322 for one that reaches
 /// beyond the starting point, PS0064 and PS0329 for one that goes back along Z or X (X: type I alone), and refusals without a
 /// number for allowances towards the metal, for a contour without extent and for more than [`ROUGHING_PASSES`] passes.
-pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
+pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Box<Trouble>> {
     expand(profile, rough, [1, 0])
 }
 
@@ -59,37 +63,27 @@ pub fn axial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
 ///
 /// # Errors
 /// As for [`axial`], with X and Z exchanged.
-pub fn radial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Trouble> {
+pub fn radial(profile: &Profile, rough: &Rough) -> Result<Vec<Move>, Box<Trouble>> {
     expand(profile, rough, [0, 1])
 }
 
 /// The alarm for a contour that goes back along X (0) or Z (1).
-fn goes_back(axis: usize) -> Trouble {
-    Trouble::ps(if axis == 0 { 329 } else { 64 })
+fn goes_back(axis: usize) -> Box<Trouble> {
+    if axis == 0 { Trouble::of(&ContourBackAlongX {}) } else { Trouble::of(&ContourBackAlongZ {}) }
 }
 
 /// The drawing of a cycle: the axis of the passes and the axis of the depth as given, the signs from where the contour lies.
-fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<PassFrame, Trouble> {
+fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<PassFrame, Box<Trouble>> {
     let plain = PassFrame { axes, signs: [1.0; 2] };
     let (Some(first), Some(last)) = (profile.elements.first(), profile.elements.last()) else {
-        return Err(Trouble::ps(63));
+        return Err(Trouble::of(&ContourNotFound {}));
     };
     let path = Path::of(profile, plain, [0.0; 2]);
     let (start, from, to) = (plain.inward(profile.start), plain.inward(first.to), plain.inward(last.to));
     let [_, [low, high]] = path.reach();
     let along = to[0] - from[0];
     if profile.elements.len() < 2 || along.abs() < EPS {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "el contorno no avanza en el sentido de las pasadas",
-                "the contour does not advance in the direction of the passes",
-            ),
-            Text::fixed(
-                "el contorno lleva un bloque que llega a él y los que lo recorren",
-                "a contour has a block that leads to it and the blocks that run along it",
-            ),
-        )
-        .at(last.line));
+        return Err(Trouble::of(&ContourDoesNotAdvance {}).at(last.line));
     }
     let allowance = plain.inward([rough.U, rough.W])[1];
     let height = if high <= start[1] + TOLERANCE && (low < start[1] - TOLERANCE || allowance >= 0.0) {
@@ -97,7 +91,7 @@ fn frame(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<PassFrame
     } else if low >= start[1] - TOLERANCE {
         -1.0
     } else {
-        return Err(Trouble::ps(322).at(beyond(profile, plain, start[1], from[1] <= start[1])));
+        return Err(Trouble::of(&ContourBeyondStart {}).at(beyond(profile, plain, start[1], from[1] <= start[1])));
     };
     Ok(PassFrame { axes, signs: [if along < 0.0 { 1.0 } else { -1.0 }, height] })
 }
@@ -110,14 +104,11 @@ fn beyond(profile: &Profile, frame: PassFrame, start: f64, below: bool) -> usize
 }
 
 /// A refusal for a parameter of the cycle's own block that is no number a control would take.
-pub(super) fn finite(values: &[f64]) -> Result<(), Trouble> {
+pub(super) fn finite(values: &[f64]) -> Result<(), Box<Trouble>> {
     if values.iter().all(|value| value.is_finite()) {
         return Ok(());
     }
-    Err(Trouble::plain(
-        Text::fixed("un parámetro del ciclo no es un número finito", "a parameter of the cycle is not a finite number"),
-        Text::fixed("dé números que el control admita", "give numbers that the control takes"),
-    ))
+    Err(Trouble::of(&CycleNotFinite {}))
 }
 
 /// A way that is to be cut: at which level, under which one, between which places.
@@ -127,35 +118,23 @@ struct RoughingPass {
     above: f64,
 }
 
-fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move>, Trouble> {
+fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move>, Box<Trouble>> {
     finite(&[rough.depth, rough.retract, rough.U, rough.W, rough.feed.unwrap_or(0.0)])?;
     check(profile)?;
     if rough.depth <= 0.0 {
-        return Err(Trouble::ps(62));
+        return Err(Trouble::of(&NoDepthOfCut {}));
     }
     if rough.retract < 0.0 {
-        return Err(Trouble::plain(
-            Text::fixed("la retirada R es negativa", "the retraction R is negative"),
-            Text::fixed("dé R sin signo", "give R without a sign"),
-        ));
+        return Err(Trouble::of(&RetractionNegative {}));
     }
-    let Some(first) = profile.elements.first() else { return Err(Trouble::ps(63)) };
+    let Some(first) = profile.elements.first() else { return Err(Trouble::of(&ContourNotFound {})) };
     if first.arc.is_some() {
-        return Err(Trouble::ps(65).at(first.line));
+        return Err(Trouble::of(&ContourBeginsWithArc {}).at(first.line));
     }
     let frame = frame(profile, rough, axes)?;
     let shift = frame.inward([rough.U, rough.W]);
     if shift.iter().any(|&allowance| allowance < -EPS) {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "la demasía de acabado apunta hacia el metal: el desbaste cortaría la pieza",
-                "the finishing allowance points into the metal: roughing would cut the part",
-            ),
-            Text::fixed(
-                "cambie el signo de U o de W: la demasía va del contorno hacia el punto de comienzo",
-                "change the sign of U or W: the allowance goes from the contour towards the starting point",
-            ),
-        ));
+        return Err(Trouble::of(&AllowanceIntoMetal {}));
     }
     let start = frame.inward(profile.start);
     let top = [start[0] + shift[0], start[1] + shift[1]];
@@ -163,7 +142,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
     let line = |element: usize| profile.elements.get(element).map_or(first.line, |element| element.line);
     let [[_, right], _] = path.reach();
     if right > top[0] + TOLERANCE {
-        return Err(Trouble::ps(322).at(first.line));
+        return Err(Trouble::of(&ContourBeyondStart {}).at(first.line));
     }
     if let Some(element) = path.goes_back(0, TOLERANCE) {
         return Err(goes_back(axes[0]).at(line(element)));
@@ -180,11 +159,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
     #[expect(clippy::cast_precision_loss, reason = "a small constant")]
     let most = (ROUGHING_WORK / parts).min(ROUGHING_PASSES as f64).floor();
     if passes > most {
-        return Err(Trouble::too_many(
-            passes,
-            most,
-            Text::fixed("aumente la profundidad de pasada", "make the depth of cut greater"),
-        ));
+        return Err(Trouble::of(&TooManyRoughingPasses { passes: Size::plain(passes, 0), most }).beyond());
     }
     let mut tool = CycleMoves::new(frame, profile.start);
     tool.rapid(top);
@@ -205,7 +180,7 @@ fn expand(profile: &Profile, rough: &Rough, axes: [usize; 2]) -> Result<Vec<Move
 }
 
 /// Refuses a contour with numbers that are none.
-pub(super) fn check(profile: &Profile) -> Result<(), Trouble> {
+pub(super) fn check(profile: &Profile) -> Result<(), Box<Trouble>> {
     finite(&profile.start)?;
     for element in &profile.elements {
         let centre = element.arc.map_or([0.0; 2], |(centre, _)| centre);

@@ -14,14 +14,18 @@
 //! The first finishing pass takes the whole allowance, the others nothing more. A pull-out that is longer than the way to the
 //! level of the start ends at that level. The taper i belongs to the way from the starting point to the end.
 
+use crate::finding::Size;
 use crate::gcode::motion::Thread;
 use crate::gcode::turning::rough::finite;
+use crate::gcode::turning::rules::{
+    ThreadAllowance, ThreadAngle, ThreadDigits, ThreadLeadNotPositive, ThreadLeastCut, ThreadStartsInside,
+    ThreadTooShort, ThreadWithoutHeight, TooManyThreadPasses,
+};
 use crate::gcode::turning::scan::EPS;
 use crate::gcode::turning::trouble::Trouble;
 use crate::gcode::turning::{Move, Way};
 use crate::limits::THREAD_PASSES;
 use crate::number::trig;
-use crate::text::Text;
 
 /// The angles of the tool tip that a control takes, degrees.
 const ANGLES: [f64; 6] = [0.0, 29.0, 30.0, 55.0, 60.0, 80.0];
@@ -57,7 +61,7 @@ impl Threading {
     /// # Errors
     /// PS0313, PS0315, PS0316 and PS0317 for a lead, an angle, a least cut, a height or a first cut that a control does not
     /// take; refusals for the other parameters; a limit for more than [`THREAD_PASSES`] passes.
-    pub fn depths(&self) -> Result<Vec<f64>, Trouble> {
+    pub fn depths(&self) -> Result<Vec<f64>, Box<Trouble>> {
         self.check()?;
         let target = self.height - self.allowance;
         // Without a least cut it takes (target/Δd)² passes.
@@ -69,14 +73,7 @@ impl Threading {
                 let passes = trig::pow(target / self.first, 2.0).ceil();
                 #[expect(clippy::cast_precision_loss, reason = "a small constant")]
                 let most = THREAD_PASSES as f64;
-                return Err(Trouble::too_many(
-                    passes,
-                    most,
-                    Text::fixed(
-                        "aumente la pasada mínima o la primera pasada",
-                        "make the least cut or the first cut greater",
-                    ),
-                ));
+                return Err(Trouble::of(&TooManyThreadPasses { passes: Size::plain(passes, 0), most }).beyond());
             }
             #[expect(clippy::cast_precision_loss, reason = "a count of passes")]
             let by_area = self.first * ((depths.len() + 1) as f64).sqrt();
@@ -90,38 +87,26 @@ impl Threading {
         Ok(depths)
     }
 
-    fn check(&self) -> Result<(), Trouble> {
+    fn check(&self) -> Result<(), Box<Trouble>> {
         let Self { angle, least, allowance, to, taper, height, first, lead, .. } = *self;
         finite(&[angle, least, allowance, to[0], to[1], taper, height, first, lead])?;
         if lead <= 0.0 {
-            return Err(Trouble::ps(313));
+            return Err(Trouble::of(&ThreadLeadNotPositive {}));
         }
         if !ANGLES.contains(&angle) {
-            return Err(Trouble::ps(315));
+            return Err(Trouble::of(&ThreadAngle {}));
         }
         if height <= 0.0 || first <= 0.0 {
-            return Err(Trouble::ps(317));
+            return Err(Trouble::of(&ThreadWithoutHeight {}));
         }
         if least < 0.0 || least > height {
-            return Err(Trouble::ps(316));
+            return Err(Trouble::of(&ThreadLeastCut {}));
         }
         if !(0.0..height).contains(&allowance) {
-            return Err(Trouble::plain(
-                Text::fixed(
-                    "la demasía de acabado es negativa o no es menor que la altura de la rosca",
-                    "the finishing allowance is negative or not below the height of the thread",
-                ),
-                Text::fixed("dé R del primer bloque menor que P", "give R of the first block below P"),
-            ));
+            return Err(Trouble::of(&ThreadAllowance {}));
         }
         if !(1..=99).contains(&self.finishing) || self.chamfer > 99 {
-            return Err(Trouble::plain(
-                Text::fixed(
-                    "las pasadas de acabado van de 1 a 99 y la salida de 0 a 99 décimas del paso",
-                    "the finishing passes go from 1 to 99 and the pull-out from 0 to 99 tenths of the lead",
-                ),
-                Text::fixed("dé P con seis cifras: mmrraa", "give P with six digits: mmrraa"),
-            ));
+            return Err(Trouble::of(&ThreadDigits {}));
         }
         Ok(())
     }
@@ -132,36 +117,21 @@ impl Threading {
 /// # Errors
 /// Those of [`Threading::depths`]; refusals for a thread without length, for one that is shorter than its pull-out or than
 /// the infeed along the flank, and for a start that lies within the thread.
-pub fn thread(start: [f64; 2], threading: &Threading) -> Result<Vec<Move>, Trouble> {
+pub fn thread(start: [f64; 2], threading: &Threading) -> Result<Vec<Move>, Box<Trouble>> {
     finite(&start)?;
     let depths = threading.depths()?;
     let Threading { to, taper, height, lead, .. } = *threading;
     let outside = (start[0] - to[0]).signum();
     let clear = |root: f64| outside * (start[0] - root) >= height - EPS;
     if !clear(to[0]) || !clear(to[0] + taper) {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "el ciclo comienza dentro de la rosca: la herramienta volvería a través de ella",
-                "the cycle starts within the thread: the tool would return through it",
-            ),
-            Text::fixed(
-                "comience más allá de la cresta, en los dos extremos si la rosca es cónica",
-                "start beyond the crest, at both ends if the thread is tapered",
-            ),
-        ));
+        return Err(Trouble::of(&ThreadStartsInside {}));
     }
     let length = (to[1] - start[1]).abs();
     let along = (to[1] - start[1]).signum();
     let chamfer = f64::from(threading.chamfer) / 10.0 * lead;
     let slope = trig::tan((threading.angle / 2.0).to_radians());
     if length < EPS || chamfer + height * slope >= length {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "la rosca es más corta que su salida y la penetración por el flanco",
-                "the thread is shorter than its pull-out and the infeed along the flank",
-            ),
-            Text::fixed("alargue la rosca o reduzca la salida", "make the thread longer or the pull-out shorter"),
-        ));
+        return Err(Trouble::of(&ThreadTooShort {}));
     }
     let thread = Way::Thread(Thread { lead, change: 0.0, angle: 0.0 });
     let mut moves: Vec<Move> = Vec::with_capacity(depths.len() * 6 + 1);

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::{Feed, Part, Path, Program, Role};
 use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::gcode::writer::Writer;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::machine::axis::{Axis, Pose, Position};
 use crate::machine::tip_way::longest;
@@ -19,10 +20,6 @@ pub struct Limited {
     pub by_axis: usize,
     /// Moves whose F word reached an end of its format.
     pub by_format: usize,
-}
-
-fn block(words: impl Into<Vec<Word>>) -> Part {
-    Part::Block(words.into())
 }
 
 const ALL: &[Axis] = &[Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
@@ -69,7 +66,7 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
     let (Style::Full, Some(F)) = (design.style, design.F) else {
         return Ok(Feed::None);
     };
-    let law = design.control.law;
+    let law = design.control.feed.law;
     let (mut words, mut times) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
     let mut at = from;
     for to in points {
@@ -96,7 +93,7 @@ fn feeds(design: &Design, from: Position, points: &[Position], limited: &mut Lim
 #[derive(Debug)]
 pub struct Assembly<'a> {
     design: &'a Design,
-    parts: Vec<Part>,
+    writer: Writer,
     start: Position,
     /// Where the passes begin: the published programs start here.
     first: Position,
@@ -123,12 +120,15 @@ impl<'a> Assembly<'a> {
         let whole = if design.turns_by_increments() { turned.rem_euclid(360_000) - turned } else { 0 };
         let turns = Milli::new(whole);
         let first = first.moved(Axis::C, turns);
-        let mut assembly = Self { design, parts: Vec::new(), start: first, first, at: first, turns };
+        let mut assembly = {
+            let writer = Writer::new(design.written, Vec::new());
+            Self { design, writer, start: first, first, at: first, turns }
+        };
         match design.style {
             Style::Annex => {
                 let codes = design.start_codes.iter().chain(&design.coolant).copied();
                 let codes = std::iter::once(Word::whole('G', 91)).chain(codes);
-                assembly.parts.push(block(codes.collect::<Vec<_>>()));
+                assembly.writer.block(codes.collect::<Vec<_>>());
             }
             Style::Full => assembly.approach()?,
         }
@@ -146,28 +146,25 @@ impl<'a> Assembly<'a> {
         let height = self.retract()?;
         self.start = Position::default().with(Axis::Z, height);
         self.at = self.start;
-        self.parts.push(block(design.control.safety_block()));
+        self.writer.safety();
         if !design.retract.is_empty() {
-            self.parts.push(Part::Away(design.retract.clone()));
+            self.writer.part(Part::Away(design.retract.clone()));
         }
-        for words in design.control.tool_blocks(design.T, design.D) {
-            self.parts.push(block(words));
-        }
+        self.writer.tool(design.T, design.D);
         let speed = design.S.map(|S| Word::whole('S', S));
-        self.parts.push(block(speed.into_iter().chain(design.start_codes.iter().copied()).collect::<Vec<_>>()));
+        self.writer.block(speed.into_iter().chain(design.start_codes.iter().copied()).collect::<Vec<_>>());
         if !design.coolant.is_empty() {
-            self.parts.push(block(design.coolant.clone()));
+            self.writer.block(design.coolant.clone());
         }
-        let rapid = |axes: &[Axis]| {
-            let zeros = axes.iter().map(|axis| Word::size(axis.letter(), Milli::ZERO));
-            block(std::iter::once(Word::whole('G', 0)).chain(zeros).collect::<Vec<_>>())
-        };
-        let down = block([Word::whole('G', 0), Word::size('Z', height)]);
+        let zeros = |axes: &[Axis]| axes.iter().map(|axis| Word::size(axis.letter(), Milli::ZERO)).collect::<Vec<_>>();
+        let down = vec![Word::size('Z', height)];
         let by_increments = design.turns_by_increments();
-        let over_zero = rapid(if by_increments { &[Axis::X, Axis::Y] } else { &[Axis::X, Axis::Y, Axis::B, Axis::C] });
+        let over_zero = zeros(if by_increments { &[Axis::X, Axis::Y] } else { &[Axis::X, Axis::Y, Axis::B, Axis::C] });
         // Taken away, the tool is above everything, and comes down over the work zero; otherwise it goes up first.
         let blocks = if design.retract.is_empty() { [down, over_zero] } else { [over_zero, down] };
-        self.parts.extend(blocks);
+        for words in blocks {
+            self.writer.rapid(words);
+        }
         let first = self.first;
         let over = |from: Position, axes: &[Axis]| axes.iter().fold(from, |at, &axis| at.with(axis, first.get(axis)));
         let turned = over(self.at, &[Axis::B, Axis::C]);
@@ -177,18 +174,16 @@ impl<'a> Assembly<'a> {
                 moving_only: true,
                 ..self.path(Arc::new([turned]), &[Axis::B, Axis::C], true)
             };
-            self.parts.push(Part::Path(path));
+            self.writer.part(Part::Path(path));
             self.at = turned;
         }
         if self.distance() == Distance::Incremental {
-            self.parts.push(block([Word::whole('G', 91)]));
+            self.writer.distance(Distance::Incremental);
         }
         self.go(turned, &[Axis::B, Axis::C]);
         self.go(over(self.at, &[Axis::X, Axis::Y]), &[Axis::X, Axis::Y]);
         self.go(over(self.at, &[Axis::Z]), &[Axis::Z]);
-        if design.control.law.code() != 94 {
-            self.parts.push(block([Word::whole('G', design.control.law.code())]));
-        }
+        self.writer.begin_feed();
         Ok(())
     }
 
@@ -222,7 +217,7 @@ impl<'a> Assembly<'a> {
     fn go(&mut self, to: Position, axes: &'static [Axis]) {
         let full = self.design.style == Style::Full;
         let path = self.path(Arc::new([to]), if full { axes } else { ALL }, full);
-        self.parts.push(Part::Path(path));
+        self.writer.part(Part::Path(path));
         self.at = to;
     }
 
@@ -245,14 +240,15 @@ impl<'a> Assembly<'a> {
         if let Some(end) = out.position(0) {
             self.at = end;
         }
-        self.parts.extend([Part::Path(through), Part::Path(out)]);
+        self.writer.part(Part::Path(through));
+        self.writer.part(Part::Path(out));
     }
 
     /// Turns C alone, at a safe point.
     pub fn turn_to(&mut self, safe: Position, turn: Milli) {
         let to = safe.moved(Axis::C, turn + self.turns);
         let path = self.path(Arc::new([to]), &[Axis::C], self.design.style == Style::Full);
-        self.parts.push(Part::Path(path));
+        self.writer.part(Part::Path(path));
         self.at = to;
     }
 
@@ -270,9 +266,7 @@ impl<'a> Assembly<'a> {
     pub fn finish(mut self, key: &'static str, title: Text) -> Program {
         let design = self.design;
         if design.style == Style::Full {
-            if design.control.law.code() != 94 {
-                self.parts.push(block([Word::whole('G', 94)]));
-            }
+            self.writer.end_feed();
             let over = |at: Position, from: Position, axes: &[Axis]| {
                 axes.iter().fold(at, |at, &axis| at.with(axis, from.get(axis)))
             };
@@ -289,7 +283,7 @@ impl<'a> Assembly<'a> {
         if self.distance() == Distance::Incremental {
             end.insert(0, Word::whole('G', 90));
         }
-        self.parts.push(block(end));
+        self.writer.block(end);
         Program {
             key,
             title,
@@ -297,7 +291,7 @@ impl<'a> Assembly<'a> {
             format: if design.style == Style::Full { NumberFormat::Fixed } else { NumberFormat::Trimmed },
             block_step: Some(design.block_step),
             start: self.start,
-            parts: self.parts,
+            parts: self.writer.finish(),
         }
     }
 }

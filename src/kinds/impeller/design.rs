@@ -1,7 +1,7 @@
 //! The design of an impeller: validated parameters with units settled, and the checks of one against another.
 
 use crate::finding::Finding;
-use crate::gcode::control::{Control, Rotary as Counting};
+use crate::gcode::control::{Control, Rotary as Counting, Written};
 pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word};
 use crate::geometry::torus::Torus;
@@ -65,6 +65,8 @@ pub struct Design {
     pub program: u32,
     /// The dialect.
     pub control: &'static Control,
+    /// How it is written for.
+    pub written: Written,
     /// The style.
     pub style: Style,
     /// Absolute or incremental, in full style.
@@ -121,7 +123,8 @@ impl Design {
 
     fn of(fields: &Fields) -> Self {
         let (R_B, H) = (fields.get(&form::R_B), fields.get(&form::H));
-        let control = fields.get(&form::DIALECT);
+        let written = fields.get(&form::DIALECT);
+        let control = written.control;
         Self {
             torus: Torus { R: fields.get(&form::R), r: fields.get(&form::MERIDIAN_R) },
             n: fields.get(&form::INTERVALS_N) as usize,
@@ -152,6 +155,7 @@ impl Design {
             material: fields.get(&form::MATERIAL).unwrap_or_default(),
             program: fields.get(&form::NUMBER),
             control,
+            written,
             counting: fields.get(&form::ROTARY).unwrap_or(control.rotary.delivered),
             style: fields.get(&form::STYLE),
             distance: fields.get(&form::DISTANCE),

@@ -94,7 +94,7 @@ pub fn header(design: &Design, program: &Program, full_from: Option<[usize; 2]>,
             &format!("AVANCE DE LA PUNTA {F} MM-MIN - HUSILLO {S} RPM"),
             &format!("FEED OF THE TIP {F} MM-MIN - SPINDLE {S} RPM"),
         );
-        match design.control.law {
+        match design.control.feed.law {
             FeedLaw::Resultant => comments.line(
                 "F EN CADA BLOQUE - RESULTANTE DE LOS EJES EN MM Y GRADOS",
                 "F IN EACH BLOCK - RESULTANT OF THE AXES IN MM AND DEG.",

@@ -5,7 +5,7 @@
 //! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
 
 use crate::gcode::chosen::{Codes, Retract};
-use crate::gcode::control::{Control, Rotary};
+use crate::gcode::control::{Rotary, Written};
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
 use crate::kinds::impeller::cases::CASES;
@@ -260,7 +260,7 @@ pub(super) static NUMBER: Field<u32, Required> = Field::whole(
     t("Número de programa", "Program number"),
     t("En la cabecera de los programas", "In the programs' header"),
 );
-pub(super) static DIALECT: Field<&'static Control, Required> =
+pub(super) static DIALECT: Field<Written, Required> =
     Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
 pub(super) static STYLE: Field<Style, Required> = Field::choice(
     "style",

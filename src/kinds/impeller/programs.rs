@@ -188,7 +188,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
     let mut unnumbered = Vec::new();
     for program in &mut milled {
         let numbers = program.blocks().saturating_mul(u64::from(design.block_step));
-        if numbers > u64::from(program.control.greatest_number) {
+        if numbers > u64::from(program.control.text.greatest_number) {
             program.block_step = None;
             unnumbered.push(program.key);
         }

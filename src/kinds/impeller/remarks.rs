@@ -150,8 +150,8 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
         findings.push(Finding::note(
             Place::Block { program: key, line: 1 },
             Text::new(
-                format!("los bloques no se numeran: pasarían de N{}", design.control.greatest_number),
-                format!("blocks are not numbered: the numbers would exceed N{}", design.control.greatest_number),
+                format!("los bloques no se numeran: pasarían de N{}", design.control.text.greatest_number),
+                format!("blocks are not numbered: the numbers would exceed N{}", design.control.text.greatest_number),
             ),
         ));
     }

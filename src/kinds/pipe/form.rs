@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::gcode::chosen::Codes;
-use crate::gcode::control::Control;
+use crate::gcode::control::Written;
 use crate::kinds::pipe::size::{NPS, SCHEDULES, Schedule, Size};
 use crate::parameter::field::{Field, Optional, Required, Usual};
 use crate::parameter::{DIALECTS, FieldKind, Parameter, t};
@@ -137,7 +137,7 @@ pub(in crate::kinds) static NUMBER: Field<u32, Required> = Field::whole(
 );
 
 /// The dialect.
-pub(in crate::kinds) static DIALECT: Field<&'static Control, Required> =
+pub(in crate::kinds) static DIALECT: Field<Written, Required> =
     Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
 
 /// The codes that turn the torch on.

@@ -1,6 +1,6 @@
 //! G74 and G75.
 
-use rodete::finding::Exit;
+use rodete::finding::{AlarmFamily, Exit};
 use rodete::gcode::turning::groove::{Groove, face, radial};
 
 use super::assert_moves;
@@ -61,7 +61,7 @@ fn a_step_that_is_a_whole_part_of_the_way_leaves_no_step_of_nothing() {
 
 #[test]
 fn grooves_that_a_control_refuses_are_refused() {
-    let alarm = |groove: Groove| radial([15.0, 0.0], &groove).unwrap_err().alarm;
+    let alarm = |groove: Groove| radial([15.0, 0.0], &groove).unwrap_err().alarm(AlarmFamily::Fanuc);
     assert_eq!(alarm(Groove { step: [-1.0, 2.0], ..GROOVE }), Some(320));
     assert_eq!(alarm(Groove { step: [3.0, 0.0], ..GROOVE }), Some(319));
     assert_eq!(alarm(Groove { step: [0.0, 2.0], ..GROOVE }), Some(319));

@@ -1,6 +1,6 @@
 //! G76.
 
-use rodete::finding::Exit;
+use rodete::finding::{AlarmFamily, Exit};
 use rodete::gcode::motion::Thread;
 use rodete::gcode::turning::Way;
 use rodete::gcode::turning::thread_cycle::{Threading, thread};
@@ -85,7 +85,7 @@ fn a_long_pull_out_ends_at_the_level_of_the_start() {
 
 #[test]
 fn threads_that_a_control_refuses_are_refused() {
-    let alarm = |threading: Threading| thread([16.0, 5.0], &threading).unwrap_err().alarm;
+    let alarm = |threading: Threading| thread([16.0, 5.0], &threading).unwrap_err().alarm(AlarmFamily::Fanuc);
     assert_eq!(alarm(Threading { lead: 0.0, ..M30 }), Some(313));
     assert_eq!(alarm(Threading { lead: -2.0, ..M30 }), Some(313));
     assert_eq!(alarm(Threading { angle: 45.0, ..M30 }), Some(315));

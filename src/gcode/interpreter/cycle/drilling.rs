@@ -10,19 +10,20 @@
 //! The lathe simulator's figure of G81 to G83: R is the absolute Z of the plane of retraction, P in ms, Q in µm. On other controls
 //! R counts from where the tool stands: [`HolePlane`] says which.
 
-use crate::finding::Grade;
+use crate::finding::Size;
 use crate::gcode::code::{Cycle, G};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cycle::{PECK_CLEARANCE, missing};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::setting::HolePlane;
+use crate::gcode::turning::rules::{
+    HoleDwellNegative, HolePlaneBelowBottom, HolePlaneNotSaid, PeckNotPositive, PeckWithoutDepth, TooManyLathePecks,
+};
 use crate::gcode::turning::{Move, Way};
 use crate::limits::PECKS;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
-use crate::number::shown;
-use crate::text::Text;
 
 impl Interpreter<'_> {
     /// A drilling cycle of the block in hand.
@@ -36,19 +37,7 @@ impl Interpreter<'_> {
                 Some(HolePlane::Absolute) => unit.to_mm(R),
                 None => {
                     let column = self.block.column(letter::R);
-                    self.remarks.add(
-                        Grade::Note,
-                        self.line,
-                        Some(column),
-                        Text::fixed(
-                            "nada dice qué es R en G81 a G83: se lee como la Z absoluta del plano",
-                            "nothing says what R is in G81 to G83: it is read as the absolute Z of the plane",
-                        ),
-                        Text::fixed(
-                            "rellene hole_R en el libro (hoja DATOS), o dé --hole-r",
-                            "fill in hole_R in the workbook (sheet DATA), or give --hole-r",
-                        ),
-                    );
+                    self.remarks.row(&HolePlaneNotSaid {}, self.line, Some(column));
                     unit.to_mm(R)
                 }
             },
@@ -75,51 +64,21 @@ impl Interpreter<'_> {
             None => 0.0,
         };
         if p < 0.0 {
-            return Err(Fault::at(
-                &[self.block.column(letter::P)],
-                Text::fixed("tiempo de espera negativo", "negative dwell time"),
-                Text::fixed("dé un tiempo positivo", "give a positive time"),
-            ));
+            return Err(Fault::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
         }
         if r < bottom {
-            return Err(Fault::block(
-                Text::new(
-                    format!("R ({}) está por debajo del fondo ({})", shown(r, 3), shown(bottom, 3)),
-                    format!("R ({}) lies below the bottom ({})", shown(r, 3), shown(bottom, 3)),
-                ),
-                Text::fixed("R va por encima del fondo del agujero", "R goes above the bottom of the hole"),
-            ));
+            return Err(Fault::of(&HolePlaneBelowBottom { r: Size::plain(r, 3), bottom: Size::plain(bottom, 3) }, &[]));
         }
         if cycle == Cycle::Peck && q <= 0.0 && self.block.has(letter::Q) {
-            return Err(Fault::at(
-                &[self.block.column(letter::Q)],
-                Text::fixed("Q debe ser mayor que 0", "Q must be greater than 0"),
-                Text::fixed("dé la profundidad de cada pasada en µm", "give the depth of each peck in µm"),
-            ));
+            return Err(Fault::of(&PeckNotPositive {}, &[self.block.column(letter::Q)]));
         }
         // Without Q the control drills to the bottom at one go.
         let pecks = cycle == Cycle::Peck && q > 0.0;
         if cycle == Cycle::Peck && !pecks {
-            let deep = shown(r - bottom, 3);
-            let what = Text::new(
-                format!("G83 sin Q: taladra {deep} mm de una vez, sin sacar la viruta"),
-                format!("G83 without Q: drills {deep} mm at one go, without clearing the chips"),
-            );
-            let remedy = Text::fixed(
-                "dé con Q la profundidad de cada pasada, en µm, o use G81",
-                "give the depth of each peck with Q, in µm, or use G81",
-            );
-            self.remarks.add(Grade::Caution, self.line, None, what, remedy);
+            self.remarks.row(&PeckWithoutDepth { depth: Size::mm(r - bottom) }, self.line, None);
         }
         if pecks && (r - bottom) / q > PECKS {
-            return Err(Fault::at(
-                &[self.block.column(letter::Q)],
-                Text::new(
-                    format!("más de {PECKS} pasadas en un agujero"),
-                    format!("more than {PECKS} pecks in one hole"),
-                ),
-                Text::fixed("aumente Q, que va en µm", "make Q, which is in µm, greater"),
-            ));
+            return Err(Fault::of(&TooManyLathePecks { most: PECKS }, &[self.block.column(letter::Q)]));
         }
         let sticky = &mut self.modal.sticky;
         (sticky.r, sticky.bottom, sticky.p, sticky.q) = (r, bottom, p, q);

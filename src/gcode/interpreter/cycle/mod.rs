@@ -6,7 +6,6 @@
 mod drilling;
 pub(super) mod single_pass;
 
-use crate::finding::Grade;
 use crate::gcode::code::{Cycle, G, Group};
 use crate::gcode::control::Drilling;
 use crate::gcode::in_force::Spindle;
@@ -16,10 +15,13 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::out;
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
-use crate::gcode::turning::rules::TooManyPecks;
+use crate::gcode::turning::rules::{
+    CycleMovesOtherAxis, CycleRepeats, CycleSpindle, CycleUnderInverseTime, CycleWordMissing, HoleDwellNegative,
+    MillHolePlaneBelowBottom, MillPeckNotPositive, ReturnHeightNotSaid, TakenOutByHand, TappingOutsideG17,
+    TooManyPecks,
+};
 use crate::limits::{BLOCK_HOLES, PECKS};
 use crate::machine::axis::Pose;
-use crate::text::Text;
 
 /// How far above the last depth a peck begins again; mm (0.010 inch).
 pub(super) const PECK_CLEARANCE: f64 = 0.254;
@@ -45,11 +47,7 @@ pub(super) struct Holes {
 
 pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
     let number = cycle.number();
-    Fault::block(
-        Text::new(format!("falta {letter} en G{number}"), format!("{letter} is missing in G{number}")),
-        Text::new(format!("dé {letter} en el bloque"), format!("give {letter} in the block")),
-    )
-    .hanging_on(doubt::MOTION)
+    Fault::of(&CycleWordMissing { letter, cycle: number }, &[]).hanging_on(doubt::MOTION)
 }
 
 impl Interpreter<'_> {
@@ -67,20 +65,13 @@ impl Interpreter<'_> {
     fn cycle(&mut self, cycle: Cycle) -> Outcome<()> {
         let feed = self.feed()?;
         if matches!(feed.mode, FeedMode::InverseTime | FeedMode::Seconds) {
-            return Err(Fault::block(
-                Text::fixed("ciclo fijo con avance por tiempo (G93)", "canned cycle under inverse time feed (G93)"),
-                Text::fixed("programe G94", "program G94"),
-            ));
+            return Err(Fault::of(&CycleUnderInverseTime {}, &[]));
         }
         let again = self.modal.is_cycle(cycle);
         let [first, second, across] = self.modal.plane.axes();
         for axis in AXES.into_iter().skip(3) {
             if self.block.has(axis) {
-                return Err(Fault::at(
-                    &[self.block.column(axis)],
-                    Text::fixed("un ciclo fijo solo mueve X, Y y Z", "a canned cycle moves X, Y and Z alone"),
-                    Text::fixed("coloque los otros ejes antes", "position the other axes before"),
-                ));
+                return Err(Fault::of(&CycleMovesOtherAxis {}, &[self.block.column(axis)]));
             }
         }
         let unit = self.modal.unit;
@@ -98,11 +89,7 @@ impl Interpreter<'_> {
         let holes = match self.block.get(letter::L) {
             None => 1,
             Some(L) => whole(L).filter(|holes| (1..=BLOCK_HOLES).contains(holes)).ok_or_else(|| {
-                Fault::at(
-                    &[self.block.column(letter::L)],
-                    Text::new(format!("L{L} repeticiones"), format!("L{L} repeats")),
-                    Text::new(format!("L va de 1 a {BLOCK_HOLES}"), format!("L goes from 1 to {BLOCK_HOLES}")),
-                )
+                Fault::of(&CycleRepeats { value: L, most: BLOCK_HOLES }, &[self.block.column(letter::L)])
             })?,
         };
         let current = self.current.get(across);
@@ -118,13 +105,7 @@ impl Interpreter<'_> {
             (r_word, bottom_word, at, [0.0; 2])
         };
         if r < bottom {
-            return Err(Fault::block(
-                Text::new(
-                    format!("R ({r}) está por debajo del fondo ({bottom})"),
-                    format!("R ({r}) lies below the bottom ({bottom})"),
-                ),
-                Text::fixed("R va por encima del fondo del agujero", "R goes above the bottom of the hole"),
-            ));
+            return Err(Fault::of(&MillHolePlaneBelowBottom { r, bottom }, &[]));
         }
         let mut run = Holes {
             cycle,
@@ -156,16 +137,7 @@ impl Interpreter<'_> {
         }
         if self.modal.return_initial.is_none() && !self.control.start.retract.initial() && old > r {
             let line = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                None,
-                Text::fixed(
-                    "ciclo fijo sin G98 ni G99 antes: la herramienta vuelve a R, o como lo dejó el programa anterior",
-                    "canned cycle with neither G98 nor G99 before it: the tool returns to R, or as the last program left it",
-                ),
-                Text::fixed("programe G98 o G99", "program G98 or G99"),
-            );
+            self.remarks.row(&ReturnHeightNotSaid {}, line, None);
         }
         let sticky = &mut self.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
@@ -191,11 +163,7 @@ impl Interpreter<'_> {
                 };
                 self.modal.sticky.q = run.q;
                 if run.q <= 0.0 {
-                    return Err(Fault::at(
-                        &[self.block.column(letter::Q)],
-                        Text::fixed("Q debe ser mayor que 0", "Q must be greater than 0"),
-                        Text::fixed("dé la profundidad de cada pasada", "give the depth of each peck"),
-                    ));
+                    return Err(Fault::of(&MillPeckNotPositive {}, &[self.block.column(letter::Q)]));
                 }
                 if (run.r - run.bottom) / run.q > PECKS {
                     return Err(Fault::beyond(&TooManyPecks { most: PECKS }, &[]));
@@ -214,11 +182,7 @@ impl Interpreter<'_> {
                     None => return Err(missing('P', cycle)),
                 };
                 if run.p < 0.0 {
-                    return Err(Fault::at(
-                        &[self.block.column(letter::P)],
-                        Text::fixed("tiempo de espera negativo", "negative dwell time"),
-                        Text::fixed("dé un tiempo positivo", "give a positive time"),
-                    ));
+                    return Err(Fault::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
                 }
                 self.modal.sticky.p = run.p;
             }
@@ -250,48 +214,14 @@ impl Interpreter<'_> {
         let turns = self.modal.spindle;
         let needs = matches!(cycle, Cycle::BoreStop | Cycle::BackBore | Cycle::BoreManual);
         if wanted.is_some_and(|wanted| wanted != turns) || (needs && turns == Spindle::Stopped) {
-            return Err(Fault::block(
-                Text::new(
-                    format!("G{}: el husillo está parado o gira al revés", cycle.number()),
-                    format!("G{}: the spindle stands still or turns the wrong way", cycle.number()),
-                ),
-                Text::fixed("programe M3 o M4 antes", "program M3 or M4 before"),
-            )
-            .hanging_on(doubt::SPINDLE));
+            return Err(Fault::of(&CycleSpindle { cycle: cycle.number() }, &[]).hanging_on(doubt::SPINDLE));
         }
         if wanted.is_some() && self.modal.plane != Plane::XY {
-            self.remarks.add(
-                Grade::Caution,
-                self.line,
-                None,
-                Text::new(
-                    format!(
-                        "G{} fuera de G17: LinuxCNC 2.9 cambia los ejes entre sí y rosca hacia un lado",
-                        cycle.number()
-                    ),
-                    format!(
-                        "G{} outside G17: LinuxCNC 2.9 takes the axes for one another and taps sideways",
-                        cycle.number()
-                    ),
-                ),
-                Text::fixed(
-                    "leído como lo dice el plano; en ese control, rosque en G17",
-                    "read as the plane says; on that control tap in G17",
-                ),
-            );
+            self.remarks.row(&TappingOutsideG17 { cycle: cycle.number() }, self.line, None);
         }
         if cycle == Cycle::BoreManual {
             let line = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                None,
-                Text::fixed(
-                    "G88: el operario saca la herramienta a mano",
-                    "G88: the operator takes the tool out by hand",
-                ),
-                Text::fixed("", ""),
-            );
+            self.remarks.row(&TakenOutByHand {}, line, None);
         }
         Ok(())
     }

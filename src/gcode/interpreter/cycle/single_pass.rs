@@ -12,16 +12,19 @@
 //! one revolution), and the start angle Q of G32 and G92 (thousandths of a degree, not modal, 0 where it is not given). How far
 //! a thread is pulled out at the end of G92 is a parameter of the control: none is taken here.
 
-use crate::finding::Grade;
+use crate::finding::Size;
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, MotionKind, Thread};
 use crate::gcode::turning::pace::revolutions;
+use crate::gcode::turning::rules::{
+    BareG90, LeadChangeMissing, LeadMissing, LeadRunsOut, LeadZero, PassBeginsBeyondStart, PassEndMissing, StartAngle,
+    StartAngleForgotten,
+};
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::Axis;
-use crate::number::shown;
 use crate::text::Text;
 
 impl Interpreter<'_> {
@@ -32,15 +35,8 @@ impl Interpreter<'_> {
         }
         match self.modal.lead {
             Some(lead) if lead > 0.0 => Ok(lead),
-            Some(_) => Err(Fault::at(
-                &[self.block.column(letter::F)],
-                Text::fixed("rosca de paso 0", "thread with lead 0"),
-                Text::fixed("dé el paso con F", "give the lead with F"),
-            )),
-            None => Err(Fault::block(
-                Text::fixed("rosca sin F, su paso", "thread without F, its lead"),
-                Text::fixed("dé el paso con F", "give the lead with F"),
-            )),
+            Some(_) => Err(Fault::of(&LeadZero {}, &[self.block.column(letter::F)])),
+            None => Err(Fault::of(&LeadMissing {}, &[])),
         }
     }
 
@@ -49,17 +45,7 @@ impl Interpreter<'_> {
         const TURN: f64 = 360_000.0;
         let Some(Q) = self.block.get(letter::Q) else { return Ok(0.0) };
         if !(0.0..=TURN).contains(&Q) {
-            return Err(Fault::at(
-                &[self.block.column(letter::Q)],
-                Text::new(
-                    format!("Q{Q} no es el ángulo inicial de una rosca"),
-                    format!("Q{Q} is no start angle of a thread"),
-                ),
-                Text::fixed(
-                    "Q va de 0 a 360000, en milésimas de grado: Q180000 es media vuelta",
-                    "Q goes from 0 to 360000, in thousandths of a degree: Q180000 is half a turn",
-                ),
-            ));
+            return Err(Fault::of(&StartAngle { value: Q }, &[self.block.column(letter::Q)]));
         }
         Ok(if Q == TURN { 0.0 } else { Q / 1000.0 })
     }
@@ -75,16 +61,7 @@ impl Interpreter<'_> {
             Some(depths) if angle != 0.0 => depths.push(x),
             Some(depths) if !depths.is_empty() && !self.block.has(letter::Q) && !depths.contains(&x) => {
                 self.modal.angled = None;
-                self.remarks.add(
-                    Grade::Caution,
-                    line,
-                    None,
-                    Text::fixed(
-                        "la pasada de la rosca empieza a 0°: Q solo vale en su bloque, y las anteriores empezaron en otro ángulo",
-                        "the pass of the thread begins at 0°: Q holds in its block alone, and those before began at another angle",
-                    ),
-                    Text::fixed("repita Q en cada pasada", "give Q again in each pass"),
-                );
+                self.remarks.row(&StartAngleForgotten {}, line, None);
             }
             _ => self.modal.angled = None,
         }
@@ -96,14 +73,7 @@ impl Interpreter<'_> {
         let change = match self.block.get(letter::K) {
             Some(K) if changing => self.modal.unit.to_mm(K),
             None if changing && self.modal.motion != G::Thread(true) => {
-                return Err(Fault::at(
-                    &[self.block.g_column(Group::Motion)],
-                    Text::fixed(
-                        "falta K en G34: cuánto cambia el paso por vuelta",
-                        "K is missing in G34: the change of the lead",
-                    ),
-                    Text::fixed("dé K en el bloque, o use G32", "give K in the block, or use G32"),
-                ));
+                return Err(Fault::of(&LeadChangeMissing {}, &[self.block.g_column(Group::Motion)]));
             }
             None if changing => self.modal.lead_change,
             _ => 0.0,
@@ -121,14 +91,9 @@ impl Interpreter<'_> {
         }
         let thread = Thread { lead, change, angle: self.start_angle()? };
         if revolutions(distance, &thread).is_none() {
-            let most = shown(-lead * lead / (2.0 * change), 3);
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &LeadRunsOut { length: Size::mm(-lead * lead / (2.0 * change)) },
                 &[self.block.column(letter::K)],
-                Text::new(
-                    format!("el paso llega a 0 a los {most} mm, antes del final"),
-                    format!("the lead comes to 0 after {most} mm, before the end"),
-                ),
-                Text::fixed("disminuya K o acorte la rosca", "make K smaller, or the thread shorter"),
             ));
         }
         let seconds = self.thread_seconds(&to, &thread);
@@ -139,21 +104,7 @@ impl Interpreter<'_> {
     /// G90 alone: the turning cycle is in force and makes nothing yet.
     fn bare_axial_pass(&mut self) {
         self.modal.motion = G::Pass(SinglePassCycle::Axial);
-        self.remarks.add(
-            Grade::Caution,
-            self.line,
-            Some(self.block.g_column(Group::Motion)),
-            Text::fixed(
-                "G90 sin X ni Z: en el sistema A es el ciclo de torneado; leído como que no mueve nada y queda en vigor \
-                 hasta G0 o G1",
-                "G90 without X and Z: in system A it is the turning cycle; read as moving nothing and in force until G0 or \
-                 G1",
-            ),
-            Text::fixed(
-                "quítelo: X y Z son siempre absolutas, U y W incrementales",
-                "take it out: X and Z are always absolute, U and W increments",
-            ),
-        );
+        self.remarks.row(&BareG90 {}, self.line, Some(self.block.g_column(Group::Motion)));
     }
 
     /// G90, G92 and G94.
@@ -178,16 +129,9 @@ impl Interpreter<'_> {
             _ => None,
         };
         if let Some((es, en)) = missing.and_then(|missing| missing.split_once('|')) {
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &PassEndMissing { words: Text::fixed(es, en), cycle: number },
                 &[self.block.g_column(Group::Motion)],
-                Text::new(
-                    format!("falta {es} en G{number}, que aquí es un ciclo de torneado"),
-                    format!("{en} missing in G{number}, which is a turning cycle here"),
-                ),
-                Text::fixed(
-                    "dé el final de la pasada; las cotas absolutas son X y Z, las incrementales U y W",
-                    "give the end of the pass; X and Z are absolute, U and W are increments",
-                ),
             )
             .hanging_on(doubt::MOTION));
         }
@@ -203,16 +147,9 @@ impl Interpreter<'_> {
         let across = usize::from(pass == SinglePassCycle::Radial);
         let infeed = end[across] - start[across];
         if infeed * (infeed + taper) < 0.0 {
-            return Err(Fault::at(
+            return Err(Fault::of(
+                &PassBeginsBeyondStart { taper: Size::plain(taper, 3), cycle: number, infeed: Size::mm(infeed.abs()) },
                 &[self.block.column(letter::R)],
-                Text::new(
-                    format!("R{} de G{number} empieza la pasada más allá del punto de partida", shown(taper, 3)),
-                    format!("R{} of G{number} begins the pass beyond the start point", shown(taper, 3)),
-                ),
-                Text::new(
-                    format!("R contra la entrada, de {} mm, no puede ser mayor que ella", shown(infeed.abs(), 3)),
-                    format!("R against the infeed, of {} mm, may not be greater than it", shown(infeed.abs(), 3)),
-                ),
             )
             .hanging_on(doubt::LATHE));
         }

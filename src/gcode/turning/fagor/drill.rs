@@ -13,14 +13,17 @@
 //! # Left open, and chosen here
 //! C is 1 mm where it is not given, D is 0. With an H that is shorter than C the tool drills on from where H left it.
 
+use crate::finding::Size;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::sign;
 use crate::gcode::turning::rough::finite;
+use crate::gcode::turning::rules::{
+    FagorDrillFactor, FagorDrillNegative, FagorHoleWithoutDepth, TooManyFagorDrillSteps,
+};
 use crate::gcode::turning::scan::{EPS, PassFrame};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::DRILL_STEPS;
-use crate::text::Text;
 
 /// The parameters of G83. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,28 +52,19 @@ pub struct Drill {
 ///
 /// # Errors
 /// Refusals for a depth of 0, negative distances, an R beyond 0 to 1; a limit for more than 10,000 steps.
-pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
+pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Box<Trouble>> {
     let Drill { at, depth, step, safety, dwell, least, factor, .. } = *drill;
     let (back, near) = (drill.back.unwrap_or(0.0), drill.near.unwrap_or(1.0));
     finite(&[start[0], start[1], at[0], at[1], depth, step, safety, dwell, least, factor, back, near])?;
     if depth.abs() < EPS {
-        return Err(Trouble::plain(
-            Text::fixed("el agujero tiene profundidad 0", "the hole has depth 0"),
-            Text::fixed("dé I, positivo hacia −Z", "give I, positive towards −Z"),
-        ));
+        return Err(Trouble::of(&FagorHoleWithoutDepth {}));
     }
     let wrong = [('B', step), ('D', safety), ('K', dwell), ('H', back), ('C', near), ('L', least)];
     if let Some((letter, _)) = wrong.into_iter().find(|(_, value)| *value < 0.0) {
-        return Err(Trouble::plain(
-            Text::new(format!("{letter} negativo en G83"), format!("negative {letter} in G83")),
-            Text::new(format!("dé {letter} sin signo"), format!("give {letter} without a sign")),
-        ));
+        return Err(Trouble::of(&FagorDrillNegative { letter }));
     }
     if !(factor > 0.0 && factor <= 1.0) {
-        return Err(Trouble::plain(
-            Text::fixed("el factor R de G83 no está entre 0 y 1", "the factor R of G83 is not between 0 and 1"),
-            Text::fixed("dé R mayor que 0 y hasta 1", "give R above 0 and up to 1"),
-        ));
+        return Err(Trouble::of(&FagorDrillFactor {}));
     }
     // v counts out of the hole.
     let frame = PassFrame { axes: [0, 1], signs: [1.0, sign(depth)] };
@@ -83,7 +77,7 @@ pub fn drill(start: [f64; 2], drill: &Drill) -> Result<Vec<Move>, Trouble> {
         if reached.len() >= DRILL_STEPS || next < EPS {
             #[expect(clippy::cast_precision_loss, reason = "a small constant")]
             let most = DRILL_STEPS as f64;
-            return Err(Trouble::too_many(most + 1.0, most, Text::fixed("aumente B, R o L", "make B, R or L greater")));
+            return Err(Trouble::of(&TooManyFagorDrillSteps { passes: Size::plain(most + 1.0, 0), most }).beyond());
         }
         v = (v - next).max(bottom);
         if v - bottom < EPS {

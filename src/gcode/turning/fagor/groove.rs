@@ -12,14 +12,15 @@
 //! The points are those of the tool's cutting point: the control makes the groove narrower by the width of the cutter in its
 //! tool table, which no program says; with the places as programmed the groove is wider than R − Z by that width.
 
+use crate::finding::Size;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::{Along, no_step, sign, wrong_start};
 use crate::gcode::turning::rough::finite;
+use crate::gcode::turning::rules::{FagorGrooveNegative, FagorGrooveWithoutDepth, TooManyFagorPasses};
 use crate::gcode::turning::scan::EPS;
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::GROOVE_PLACES;
-use crate::text::Text;
 
 /// The parameters of G88 and G89. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,24 +42,18 @@ pub struct Groove {
 /// # Errors
 /// Refusals for a groove without depth, a step that is not above 0, a negative D or K, a start below the brim; a limit for
 /// more than 10,000 places.
-pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move>, Trouble> {
+pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move>, Box<Trouble>> {
     let Groove { from, to, step, safety, dwell } = *groove;
     finite(&[start[0], start[1], from[0], from[1], to[0], to[1], step, safety, dwell])?;
     let [u, v] = along.axes();
     if (from[v] - to[v]).abs() < EPS {
-        return Err(Trouble::plain(
-            Text::fixed("la ranura tiene profundidad 0", "the groove has depth 0"),
-            Text::fixed("dé el fondo con Q (G88) o R (G89)", "give the bottom with Q (G88) or R (G89)"),
-        ));
+        return Err(Trouble::of(&FagorGrooveWithoutDepth {}));
     }
     if step <= 0.0 {
         return Err(no_step('C'));
     }
     if safety < 0.0 || dwell < 0.0 {
-        return Err(Trouble::plain(
-            Text::fixed("D o K negativo en el ranurado", "negative D or K in the grooving"),
-            Text::fixed("dé D y K sin signo", "give D and K without a sign"),
-        ));
+        return Err(Trouble::of(&FagorGrooveNegative {}));
     }
     let frame = along.frame([sign(from[u] - to[u]), sign(from[v] - to[v])]);
     let [S, A, B] = [start, from, to].map(|p| frame.inward(p));
@@ -67,7 +62,9 @@ pub fn groove(start: [f64; 2], along: Along, groove: &Groove) -> Result<Vec<Move
     }
     let places = ((A[0] - B[0]) / step - EPS).ceil().max(0.0);
     if places >= GROOVE_PLACES {
-        return Err(Trouble::too_many(places + 1.0, GROOVE_PLACES, Text::fixed("aumente C", "make C greater")));
+        return Err(
+            Trouble::of(&TooManyFagorPasses { passes: Size::plain(places + 1.0, 0), most: GROOVE_PLACES }).beyond()
+        );
     }
     let mut tool = CycleMoves::new(frame, start);
     tool.rapid([A[0], S[1]]);

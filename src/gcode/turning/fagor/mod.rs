@@ -10,9 +10,9 @@ pub mod groove;
 pub mod section;
 pub mod thread;
 
+use crate::gcode::turning::rules::{FagorStartInside, FagorStepNotPositive};
 use crate::gcode::turning::scan::PassFrame;
 use crate::gcode::turning::trouble::Trouble;
-use crate::text::Text;
 
 /// Which way a cycle works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,23 +44,11 @@ fn sign(way: f64) -> f64 {
 }
 
 /// A refusal for C, B or another step that is not above 0.
-fn no_step(letter: char) -> Trouble {
-    Trouble::plain(
-        Text::new(format!("el paso {letter} no es mayor que 0"), format!("the step {letter} is not above 0")),
-        Text::new(format!("dé {letter} mayor que 0"), format!("give {letter} above 0")),
-    )
+fn no_step(letter: char) -> Box<Trouble> {
+    Trouble::of(&FagorStepNotPositive { letter })
 }
 
 /// A refusal for a start from which the cycle cannot be made.
-const fn wrong_start() -> Trouble {
-    Trouble::plain(
-        Text::fixed(
-            "la posición de la herramienta no vale para el ciclo: está dentro de la zona que se mecaniza",
-            "the tool stands where the cycle cannot start: within what is to be cut",
-        ),
-        Text::fixed(
-            "llame al ciclo desde fuera del bruto, más allá de los dos puntos del perfil y de la demasía",
-            "call the cycle from outside the stock, beyond both points of the profile and the stock to leave",
-        ),
-    )
+fn wrong_start() -> Box<Trouble> {
+    Trouble::of(&FagorStartInside {})
 }

@@ -16,16 +16,17 @@
 //! Of the two arcs about the centre the shorter one is meant, and it must not turn back along an axis. A and B may differ by
 //! 0.01 mm in their distance from the centre. The retraction of D is at rapid. L and M go from the profile towards S.
 
+use crate::finding::Size;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::{Along, no_step, sign, wrong_start};
 use crate::gcode::turning::profile::{Element, Profile};
 use crate::gcode::turning::rough::finite;
+use crate::gcode::turning::rules::{FagorArcHalf, FagorArcRadii, FagorArcTurnsBack, FagorNegative, TooManyFagorPasses};
 use crate::gcode::turning::scan::{EPS, Path, same};
 use crate::gcode::turning::tool::CycleMoves;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::ROUGHING_PASSES;
 use crate::number::trig;
-use crate::text::Text;
 
 /// By how much the distances of both ends of an arc from its centre may differ, mm.
 const ROUND: f64 = 0.01;
@@ -52,7 +53,7 @@ pub struct Section {
 }
 
 impl Section {
-    fn check(&self) -> Result<(), Trouble> {
+    fn check(&self) -> Result<(), Box<Trouble>> {
         let Self { from, to, step, back, stock, roughing, finishing, .. } = *self;
         let centre = self.centre.unwrap_or_default();
         finite(&[from[0], from[1], to[0], to[1], centre[0], centre[1], step, stock[0], stock[1]])?;
@@ -63,50 +64,24 @@ impl Section {
         let negative = [("D", back.unwrap_or(0.0)), ("L", stock[0]), ("M", stock[1])];
         let negative = negative.into_iter().chain([("F", roughing.unwrap_or(0.0)), ("H", finishing.unwrap_or(0.0))]);
         if let Some((name, _)) = negative.into_iter().find(|(_, value)| *value < 0.0) {
-            return Err(Trouble::plain(
-                Text::new(format!("{name} negativo en el ciclo"), format!("negative {name} in the cycle")),
-                Text::new(format!("dé {name} sin signo"), format!("give {name} without a sign")),
-            ));
+            return Err(Trouble::of(&FagorNegative { letter: name }));
         }
         Ok(())
     }
 
     /// The arc of the section: its centre and whether it is clockwise (G2).
-    fn arc(&self) -> Result<Option<([f64; 2], bool)>, Trouble> {
+    fn arc(&self) -> Result<Option<([f64; 2], bool)>, Box<Trouble>> {
         let Some(offset) = self.centre else { return Ok(None) };
         let centre = [self.from[0] + offset[0], self.from[1] + offset[1]];
         // Along Z and X, where angles count from +Z towards +X.
         let [a, b] = [self.from, self.to].map(|p| [p[1] - centre[1], p[0] - centre[0]]);
         let [near, far] = [a, b].map(|p| trig::hypot(p[0], p[1]));
         if (near - far).abs() > ROUND || near < EPS {
-            return Err(Trouble::plain(
-                Text::new(
-                    format!(
-                        "el arco no tiene un solo radio: {} mm al principio y {} mm al final",
-                        crate::number::shown(near, 3),
-                        crate::number::shown(far, 3)
-                    ),
-                    format!(
-                        "the arc has no single radius: {} mm at its start and {} mm at its end",
-                        crate::number::shown(near, 3),
-                        crate::number::shown(far, 3)
-                    ),
-                ),
-                Text::fixed(
-                    "I y K van del punto inicial al centro; I en radios",
-                    "I and K go from the initial point to the centre; I on the radius",
-                ),
-            ));
+            return Err(Trouble::of(&FagorArcRadii { near: Size::mm(near), far: Size::mm(far) }));
         }
         let turn = a[0] * b[1] - a[1] * b[0];
         if turn.abs() < EPS * near * near {
-            return Err(Trouble::plain(
-                Text::fixed(
-                    "el arco abarca 0 o 180 grados: no se sabe por qué lado va",
-                    "the arc spans 0 or 180 degrees: its side is not known",
-                ),
-                Text::fixed("programe el arco en dos tramos", "program the arc in two sections"),
-            ));
+            return Err(Trouble::of(&FagorArcHalf {}));
         }
         Ok(Some((centre, turn < 0.0)))
     }
@@ -117,7 +92,7 @@ impl Section {
 /// # Errors
 /// Refusals for a step that is not above 0, negative distances, an arc without a single radius or one that turns back, a
 /// profile that falls from the initial to the final point, and a start within what is to be cut; a limit for too many passes.
-pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<Move>, Trouble> {
+pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<Move>, Box<Trouble>> {
     finite(&start)?;
     section.check()?;
     let arc = section.arc()?;
@@ -133,13 +108,7 @@ pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<M
     let exact = Path::of(&profile, frame, [0.0; 2]);
     let moved = Path::of(&profile, frame, stock);
     if exact.goes_back(0, ROUND).is_some() || exact.goes_back(1, ROUND).is_some() {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "el arco retrocede en un eje: pasa de un cuadrante de su círculo a otro",
-                "the arc turns back along an axis: it passes from one quarter of its circle into another",
-            ),
-            Text::fixed("programe un ciclo por cuadrante", "program one cycle for each quarter"),
-        ));
+        return Err(Trouble::of(&FagorArcTurnsBack {}));
     }
     if S[0] < A[0] + stock[0] - EPS || S[1] < B[1] + stock[1] - EPS {
         return Err(wrong_start());
@@ -149,7 +118,7 @@ pub fn section(start: [f64; 2], along: Along, section: &Section) -> Result<Vec<M
     #[expect(clippy::cast_precision_loss, reason = "a small constant")]
     let most = ROUGHING_PASSES as f64;
     if passes > most {
-        return Err(Trouble::too_many(passes, most, Text::fixed("aumente C", "make C greater")));
+        return Err(Trouble::of(&TooManyFagorPasses { passes: Size::plain(passes, 0), most }).beyond());
     }
     let path = moved.clone().with_lead(S[0]).with_wall(S[1]);
     let mut tool = CycleMoves::new(frame, start);

@@ -16,15 +16,19 @@
 //! final point. L may have either sign. With the flanks in turn every other pass begins (2·I − p)·tan |A| further, so that the
 //! cutter's other edge cuts the other flank of the last pass. A is 30 degrees where it is not given.
 
+use crate::finding::Size;
 use crate::gcode::motion::Thread;
 use crate::gcode::turning::fagor::{Along, no_step, sign};
 use crate::gcode::turning::rough::finite;
+use crate::gcode::turning::rules::{
+    FagorThreadExit, FagorThreadLastPass, FagorThreadTooShort, FagorThreadWithoutDepth, FagorThreadWithoutLead,
+    TooManyFagorThreadPasses,
+};
 use crate::gcode::turning::scan::EPS;
 use crate::gcode::turning::trouble::Trouble;
 use crate::gcode::turning::{Move, Way};
 use crate::limits::THREAD_PASSES;
 use crate::number::trig;
-use crate::text::Text;
 
 /// The parameters of G86 and G87. Lengths in mm, X on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,27 +60,18 @@ impl Threading {
     ///
     /// # Errors
     /// Refusals for a depth or a step of 0 and for what the last pass takes off; a limit for too many passes.
-    pub fn depths(&self) -> Result<Vec<f64>, Trouble> {
+    pub fn depths(&self) -> Result<Vec<f64>, Box<Trouble>> {
         let Self { depth, step, least, finishing, .. } = *self;
         finite(&[depth, step, least, finishing])?;
         let (full, finishing) = (depth.abs(), finishing.abs());
         if full < EPS {
-            return Err(Trouble::plain(
-                Text::fixed("la rosca tiene profundidad 0", "the thread has depth 0"),
-                Text::fixed("dé I distinto de 0", "give an I other than 0"),
-            ));
+            return Err(Trouble::of(&FagorThreadWithoutDepth {}));
         }
         if step == 0.0 {
             return Err(no_step('B'));
         }
         if least < 0.0 || finishing >= full {
-            return Err(Trouble::plain(
-                Text::fixed(
-                    "E es negativo o L no es menor que la profundidad I",
-                    "E is negative, or L is not below the depth I",
-                ),
-                Text::fixed("dé E sin signo y L menor que I", "give E without a sign and L below I"),
-            ));
+            return Err(Trouble::of(&FagorThreadLastPass {}));
         }
         let target = full - finishing;
         let mut depths: Vec<f64> = Vec::new();
@@ -87,11 +82,9 @@ impl Threading {
                 let passes = if step > 0.0 { part * part } else { part };
                 #[expect(clippy::cast_precision_loss, reason = "a small constant")]
                 let most = THREAD_PASSES as f64;
-                return Err(Trouble::too_many(
-                    passes.ceil(),
-                    most,
-                    Text::fixed("aumente B o E", "make B or E greater"),
-                ));
+                return Err(
+                    Trouble::of(&TooManyFagorThreadPasses { passes: Size::plain(passes.ceil(), 0), most }).beyond()
+                );
             }
             #[expect(clippy::cast_precision_loss, reason = "a count of passes")]
             let n = (depths.len() + 1) as f64;
@@ -111,24 +104,15 @@ impl Threading {
 /// # Errors
 /// Those of [`Threading::depths`]; refusals for a lead of 0, a negative J, an angle beyond 90 degrees, a thread without length
 /// or shorter than its way in and out.
-pub fn thread(start: [f64; 2], along: Along, threading: &Threading) -> Result<Vec<Move>, Trouble> {
+pub fn thread(start: [f64; 2], along: Along, threading: &Threading) -> Result<Vec<Move>, Box<Trouble>> {
     let Threading { from, to, depth, safety, lead, exit, angle, .. } = *threading;
     finite(&[start[0], start[1], from[0], from[1], to[0], to[1], safety, lead, exit, angle])?;
     let depths = threading.depths()?;
     if lead == 0.0 {
-        return Err(Trouble::plain(
-            Text::fixed("la rosca tiene paso 0", "the thread has lead 0"),
-            Text::fixed("dé el paso con C", "give the lead with C"),
-        ));
+        return Err(Trouble::of(&FagorThreadWithoutLead {}));
     }
     if exit < 0.0 || angle.abs() >= 90.0 {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "J es negativo o el ángulo A no es menor que 90 grados",
-                "J is negative, or the angle A is not below 90 degrees",
-            ),
-            Text::fixed("dé J sin signo y A menor que 90", "give J without a sign and A below 90"),
-        ));
+        return Err(Trouble::of(&FagorThreadExit {}));
     }
     let [u, _] = along.axes();
     let frame = along.frame([sign(from[u] - to[u]), sign(depth)]);
@@ -138,13 +122,7 @@ pub fn thread(start: [f64; 2], along: Along, threading: &Threading) -> Result<Ve
     let full = depth.abs();
     let farthest = full * slope * if angle < 0.0 { 2.0 } else { 1.0 };
     if length < EPS || exit + farthest >= length {
-        return Err(Trouble::plain(
-            Text::fixed(
-                "la rosca es más corta que su salida y la penetración por el flanco",
-                "the thread is shorter than its way out and the infeed along the flank",
-            ),
-            Text::fixed("alargue la rosca o reduzca J", "make the thread longer or J shorter"),
-        ));
+        return Err(Trouble::of(&FagorThreadTooShort {}));
     }
     let rise = (A[1] - B[1]) / length;
     let incline = trig::hypot(1.0, rise);

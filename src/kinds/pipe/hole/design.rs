@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Place};
-use crate::gcode::control::Control;
+use crate::gcode::control::{Control, Written};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
@@ -79,6 +79,8 @@ pub struct Design {
     pub program: u32,
     /// The dialect.
     pub control: &'static Control,
+    /// How it is written for.
+    pub written: Written,
     /// M codes that turn the torch on.
     pub torch_on: Vec<Word>,
     /// M codes that turn it off.
@@ -141,7 +143,8 @@ impl Design {
             part: fields.get(&PART),
             material: fields.get(&MATERIAL).unwrap_or_default(),
             program: fields.get(&NUMBER),
-            control: fields.get(&DIALECT),
+            control: fields.get(&DIALECT).control,
+            written: fields.get(&DIALECT),
             torch_on: fields.get(&TORCH_ON).0,
             torch_off: fields.get(&TORCH_OFF).0,
             hold_on: fields.get(&HOLD_ON).unwrap_or_default().0,

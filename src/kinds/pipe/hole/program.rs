@@ -3,11 +3,12 @@
 use crate::gcode::control::{FeedLaw, Rotary};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
-use crate::gcode::program::{Part, Program};
+use crate::gcode::program::Program;
 use crate::gcode::word::{Distance, NumberFormat, Word};
+use crate::gcode::writer::Writer;
 use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place};
 use crate::kinds::pipe::hole::design::Design;
-use crate::kinds::pipe::insert::program::{TRUE_FOR_BOTH, dwell};
+use crate::kinds::pipe::insert::program::TRUE_FOR_BOTH;
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
@@ -26,7 +27,7 @@ pub fn hold(design: &Design, on: bool) -> Option<Vec<Word>> {
     if !given.is_empty() {
         return Some(given.clone());
     }
-    design.control.height.words(on)
+    design.written.writing.height.words(on)
 }
 
 /// How the program turns A, B and C: where the control's rotary axes are rollover as delivered, the number of an absolute
@@ -66,23 +67,20 @@ fn feed(law: FeedLaw, from: Place, leg: &Leg) -> Result<FeedWord, OutOfFormat> {
 /// # Errors
 /// For a number that no program may carry.
 pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
-    let control = design.control;
     let work = Work { part: &design.part, material: &design.material, number: design.program };
-    let mut header = Header::new(control, "hole", &TITLE, work, origin);
+    let mut header = Header::new(design.control, "hole", &TITLE, work, origin);
     comments(design, &mut header);
-    let mut parts = header.parts;
-    let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
-    let law = control.law;
+    let mut writer = Writer::new(design.written, header.parts);
+    let law = writer.law();
     let safe = Milli::round(design.R_o() + design.Z_s)?;
-    let rapid = |words: Vec<Word>| std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>();
     let distance = distance(design);
     let over = |[A, X, _, B, C]: Place| [A, X, safe, B, C];
     let home = |[_, X, ..]: Place| [Milli::ZERO, X, safe, Milli::ZERO, Milli::ZERO];
-    block(control.safety_block());
-    block(rapid(vec![Word::size('Z', safe)]));
+    writer.safety();
+    writer.rapid([Word::size('Z', safe)]);
     if distance == Distance::Incremental {
-        block(rapid(vec![Word::size('X', cut.pierce[1])]));
-        block(vec![Word::whole('G', 91)]);
+        writer.rapid([Word::size('X', cut.pierce[1])]);
+        writer.distance(Distance::Incremental);
     }
     let mut turns = words(distance, home(cut.pierce), over(cut.pierce));
     turns.retain(|word| word.letter != 'Z');
@@ -90,66 +88,57 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
     down.retain(|word| word.letter == 'Z');
     for words in [turns, down] {
         if !words.is_empty() {
-            block(rapid(words));
+            writer.rapid(words);
         }
     }
     let mut held = false;
     if cut.pierce_held
         && let Some(words) = hold(design, true)
     {
-        block(words);
+        writer.block(words);
         held = true;
     }
-    block(design.torch_on.clone());
+    writer.block(design.torch_on.clone());
     if design.pierce_delay > 0.0 {
-        block(std::iter::once(Word::whole('G', 4)).chain(dwell(control, design.pierce_delay)?).collect());
+        writer.dwell(design.pierce_delay)?;
     }
-    if law.code() != 94 {
-        block(vec![Word::whole('G', law.code())]);
-    }
-    let (mut at, mut last) = (cut.pierce, None);
+    writer.begin_feed();
+    let mut at = cut.pierce;
     for leg in &cut.legs {
         if leg.held != held
             && let Some(words) = hold(design, leg.held)
         {
-            block(words);
+            writer.block(words);
             held = leg.held;
         }
         let F = feed(law, at, leg)?;
-        let mut line: Vec<Word> = std::iter::once(Word::whole('G', 1)).chain(words(distance, at, leg.to)).collect();
-        if law.in_every_block() || last != Some(F) {
-            line.push(Word::feed(F));
-            last = Some(F);
-        }
-        block(line);
+        writer.feed(std::iter::once(Word::whole('G', 1)).chain(words(distance, at, leg.to)), F);
         at = leg.to;
     }
-    block(design.torch_off.clone());
+    writer.block(design.torch_off.clone());
     if held && let Some(words) = hold(design, false) {
-        block(words);
+        writer.block(words);
     }
-    if law.code() != 94 {
-        block(vec![Word::whole('G', 94)]);
-    }
+    writer.end_feed();
     if distance == Distance::Incremental {
-        block(vec![Word::whole('G', 90)]);
+        writer.distance(Distance::Absolute);
     }
-    block(rapid(vec![Word::size('Z', safe)]));
+    writer.rapid([Word::size('Z', safe)]);
     let back = words(Distance::Incremental, over(at), home(at));
     if distance == Distance::Incremental && !back.is_empty() {
-        block(vec![Word::whole('G', 91)]);
-        block(rapid(back));
-        block(vec![Word::whole('G', 90)]);
+        writer.distance(Distance::Incremental);
+        writer.rapid(back);
+        writer.distance(Distance::Absolute);
     }
-    block(design.end_codes.clone());
+    writer.block(design.end_codes.clone());
     Ok(Program {
         key: "hole",
         title: TITLE,
-        control,
+        control: design.control,
         format: NumberFormat::Fixed,
         block_step: Some(design.block_step),
         start: Position::default(),
-        parts,
+        parts: writer.finish(),
     })
 }
 

@@ -157,7 +157,7 @@ impl Watch<'_> {
             let speed = way * 60.0 / seconds;
             self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
             let word = if let MotionKind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
-            if !timely(self.design.control.law, motion, word, leg.seconds) {
+            if !timely(self.design.control.feed.law, motion, word, leg.seconds) {
                 self.off_speed.get_or_insert((speed, at));
             }
             let slower = seconds / leg.seconds - 1.0;

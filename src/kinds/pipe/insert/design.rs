@@ -2,7 +2,7 @@
 
 use crate::figure::Paper;
 use crate::finding::{Finding, Place};
-use crate::gcode::control::Control;
+use crate::gcode::control::{Control, Written};
 use crate::gcode::program::Style;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
@@ -147,6 +147,8 @@ pub struct Design {
     pub program: u32,
     /// The dialect.
     pub control: &'static Control,
+    /// How it is written for.
+    pub written: Written,
     /// The style.
     pub style: Style,
     /// M codes that turn the torch on.
@@ -214,7 +216,8 @@ impl Design {
             part: fields.get(&PART),
             material: fields.get(&MATERIAL).unwrap_or_default(),
             program: fields.get(&NUMBER),
-            control: fields.get(&DIALECT),
+            control: fields.get(&DIALECT).control,
+            written: fields.get(&DIALECT),
             style: fields.get(&STYLE),
             torch_on: fields.get(&TORCH_ON).0,
             torch_off: fields.get(&TORCH_OFF).0,

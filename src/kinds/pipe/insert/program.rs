@@ -1,10 +1,11 @@
 //! The program of the torch, as published or complete.
 
-use crate::gcode::control::{Control, FeedLaw, Rotary};
+use crate::gcode::control::Rotary;
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{Distance, Number, NumberFormat, Word};
+use crate::gcode::writer::Writer;
 use crate::kinds::pipe::insert::arcs::{Triple, triples};
 use crate::kinds::pipe::insert::cut::{Cut, Leg};
 use crate::kinds::pipe::insert::design::{Design, Mode};
@@ -91,22 +92,6 @@ pub fn approach(design: &Design, pierce: [Milli; 2]) -> usize {
     if distance(design) == Distance::Incremental && pierce[0] != Milli::ZERO { 2 } else { 1 }
 }
 
-/// The word of a dwell in seconds; `None` where the control has none.
-///
-/// # Errors
-/// For a number that no program may carry.
-pub fn dwell(control: &Control, seconds: f64) -> Result<Option<Word>, OutOfFormat> {
-    let Some(&(letter, unit)) = control.lexis.dwell.first() else { return Ok(None) };
-    let letter = char::from(b'A' + letter);
-    let number = seconds / unit;
-    if unit == 1.0 {
-        return Ok(Some(Word::size(letter, Milli::round(number)?)));
-    }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a delay within a minute")]
-    let whole = number.round() as u32;
-    Ok(Some(Word::whole(letter, whole)))
-}
-
 /// The way of a leg over the surface that is cut, mm, from where the last one ended.
 fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
     let by = |axis: usize| (leg.to[axis] - from[axis]).value();
@@ -127,37 +112,34 @@ fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
 /// # Errors
 /// For a number that no program may carry.
 pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
-    let control = design.control;
     let work = Work { part: &design.part, material: &design.material, number: design.program };
-    let mut header = Header::new(control, "insert", &TITLE, work, origin);
+    let mut header = Header::new(design.control, "insert", &TITLE, work, origin);
     comments(design, &mut header);
-    let mut parts = header.parts;
-    let mut block = |words: Vec<Word>| parts.push(Part::Block(words));
+    let writer = Writer::new(design.written, header.parts);
+    let mut writer = if design.mode == Mode::Rotary { writer } else { writer.along_the_path() };
     let letters = letters(design.mode);
     let place = |to: [Milli; 2]| letters.into_iter().zip(to).map(|(letter, size)| Word::size(letter, size));
-    let law = if design.mode == Mode::Rotary { control.law } else { FeedLaw::Resultant };
+    let law = writer.law();
     let distance = distance(design);
-    block(control.safety_block());
+    writer.safety();
     match distance {
-        Distance::Absolute => block(std::iter::once(Word::whole('G', 0)).chain(place(cut.pierce)).collect()),
+        Distance::Absolute => writer.rapid(place(cut.pierce)),
         Distance::Incremental => {
-            let [turn, along] = letters.map(|letter| move |size| vec![Word::whole('G', 0), Word::size(letter, size)]);
-            block(along(cut.pierce[1]));
-            block(vec![Word::whole('G', 91)]);
+            let [turn, along] = letters.map(|letter| move |size| [Word::size(letter, size)]);
+            writer.rapid(along(cut.pierce[1]));
+            writer.distance(Distance::Incremental);
             if approach(design, cut.pierce) > 1 {
-                block(turn(cut.pierce[0]));
+                writer.rapid(turn(cut.pierce[0]));
             }
         }
     }
-    block(design.torch_on.clone());
+    writer.block(design.torch_on.clone());
     if design.pierce_delay > 0.0 {
-        block(std::iter::once(Word::whole('G', 4)).chain(dwell(control, design.pierce_delay)?).collect());
+        writer.dwell(design.pierce_delay)?;
     }
-    if law.code() != 94 {
-        block(vec![Word::whole('G', law.code())]);
-    }
+    writer.begin_feed();
     let F = design.F.unwrap_or(0.0);
-    let (mut at, mut last) = (cut.pierce, None);
+    let mut at = cut.pierce;
     for leg in &cut.legs {
         let code = match leg.bend {
             None => 1,
@@ -180,30 +162,24 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
             let resultant = (by(0) * by(0) + by(1) * by(1)).sqrt();
             FeedWord::lasting(law, way(design, at, leg) * 60.0 / F, resultant)?
         };
-        if law.in_every_block() || last != Some(feed) {
-            words.push(Word::feed(feed));
-            last = Some(feed);
-        }
-        block(words);
+        writer.feed(words, feed);
         at = leg.to;
     }
-    block(design.torch_off.clone());
-    if law.code() != 94 {
-        block(vec![Word::whole('G', 94)]);
-    }
+    writer.block(design.torch_off.clone());
+    writer.end_feed();
     if distance == Distance::Incremental {
-        block(vec![Word::whole('G', 90)]);
+        writer.distance(Distance::Absolute);
     }
-    block(design.end_codes.clone());
+    writer.block(design.end_codes.clone());
     let start = Position::default();
     Ok(Program {
         key: "insert",
         title: TITLE,
-        control,
+        control: design.control,
         format: NumberFormat::Fixed,
         block_step: Some(design.block_step),
         start,
-        parts,
+        parts: writer.finish(),
     })
 }
 

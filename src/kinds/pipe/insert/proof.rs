@@ -204,7 +204,7 @@ impl Watch<'_> {
         let good = match self.design.mode {
             // F is the speed over the sheet itself; a word within a billionth of a whole step is that step.
             Mode::Flat => (F - step(FeedLaw::Resultant, F)..=F * (1.0 + 1e-9)).contains(&word),
-            Mode::Rotary => timely(self.design.control.law, motion, word, planned),
+            Mode::Rotary => timely(self.design.control.feed.law, motion, word, planned),
         };
         if !good || seconds < planned * (1.0 - 1e-6) {
             self.off_speed.get_or_insert((speed, at));

@@ -1,0 +1,88 @@
+//! How a program is written: its text, and the blocks that every program needs.
+
+use super::{Control, HeightHold, ToolBlocks};
+use crate::gcode::word::Word;
+
+/// How comments are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CommentForm {
+    /// `;text`
+    Semicolon,
+    /// `(text)`
+    Parentheses,
+}
+
+/// The first line of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Opening {
+    /// None.
+    None,
+    /// `%name,MX--,`: name and attributes (modifiable, executable).
+    NameAndAttributes,
+    /// `%name`
+    Name,
+}
+
+/// What the text of a program looks like on the control, whoever wrote it.
+#[derive(Clone, Copy, Debug)]
+pub struct TextForm {
+    /// The first line.
+    pub opening: Opening,
+    /// The form of comments.
+    pub comment: CommentForm,
+    /// The end of a line.
+    pub end_of_line: &'static str,
+    /// The greatest block number.
+    pub greatest_number: u32,
+    /// Memory for one program in bytes, beyond which a Caution is given.
+    pub memory: u64,
+}
+
+impl TextForm {
+    /// The first line of a program with a number and a name; `None` where there is none.
+    #[must_use]
+    pub fn opening_line(&self, number: u32, name: &str) -> Option<String> {
+        let name = name.to_uppercase();
+        match self.opening {
+            Opening::None => None,
+            Opening::Name => Some(format!("%{number:04}-{name}")),
+            Opening::NameAndAttributes => Some(format!("%{number:04}-{name},MX--,")),
+        }
+    }
+}
+
+/// A control that rodete writes for.
+#[derive(Clone, Copy, Debug)]
+pub struct Written {
+    /// The control.
+    pub control: &'static Control,
+    /// How rodete writes for it.
+    pub writing: &'static Writing,
+}
+
+impl Written {
+    /// The control, where rodete writes for it.
+    #[must_use]
+    pub fn of(control: &'static Control) -> Option<Self> {
+        control.written.map(|writing| Self { control, writing })
+    }
+}
+
+/// How rodete writes for a control.
+#[derive(Clone, Copy, Debug)]
+pub struct Writing {
+    /// The block that puts the control into a known state: plane, units, no compensation, absolute, work offset.
+    pub safety: &'static [(char, u32)],
+    /// The blocks that call a tool.
+    pub tool: ToolBlocks,
+    /// The height control of a torch.
+    pub height: HeightHold,
+}
+
+impl Writing {
+    /// The safety block.
+    #[must_use]
+    pub fn safety_block(&self) -> Vec<Word> {
+        self.safety.iter().map(|&(letter, number)| Word::whole(letter, number)).collect()
+    }
+}

@@ -1,0 +1,104 @@
+//! The texts that a program is read from: its own, and those of subprograms in files of their own, with what has been sought
+//! in each.
+
+use crate::gcode::control::Lexis;
+use crate::gcode::interpreter::fault::Outcome;
+use crate::gcode::interpreter::numbers::Numbers;
+use crate::gcode::interpreter::source::{Bytes, Position, SourceText};
+use crate::gcode::interpreter::structure::Structure;
+
+/// Where a line begins, in one of the texts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Mark {
+    /// The text, 0 for the program's own.
+    pub(super) text: usize,
+    /// The line in it.
+    pub(super) line: Position,
+}
+
+/// A text with its indices, each made when it is first asked for.
+struct Indexed<'a> {
+    source: SourceText<'a>,
+    structure: Option<Structure>,
+    numbers: Option<Numbers>,
+}
+
+impl<'a> Indexed<'a> {
+    const fn new(source: SourceText<'a>) -> Self {
+        Self { source, structure: None, numbers: None }
+    }
+}
+
+/// The texts, one of them in hand.
+pub(super) struct Library<'a> {
+    texts: Vec<Indexed<'a>>,
+    at: usize,
+}
+
+impl<'a> Library<'a> {
+    /// The program's own text, in hand.
+    pub(super) fn new(bytes: Box<dyn Bytes + 'a>) -> Self {
+        Self { texts: vec![Indexed::new(SourceText::new(bytes, None))], at: 0 }
+    }
+
+    /// The text in hand, 0 for the program's own.
+    pub(super) const fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Takes a text in hand; returns the one that was.
+    pub(super) const fn turn_to(&mut self, text: usize) -> usize {
+        std::mem::replace(&mut self.at, text)
+    }
+
+    /// A text. There is always the program's own, and no number is handed out for one that is not there.
+    pub(super) fn text(&mut self, text: usize) -> &mut SourceText<'a> {
+        let last = self.texts.len() - 1;
+        &mut self.texts[text.min(last)].source
+    }
+
+    /// The name of a text that is a subprogram's own file.
+    pub(super) fn file(&self, text: usize) -> Option<&String> {
+        self.texts.get(text)?.source.file.as_ref()
+    }
+
+    /// The text of the first file whose name fits.
+    pub(super) fn find(&self, fits: impl Fn(&str) -> bool) -> Option<usize> {
+        self.texts.iter().position(|text| text.source.file.as_deref().is_some_and(&fits))
+    }
+
+    /// Takes in the file of a subprogram; returns the number of its text.
+    pub(super) fn add(&mut self, bytes: Vec<u8>, name: String) -> usize {
+        self.texts.push(Indexed::new(SourceText::new(Box::new(std::io::Cursor::new(bytes)), Some(name))));
+        self.texts.len() - 1
+    }
+
+    /// Where the next line begins.
+    pub(super) fn mark(&mut self) -> Mark {
+        let at = self.at;
+        Mark { text: at, line: self.text(at).position() }
+    }
+
+    /// The O-words of a text.
+    pub(super) fn structure(&mut self, text: usize, lexis: &Lexis) -> Outcome<&Structure> {
+        let Indexed { source, structure, .. } = &mut self.texts[text];
+        match structure {
+            Some(known) => Ok(known),
+            unknown => Ok(unknown.insert(Structure::of(source, lexis)?)),
+        }
+    }
+
+    /// The O-words of the program's own text, where any has been met.
+    pub(super) fn known_structure(&self) -> Option<&Structure> {
+        self.texts.first()?.structure.as_ref()
+    }
+
+    /// The block numbers and program numbers of a text.
+    pub(super) fn numbers(&mut self, text: usize, lexis: &Lexis) -> Outcome<&Numbers> {
+        let Indexed { source, numbers, .. } = &mut self.texts[text];
+        match numbers {
+            Some(known) => Ok(known),
+            unknown => Ok(unknown.insert(Numbers::of(source, lexis)?)),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Blocks as a control wants them: one way for every kind that writes programs.
+//!
+//! What a control has a form of its own for is asked of its [`Writing`](crate::gcode::control::Writing) or of the rule by which it is read.
+
+use crate::gcode::control::{FeedLaw, Written};
+use crate::gcode::feed_word::FeedWord;
+use crate::gcode::program::Part;
+use crate::gcode::word::{Distance, Word};
+use crate::machine::axis::Axis;
+use crate::number::grid::{Milli, OutOfFormat};
+
+/// A program being written.
+#[derive(Debug)]
+pub struct Writer {
+    written: Written,
+    law: FeedLaw,
+    last: Option<FeedWord>,
+    parts: Vec<Part>,
+}
+
+impl Writer {
+    /// A program that begins with some parts, its header.
+    #[must_use]
+    pub const fn new(written: Written, parts: Vec<Part>) -> Self {
+        Self { written, law: written.control.feed.law, last: None, parts }
+    }
+
+    /// The same, with F along the path in mm a minute whatever the control's law for rotary axes.
+    #[must_use]
+    pub fn along_the_path(self) -> Self {
+        Self { law: FeedLaw::Resultant, ..self }
+    }
+
+    /// What F is in the moves at feed.
+    #[must_use]
+    pub const fn law(&self) -> FeedLaw {
+        self.law
+    }
+
+    /// A part as it is.
+    pub fn part(&mut self, part: Part) {
+        self.parts.push(part);
+    }
+
+    /// A block of words.
+    pub fn block(&mut self, words: impl Into<Vec<Word>>) {
+        self.parts.push(Part::Block(words.into()));
+    }
+
+    /// The block that puts the control into a known state.
+    pub fn safety(&mut self) {
+        self.block(self.written.writing.safety_block());
+    }
+
+    /// The blocks that bring a tool and its offset D to work.
+    pub fn tool(&mut self, T: u32, D: u32) {
+        for words in self.written.writing.tool.blocks(T, D) {
+            self.block(words);
+        }
+    }
+
+    /// The word that says a coordinate of an axis, mm or degrees.
+    #[must_use]
+    pub fn coordinate(&self, axis: Axis, coordinate: Milli) -> Word {
+        let word = if axis == Axis::X { self.written.control.axes.x.word(coordinate) } else { coordinate };
+        Word::size(axis.letter(), word)
+    }
+
+    /// A rapid move.
+    pub fn rapid(&mut self, words: impl IntoIterator<Item = Word>) {
+        self.block(std::iter::once(Word::whole('G', 0)).chain(words).collect::<Vec<_>>());
+    }
+
+    /// Absolute or incremental words from here on.
+    pub fn distance(&mut self, distance: Distance) {
+        let code = match distance {
+            Distance::Absolute => 90,
+            Distance::Incremental => 91,
+        };
+        self.block([Word::whole('G', code)]);
+    }
+
+    /// A dwell in seconds.
+    ///
+    /// # Errors
+    /// For a time that no program may carry.
+    pub fn dwell(&mut self, seconds: f64) -> Result<(), OutOfFormat> {
+        let time = self.written.control.lexis.dwell.first().map(|dwell| dwell.word(seconds)).transpose()?;
+        self.block(std::iter::once(Word::whole('G', 4)).chain(time).collect::<Vec<_>>());
+        Ok(())
+    }
+
+    /// What F is, before the first move at feed.
+    pub fn begin_feed(&mut self) {
+        if let Some([before, _]) = self.law.codes() {
+            self.block([Word::whole('G', before)]);
+        }
+    }
+
+    /// F is a speed again, behind the last move at feed.
+    pub fn end_feed(&mut self) {
+        if let Some([_, behind]) = self.law.codes() {
+            self.block([Word::whole('G', behind)]);
+        }
+    }
+
+    /// A move at feed; F is left out where it is in force already.
+    pub fn feed(&mut self, words: impl IntoIterator<Item = Word>, F: FeedWord) {
+        let mut words: Vec<Word> = words.into_iter().collect();
+        if self.law.is_written(self.last, F) {
+            words.push(Word::feed(F));
+            self.last = Some(F);
+        }
+        self.block(words);
+    }
+
+    /// The program's parts.
+    #[must_use]
+    pub fn finish(self) -> Vec<Part> {
+        self.parts
+    }
+}
