@@ -12,5 +12,5 @@ fn main() -> ExitCode {
         let arguments: Vec<_> = std::env::args_os().skip(2).collect();
         return embedded_typst::compile(&arguments);
     }
-    rodete::cli::run(std::env::args_os())
+    rodete::cli::run(std::env::args_os(), &rodete::kinds::KINDS)
 }

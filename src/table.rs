@@ -7,7 +7,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use serde::Serialize;
 
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The unit of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -131,7 +131,7 @@ impl Column {
     /// A column of numbers.
     #[must_use]
     pub fn numbers(symbol: &'static str, unit: Unit, formula: &'static str, values: impl Into<Arc<[f64]>>) -> Self {
-        Self { symbol: Text::fixed(symbol, symbol), unit, formula, values: Cells::Numbers(values.into()) }
+        Self { symbol: t(symbol, symbol), unit, formula, values: Cells::Numbers(values.into()) }
     }
 
     /// The column under another name.
@@ -150,7 +150,7 @@ impl Column {
         values: &Arc<[Vector3<f64>]>,
     ) -> [Self; 3] {
         [0, 1, 2].map(|axis| Self {
-            symbol: Text::fixed(symbols[axis], symbols[axis]),
+            symbol: t(symbols[axis], symbols[axis]),
             unit,
             formula,
             values: Cells::Component(Arc::clone(values), axis),

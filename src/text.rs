@@ -41,6 +41,12 @@ pub struct Text {
     pub en: Cow<'static, str>,
 }
 
+/// A text known when rodete was compiled, in Spanish and English: how every label is written.
+#[must_use]
+pub const fn t(es: &'static str, en: &'static str) -> Text {
+    Text::fixed(es, en)
+}
+
 impl Text {
     /// A text known when rodete was compiled.
     #[must_use]

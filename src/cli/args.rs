@@ -1,33 +1,81 @@
 //! The command line's words.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::error::Error;
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use super::kinds;
 use super::stock::Stock;
 use crate::gcode::control::ALL;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Rotary};
+use crate::kind::Kind;
 use crate::machine::work_offset::System;
 use crate::text::Language;
 
 /// From a workbook of design parameters to checked tables, ISO programs and a report: 5-axis impellers, branch pipes, bevelled holes, turning.
 #[derive(Debug, Parser)]
 #[command(name = "rodete", version, arg_required_else_help = true, max_term_width = 100)]
-#[command(after_help = "Start with `rodete new impeller`, edit the workbook, then `rodete build impeller.xlsx`.")]
-#[command(after_long_help = "\
-How to work with it:
-  rodete new impeller           writes impeller.xlsx, ready to edit in Excel
-                                (other kinds: pipe-insert, pipe-hole, lathe)
-  rodete check impeller.xlsx    says what would stop a build, and the limits
-  rodete build impeller.xlsx    writes tables, programs and report into impeller-out
-  rodete verify program.nc      reads a program as the control would and says what it comes to
-  rodete simulate part.nc       follows a turning program over its stock
-  rodete view impeller.xlsx     writes impeller.html: part and programs, to be played in a browser
-  rodete offsets linuxcnc.var   shows the work offsets of a LinuxCNC machine
+pub(super) struct Arguments {
+    /// What is to be done.
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
 
-Exit codes:
+impl Arguments {
+    /// The command line of a binary with these kinds of workbooks, the usual one first.
+    pub(super) fn command(kinds: &[&dyn Kind]) -> clap::Command {
+        let forms = || kinds.iter().map(|kind| kind.form());
+        let names = PossibleValuesParser::new(forms().map(|form| form.kind));
+        let cases = PossibleValuesParser::new(forms().flat_map(|form| form.cases).map(|case| case.name));
+        let kind = forms().next().map_or("KIND", |form| form.kind);
+        let others: Vec<&str> = forms().skip(1).map(|form| form.kind).collect();
+        let others = match others.as_slice() {
+            [] => String::new(),
+            others => format!("{:32}(other kinds: {})\n", "", others.join(", ")),
+        };
+        let line = |words: &str, what: &str| format!("  {words:<28}  {what}\n");
+        let how = [
+            line(&format!("rodete new {kind}"), &format!("writes {kind}.xlsx, ready to edit in Excel")),
+            others,
+            line(&format!("rodete check {kind}.xlsx"), "says what would stop a build, and the limits"),
+            line(&format!("rodete build {kind}.xlsx"), &format!("writes tables, programs and report into {kind}-out")),
+            line("rodete verify program.nc", "reads a program as the control would and says what it comes to"),
+            line("rodete simulate part.nc", "follows a turning program over its stock"),
+            line(
+                &format!("rodete view {kind}.xlsx"),
+                &format!("writes {kind}.html: part and programs, to be played in a browser"),
+            ),
+            line("rodete offsets linuxcnc.var", "shows the work offsets of a LinuxCNC machine"),
+        ];
+        <Self as CommandFactory>::command()
+            .after_help(format!("Start with `rodete new {kind}`, edit the workbook, then `rodete build {kind}.xlsx`."))
+            .after_long_help(format!("How to work with it:\n{}{EXITS}", how.concat()))
+            .mut_subcommands(|command| match command.get_name() {
+                "new" => command.mut_args(|argument| match argument.get_id().as_str() {
+                    "kind" => argument.value_parser(names.clone()),
+                    "case" => argument.value_parser(cases.clone()),
+                    _ => argument,
+                }),
+                _ => command,
+            })
+    }
+
+    /// The words of a command line, the program's name first.
+    ///
+    /// # Errors
+    /// Help, version, or what is wrong with it.
+    pub(super) fn read(words: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -> Result<Self, Error> {
+        let mut command = Self::command(kinds);
+        let matches = command.try_get_matches_from_mut(words)?;
+        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
+    }
+}
+
+/// What the exit codes say.
+const EXITS: &str = "\
+\nExit codes:
     0  done
     1  fault in rodete itself
     2  wrong command line
@@ -37,12 +85,7 @@ Exit codes:
     6  the report failed; sheets and programs are delivered
     7  a limit was reached
   130  interrupted
-With several workbooks the gravest counts: 2 before 1, 5, 7, 4, 3 and 6.")]
-pub(super) struct Arguments {
-    /// What is to be done.
-    #[command(subcommand)]
-    pub(super) command: Command,
-}
+With several workbooks the gravest counts: 2 before 1, 5, 7, 4, 3 and 6.";
 
 /// A command.
 #[derive(Debug, Subcommand)]
@@ -106,7 +149,6 @@ pub(super) struct Explain {
 #[derive(Debug, Args)]
 pub(super) struct New {
     /// Kind of workbook
-    #[arg(value_parser = PossibleValuesParser::new(kinds::names()))]
     pub(super) kind: String,
     /// File to write; one that exists is never replaced [default: <KIND>.xlsx]
     pub(super) file: Option<PathBuf>,
@@ -114,7 +156,7 @@ pub(super) struct New {
     #[arg(long, value_name = "LANGUAGE", value_parser = language(), default_value = "en")]
     pub(super) lang: Language,
     /// Values to start from; each kind has its own [default: the first of the kind]
-    #[arg(long, value_parser = PossibleValuesParser::new(kinds::cases()))]
+    #[arg(long)]
     pub(super) case: Option<String>,
 }
 
@@ -326,19 +368,19 @@ fn language() -> impl TypedValueParser<Value = Language> {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
     use super::*;
+    use crate::kinds::KINDS;
 
     #[test]
     fn the_command_line_is_well_formed() {
-        Arguments::command().debug_assert();
+        Arguments::command(&KINDS).debug_assert();
     }
 
     #[test]
     fn both_languages_are_read_by_their_codes() {
         for wanted in Language::ALL {
-            let read = Arguments::try_parse_from(["rodete", "check", "a.xlsx", "--lang", wanted.code()]);
+            let read =
+                Arguments::read(["rodete", "check", "a.xlsx", "--lang", wanted.code()].map(OsString::from), &KINDS);
             assert!(
                 matches!(read.map(|read| read.command), Ok(Command::Check(Check { lang: Some(l), .. })) if l == wanted)
             );

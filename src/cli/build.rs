@@ -16,12 +16,10 @@ use super::verdict::Ending;
 use super::{BUILD, Sink, drawings, reading, refused, side_by_side};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::kind::Outcome;
-use crate::kinds::lathe::parameters as lathe;
-use crate::kinds::lathe::scene::Watching;
+use crate::kind::{Kind, Outcome, Wants};
 use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
-use crate::text::{Language, Text};
+use crate::text::{Language, t};
 use crate::typeset::compiler::Typst;
 
 /// The variable that names a typst command line.
@@ -37,10 +35,12 @@ struct Settings<'a> {
     folder: Option<&'a Folder>,
     /// Every workbook named: no output may replace one.
     inputs: Vec<&'a Path>,
+    /// The kinds of workbooks.
+    kinds: &'a [&'a dyn Kind],
 }
 
 /// Builds every workbook and prints what came of it.
-pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
+pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
     let items = match plan::items(&arguments.workbooks, arguments.output.as_deref()) {
         Ok(items) => items,
@@ -56,6 +56,7 @@ pub(super) fn run(arguments: &Build, terminal: &mut Terminal) -> Exit {
         typst: if arguments.no_report { None } else { Some(typst(arguments.typst.clone(), interrupted)) },
         folder: folder.as_ref(),
         inputs: arguments.workbooks.iter().map(PathBuf::as_path).collect(),
+        kinds,
     };
     let mut sink = Sink::new(BUILD, arguments.lang, arguments.json);
     let work = |item: &Item| reading::verdict(&item.workbook, |verdict| build(item, &settings, verdict));
@@ -77,21 +78,22 @@ fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
 }
 
 fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(), Refusal> {
-    let (bytes, filled) = reading::read(&item.workbook, verdict)?;
+    let (bytes, filled) = reading::read(&item.workbook, settings.kinds, verdict)?;
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
     verdict.findings.extend(folder.settled().cloned());
     let mut set = Set::new(folder, &settings.inputs, Existing::Replace);
-    for ending in endings() {
+    for ending in endings(settings.kinds) {
         set.check(&store::file_name(&item.stem, &ending))?;
     }
     let language = settings.language.unwrap_or(filled.values.language);
-    let mut watching = (filled.form.kind == lathe::FORM.kind).then(Watching::default);
-    let outcome = reading::watch(&item.workbook, filled, verdict, watching.as_mut())?;
+    let wants = Wants { scene: filled.form.viewer };
+    let mut outcome = reading::compute(&item.workbook, filled, settings.kinds, wants, verdict)?;
     if outcome.stopped() {
         return Ok(());
     }
-    Delivery { item, outcome: &outcome, language }.write(watching, &mut set)?;
+    let scene = outcome.scene.take().transpose()?;
+    Delivery { item, outcome: &outcome, language }.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
         let at_work = AtWork::begin();
@@ -101,7 +103,7 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
     }
     verdict.files = set.commit()?;
     verdict.folder = Some(item.folder.clone());
-    verdict.findings.extend(leftovers(item, verdict));
+    verdict.findings.extend(leftovers(item, settings.kinds, verdict));
     if !failed.is_empty() {
         verdict.refuse(Refusal { exit: Exit::ReportFailed, findings: failed });
     }
@@ -125,7 +127,7 @@ fn typeset(
         name: outcome.source.workbook.clone(),
         role: Role::Input,
         mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
-        description: Text::fixed("Libro de entrada", "Input workbook"),
+        description: t("Libro de entrada", "Input workbook"),
         content: Content::Bytes(workbook),
     };
     let programs = outcome.programs.iter().filter_map(|program| {

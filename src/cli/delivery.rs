@@ -3,20 +3,20 @@
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 
-use super::kinds::FORMS;
 use super::plan::Item;
+use super::rules::LeftFromEarlier;
 use super::verdict::Ending;
 use super::{drawings, show};
 use crate::escape::printable;
-use crate::finding::{Finding, Grade, Place, Refusal};
+use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::gcode::program::Program;
-use crate::kind::Outcome;
-use crate::kinds::lathe::scene::Watching;
+use crate::kind::{Kind, Outcome};
 use crate::parameter::Form;
 use crate::removal::turning::mesh;
 use crate::report::{Attachment, Content, Role};
+use crate::scene::Scene;
 use crate::store::{self, Set};
-use crate::text::{Language, Text};
+use crate::text::{Language, t};
 use crate::view;
 use crate::workbook::results;
 
@@ -24,15 +24,16 @@ use crate::workbook::results;
 const RESULTS: &str = "-results.xlsx";
 /// The ending of the report.
 pub(super) const REPORT: &str = "-report.pdf";
-/// The ending of a turning's viewer.
+/// The ending of the viewer.
 const VIEWER: &str = "-viewer.html";
 
 /// Endings of every file that may be delivered; one that is not of this set may be left from an earlier one.
-pub(super) fn endings() -> BTreeSet<String> {
-    let programs = FORMS.iter().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
-    let solids = FORMS.iter().flat_map(|form| form.solids).map(|(key, _)| solid_ending(key));
+pub(super) fn endings(kinds: &[&dyn Kind]) -> BTreeSet<String> {
+    let forms = || kinds.iter().map(|kind| kind.form());
+    let programs = forms().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
+    let solids = forms().flat_map(|form| form.solids).map(|(key, _)| solid_ending(key));
     let own = [RESULTS, REPORT, VIEWER].into_iter().map(str::to_owned);
-    own.chain(programs).chain(solids).chain(drawings::endings()).collect()
+    own.chain(programs).chain(solids).chain(drawings::endings(kinds)).collect()
 }
 
 /// The ending of a body's file.
@@ -57,8 +58,8 @@ pub(super) struct Delivery<'a> {
 
 /// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
 pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
-    let results = Text::fixed("Libro de resultados", "Results workbook");
-    let viewer = Text::fixed("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
+    let results = t("Libro de resultados", "Results workbook");
+    let viewer = t("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
     let sheets = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
     let solids = form.solids.iter().map(|(key, name)| (solid_ending(key), "model/stl", name.clone()));
     std::iter::once((RESULTS.to_owned(), sheets, results))
@@ -78,11 +79,11 @@ pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec
 }
 
 impl Delivery<'_> {
-    /// Adds everything but the report to the set; `watching` is what was seen of a turning.
+    /// Adds everything but the report to the set; `scene` is what is shown in the viewer, where there is one.
     ///
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
-    pub(super) fn write(&self, watching: Option<Watching>, set: &mut Set<'_>) -> Result<(), Refusal> {
+    pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
         let Self { item, outcome, language } = *self;
         set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, language, out))?;
         for program in &outcome.programs {
@@ -94,9 +95,8 @@ impl Delivery<'_> {
                 mesh::write_stl(&solid.contours, solid.tolerance, &mut out).map(|_| ())
             })?;
         }
-        if let Some(watching) = watching {
-            let title = outcome.fields.values().line("part").to_owned();
-            let scene = watching.scene(title, language);
+        if let Some(scene) = scene {
+            let scene = scene.titled(outcome.fields.values().line("part").to_owned(), language);
             set.write(&store::file_name(&item.stem, VIEWER), |out| view::write(&scene, out))?;
         }
         Ok(())
@@ -106,24 +106,13 @@ impl Delivery<'_> {
 /// A caution for each file in the folder that bears the name of an output and is not of this set: a program of an earlier
 /// one must not be taken for one of this.
 #[expect(clippy::disallowed_methods, reason = "the door to the files that a build names")]
-pub(super) fn leftovers(item: &Item, verdict: &Ending) -> Vec<Finding> {
-    endings()
+pub(super) fn leftovers(item: &Item, kinds: &[&dyn Kind], verdict: &Ending) -> Vec<Finding> {
+    endings(kinds)
         .into_iter()
         .map(|ending| store::file_name(&item.stem, &ending))
         .filter(|name| !verdict.files.iter().any(|file| file.name == *name))
         .map(|name| item.folder.join(name))
         .filter(|path| path.symlink_metadata().is_ok())
-        .map(|path| {
-            let path = show::path(&path);
-            Finding::new(
-                Grade::Caution,
-                Place::File,
-                Text::new(
-                    format!("{path} queda de una construcción anterior y no pertenece a este conjunto"),
-                    format!("{path} is left from an earlier build and does not belong to this set"),
-                ),
-                Text::fixed("no lo use; bórrelo o apártelo", "do not use it; delete it or move it away"),
-            )
-        })
+        .map(|path| LeftFromEarlier { path: show::path(&path) }.at(Place::File))
         .collect()
 }

@@ -3,12 +3,11 @@
 use std::ffi::OsString;
 use std::io::Write;
 
-use super::kinds::FORMS;
 use super::plan::Item;
 use crate::drawing::{self, NotDrawn, dxf, svg, template};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::kind::{Drawing, Outcome};
+use crate::kind::{Drawing, Kind, Outcome};
 use crate::report::{Attachment, Content, Role};
 use crate::store::{self, Set};
 use crate::text::{Language, Text};
@@ -18,11 +17,11 @@ use crate::typeset::compiler::Typst;
 const FORMATS: [(&str, &str); 2] = [("dxf", "image/vnd.dxf"), ("svg", "image/svg+xml")];
 
 /// Endings of every drawing file that a build may write.
-pub(super) fn endings() -> impl Iterator<Item = String> {
+pub(super) fn endings(kinds: &[&dyn Kind]) -> impl Iterator<Item = String> {
     let extensions = FORMATS.into_iter().map(|(extension, _)| extension).chain(["pdf"]);
-    FORMS
+    kinds
         .iter()
-        .flat_map(|form| form.drawings)
+        .flat_map(|kind| kind.form().drawings)
         .flat_map(move |key| extensions.clone().map(move |extension| ending(key, extension)))
 }
 

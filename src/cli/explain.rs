@@ -4,17 +4,26 @@ use std::fmt::Write;
 
 use super::args::Explain;
 use super::locale::spoken;
+use super::refused;
+use super::rules::{self, NoSuchCode};
 use super::terminal::Terminal;
+use crate::drawing;
 use crate::escape::printable;
-use crate::finding::{AlarmFamily, Example, Exit, Grade, Rule};
+use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
 use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
+use crate::kind::{self, Kind};
+use crate::machine;
 use crate::parameter::{self, t};
 use crate::removal::turning::rules as alarms;
-use crate::text::{Language, Text};
+use crate::report;
+use crate::scene;
+use crate::store;
+use crate::text::Language;
+use crate::typeset;
 use crate::workbook;
 
-/// The rows of every room.
+/// The rows of every room below the kinds, and of the walls.
 pub const RULES: &[&[&Rule]] = &[
     parameter::rules::RULES,
     alarms::RULES,
@@ -33,31 +42,39 @@ pub const RULES: &[&[&Rule]] = &[
     workbook::rules::value::RULES,
     workbook::rules::form::RULES,
     workbook::rules::offsets::RULES,
+    machine::rules::RULES,
+    kind::rules::RULES,
+    store::rules::RULES,
+    rules::RULES,
+    typeset::rules::RULES,
+    report::rules::RULES,
+    drawing::rules::RULES,
+    scene::rules::RULES,
+    finding::rules::RULES,
     flow::RULES,
     geometry::RULES,
     modes::RULES,
     words::RULES,
 ];
 
-fn all() -> impl Iterator<Item = &'static Rule> {
-    RULES.iter().copied().flatten().copied()
+/// All rows: those of the rooms below the kinds, and those of the kinds.
+fn all(kinds: &[&dyn Kind]) -> impl Iterator<Item = &'static Rule> + Clone {
+    RULES.iter().copied().chain(kinds.iter().map(|kind| kind.rules())).flatten().copied()
 }
 
-pub(super) fn run(arguments: &Explain, terminal: &mut Terminal) -> Exit {
+pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
     if arguments.codes.is_empty() {
-        let lines: String = all().map(|rule| format!("{}  {}\n", rule.code, rule.what.get(language))).collect();
+        let lines: String = all(kinds).map(|rule| format!("{}  {}\n", rule.code, rule.what.get(language))).collect();
         terminal.out(&lines);
         return Exit::Done;
     }
     let mut exit = Exit::Done;
     for code in &arguments.codes {
-        let found: Vec<_> = all().filter(|rule| named(rule, code)).collect();
+        let found: Vec<_> = all(kinds).filter(|rule| named(rule, code)).collect();
         if found.is_empty() {
-            exit = Exit::CommandLine;
-            let code = printable(code);
-            let what = Text::new(format!("{code} no es un código de rodete"), format!("{code} is no code of rodete"));
-            terminal.err(&format!("error: {}\n", what.get(language)));
+            let refusal = NoSuchCode { code: printable(code) }.refused(Exit::CommandLine, Place::File);
+            exit = refused(&refusal, language, terminal);
         }
         for rule in found {
             terminal.out(&told(rule, language));

@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use crate::escape::printable;
-use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::Text;
+use crate::finding::rules::BrokeOff;
+use crate::finding::{Exit, Place, Raise, Refusal};
 
 thread_local! {
     /// What the last panic of this thread said, and where.
@@ -68,20 +68,7 @@ pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Refusal> {
 
 /// A refusal for a fault, in its own words.
 pub(super) fn refusal(said: &str) -> Refusal {
-    Refusal::new(
-        Exit::Fault,
-        Finding::stop(
-            Place::File,
-            Text::new(
-                format!("fallo de rodete {}: {said}", env!("CARGO_PKG_VERSION")),
-                format!("fault in rodete {}: {said}", env!("CARGO_PKG_VERSION")),
-            ),
-            Text::fixed(
-                "no se ha escrito nada; comunique el fallo con esta frase y el libro",
-                "nothing was written; report the fault with this sentence and the workbook",
-            ),
-        ),
-    )
+    BrokeOff { version: env!("CARGO_PKG_VERSION"), said: said.to_owned() }.refused(Exit::Fault, Place::File)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use textwrap::{Options, fill};
 use crate::escape::printable;
 use crate::finding::{CellPlace, Finding, Grade, Place};
 use crate::limits::LISTED_FINDINGS;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// The names that places are told with.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +85,7 @@ fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
         return String::new();
     }
     let style = Style::new().bold().fg_color(Some(AnsiColor::Green.into()));
-    let word = Text::fixed("sugerencia", "hint");
+    let word = t("sugerencia", "hint");
     wrapped(&format!("{style}{}{style:#}: {remedy}", word.get(language)), 2, width)
 }
 
@@ -93,9 +93,9 @@ fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
 fn sentence(finding: &Finding, language: Language) -> String {
     let what = printable(finding.what.get(language));
     if let Some(count) = finding.value.strip_suffix(" ×") {
-        return format!("{what}, {count} {}", Text::fixed("veces", "times").get(language));
+        return format!("{what}, {count} {}", t("veces", "times").get(language));
     }
-    let limit = Text::fixed("límite", "limit");
+    let limit = t("límite", "limit");
     let value = if what.contains(finding.value.as_str()) { "" } else { finding.value.as_str() };
     let bound = if what.contains(finding.limit.as_str()) { "" } else { finding.limit.as_str() };
     let bound = if bound.is_empty() { String::new() } else { format!("{} {}", limit.get(language), printable(bound)) };
@@ -109,9 +109,9 @@ fn sentence(finding: &Finding, language: Language) -> String {
 
 const fn grade(grade: Grade) -> (Text, AnsiColor) {
     match grade {
-        Grade::Stop => (Text::fixed("error", "error"), AnsiColor::Red),
-        Grade::Caution => (Text::fixed("precaución", "caution"), AnsiColor::Yellow),
-        Grade::Note => (Text::fixed("nota", "note"), AnsiColor::Cyan),
+        Grade::Stop => (t("error", "error"), AnsiColor::Red),
+        Grade::Caution => (t("precaución", "caution"), AnsiColor::Yellow),
+        Grade::Note => (t("nota", "note"), AnsiColor::Cyan),
     }
 }
 
@@ -189,11 +189,11 @@ mod tests {
     fn thick(sheet: &str) -> Finding {
         Finding::stop(
             Place::Cells(vec![CellPlace { sheet: sheet.into(), cell: "C9".into() }]),
-            Text::fixed(
+            t(
                 "el espesor e es 12 mm y debe ser menor que 9.71 mm con 4 álabes",
                 "blade thickness e is 12 mm, must be below 9.71 mm for 4 blades",
             ),
-            Text::fixed("menos álabes", "fewer blades, a thinner blade, or a smaller tool"),
+            t("menos álabes", "fewer blades, a thinner blade, or a smaller tool"),
         )
     }
 
@@ -209,13 +209,13 @@ mod tests {
 
     #[test]
     fn value_and_limit_are_named_once() {
-        let finding = Finding::note(Place::File, Text::fixed("cierre", "closure")).with("0.000 mm", "0.001 mm");
+        let finding = Finding::note(Place::File, t("cierre", "closure")).with("0.000 mm", "0.001 mm");
         assert!(plain(&finding, Language::En, None).starts_with("note: closure: 0.000 mm (limit 0.001 mm)\n"));
     }
 
     #[test]
     fn how_often_something_was_seen_is_said_in_words() {
-        let finding = Finding::note(Place::File, Text::fixed("X negativa", "negative X")).with("2 ×", "");
+        let finding = Finding::note(Place::File, t("X negativa", "negative X")).with("2 ×", "");
         assert!(plain(&finding, Language::En, None).starts_with("note: negative X, 2 times\n"));
         assert!(plain(&finding, Language::Es, None).starts_with("nota: X negativa, 2 veces\n"));
     }
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn the_fifty_gravest_are_shown_and_the_rest_counted() {
-        let mut findings = vec![Finding::note(Place::File, Text::fixed("leve", "slight")); 60];
+        let mut findings = vec![Finding::note(Place::File, t("leve", "slight")); 60];
         findings.push(thick("DATOS"));
         let text = list(&findings, |_| true, "impeller.xlsx", Language::En, None);
         let text = anstream::adapter::strip_str(&text).to_string();

@@ -117,6 +117,7 @@ pub(super) fn files(verdict: &Ending) -> Vec<File<'_>> {
 
 #[cfg(test)]
 mod tests {
+    use crate::text::t;
     use serde_json::{Value, json};
 
     use super::*;
@@ -126,11 +127,7 @@ mod tests {
     fn the_document_holds_what_was_found_and_written() {
         let mut verdict = Ending::new("a\u{202e}\u{1b}.xlsx".into());
         verdict.exit = Exit::Refused;
-        verdict.findings.push(Finding::stop(
-            Place::Sheet("DATA\u{9b}".into()),
-            Text::fixed("falta", "missing"),
-            Text::fixed("", ""),
-        ));
+        verdict.findings.push(Finding::stop(Place::Sheet("DATA\u{9b}".into()), t("falta", "missing"), t("", "")));
         let text = document("check", Exit::Refused, &[verdict]);
         assert!(text.chars().all(|character| character == '\n' || !hidden(character)), "{text}");
         let read: Value = serde_json::from_str(&text).expect("a JSON document");

@@ -12,7 +12,6 @@ mod fault;
 mod finding;
 mod interrupt;
 mod json;
-mod kinds;
 mod locale;
 mod new;
 mod offsets;
@@ -21,6 +20,7 @@ mod plan;
 mod program;
 mod quantity;
 mod reading;
+mod rules;
 mod show;
 mod side_by_side;
 mod simulate;
@@ -35,7 +35,6 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::Parser;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
@@ -45,6 +44,8 @@ use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
+use crate::kind::Kind;
+use crate::parameter::FieldKind;
 use crate::text::Language;
 
 /// The commands' names in JSON.
@@ -52,11 +53,12 @@ const CHECK: &str = "check";
 const BUILD: &str = "build";
 const OFFSETS: &str = "offsets";
 
-/// Runs a command line, the program's name first, and gives the process exit code.
-pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+/// Runs a command line, the program's name first, for these kinds of workbooks, and gives the process exit code. The usual
+/// kind stands first; [`KINDS`](crate::kinds::KINDS) are those of `rodete`.
+pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -> ExitCode {
     fault::note_panics();
     let mut terminal = Terminal::new();
-    let mut exit = match fault::guarded(|| command(arguments, &mut terminal)) {
+    let mut exit = match fault::guarded(|| command(arguments, kinds, &mut terminal)) {
         Ok(exit) => exit,
         Err(refusal) => {
             let findings: String =
@@ -72,27 +74,27 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     ExitCode::from(code(exit))
 }
 
-fn command(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Terminal) -> Exit {
-    let arguments = match Arguments::try_parse_from(arguments) {
+fn command(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
+    let arguments = match Arguments::read(arguments, kinds) {
         Ok(arguments) => arguments,
-        Err(error) => return misunderstood(&error, terminal),
+        Err(error) => return misunderstood(&error, kinds, terminal),
     };
     match arguments.command {
-        Command::New(new) => new::run(&new, terminal),
-        Command::Check(arguments) => check(&arguments, terminal),
-        Command::Build(arguments) => build::run(&arguments, terminal),
-        Command::Simulate(arguments) => simulate::run(&arguments, terminal),
+        Command::New(new) => new::run(&new, kinds, terminal),
+        Command::Check(arguments) => check(&arguments, kinds, terminal),
+        Command::Build(arguments) => build::run(&arguments, kinds, terminal),
+        Command::Simulate(arguments) => simulate::run(&arguments, kinds, terminal),
         Command::Verify(arguments) => verify::run(&arguments, terminal),
-        Command::View(arguments) => view::run(&arguments, terminal),
+        Command::View(arguments) => view::run(&arguments, kinds, terminal),
         Command::Offsets(arguments) => offsets::run(&arguments, terminal),
-        Command::Explain(arguments) => explain::run(&arguments, terminal),
+        Command::Explain(arguments) => explain::run(&arguments, kinds, terminal),
     }
 }
 
 /// Help, version, or what is wrong with the command line.
-fn misunderstood(error: &Error, terminal: &mut Terminal) -> Exit {
+fn misunderstood(error: &Error, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     match error.kind() {
-        ErrorKind::DisplayVersion => terminal.out(&kinds::version()),
+        ErrorKind::DisplayVersion => terminal.out(&version(kinds)),
         ErrorKind::DisplayHelp => terminal.out(&error.render().ansi().to_string()),
         _ => {
             // The message repeats what was typed.
@@ -105,14 +107,27 @@ fn misunderstood(error: &Error, terminal: &mut Terminal) -> Exit {
     Exit::Done
 }
 
-fn check(arguments: &Check, terminal: &mut Terminal) -> Exit {
+/// What `--version` says: the version, the forms that can be read, the controls that can be written.
+fn version(kinds: &[&dyn Kind]) -> String {
+    let mut text = format!("rodete {}\n", env!("CARGO_PKG_VERSION"));
+    for form in kinds.iter().map(|kind| kind.form()) {
+        text.push_str(&format!("workbook {}: schema {}\n", form.kind, form.schema));
+        if let Some(FieldKind::Choice(choices)) = form.parameter("dialect").map(|parameter| &parameter.kind) {
+            let keys: Vec<_> = choices.iter().map(|choice| choice.key).collect();
+            text.push_str(&format!("dialects: {}\n", keys.join(", ")));
+        }
+    }
+    text
+}
+
+fn check(arguments: &Check, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
     if let Err(refusal) = plan::twice(&arguments.workbooks) {
         return refused(&refusal, language, terminal);
     }
     interrupt::listen();
     let mut sink = Sink::new(CHECK, arguments.lang, arguments.json);
-    let work = |workbook: &PathBuf| reading::check(workbook);
+    let work = |workbook: &PathBuf| reading::check(workbook, kinds);
     side_by_side::run(&arguments.workbooks, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
     sink.end(terminal)
 }

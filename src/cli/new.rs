@@ -4,18 +4,20 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::args::New;
-use super::kinds::{self, FORMS};
+use super::rules::*;
 use super::terminal::Terminal;
 use super::{fault, finding, refused, show};
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::kind::Kind;
+use crate::parameter::{Case, Form};
 use crate::store::{Existing, Folder, Set, Written};
 use crate::text::Text;
 use crate::workbook::template;
 
 /// Writes the workbook and says what to do next.
-pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
+pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     super::interrupt::listen();
-    match write(arguments) {
+    match write(arguments, kinds) {
         Ok((written, settled)) => {
             terminal.err(
                 &settled.iter().map(|one| finding::general(one, arguments.lang, terminal.width)).collect::<String>(),
@@ -35,23 +37,14 @@ pub(super) fn run(arguments: &New, terminal: &mut Terminal) -> Exit {
     }
 }
 
-fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
-    let Some(form) = FORMS.into_iter().find(|form| form.kind == arguments.kind) else {
+fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
+    let Some(form) = kinds.iter().map(|kind| kind.form()).find(|form| form.kind == arguments.kind) else {
         return Err(fault::refusal("a kind without a form"));
     };
-    let case = kinds::case(form, arguments.case.as_deref()).ok_or_else(|| {
+    let case = case(form, arguments.case.as_deref()).ok_or_else(|| {
         let (kind, cases) = (form.kind, form.cases.iter().map(|case| case.name).collect::<Vec<_>>().join(", "));
-        Refusal::new(
-            Exit::CommandLine,
-            Finding::stop(
-                Place::File,
-                Text::new(
-                    format!("{kind} no tiene el caso {}", arguments.case.as_deref().unwrap_or_default()),
-                    format!("{kind} has no case {}", arguments.case.as_deref().unwrap_or_default()),
-                ),
-                Text::new(format!("casos de {kind}: {cases}"), format!("cases of {kind}: {cases}")),
-            ),
-        )
+        let case = arguments.case.clone().unwrap_or_default();
+        NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
     })?;
     let file = arguments.file.clone().unwrap_or_else(|| PathBuf::from(format!("{}.xlsx", form.kind)));
     let name = workbook_name(&file)?;
@@ -62,6 +55,14 @@ fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
     Ok((set.commit()?, folder.settled().cloned()))
 }
 
+/// The case of a kind with a name, or its usual one; `None` where it has none of that name.
+fn case(form: &Form, name: Option<&str>) -> Option<&'static Case> {
+    match name {
+        None => form.cases.first(),
+        Some(name) => form.cases.iter().find(|case| case.name == name),
+    }
+}
+
 /// The name of the file to write.
 ///
 /// # Errors
@@ -69,20 +70,7 @@ fn write(arguments: &New) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
 pub(super) fn workbook_name(file: &Path) -> Result<&OsStr, Refusal> {
     match (file.file_name(), file.extension()) {
         (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("xlsx") => Ok(name),
-        _ => {
-            let shown = show::path(file);
-            Err(Refusal::new(
-                Exit::CommandLine,
-                Finding::stop(
-                    Place::File,
-                    Text::new(
-                        format!("{shown} no es el nombre de un libro .xlsx"),
-                        format!("{shown} is not the name of an .xlsx workbook"),
-                    ),
-                    Text::fixed("dé un nombre como rodete.xlsx", "give a name like impeller.xlsx"),
-                ),
-            ))
-        }
+        _ => Err(NotAWorkbookName { path: show::path(file) }.refused(Exit::CommandLine, Place::File)),
     }
 }
 

@@ -7,18 +7,18 @@ use std::path::Path;
 use super::args::Offsets;
 use super::locale::spoken;
 use super::offsets_view::{self, View};
+use super::rules::*;
 use super::terminal::Terminal;
 use super::verdict::{Ending, gravest};
 use super::{fault, interrupt, plan, reading, refused};
 use crate::escape::printable;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::offset_preamble::preamble;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::offset_edit::Edit;
 use crate::machine::var_file::{Unfit, VarFile};
 use crate::machine::work_offset::{self, ACTIVE};
 use crate::store::{self, Existing, Folder, Set};
-use crate::text::Text;
 use crate::workbook::offsets_sheet;
 use crate::workbook::offsets_table::OffsetsTable;
 use crate::workbook::{self, Input};
@@ -131,17 +131,7 @@ fn judge(file: &VarFile, unit: LengthUnit, view: &mut View, verdict: &mut Ending
         Ok(blocks) => view.preamble = blocks,
         Err(parameters) => {
             let list = parameters.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-            verdict.findings.push(Finding::caution(
-                Place::File,
-                Text::new(
-                    format!("no hay bloques G10: ningún programa lleva los valores de {list}"),
-                    format!("there are no G10 blocks: no program may carry the values of {list}"),
-                ),
-                Text::fixed(
-                    "corrija los valores: de −99999.999 a 99999.999 mm o grados",
-                    "correct the values: −99999.999 to 99999.999 mm or degrees",
-                ),
-            ));
+            verdict.findings.push(NoPreamble { parameters: list }.at(Place::File));
         }
     }
 }
@@ -187,13 +177,7 @@ fn write(
         verdict.files.extend(set.commit()?);
     }
     if changes {
-        verdict.findings.push(Finding::note(
-            Place::File,
-            Text::fixed(
-                "si LinuxCNC está en marcha, al cerrarse escribe sus propios parámetros en el archivo: ciérrelo y repita",
-                "if LinuxCNC is running, it writes its own parameters over the file when it ends: close it and do this again",
-            ),
-        ));
+        verdict.findings.push(ControlRunning {}.at(Place::File));
     }
     if let Some(out) = out {
         view.sheet = Some((Way::Out, Ending::new(out.to_owned())));

@@ -15,7 +15,7 @@ use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G28_FIRST, G30_FIRST, G92_FIRST, Offsets, System};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// What there is to show.
 #[derive(Debug)]
@@ -69,7 +69,7 @@ pub(super) fn show(verdict: &Ending, view: &View, language: Language, terminal: 
         (Exit::Done, None) if verdict.files.is_empty() => return,
         (Exit::Done, None) => Text::new(format!("{name} se ha escrito"), format!("{name} was written")),
         _ if !verdict.files.is_empty() => {
-            Text::fixed("solo se ha escrito lo que está en la lista", "only what is listed was written")
+            t("solo se ha escrito lo que está en la lista", "only what is listed was written")
         }
         _ => Text::new(format!("{name}: no se ha escrito nada"), format!("{name}: nothing was written")),
     };
@@ -96,15 +96,15 @@ fn table(file: &VarFile, unit: LengthUnit, language: Language) -> String {
         row
     };
     for system in System::ALL {
-        let active = Text::fixed("activo", "active");
-        let word = if system == offsets.active { active } else { Text::fixed("", "") };
+        let active = t("activo", "active");
+        let word = if system == offsets.active { active } else { t("", "") };
         rows.push(row(system.name(), system.first_parameter(), Some(system.rotation_parameter()), &word));
     }
     for (name, first) in OTHERS {
         let word = match (name, offsets.g92_on) {
-            ("G92", true) => Text::fixed("en vigor", "in force"),
-            ("G92", false) => Text::fixed("no está en vigor", "not in force"),
-            _ => Text::fixed("posición de máquina", "machine position"),
+            ("G92", true) => t("en vigor", "in force"),
+            ("G92", false) => t("no está en vigor", "not in force"),
+            _ => t("posición de máquina", "machine position"),
         };
         rows.push(row(name, first, None, &word));
     }

@@ -5,10 +5,10 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::rules::*;
 use crate::escape::printable_path;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::store;
-use crate::text::Text;
 
 /// One workbook with the place of its outputs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,14 +42,8 @@ pub(super) fn items(workbooks: &[PathBuf], output: Option<&Path>) -> Result<Vec<
     for item in &items {
         let stem = item.stem.to_string_lossy().to_lowercase();
         if let Some(other) = places.insert((real(&item.folder), stem), item) {
-            return Err(same_names(
-                &other.workbook,
-                &item.workbook,
-                Text::fixed(
-                    "cambie el nombre de uno de los libros o constrúyalos en carpetas distintas",
-                    "rename one of the workbooks or build them into different folders",
-                ),
-            ));
+            let (one, other) = (printable_path(&other.workbook), printable_path(&item.workbook));
+            return Err(SameOutputs { one, other }.refused(Exit::CommandLine, Place::File));
         }
     }
     Ok(items)
@@ -67,26 +61,9 @@ pub(super) fn folder(workbook: &Path) -> PathBuf {
 /// Exit 2, naming both.
 pub(super) fn alone(input: &Path) -> Result<(), Refusal> {
     store::namesake(input).map_or(Ok(()), |other| {
-        Err(same_names(
-            input,
-            &other,
-            Text::fixed(
-                "cambie el nombre de uno de los dos o indique otra salida (opción -o)",
-                "rename one of the two or name another output (option -o)",
-            ),
-        ))
+        let (one, other) = (printable_path(input), printable_path(&other));
+        Err(SameOutputsBeside { one, other }.refused(Exit::CommandLine, Place::File))
     })
-}
-
-fn same_names(one: &Path, two: &Path, remedy: Text) -> Refusal {
-    let (one, two) = (shown(one), shown(two));
-    refusal(
-        Text::new(
-            format!("las salidas de {one} y {two} tendrían los mismos nombres"),
-            format!("the outputs of {one} and {two} would have the same names"),
-        ),
-        remedy,
-    )
 }
 
 /// Refuses a workbook that is named twice.
@@ -97,13 +74,12 @@ pub(super) fn twice(workbooks: &[PathBuf]) -> Result<(), Refusal> {
     let mut seen = BTreeMap::new();
     for workbook in workbooks {
         if let Some(other) = seen.insert(real(workbook), workbook) {
-            let (one, two) = (shown(other), shown(workbook));
-            let what = if one == two {
-                Text::new(format!("{one} se da dos veces"), format!("{one} is given twice"))
+            let (one, other) = (printable_path(other), printable_path(workbook));
+            return Err(if one == other {
+                NamedTwice { path: one }.refused(Exit::CommandLine, Place::File)
             } else {
-                Text::new(format!("{one} y {two} son el mismo archivo"), format!("{one} and {two} are the same file"))
-            };
-            return Err(refusal(what, Text::fixed("dé cada libro una sola vez", "give every workbook once")));
+                SameFile { one, other }.refused(Exit::CommandLine, Place::File)
+            });
         }
     }
     Ok(())
@@ -120,14 +96,6 @@ fn real(path: &Path) -> PathBuf {
         (Some(parent), Some(name)) => real(parent).join(name),
         _ => path.to_owned(),
     }
-}
-
-fn shown(path: &Path) -> String {
-    printable_path(path)
-}
-
-fn refusal(what: Text, remedy: Text) -> Refusal {
-    Refusal::new(Exit::CommandLine, Finding::stop(Place::File, what, remedy))
 }
 
 #[cfg(test)]

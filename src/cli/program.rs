@@ -9,8 +9,9 @@ use serde::Serialize;
 
 use super::args::ControlOptions;
 use super::reading;
+use super::rules::*;
 use super::turning::of_workbook;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::tool_table;
@@ -21,7 +22,7 @@ use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::VarFile;
 use crate::parameter::field::Fields;
 use crate::store;
-use crate::text::{Language, Text};
+use crate::text::Language;
 use crate::workbook::{self, Input};
 
 /// How the file of a workbook begins: it is a package.
@@ -175,16 +176,7 @@ impl<'a> Shared<'a> {
         if self.workbook.is_none() || dialect.turns() {
             return Ok(());
         }
-        let name = dialect.name;
-        let what = Text::new(
-            format!("--tools es un libro de torno, y el programa se lee como {name}"),
-            format!("--tools is a lathe workbook, and the program is read as {name}"),
-        );
-        let remedy = Text::fixed(
-            "indique el control del torno con --dialect, o una tabla de herramientas de LinuxCNC",
-            "name the lathe's control with --dialect, or a tool table of LinuxCNC",
-        );
-        Err(Refusal::new(Exit::Refused, Finding::stop(Place::File, what, remedy)))
+        Err(LatheToolsForMill { control: dialect.name }.refused(Exit::Refused, Place::File))
     }
 
     /// What a program is read with.
@@ -216,11 +208,5 @@ fn given(bytes: &[u8]) -> Result<Given, Refusal> {
 
 /// The note on a dialect that nobody named.
 pub(super) fn told_from(dialect: &Control) -> Finding {
-    Finding::note(
-        Place::File,
-        Text::new(
-            format!("dialecto no indicado: leído como {}", dialect.name),
-            format!("dialect not named: read as {}", dialect.name),
-        ),
-    )
+    ControlGuessed { control: dialect.name }.at(Place::File)
 }

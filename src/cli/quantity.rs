@@ -60,10 +60,10 @@ fn blanks(count: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Text;
+    use crate::text::t;
 
     fn quantity(symbol: &'static str, value: f64, unit: Unit) -> Quantity {
-        let text = Text::fixed("qué es", "what it is");
+        let text = t("qué es", "what it is");
         Quantity { symbol, meaning: text.clone(), value, unit, source: text }
     }
 

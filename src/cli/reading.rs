@@ -3,26 +3,22 @@
 use std::path::Path;
 
 use super::fault;
-use super::kinds::FORMS;
 use super::plan;
 use super::verdict::Ending;
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
-use crate::kind::{Outcome, Provenance};
-use crate::kinds;
-use crate::kinds::lathe;
-use crate::kinds::lathe::scene::Watching;
+use crate::kind::{Kind, Outcome, Provenance, Wants};
 use crate::parameter::field::Fields;
 use crate::store;
 use crate::workbook::{self, Filled};
 
 /// Reads a workbook and computes what it asks for; writes nothing. The set that an earlier build of it delivered is seen
 /// to, too.
-pub(super) fn check(workbook: &Path) -> Ending {
+pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
-        let (_, filled) = read(workbook, verdict)?;
-        compute(workbook, filled, verdict).map(|_| ())
+        let (_, filled) = read(workbook, kinds, verdict)?;
+        compute(workbook, filled, kinds, Wants::default(), verdict).map(|_| ())
     })
 }
 
@@ -67,11 +63,12 @@ pub(super) fn settled<'a>(folders: impl IntoIterator<Item = &'a Path>) -> Result
 ///
 /// # Errors
 /// Whatever the gate and the schema refuse.
-pub(super) fn read(path: &Path, verdict: &mut Ending) -> Result<(Vec<u8>, Filled), Refusal> {
+pub(super) fn read(path: &Path, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<(Vec<u8>, Filled), Refusal> {
+    let forms: Vec<_> = kinds.iter().map(|kind| kind.form()).collect();
     let bytes = workbook::open(path)?;
     verdict.sha256 = Some(store::sha256(&bytes));
     let filled =
-        workbook::read(&bytes, &FORMS).inspect_err(|_| verdict.language = workbook::language(&bytes, &FORMS))?;
+        workbook::read(&bytes, &forms).inspect_err(|_| verdict.language = workbook::language(&bytes, &forms))?;
     verdict.schema = Some(filled.form.schema);
     verdict.language = Some(filled.values.language);
     Ok((bytes, filled))
@@ -81,17 +78,16 @@ pub(super) fn read(path: &Path, verdict: &mut Ending) -> Result<(Vec<u8>, Filled
 ///
 /// # Errors
 /// Whatever the computation refuses. An outcome that a finding stops is no error: its derived values are shown.
-pub(super) fn compute(path: &Path, filled: Filled, verdict: &mut Ending) -> Result<Outcome, Refusal> {
-    watch(path, filled, verdict, None)
-}
-
-/// The same; a turning is shown to `watching` as it is followed.
-pub(super) fn watch(
+pub(super) fn compute(
     path: &Path,
     filled: Filled,
+    kinds: &[&dyn Kind],
+    wants: Wants,
     verdict: &mut Ending,
-    watching: Option<&mut Watching>,
 ) -> Result<Outcome, Refusal> {
+    let Some(kind) = kinds.iter().find(|kind| kind.form().schema == filled.form.schema) else {
+        return Err(fault::refusal("a form without a kind"));
+    };
     let source = Provenance {
         workbook: printable(&path.file_name().unwrap_or_default().to_string_lossy()),
         sha256: verdict.sha256.clone().unwrap_or_default(),
@@ -99,15 +95,7 @@ pub(super) fn watch(
     };
     let begun = verdict.findings.len();
     verdict.findings.extend(filled.findings.iter().cloned());
-    let mut outcome = match watching {
-        Some(watching) => {
-            let fields = Fields::of(filled.form, filled.values)?;
-            lathe::watched(fields, source, None, &mut |seen| watching.see(seen))?.outcome
-        }
-        None => kinds::run(filled.form, filled.values, source)?,
-    };
-    outcome.findings.extend(filled.findings);
-    outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    let outcome = kind.run(Fields::of(filled.form, filled.values)?, filled.findings, source, wants)?;
     verdict.findings.truncate(begun);
     verdict.findings.extend(outcome.findings.iter().cloned());
     verdict.quantities.clone_from(&outcome.quantities);

@@ -10,7 +10,7 @@ use super::verdict::Ending;
 use super::{finding, quantity};
 use crate::escape::printable_path;
 use crate::finding::{Exit, Grade};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// Prints what is to say about one workbook: derived values, findings, files, and a closing line. What needs
 /// attention, stops and cautions, goes to standard error, the rest to standard output. `writes`: the command is one that
@@ -60,7 +60,7 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
     let count = verdict.files.len();
     let report = verdict.files.iter().any(|file| file.name.to_string_lossy().ends_with(REPORT));
     let end = match (verdict.exit, count) {
-        (Exit::Done, 0) if !writes => Text::fixed("se puede construir", "can be built"),
+        (Exit::Done, 0) if !writes => t("se puede construir", "can be built"),
         (Exit::Done, _) => Text::new(format!("{count} archivos en {folder}"), format!("{count} files in {folder}")),
         (Exit::ReportFailed, _) if report => Text::new(
             format!("{count} archivos en {folder}, sin todas las plantillas en PDF"),
@@ -70,14 +70,14 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
             format!("{count} archivos en {folder}, sin informe"),
             format!("{count} files in {folder}, without a report"),
         ),
-        _ if !writes => Text::fixed("no se puede construir", "cannot be built"),
-        (Exit::Refused, _) => Text::fixed("rechazado; no se ha escrito nada", "refused; nothing was written"),
-        _ => Text::fixed("no se ha escrito nada", "nothing was written"),
+        _ if !writes => t("no se puede construir", "cannot be built"),
+        (Exit::Refused, _) => t("rechazado; no se ha escrito nada", "refused; nothing was written"),
+        _ => t("no se ha escrito nada", "nothing was written"),
     };
     let found: Vec<_> = [
-        (Grade::Stop, Text::fixed("error", "error"), Text::fixed("errores", "errors")),
-        (Grade::Caution, Text::fixed("precaución", "caution"), Text::fixed("precauciones", "cautions")),
-        (Grade::Note, Text::fixed("nota", "note"), Text::fixed("notas", "notes")),
+        (Grade::Stop, t("error", "error"), t("errores", "errors")),
+        (Grade::Caution, t("precaución", "caution"), t("precauciones", "cautions")),
+        (Grade::Note, t("nota", "note"), t("notas", "notes")),
     ]
     .into_iter()
     .filter_map(|(grade, one, many)| match verdict.count(grade) {

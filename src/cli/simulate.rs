@@ -14,18 +14,18 @@ use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
 use crate::finding::{Exit, Grade, Place, Refusal};
 use crate::gcode::control::Control;
+use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
-use crate::kinds::lathe::scene::Watching;
 use crate::store::{self, Existing, Folder, Set};
 use crate::table::Unit;
 use crate::workbook::{self, Input};
 
 /// Follows the program and says what it comes to.
-pub(super) fn run(arguments: &Simulate, terminal: &mut Terminal) -> Exit {
+pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     interrupt::listen();
     let mut followed = None;
     let verdict = reading::verdict(&arguments.program, |verdict| {
-        followed = Some(simulate(arguments, verdict)?);
+        followed = Some(simulate(arguments, kinds, verdict)?);
         Ok(())
     });
     let language = spoken(arguments.lang, verdict.language);
@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &Simulate, terminal: &mut Terminal) -> Exit {
     verdict.exit
 }
 
-fn simulate(arguments: &Simulate, verdict: &mut Ending) -> Result<Followed, Refusal> {
+fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Followed, Refusal> {
     let path = &arguments.program;
     let bytes = workbook::open_as(Input::Program, path)?;
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
@@ -67,16 +67,16 @@ fn simulate(arguments: &Simulate, verdict: &mut Ending) -> Result<Followed, Refu
         tools: arguments.tools.as_deref(),
         language,
     };
-    let mut watching = folder.is_some().then(Watching::default);
-    let followed = follow(&wanted, verdict, watching.as_mut())?;
+    let mut followed = follow(&wanted, verdict, Wants { scene: folder.is_some() })?;
     if let (Some(folder), Some(output)) = (&folder, &arguments.output) {
         let inputs: Vec<&Path> = std::iter::once(path).chain(&arguments.tools).map(PathBuf::as_path).collect();
         let mut set = Set::new(folder, &inputs, Existing::Replace);
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
-        Delivery { item: &item, outcome: &followed.outcome, language }.write(watching, &mut set)?;
+        let scene = followed.outcome.scene.take().transpose()?;
+        Delivery { item: &item, outcome: &followed.outcome, language }.write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());
-        verdict.findings.extend(delivery::leftovers(&item, verdict));
+        verdict.findings.extend(delivery::leftovers(&item, kinds, verdict));
     }
     Ok(followed)
 }

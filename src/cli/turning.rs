@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::program::PACKAGE;
 use super::program::{Beside, told_from};
+use super::rules::*;
 use super::stock::Stock;
 use super::verdict::Ending;
 use crate::escape::{printable, printable_path};
@@ -14,12 +15,11 @@ use crate::gcode::control::guess::guess_turning;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, decoded, wide};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::lexis::Utf16;
-use crate::kind::{Outcome, Provenance};
+use crate::kind::{Outcome, Provenance, Wants};
 use crate::kinds::lathe::cases;
 use crate::kinds::lathe::parameters::{
     self as form, FORM, PROFILE_KEY, PROGRAM_KEY, SECOND_KEY, SUBPROGRAM_KEY, TOOLS_KEY,
 };
-use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::text;
 use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
@@ -73,15 +73,11 @@ pub(super) struct Followed {
     pub(super) alarms: Vec<Raised>,
 }
 
-/// Follows the program and puts what was found into the verdict; shows everything to `watching`.
+/// Follows the program and puts what was found into the verdict.
 ///
 /// # Errors
 /// Where a file cannot be read, the workbook is refused, or its values contradict each other.
-pub(super) fn follow(
-    wanted: &Wanted<'_>,
-    verdict: &mut Ending,
-    watching: Option<&mut Watching>,
-) -> Result<Followed, Refusal> {
+pub(super) fn follow(wanted: &Wanted<'_>, verdict: &mut Ending, wants: Wants) -> Result<Followed, Refusal> {
     let path = wanted.program;
     if wanted.bytes.starts_with(PACKAGE) {
         return Err(is_workbook(path));
@@ -107,13 +103,7 @@ pub(super) fn follow(
         put_stock(&mut values, stock, wanted.tools.is_some());
     } else if wanted.tools.is_none() {
         let stock = enclosing(&values, &program).map_err(|refusal| of_workbook(refusal, wanted.tools))?;
-        verdict.findings.push(Finding::note(
-            Place::File,
-            Text::new(
-                format!("el bruto no se ha indicado: se toma {stock}, que encierra el recorrido en avance"),
-                format!("no stock given: {stock} is taken, which encloses the path at feed"),
-            ),
-        ));
+        verdict.findings.push(StockAssumed { stock: stock.to_string() }.at(Place::File));
         put_stock(&mut values, stock, false);
     }
     let stock = stock_of(&values).to_string();
@@ -122,13 +112,7 @@ pub(super) fn follow(
         sha256,
         version: env!("CARGO_PKG_VERSION"),
     };
-    let mut watching = watching;
-    let Simulated { outcome, alarms } =
-        lathe::watched(Fields::of(&FORM, values)?, source, Some(program), &mut |seen| {
-            if let Some(watching) = &mut watching {
-                watching.see(seen);
-            }
-        })
+    let Simulated { outcome, alarms } = lathe::simulated(Fields::of(&FORM, values)?, source, Some(program), wants)
         .map_err(|refusal| of_workbook(refusal, wanted.tools))?;
     verdict.findings.extend(outcome.findings.iter().cloned());
     verdict.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
@@ -139,18 +123,7 @@ pub(super) fn follow(
 
 /// A workbook in place of a program.
 fn is_workbook(path: &Path) -> Refusal {
-    let name = printable_path(path);
-    Refusal::new(
-        Exit::Unreadable,
-        Finding::stop(
-            Place::File,
-            Text::new(format!("{name} es un libro, no un programa"), format!("{name} is a workbook, not a program")),
-            Text::new(
-                format!("constrúyalo con rodete build {name}, o indíquelo con --tools"),
-                format!("build it with rodete build {name}, or name it with --tools"),
-            ),
-        ),
-    )
+    WorkbookInPlaceOfProgram { path: printable_path(path) }.refused(Exit::Unreadable, Place::File)
 }
 
 /// A refusal of the workbook beside the program, whose name its findings say: the place they are printed with is the
@@ -185,13 +158,7 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
         values.values.extend(case.values(language));
     }
     values.lists.push(cases::turret(language));
-    let note = Finding::note(
-        Place::File,
-        Text::fixed(
-            "sin --tools: máquina y torreta son las del libro de ejemplo (rodete new lathe)",
-            "no --tools: machine and turret are those of the example workbook (rodete new lathe)",
-        ),
-    );
+    let note = ExampleMachine {}.at(Place::File);
     Ok((values, vec![note]))
 }
 
@@ -311,12 +278,8 @@ fn subprograms(main: &str, files: &mut Beside) -> Result<BTreeMap<String, text::
                     continue;
                 }
                 let unreadable = |reason: String| {
-                    let what = Text::new(
-                        format!("no se puede leer el subprograma {name}: {reason}"),
-                        format!("cannot read subprogram {name}: {reason}"),
-                    );
-                    let remedy = Text::fixed("compruebe el archivo", "check the file");
-                    Refusal::new(Exit::Unreadable, Finding::stop(Place::File, what, remedy))
+                    let name = name.clone();
+                    SubprogramUnreadable { name, reason }.refused(Exit::Unreadable, Place::File)
                 };
                 if let Some(bytes) = files.find(&name).map_err(unreadable)? {
                     let text = text::Lines::of_file(&decoded(&bytes));

@@ -21,7 +21,7 @@ use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
 use crate::proof::account::{Account, Extents, drift};
 use crate::store::{Sum, Summed};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 use crate::workbook;
 
 /// Bytes of output that are gathered before they are printed.
@@ -272,11 +272,11 @@ fn document(read: &Read) -> Value {
 /// How the words of rotary axes were read.
 const fn rule(rotary: Rotary) -> Text {
     match rotary {
-        Rotary::Linear => Text::fixed(
+        Rotary::Linear => t(
             "ejes rotativos como lineales: en G90 la palabra es la posición, también más allá de una vuelta (--rotary linear)",
             "rotary axes as linear ones: in G90 the word is the position, beyond a turn as well (--rotary linear)",
         ),
-        Rotary::Rollover => Text::fixed(
+        Rotary::Rollover => t(
             "ejes rotativos rollover: en G90 el número es el ángulo de destino, 0 a 359.9999, y el signo el sentido \
              (--rotary rollover); lo girado se cuenta más allá de una vuelta",
             "rotary axes rollover: in G90 the number is the angle to go to, 0 to 359.9999, and the sign the direction \

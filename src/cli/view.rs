@@ -7,18 +7,17 @@ use std::path::Path;
 use super::args::View;
 use super::locale::spoken;
 use super::program::{PACKAGE, Shared, told_from};
+use super::rules::*;
 use super::terminal::Terminal;
 use super::turning::{Wanted, follow};
 use super::verdict::{Ending, gravest};
 use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{Exit, Grade, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
-use crate::kinds;
-use crate::kinds::lathe::parameters as lathe;
-use crate::kinds::lathe::scene::Watching;
+use crate::kind::{Kind, Wants};
 use crate::machine::chain::Chain;
 use crate::scene::kept;
 use crate::scene::program::Program;
@@ -29,10 +28,10 @@ use crate::view;
 use crate::workbook;
 
 /// Writes the file and says where it is.
-pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
+pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     interrupt::listen();
     let mut verdict = Ending::new(arguments.input.clone());
-    let written = match shown(arguments, &mut verdict) {
+    let written = match shown(arguments, kinds, &mut verdict) {
         Ok(written) => written,
         Err(refusal) if verdict.findings.is_empty() => {
             return refused(&refusal, spoken(arguments.lang, verdict.language), terminal);
@@ -59,7 +58,7 @@ pub(super) fn run(arguments: &View, terminal: &mut Terminal) -> Exit {
     verdict.exit
 }
 
-fn shown(arguments: &View, verdict: &mut Ending) -> Result<Vec<Written>, Refusal> {
+fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<Vec<Written>, Refusal> {
     let input = &arguments.input;
     let output = match &arguments.output {
         Some(output) => output.clone(),
@@ -83,13 +82,13 @@ fn shown(arguments: &View, verdict: &mut Ending) -> Result<Vec<Written>, Refusal
     let title = printable(&input.file_name().unwrap_or_default().to_string_lossy());
     let turned = !package && is_turned(arguments, file.fill_buf().unwrap_or_default())?;
     if arguments.stock.is_some() && !turned {
-        return Err(no_stock());
+        return Err(StockWithoutTurning {}.refused(Exit::CommandLine, Place::File));
     }
     let scene = if package {
         drop(file);
-        placed(of_workbook(arguments, title, verdict), verdict)
+        placed(of_workbook(arguments, kinds, title, verdict), verdict)
     } else if turned {
-        placed(of_turning(arguments, title, verdict).map(Some), verdict)
+        placed(of_turning(arguments, title, verdict), verdict)
     } else {
         Some(of_program(arguments, title, &mut file, verdict)?)
     };
@@ -107,23 +106,6 @@ fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Ending) -> Option
         verdict.refuse(refusal);
         None
     })
-}
-
-fn no_stock() -> Refusal {
-    Refusal::new(
-        Exit::CommandLine,
-        Finding::stop(
-            Place::File,
-            Text::fixed(
-                "--stock vale para un programa de torno, no para esta entrada",
-                "--stock is for a turning program, not for this input",
-            ),
-            Text::fixed(
-                "quite --stock, o indique el control con --dialect; el bruto de un libro está en su hoja DATOS",
-                "leave --stock out, or name the control with --dialect; the stock of a workbook is on its sheet DATA",
-            ),
-        ),
-    )
 }
 
 /// True for a turning program that is to be followed over its stock; not for a milling program, nor for one that is read
@@ -146,7 +128,7 @@ fn is_turned(arguments: &View, head: &[u8]) -> Result<bool, Refusal> {
 }
 
 /// The scene of a turning program over its stock.
-fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<Scene, Refusal> {
+fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<Option<Scene>, Refusal> {
     let (input, control) = (&arguments.input, &arguments.control);
     let bytes = workbook::open_as(workbook::Input::Program, input)?;
     let language = arguments.lang.unwrap_or_default();
@@ -161,26 +143,22 @@ fn of_turning(arguments: &View, title: String, verdict: &mut Ending) -> Result<S
         tools: control.tools.as_deref(),
         language,
     };
-    let mut watching = Watching::default();
-    follow(&wanted, verdict, Some(&mut watching))?;
-    Ok(watching.scene(title, language))
+    let scene = follow(&wanted, verdict, Wants { scene: true })?.outcome.scene.transpose()?;
+    Ok(scene.map(|scene| scene.titled(title, language)))
 }
 
-/// The scene of a workbook; `None` where a finding stops its programs. A turning is shown all the same: it shows why.
-fn of_workbook(arguments: &View, title: String, verdict: &mut Ending) -> Result<Option<Scene>, Refusal> {
+/// The scene of a workbook; `None` where there is nothing to show.
+fn of_workbook(
+    arguments: &View,
+    kinds: &[&dyn Kind],
+    title: String,
+    verdict: &mut Ending,
+) -> Result<Option<Scene>, Refusal> {
     plan::twice(std::slice::from_ref(&arguments.input))?;
-    let (_, filled) = reading::read(&arguments.input, verdict)?;
+    let (_, filled) = reading::read(&arguments.input, kinds, verdict)?;
     let language = arguments.lang.unwrap_or(filled.values.language);
-    if filled.form.kind == lathe::FORM.kind {
-        let mut watching = Watching::default();
-        reading::watch(&arguments.input, filled, verdict, Some(&mut watching))?;
-        return Ok(Some(watching.scene(title, language)));
-    }
-    let outcome = reading::compute(&arguments.input, filled, verdict)?;
-    if outcome.stopped() {
-        return Ok(None);
-    }
-    kinds::scene(&outcome, title, language).map(Some)
+    let outcome = reading::compute(&arguments.input, filled, kinds, Wants { scene: true }, verdict)?;
+    Ok(outcome.scene.transpose()?.map(|scene| scene.titled(title, language)))
 }
 
 fn of_program(
@@ -227,19 +205,6 @@ fn of_program(
 fn page_name(file: &Path) -> Result<OsString, Refusal> {
     match (file.file_name(), file.extension()) {
         (Some(name), Some(extension)) if extension.eq_ignore_ascii_case("html") => Ok(name.to_owned()),
-        _ => {
-            let shown = show::path(file);
-            Err(Refusal::new(
-                Exit::CommandLine,
-                Finding::stop(
-                    Place::File,
-                    Text::new(
-                        format!("{shown} no es el nombre de una página .html"),
-                        format!("{shown} is not the name of an .html page"),
-                    ),
-                    Text::fixed("dé un nombre como rodete.html", "give a name like impeller.html"),
-                ),
-            ))
-        }
+        _ => Err(NotAPageName { path: show::path(file) }.refused(Exit::CommandLine, Place::File)),
     }
 }

@@ -1,7 +1,7 @@
 //! The layer of an ink: strokes of one meaning together, so that a cutting program can pick them out by name.
 
 use crate::figure::Ink;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// A layer of a drawing.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub(super) struct Layer {
 }
 
 /// The layer of words.
-pub(super) const WORDS: Layer = Layer { name: Text::fixed("TEXTO", "TEXT"), colour: 8, line: FULL };
+pub(super) const WORDS: Layer = Layer { name: t("TEXTO", "TEXT"), colour: 8, line: FULL };
 
 /// The name of the full line.
 pub(super) const FULL: &str = "CONTINUOUS";
@@ -27,7 +27,7 @@ pub(super) const CENTRE: &str = "CENTER";
 /// The layer of an ink.
 pub(super) const fn layer(ink: Ink) -> Layer {
     const fn of(es: &'static str, en: &'static str, colour: u8, line: &'static str) -> Layer {
-        Layer { name: Text::fixed(es, en), colour, line }
+        Layer { name: t(es, en), colour, line }
     }
     match ink {
         Ink::Outline => of("CONTORNO", "OUTLINE", 7, FULL),

@@ -6,6 +6,7 @@
 
 pub mod dxf;
 mod layer;
+pub mod rules;
 mod sheet;
 pub mod svg;
 pub mod template;
@@ -14,7 +15,8 @@ pub mod tiles;
 use thiserror::Error;
 
 use crate::figure::{Arc, Figure};
-use crate::finding::{Finding, Place};
+use crate::finding::rules::NotDrawable;
+use crate::finding::{Finding, Place, Raise};
 use crate::kind::Provenance;
 use crate::limits::PRINTED_SHEETS;
 use crate::text::{Language, Text};
@@ -57,26 +59,10 @@ impl NotDrawn {
     /// The reason as a finding on the drawing with a title.
     #[must_use]
     pub fn finding(self, title: &Text) -> Finding {
-        let Text { es, en } = title;
+        let title = title.clone();
         match self {
-            Self::Empty | Self::NotFinite => Finding::fault(
-                Place::File,
-                Text::new(
-                    format!("«{es}» no se puede dibujar: no tiene trazos o una coordenada no es finita"),
-                    format!("'{en}' cannot be drawn: it has no strokes, or a coordinate is not finite"),
-                ),
-            ),
-            Self::TooManySheets => Finding::caution(
-                Place::File,
-                Text::new(
-                    format!("«{es}» ocuparía más de {} hojas y no se imprime", PRINTED_SHEETS),
-                    format!("'{en}' would take more than {} sheets and is not printed", PRINTED_SHEETS),
-                ),
-                Text::fixed(
-                    "elija el papel A3, o lleve el DXF o el SVG a un trazador",
-                    "choose paper A3, or take the DXF or SVG to a plotter",
-                ),
-            ),
+            Self::Empty | Self::NotFinite => NotDrawable { title }.at(Place::File),
+            Self::TooManySheets => self::rules::TooManySheets { title, most: PRINTED_SHEETS }.at(Place::File),
         }
     }
 }

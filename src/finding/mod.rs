@@ -2,13 +2,14 @@
 
 pub mod datum;
 pub mod rule;
+pub mod rules;
 
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 pub use self::datum::{Datum, Said, Size, Typed};
 pub use self::rule::{AlarmFamily, Example, Raise, Rule};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// How grave a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -27,9 +28,9 @@ impl Grade {
     #[must_use]
     pub const fn name(self) -> Text {
         match self {
-            Self::Note => Text::fixed("Nota", "Note"),
-            Self::Caution => Text::fixed("Precaución", "Caution"),
-            Self::Stop => Text::fixed("Parada", "Stop"),
+            Self::Note => t("Nota", "Note"),
+            Self::Caution => t("Precaución", "Caution"),
+            Self::Stop => t("Parada", "Stop"),
         }
     }
 }
@@ -90,7 +91,7 @@ pub enum Place {
 }
 
 /// The remedy where only rodete itself can be wrong.
-pub const FAULT: Text = Text::fixed("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
+pub const FAULT: Text = t("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
 
 /// One thing found.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,7 +166,7 @@ impl Finding {
     /// A finding worth knowing.
     #[must_use]
     pub const fn note(place: Place, what: Text) -> Self {
-        Self::new(Grade::Note, place, what, Text::fixed("", ""))
+        Self::new(Grade::Note, place, what, t("", ""))
     }
 
     /// The finding with the value found and the limit it was held against.

@@ -2,7 +2,7 @@
 
 use crate::finding::{Finding, Grade, Place};
 use crate::table::{Column, Index, Print, Table};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// The table of all findings, in their order: grade, place, what, value, limit, remedy.
 #[must_use]
@@ -11,18 +11,18 @@ pub fn table(findings: &[Finding]) -> Table {
         |symbol: Text, entry: fn(&Finding) -> Text| Column::texts(symbol, "", findings.iter().map(entry).collect());
     Table {
         key: "checks",
-        name: Text::fixed("Comprobaciones", "Checks"),
-        title: Text::fixed("Comprobaciones", "Checks"),
+        name: t("Comprobaciones", "Checks"),
+        title: t("Comprobaciones", "Checks"),
         source: summary(findings),
         index: Index::None,
         print: Print::No,
         columns: vec![
-            column(Text::fixed("Grado", "Grade"), |finding| finding.grade.name()),
-            column(Text::fixed("Lugar", "Place"), |finding| place(&finding.place)),
-            column(Text::fixed("Comprobación", "Check"), |finding| finding.what.clone()),
-            column(Text::fixed("Valor", "Value"), |finding| Text::same(finding.value.as_str())),
-            column(Text::fixed("Límite", "Limit"), |finding| Text::same(finding.limit.as_str())),
-            column(Text::fixed("Remedio", "Remedy"), |finding| finding.remedy.clone()),
+            column(t("Grado", "Grade"), |finding| finding.grade.name()),
+            column(t("Lugar", "Place"), |finding| place(&finding.place)),
+            column(t("Comprobación", "Check"), |finding| finding.what.clone()),
+            column(t("Valor", "Value"), |finding| Text::same(finding.value.as_str())),
+            column(t("Límite", "Limit"), |finding| Text::same(finding.limit.as_str())),
+            column(t("Remedio", "Remedy"), |finding| finding.remedy.clone()),
         ],
     }
 }
@@ -54,7 +54,7 @@ pub fn summary(findings: &[Finding]) -> Text {
 #[must_use]
 pub fn place(place: &Place) -> Text {
     match place {
-        Place::File => Text::fixed("Libro", "Workbook"),
+        Place::File => t("Libro", "Workbook"),
         Place::Part(part) => Text::same(part.as_str()),
         Place::Sheet(sheet) => Text::new(format!("Hoja {sheet}"), format!("Sheet {sheet}")),
         Place::Cells(cells) => {

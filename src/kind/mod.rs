@@ -1,18 +1,77 @@
-//! What every workbook kind comes to: tables, programs, charts, drawings and findings in one outcome.
+//! A workbook kind, and what every one comes to: tables, programs, charts, drawings and findings in one outcome.
+//!
+//! [`Kind`] is all that commands and walls see of one. A kind that plans and writes programs is a [`Method`](method::Method):
+//! the way from its values to an outcome is [`Of`](method::Of), written once.
 
 pub mod checks;
+pub mod method;
+pub mod rules;
+mod staging;
 
+use std::fmt;
 use std::ops::Deref;
 use std::sync::LazyLock;
 
+use self::rules::PositionOutOfFormat;
 use crate::figure::{Arc, Figure, Paper};
-use crate::finding::{Exit, Finding, Grade, Place};
+use crate::finding::rules::ValueNotFinite;
+use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::gcode::program::Program;
 use crate::number::grid::OutOfFormat;
+use crate::parameter::Form;
 use crate::parameter::field::Fields;
 use crate::proof::account::Account;
+use crate::scene::Scene;
 use crate::table::{Quantity, Table};
 use crate::text::Text;
+
+/// A workbook kind: all that commands and walls see of it.
+pub trait Kind: Send + Sync {
+    /// What the user fills in: sheets, lists, the cases to start from, the keys of what its builds write.
+    fn form(&self) -> &'static Form;
+
+    /// What it brings to the report.
+    fn chapters(&self) -> &'static Chapters;
+
+    /// The rows of its own findings.
+    fn rules(&self) -> &'static [&'static Rule] {
+        &[]
+    }
+
+    /// Computes a filled-in form, of which `found` was found when it was read. The same values give the same outcome.
+    ///
+    /// # Errors
+    /// A refusal with every contradiction between values.
+    fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal>;
+}
+
+impl fmt::Debug for dyn Kind + '_ {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(self.form().kind)
+    }
+}
+
+/// What is wanted of an outcome beside what it always holds.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wants {
+    /// What can be shown in a browser.
+    pub scene: bool,
+}
+
+/// The typst files that a kind brings to the report, their texts. They stand in the folder `kind` below the templates of all
+/// kinds, and import those from there.
+#[derive(Debug)]
+pub struct Chapters {
+    /// `labels.typ`: its `labels`, a dictionary of words for each language, and `figures`, the keys of the figures that stand
+    /// before a table by the key of the table.
+    pub labels: &'static str,
+    /// `method-es.typ` and `method-en.typ`: how it is computed.
+    pub method: [&'static str; 2],
+    /// `setup.typ`: its `preparation`, what the machinist sets up, and `before-items`, what is to be seen to before the start.
+    pub setup: &'static str,
+    /// Further files that these import: name and text.
+    pub further: &'static [(&'static str, &'static str)],
+}
 
 /// Where an outcome comes from, for headers and reports. All of it is input: nothing below the edge reads a clock or a
 /// file.
@@ -58,7 +117,7 @@ pub type Figures = LazyLock<Vec<Figure>, Box<dyn FnOnce() -> Vec<Figure> + Send 
 /// A drawing at 1:1 that is delivered on its own, as DXF and SVG and, where it is to be printed, as PDF.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// One of [`Form::drawings`](crate::parameter::Form::drawings): what its files are called, as `<stem>-<key>.dxf`.
+    /// One of [`Form::drawings`]: what its files are called, as `<stem>-<key>.dxf`.
     pub key: &'static str,
     /// What it is.
     pub title: Text,
@@ -150,7 +209,9 @@ impl End {
 /// What came of a design: parts that are the same of every kind, so that who delivers them asks no kind.
 #[derive(Debug)]
 pub struct Outcome {
-    /// The workbook kind, and the values it was computed from.
+    /// The workbook kind.
+    pub kind: &'static dyn Kind,
+    /// The values it was computed from.
     pub fields: Fields,
     /// Where they come from.
     pub source: Provenance,
@@ -168,6 +229,8 @@ pub struct Outcome {
     pub drawings: Vec<Drawing>,
     /// Bodies with files of their own.
     pub solids: Vec<Solid>,
+    /// What can be shown in a browser, or why it cannot; `None` where it is not wanted, or there is nothing to show.
+    pub scene: Option<Result<Scene, Refusal>>,
     /// What the set-up chapter of the kind prints beside values and derived quantities, by the names that it knows.
     pub setup: Vec<(&'static str, Shown)>,
     /// All findings, passed checks among them, gravest first.
@@ -204,10 +267,7 @@ impl Outcome {
 
 /// The fault of a table with a value that is no number.
 pub(crate) fn not_finite(table: &Table, row: usize) -> Finding {
-    Finding::fault(
-        Place::Point { table: table.key, index: row },
-        Text::fixed("un valor calculado no es finito", "a computed value is not finite"),
-    )
+    ValueNotFinite {}.at(Place::Point { table: table.key, index: row })
 }
 
 /// The stop for a position that no program may carry, at the parameters that make it.
@@ -216,13 +276,6 @@ pub(crate) fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Find
         Some((last, rest)) if !rest.is_empty() => format!("{} {and} {last}", rest.join(", ")),
         _ => keys.join(""),
     };
-    let remedy = Text::new(format!("compruebe {}", list("y")), format!("check {}", list("and")));
-    Finding::stop(
-        Place::Parameters(keys),
-        Text::new(
-            format!("la posición {} no cabe en un programa (cinco cifras y tres decimales)", error.0),
-            format!("position {} does not fit into a program (five digits and three decimals)", error.0),
-        ),
-        remedy,
-    )
+    let parameters = Text::new(list("y"), list("and"));
+    PositionOutOfFormat { position: error.0, parameters }.at(Place::Parameters(keys))
 }

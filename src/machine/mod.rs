@@ -7,6 +7,7 @@ pub mod chain;
 pub mod length_unit;
 pub mod offset_edit;
 pub mod rotary;
+pub mod rules;
 pub mod tip_way;
 pub mod torch;
 pub mod travel;

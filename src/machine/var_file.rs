@@ -15,9 +15,9 @@
 
 use std::collections::BTreeMap;
 
+use super::rules::*;
 use crate::escape::excerpt;
-use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::Text;
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 
 /// The greatest number of a parameter.
 pub const LAST: u32 = 5601;
@@ -64,18 +64,9 @@ impl VarFile {
     /// decimal number within ±[`GREATEST`], a parameter given twice or out of order.
     pub fn parse(bytes: &[u8]) -> Result<Self, Refusal> {
         if bytes.len() > FILE {
-            let finding = Finding::stop(
-                Place::File,
-                Text::fixed(
-                    "el archivo de parámetros es más largo que cualquiera de LinuxCNC",
-                    "the parameter file is longer than any of LinuxCNC",
-                ),
-                Text::fixed(
-                    "indique el archivo .var que nombra PARAMETER_FILE en el archivo INI",
-                    "give the .var file that PARAMETER_FILE in the INI file names",
-                ),
-            )
-            .with(format!("{} bytes", bytes.len()), format!("≤ {FILE} bytes"));
+            let finding = ParameterFileTooLong {}
+                .at(Place::File)
+                .with(format!("{} bytes", bytes.len()), format!("≤ {FILE} bytes"));
             return Err(Refusal::new(Exit::Limit, finding));
         }
         let mut file = Self::default();
@@ -163,14 +154,7 @@ pub fn required() -> impl Iterator<Item = u32> {
 fn read_line(line: usize, bytes: &[u8]) -> Result<Option<(u32, Entry)>, Box<Finding>> {
     let text = String::from_utf8_lossy(bytes.strip_suffix(b"\r").unwrap_or(bytes));
     if text.len() > LINE {
-        let finding = Finding::stop(
-            Place::Line { line, columns: Vec::new() },
-            Text::fixed(
-                "la línea es demasiado larga: LinuxCNC la leería como dos",
-                "the line is too long: LinuxCNC would read it as two",
-            ),
-            Text::fixed("deje en la línea un número y un valor", "leave a number and a value in the line"),
-        );
+        let finding = ParameterLineTooLong {}.at(Place::Line { line, columns: Vec::new() });
         return Err(Box::new(finding.with(format!("{} bytes", text.len()), format!("≤ {LINE} bytes"))));
     }
     let place = |column| Place::Line { line, columns: vec![column] };
@@ -178,19 +162,8 @@ fn read_line(line: usize, bytes: &[u8]) -> Result<Option<(u32, Entry)>, Box<Find
     let (Some((at, number)), value, rest) = (words.next(), words.next(), words.next()) else { return Ok(None) };
     let number = read_number(place(at), number)?;
     match (value, rest) {
-        (None, _) => Err(Box::new(Finding::stop(
-            place(at),
-            Text::new(format!("el parámetro {number} no tiene valor"), format!("parameter {number} has no value")),
-            pair(),
-        ))),
-        (Some(_), Some((at, rest))) => Err(Box::new(Finding::stop(
-            place(at),
-            Text::new(
-                format!("sobra texto después del valor: '{}'", excerpt(rest, 20)),
-                format!("there is text after the value: '{}'", excerpt(rest, 20)),
-            ),
-            pair(),
-        ))),
+        (None, _) => Err(Box::new(ParameterWithoutValue { parameter: number }.at(place(at)))),
+        (Some(_), Some((at, rest))) => Err(Box::new(TextAfterValue { text: excerpt(rest, 20) }.at(place(at)))),
         (Some((at, text)), None) => {
             let value = read_value(place(at), text)?;
             Ok(Some((number, Entry { value, text: text.to_owned() })))
@@ -208,53 +181,28 @@ fn words(line: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-fn pair() -> Text {
-    Text::fixed(
-        "escriba en cada línea el número de un parámetro y su valor, como «5221 12.500000»",
-        "write in each line the number of a parameter and its value, as '5221 12.500000'",
-    )
-}
-
 fn read_number(place: Place, text: &str) -> Result<u32, Box<Finding>> {
     let shown = excerpt(text, 20);
     let whole = text.strip_prefix(['+', '-']).unwrap_or(text);
     if whole.is_empty() || !whole.bytes().all(|byte| byte.is_ascii_digit()) {
-        let what = Text::new(
-            format!("«{shown}» no es el número de un parámetro"),
-            format!("'{shown}' is not the number of a parameter"),
-        );
-        return Err(Box::new(Finding::stop(place, what, pair())));
+        return Err(Box::new(NoParameterNumber { text: shown }.at(place)));
     }
-    text.parse().ok().filter(|number| (1..=LAST).contains(number)).ok_or_else(|| {
-        let finding = Finding::stop(
-            place,
-            Text::fixed("no hay parámetro con este número", "there is no parameter of this number"),
-            Text::fixed("corrija el número o quite la línea", "correct the number or take the line out"),
-        );
-        Box::new(finding.with(shown, format!("1 … {LAST}")))
-    })
+    text.parse()
+        .ok()
+        .filter(|number| (1..=LAST).contains(number))
+        .ok_or_else(|| Box::new(NoSuchParameter {}.at(place).with(shown, format!("1 … {LAST}"))))
 }
 
 fn read_value(place: Place, text: &str) -> Result<f64, Box<Finding>> {
     let shown = excerpt(text, 30);
     let plain = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
-    let remedy = if text.contains(',') {
-        Text::fixed("el separador decimal es el punto: «1.5»", "the decimal separator is the point: '1.5'")
-    } else {
-        Text::fixed("escriba un número decimal, como «-12.5»", "write a decimal number, as '-12.5'")
-    };
     let finding = match text.parse::<f64>() {
         Ok(value) if plain && value.abs() <= GREATEST => return Ok(value),
-        Ok(value) if plain || !value.is_finite() => Finding::stop(
-            place,
-            Text::fixed("el valor es demasiado grande o no es finito", "the value is too great or not finite"),
-            remedy,
-        )
-        .with(shown, format!("±{GREATEST:e}")),
-        _ => {
-            let what = Text::new(format!("«{shown}» no es un número"), format!("'{shown}' is not a number"));
-            Finding::stop(place, what, remedy)
+        Ok(value) if plain || !value.is_finite() => {
+            ParameterTooGreat {}.at(place).with(shown, format!("±{GREATEST:e}"))
         }
+        _ if text.contains(',') => ParameterWithComma { text: shown }.at(place),
+        _ => ParameterNoNumber { text: shown }.at(place),
     };
     Err(Box::new(finding))
 }
@@ -263,25 +211,8 @@ fn read_value(place: Place, text: &str) -> Result<f64, Box<Finding>> {
 fn order(line: usize, number: u32, before: &BTreeMap<u32, usize>) -> Option<Finding> {
     let place = Place::Line { line, columns: Vec::new() };
     if let Some(first) = before.get(&number) {
-        return Some(Finding::stop(
-            place,
-            Text::new(
-                format!("el parámetro {number} se da dos veces, la primera en la línea {first}"),
-                format!("parameter {number} is given twice, first in line {first}"),
-            ),
-            Text::fixed("quite una de las dos líneas", "take one of the two lines out"),
-        ));
+        return Some(ParameterTwice { parameter: number, first: *first }.at(place));
     }
     let (last, first) = before.last_key_value().filter(|(last, _)| **last > number)?;
-    Some(Finding::stop(
-        place,
-        Text::new(
-            format!("el parámetro {number} está después del {last} de la línea {first}"),
-            format!("parameter {number} stands after {last} of line {first}"),
-        ),
-        Text::fixed(
-            "ordene las líneas por número, de menor a mayor; LinuxCNC no lee el archivo de otro modo",
-            "sort the lines by number, ascending; LinuxCNC does not read the file otherwise",
-        ),
-    ))
+    Some(ParameterOutOfOrder { parameter: number, last: *last, first: *first }.at(place))
 }

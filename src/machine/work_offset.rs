@@ -7,13 +7,13 @@
 //! The LinuxCNC manual, chapter "Coordinate systems": nine coordinate systems G54 to G59.3, each with nine origins and a
 //! rotation about Z, the axis offsets of G92 and G52, which share their registers, and the positions of G28 and G30.
 
-use crate::finding::{Finding, Place};
+use super::rules::*;
+use crate::finding::{Finding, Place, Raise};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::var_file::{Unfit, VarFile};
 use crate::number::shown;
 use crate::number::trig::sin_cos;
-use crate::text::Text;
 
 /// The parameter that says which coordinate system is active, 1 to 9.
 pub const ACTIVE: u32 = 5220;
@@ -263,29 +263,8 @@ impl Offsets {
 }
 
 fn no_active_system(held: Option<f64>) -> Finding {
-    let remedy = Text::fixed(
-        "escriba en el parámetro 5220 el número del sistema activo, de 1 (G54) a 9 (G59.3)",
-        "write the number of the active system into parameter 5220, 1 (G54) to 9 (G59.3)",
-    );
     match held {
-        None => Finding::caution(
-            Place::File,
-            Text::fixed(
-                "falta el parámetro 5220: el sistema activo es el 1, G54",
-                "parameter 5220 is missing: the active system is 1, G54",
-            ),
-            remedy,
-        ),
-        Some(value) => Finding::caution(
-            Place::File,
-            Text::fixed(
-                "el parámetro 5220 no es un número entero de 1 a 9: se toma el sistema 1, G54, como dice el manual de \
-                 LinuxCNC; su intérprete puede tomar la parte entera",
-                "parameter 5220 is no whole number from 1 to 9: system 1, G54, is taken, as LinuxCNC's manual says; its \
-                 interpreter may take the whole part",
-            ),
-            remedy,
-        )
-        .with(shown(value, 6), "1 … 9"),
+        None => NoActiveSystemGiven {}.at(Place::File),
+        Some(value) => ActiveSystemNotOne {}.at(Place::File).with(shown(value, 6), "1 … 9"),
     }
 }

@@ -10,7 +10,7 @@ use crate::parameter::list::{List, Row};
 use crate::parameter::rules::{Missing, Mistyped};
 use crate::parameter::{Choice, FieldKind, Form, Parameter, Value, Values};
 use crate::table::Unit;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// What an empty cell means.
 pub trait Presence {
@@ -145,7 +145,7 @@ macro_rules! choices {
     (for $type:ty; $($key:literal ($es:literal, $en:literal) => $value:expr),+ $(,)?) => {
         impl $crate::parameter::field::Chosen for $type {
             const CHOICES: &'static [$crate::parameter::Choice] = &[$(
-                $crate::parameter::Choice { key: $key, label: $crate::text::Text::fixed($es, $en) }
+                $crate::parameter::Choice { key: $key, label: $crate::text::t($es, $en) }
             ),+];
 
             fn of(key: &str) -> Option<Self> {
@@ -288,8 +288,8 @@ impl Field<String, Required> {
             "schema",
             "schema",
             FieldKind::Schema,
-            Text::fixed("Esquema y versión de este libro", "Schema and version of this workbook"),
-            Text::fixed("No se cambia", "Not to be changed"),
+            t("Esquema y versión de este libro", "Schema and version of this workbook"),
+            t("No se cambia", "Not to be changed"),
         )
     }
 }
@@ -329,7 +329,7 @@ impl Fields {
     /// Where the field is of another form: a slip of the source, which no input can make.
     #[must_use]
     pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
-        let own = self.form.parameters().any(|(_, own)| std::ptr::eq(own, &field.row));
+        let own = self.form.parameters().any(|(_, own)| std::ptr::addr_eq(own, &field.row));
         taken(field, self.values.values.get(field.key()), own)
     }
 
@@ -389,7 +389,7 @@ impl Entry<'_> {
     /// Where the column is of another list: a slip of the source, which no input can make.
     #[must_use]
     pub fn get<T: Typed, P: Presence>(&self, field: &Field<T, P>) -> P::Of<T> {
-        let own = self.list.columns.iter().any(|own| std::ptr::eq(*own, &field.row));
+        let own = self.list.columns.iter().any(|own| std::ptr::addr_eq(*own, &field.row));
         taken(field, self.row.values.get(field.key()), own)
     }
 
@@ -450,6 +450,7 @@ mod tests {
         programs: &[],
         drawings: &[],
         solids: &[],
+        viewer: false,
         sheets: &[
             Sheet {
                 name: t("DATOS", "DATA"),

@@ -15,6 +15,8 @@ use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
 use crate::text::{Language, Text};
 
+pub use crate::text::t;
+
 /// A word of a drop-down list.
 #[derive(Debug)]
 pub struct Choice {
@@ -172,6 +174,8 @@ pub struct Form {
     pub drawings: &'static [&'static str],
     /// The keys of the bodies that its builds may write, with what they are.
     pub solids: &'static [(&'static str, Text)],
+    /// Its builds write a page that shows the programs, too.
+    pub viewer: bool,
     /// The sheets; the first is required and holds the schema cell.
     pub sheets: &'static [Sheet],
     /// The lists that follow on sheets of their own.
@@ -265,12 +269,6 @@ impl Values {
         }
         finding
     }
-}
-
-/// A text in both languages.
-#[must_use]
-pub const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
 }
 
 /// The dialects of milling and cutting controls.

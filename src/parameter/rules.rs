@@ -2,9 +2,9 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::t;
 
-const READ: Example = Example::Never(Text::fixed(
+const READ: Example = Example::Never(t(
     "la lectura del libro lo dice antes, con la celda",
     "the reading of the workbook tells it before, with the cell",
 ));

@@ -9,9 +9,9 @@ use std::path::Path;
 use sha2::{Digest, Sha256};
 
 use super::document::File;
+use super::rules::TooLargeToAttach;
 use super::{Attachment, Content, Role, number};
-use crate::finding::{Finding, Place};
-use crate::text::Text;
+use crate::finding::{Finding, Place, Raise};
 use crate::typeset::characters::Words;
 
 /// Attachments are carried up to this many bytes in all; larger ones are listed only.
@@ -45,14 +45,9 @@ pub(super) fn files(
             }
             None if twice || beside => {}
             None => findings.push(
-                Finding::note(
-                    Place::File,
-                    Text::new(
-                        format!("{name} es demasiado grande para adjuntarlo al informe; se da su SHA-256"),
-                        format!("{name} is too large to be attached to the report; its SHA-256 is given"),
-                    ),
-                )
-                .with(format!("{} bytes", number::grouped(bytes)), format!("{} bytes", number::grouped(CARRIED))),
+                TooLargeToAttach { name: name.clone() }
+                    .at(Place::File)
+                    .with(format!("{} bytes", number::grouped(bytes)), format!("{} bytes", number::grouped(CARRIED))),
             ),
         }
         files.push(File {
@@ -93,7 +88,7 @@ fn digest(mut bytes: impl Read) -> io::Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Language;
+    use crate::text::{Language, Text};
 
     #[test]
     fn what_lies_beside_the_report_is_listed_and_not_carried() {

@@ -8,11 +8,12 @@ use std::path::Path;
 use super::attachments::files;
 use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet};
 use super::number;
+use super::rules::CharactersByCode;
 use super::shorten::{self, Listing};
 use super::svg::svg;
 use super::{Attachment, Role};
 use crate::figure::{Figure, Ink};
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::{Finding, Grade, Place, Raise};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::summary::Summary;
 use crate::kind::{Duration, Outcome, Proved, Shown, checks};
@@ -102,14 +103,7 @@ fn without_glyph(missing: &[char]) -> Finding {
     if missing.len() > 12 {
         list.push_str(" …");
     }
-    Finding::note(
-        Place::File,
-        Text::fixed(
-            "el informe muestra por su código los caracteres que sus tipos de letra no tienen",
-            "the report shows by their code the characters that its fonts do not have",
-        ),
-    )
-    .with(list, "")
+    CharactersByCode {}.at(Place::File).with(list, "")
 }
 
 impl From<Shown> for SetUp {

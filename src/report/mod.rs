@@ -9,6 +9,7 @@ mod attachments;
 mod contents;
 mod document;
 mod number;
+pub mod rules;
 mod shorten;
 mod svg;
 mod templates;
@@ -85,7 +86,7 @@ pub fn typeset(
 ) -> Result<Report, ReportFailure> {
     let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;
     let contents = contents::write(outcome, attachments, language, folder.path())?;
-    templates::write(folder.path())?;
+    templates::write(folder.path(), outcome.kind.chapters())?;
     fs::write(folder.path().join("contents.json"), &contents.json)?;
     let pdf = typst.compile(folder.path(), MAIN)?;
     close(folder)?;

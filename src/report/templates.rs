@@ -4,6 +4,8 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use crate::kind::Chapters;
+
 macro_rules! templates {
     ($($name:literal),+ $(,)?) => {
         /// Every template by its path in the folder.
@@ -20,32 +22,22 @@ templates![
     "cover.typ",
     "design.typ",
     "method.typ",
-    "method-impeller.typ",
-    "method-impeller-es.typ",
-    "method-impeller-en.typ",
-    "method-lathe.typ",
-    "method-lathe-es.typ",
-    "method-lathe-en.typ",
-    "method-pipe-hole.typ",
-    "method-pipe-hole-es.typ",
-    "method-pipe-hole-en.typ",
-    "method-pipe-insert.typ",
-    "method-pipe-insert-es.typ",
-    "method-pipe-insert-en.typ",
     "annexes.typ",
     "programs.typ",
     "verification.typ",
     "checks.typ",
     "setup.typ",
     "setup-parts.typ",
-    "setup-impeller.typ",
-    "setup-lathe.typ",
-    "setup-pipe-hole.typ",
-    "setup-pipe-insert.typ",
 ];
 
-/// Writes the templates into a folder.
+/// Writes the templates of all kinds into a folder, and the chapters of one into the folder `kind` in it.
 #[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
-pub(super) fn write(folder: &Path) -> io::Result<()> {
-    TEMPLATES.iter().try_for_each(|(name, text)| fs::write(folder.join(name), text))
+pub(super) fn write(folder: &Path, chapters: &Chapters) -> io::Result<()> {
+    TEMPLATES.iter().try_for_each(|(name, text)| fs::write(folder.join(name), text))?;
+    let folder = folder.join("kind");
+    fs::create_dir(&folder)?;
+    let [es, en] = chapters.method;
+    let own =
+        [("labels.typ", chapters.labels), ("method-es.typ", es), ("method-en.typ", en), ("setup.typ", chapters.setup)];
+    own.iter().chain(chapters.further).try_for_each(|(name, text)| fs::write(folder.join(name), text))
 }

@@ -2,10 +2,11 @@
 
 use super::Remark;
 use super::program::Program;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use super::rules::TooManyMotions;
+use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::interpreter::{Fault, Interpreter, findings};
 use crate::limits::{SHOWN_MOTIONS, SHOWN_REMARKS};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Follows a program to its end and keeps what it does. What it says wrong becomes remarks; what the worst of it is, is
 /// given back with all of it.
@@ -47,7 +48,7 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
     let found = findings(faults, total, text.remarks());
     program.remarks.extend(found.iter().map(Remark::from));
     if program.turns_unseen() {
-        program.notes.push(Text::fixed(
+        program.notes.push(t(
             "Los ejes giratorios no se aplican: se dibujan X, Y y Z tal como están escritos; con el libro se ve la pieza",
             "Rotary axes are not applied: X, Y and Z are drawn as they are written; with the workbook the part is shown",
         ));
@@ -56,16 +57,5 @@ pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(E
 }
 
 pub(crate) fn too_many(title: &Text) -> Refusal {
-    let most = SHOWN_MOTIONS;
-    Refusal::new(
-        Exit::Limit,
-        Finding::stop(
-            Place::File,
-            Text::new(
-                format!("{} tiene más de {most} líneas o movimientos, demasiados para mostrarlos", title.es),
-                format!("{} has more than {most} lines or motions, too many to be shown", title.en),
-            ),
-            Text::fixed("divida el programa", "split the program"),
-        ),
-    )
+    TooManyMotions { title: title.clone(), most: SHOWN_MOTIONS }.refused(Exit::Limit, Place::File)
 }

@@ -5,6 +5,7 @@ pub mod kept;
 pub mod mesh;
 pub mod part;
 pub mod program;
+pub mod rules;
 pub mod turning;
 
 use serde::Serialize;
@@ -18,7 +19,7 @@ use crate::machine::length_unit::LengthUnit;
 use crate::text::{Language, Text};
 
 /// Everything that one file shows.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Scene {
     /// What is shown, as a file's name.
     pub title: String,
@@ -30,6 +31,14 @@ pub struct Scene {
     pub curves: Vec<Curve>,
     /// The programs, of which one is shown at a time.
     pub programs: Vec<Program>,
+}
+
+impl Scene {
+    /// The scene under a title, in the language that its page begins in.
+    #[must_use]
+    pub fn titled(self, title: String, language: Language) -> Self {
+        Self { title, language, ..self }
+    }
 }
 
 /// A polyline in space.

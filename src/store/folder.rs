@@ -13,8 +13,8 @@ use super::draft::{Draft, PREFIX, SUFFIX, unfinished};
 use super::lock::Lock;
 use super::notice;
 use super::reason::{refusal, shown, unwritable};
+use super::rules::NotAFolder;
 use crate::finding::{Finding, Refusal};
-use crate::text::Text;
 
 /// The age from which an unlocked temporary file is a leftover. It covers the moment between making and locking one, or
 /// a whole run where temporary files are not locked.
@@ -52,10 +52,7 @@ impl Folder {
         let mut folder = Self { path: path.to_owned(), made: Vec::new(), disk: disk.clone(), settled: None };
         let path = here(path);
         folder.make().map_err(|error| match fs::metadata(path) {
-            Ok(found) if !found.is_dir() => refusal(
-                Text::new(format!("{} no es una carpeta", shown(path)), format!("{} is not a folder", shown(path))),
-                Text::fixed("elija otra carpeta (opción -o)", "choose another folder (option -o)"),
-            ),
+            Ok(found) if !found.is_dir() => refusal(&NotAFolder { path: shown(path) }),
             _ => unwritable(path, &error),
         })?;
         Draft::new(path, disk).map_err(|error| unwritable(path, &error))?;

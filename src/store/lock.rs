@@ -13,9 +13,9 @@ use same_file::Handle;
 use super::disk::Disk;
 use super::draft::unfinished;
 use super::reason::{refusal, shown, unwritable};
+use super::rules::FolderHeld;
 use crate::escape::printable;
 use crate::finding::Refusal;
-use crate::text::Text;
 
 /// The lock file's name.
 pub(super) const NAME: &str = ".rodete.lock";
@@ -105,12 +105,5 @@ fn held(folder: &Path) -> Refusal {
         let _ = file.take(100).read_to_string(&mut owner);
     }
     let owner = printable(owner.trim());
-    let path = shown(&path);
-    refusal(
-        Text::new(
-            format!("otra ejecución está escribiendo en la misma carpeta ({path}: {owner})"),
-            format!("another run is writing into the same folder ({path}: {owner})"),
-        ),
-        Text::fixed("espere a que termine y repita la orden", "wait until it ends and give the command again"),
-    )
+    refusal(&FolderHeld { lock: shown(&path), owner })
 }

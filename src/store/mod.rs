@@ -28,6 +28,7 @@ mod lock;
 mod name;
 mod notice;
 mod reason;
+pub mod rules;
 mod set;
 mod summed;
 mod target;

@@ -19,9 +19,10 @@ use super::draft::{PREFIX, SUFFIX, sum};
 use super::folder::here;
 use super::lock::Lock;
 use super::reason::{refusal, shown};
-use crate::finding::{Finding, Place, Refusal};
+use super::rules::*;
+use crate::finding::{Finding, Place, Raise, Refusal};
 use crate::limits::NOTICE_BYTES;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The notice's name.
 const NAME: &str = ".rodete-delivery.json";
@@ -232,28 +233,11 @@ impl Notice {
         let listed = |word: &str, names: &[String]| {
             if names.is_empty() { String::new() } else { format!("; {word}: {}", names.join(", ")) }
         };
-        let folder = shown(folder);
-        let es = [
-            format!(
-                "los archivos de {folder} no son de un mismo conjunto: una ejecución se detuvo mientras los entregaba"
-            ),
-            listed("nuevos", &new),
-            listed("de antes", &old),
-            listed("faltan o han cambiado", &other),
-        ];
-        let en = [
-            format!("the files in {folder} do not belong together: a run was stopped while it delivered them"),
-            listed("new", &new),
-            listed("of before", &old),
-            listed("missing or changed", &other),
-        ];
-        Some(refusal(
-            Text::new(es.concat(), en.concat()),
-            Text::fixed(
-                "no use ninguno; borre los nuevos y repita la construcción",
-                "use none of them; delete the new ones and build again",
-            ),
-        ))
+        let files = [["nuevos", "de antes", "faltan o han cambiado"], ["new", "of before", "missing or changed"]].map(
+            |words| words.into_iter().zip([&new, &old, &other]).map(|(word, names)| listed(word, names)).collect(),
+        );
+        let [es, en] = files;
+        Some(refusal(&SetsMixed { folder: shown(folder), files: Text::new(es, en) }))
     }
 
     fn names(&self) -> String {
@@ -305,32 +289,18 @@ pub fn settle_on(folder: &Path, disk: &Disk) -> Result<Option<Finding>, Refusal>
 pub(super) fn settle_locked(folder: &Path, disk: &Disk) -> Result<Option<Finding>, Refusal> {
     let Some(notice) = Notice::read(folder)? else { return Ok(None) };
     let done = if notice.complete(folder, disk).unwrap_or(false) {
-        Text::fixed("se ha completado", "was completed")
+        t("se ha completado", "was completed")
     } else if notice.put_back(folder, disk).is_empty() {
-        Text::fixed("se ha dejado como estaba antes", "was put back as it was before")
+        t("se ha dejado como estaba antes", "was put back as it was before")
     } else if let Some(mixed) = notice.mixed(folder) {
         return Err(mixed);
     } else {
-        Text::fixed("está entero", "is whole")
+        t("está entero", "is whole")
     };
     if disk.sync_folder(folder).is_ok() {
         notice.end(folder, disk);
     }
-    let (folder, names) = (shown(folder), notice.names());
-    Ok(Some(Finding::caution(
-        Place::File,
-        Text::new(
-            format!(
-                "una ejecución se detuvo mientras entregaba sus archivos en {folder}; el conjunto {}: {names}",
-                done.es
-            ),
-            format!("a run was stopped while it delivered its files into {folder}; the set {}: {names}", done.en),
-        ),
-        Text::fixed(
-            "vuelva a construir si no está seguro de qué libro son",
-            "build again if you are not sure which workbook they are of",
-        ),
-    )))
+    Ok(Some(SetSettled { folder: shown(folder), done, files: notice.names() }.at(Place::File)))
 }
 
 /// The SHA-256 of an ordinary file; `None` where there is no file.
@@ -357,15 +327,5 @@ fn write_all(disk: &Disk, file: &File, path: &Path, mut bytes: &[u8]) -> io::Res
 }
 
 fn illegible(path: &Path) -> Refusal {
-    let path = shown(path);
-    refusal(
-        Text::new(
-            format!("{path} dice que una ejecución se detuvo mientras entregaba sus archivos, y no se puede leer"),
-            format!("{path} says that a run was stopped while it delivered its files, and cannot be read"),
-        ),
-        Text::new(
-            format!("no use ningún archivo de esa carpeta; bórrelos junto con {path} y repita la construcción"),
-            format!("use no file of that folder; delete them together with {path} and build again"),
-        ),
-    )
+    refusal(&NoticeIllegible { path: shown(path) })
 }

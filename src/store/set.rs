@@ -13,11 +13,12 @@ use super::draft::{Draft, Output, Unfinished, unfinished};
 use super::folder::Folder;
 use super::lock::Lock;
 use super::notice::{self, Notice};
-use super::reason::{shown, unwritable, words};
+use super::reason::{mixed, put_back, refusal, shown, unwritable};
+use super::rules::*;
 use super::target;
 use crate::escape::printable;
-use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::Text;
+use crate::finding::rules::NotComposed;
+use crate::finding::{Exit, Place, Raise, Refusal};
 
 /// What happens to a file that already has the name of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,15 +78,7 @@ impl<'f> Set<'f> {
             return Err(unwritable(&path, &ErrorKind::InvalidFilename.into()));
         }
         if self.pending.iter().any(|one| one.written.name == name) {
-            let path = shown(&path);
-            return Err(Refusal::new(
-                Exit::CommandLine,
-                Finding::stop(
-                    Place::File,
-                    Text::new(format!("{path} se escribiría dos veces"), format!("{path} would be written twice")),
-                    Text::fixed("dé un nombre propio a cada libro", "give every workbook a name of its own"),
-                ),
-            ));
+            return Err(WrittenTwice { path: shown(&path) }.refused(Exit::CommandLine, Place::File));
         }
         if self.existing == Existing::Keep && path.symlink_metadata().is_ok() {
             return Err(exists(&path));
@@ -173,7 +166,7 @@ impl<'f> Set<'f> {
         for one in &mut self.pending {
             one.draft.become_final(&one.written.path, replace, unfinished).map_err(|error| match error.kind() {
                 ErrorKind::AlreadyExists if !replace => exists(&one.written.path),
-                _ => mixed(&one.written.path, &error, &[]),
+                _ => put_back(&one.written.path, &error),
             })?;
         }
         // The rename survives a power cut once the folder is on the disk; whether it does changes nothing here.
@@ -187,7 +180,7 @@ impl<'f> Set<'f> {
         let mut notice = Notice::default();
         if let Err((path, error)) = prepare(&self.pending, place, disk, existing, &mut notice) {
             notice.end(place, disk);
-            return Err(mixed(&path, &error, &[]));
+            return Err(put_back(&path, &error));
         }
         let renamed = self
             .pending
@@ -212,7 +205,8 @@ impl<'f> Set<'f> {
         }
         Err(match error.kind() {
             ErrorKind::AlreadyExists if existing == Existing::Keep => exists(&path),
-            _ => mixed(&path, &error, &stuck),
+            _ if stuck.is_empty() => put_back(&path, &error),
+            _ => mixed(&path, &error, stuck.iter().map(|path| shown(path)).collect::<Vec<_>>().join(", ")),
         })
     }
 }
@@ -247,53 +241,11 @@ fn is_there(path: &Path) -> io::Result<bool> {
     }
 }
 
-fn mixed(path: &Path, error: &io::Error, stuck: &[PathBuf]) -> Refusal {
-    let mut refusal = unwritable(path, error);
-    let (_, remedy) = words(error);
-    if let Some(finding) = refusal.findings.first_mut() {
-        if stuck.is_empty() {
-            finding.what = Text::new(
-                format!("{}; los archivos anteriores siguen en su sitio", finding.what.es),
-                format!("{}; the files of before stand", finding.what.en),
-            );
-        } else {
-            let list = stuck.iter().map(|path| shown(path)).collect::<Vec<_>>().join(", ");
-            finding.what = Text::new(
-                format!("{}; de este conjunto quedan en versión nueva: {list}", finding.what.es),
-                format!("{}; of this set these stand in their new version: {list}", finding.what.en),
-            );
-            finding.remedy = Text::new(
-                format!("no use ningún programa de esta carpeta hasta repetir la orden; {}", remedy.es),
-                format!("use no program of this folder before the command has run again; {}", remedy.en),
-            );
-        }
-    }
-    refusal
-}
-
 fn exists(path: &Path) -> Refusal {
-    let path = shown(path);
-    super::reason::refusal(
-        Text::new(format!("{path} ya existe"), format!("{path} exists already")),
-        Text::fixed("dé otro nombre, o quite ese archivo", "give another name, or remove that file"),
-    )
+    refusal(&ExistsAlready { path: shown(path) })
 }
 
 fn fault(path: &Path, error: &dyn Display) -> Refusal {
-    let (path, error) = (shown(path), error.to_string());
-    let error = printable(&error);
-    Refusal::new(
-        Exit::Fault,
-        Finding::stop(
-            Place::File,
-            Text::new(
-                format!("fallo de rodete: no se pudo componer {path}: {error}"),
-                format!("fault in rodete: {path} could not be composed: {error}"),
-            ),
-            Text::fixed(
-                "comunique el fallo con el libro que lo provoca",
-                "report the fault with the workbook that shows it",
-            ),
-        ),
-    )
+    let reason = printable(&error.to_string());
+    NotComposed { path: shown(path), reason }.refused(Exit::Fault, Place::File)
 }

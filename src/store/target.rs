@@ -8,8 +8,8 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::reason::{refusal, shown, unwritable};
-use crate::finding::{Exit, Finding, Place, Refusal};
-use crate::text::Text;
+use super::rules::*;
+use crate::finding::{Exit, Place, Raise, Refusal};
 
 /// Checks that a file of a set may come under its final name.
 ///
@@ -23,37 +23,14 @@ pub(super) fn check(target: &Path, inputs: &[PathBuf]) -> Result<(), Refusal> {
         Err(error) => return Err(unwritable(target, &error)),
     };
     let path = shown(target);
-    let another = Text::fixed(
-        "cámbiele el nombre, quítelo o elija otra carpeta (opción -o)",
-        "rename it, remove it or choose another folder (option -o)",
-    );
     if found.is_symlink() {
-        return Err(refusal(
-            Text::new(
-                format!("{path} es un enlace simbólico, y no se escribe a través de enlaces"),
-                format!("{path} is a symbolic link, and nothing is written through links"),
-            ),
-            another,
-        ));
+        return Err(refusal(&OutputIsLink { path }));
     }
     if !found.is_file() {
-        return Err(refusal(
-            Text::new(format!("{path} no es un archivo ordinario"), format!("{path} is not an ordinary file")),
-            another,
-        ));
+        return Err(refusal(&OutputIsNoFile { path }));
     }
     if inputs.iter().any(|input| same_file::is_same_file(input, target).unwrap_or(false)) {
-        return Err(Refusal::new(
-            Exit::CommandLine,
-            Finding::stop(
-                Place::File,
-                Text::new(
-                    format!("{path} es a la vez entrada y salida: se perdería el libro"),
-                    format!("{path} is both an input and an output: the workbook would be lost"),
-                ),
-                Text::fixed("elija otra carpeta (opción -o)", "choose another folder (option -o)"),
-            ),
-        ));
+        return Err(OutputIsInput { path }.refused(Exit::CommandLine, Place::File));
     }
     check_open(target)
 }
@@ -65,13 +42,7 @@ fn check_open(target: &Path) -> Result<(), Refusal> {
         let lock = target.with_file_name(lock);
         if fs::symlink_metadata(&lock).is_ok() {
             let (path, lock) = (shown(target), shown(&lock));
-            return Err(refusal(
-                Text::new(format!("{path} está abierto en {program}"), format!("{path} is open in {program}")),
-                Text::new(
-                    format!("ciérrelo en {program}; si no está abierto en ninguna parte, borre {lock}"),
-                    format!("close it in {program}; if it is not open anywhere, delete {lock}"),
-                ),
-            ));
+            return Err(refusal(&OutputIsOpen { path, program, lock }));
         }
     }
     Ok(())

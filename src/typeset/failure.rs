@@ -7,8 +7,10 @@ use std::time::Duration;
 
 use thiserror::Error;
 
-use crate::finding::{Finding, Place};
-use crate::text::Text;
+use super::rules::*;
+use crate::finding::rules::NotSerialized;
+use crate::finding::{Finding, Place, Raise};
+use crate::text::{Text, t};
 
 /// The version of typst that the templates are written for.
 pub const TYPST_VERSION: &str = "0.15";
@@ -77,102 +79,52 @@ impl ReportFailure {
     /// The failure as a finding: the path tried, how it ended, its first lines, and what to do.
     #[must_use]
     pub fn finding(&self) -> Finding {
-        self.finding_on(&Text::fixed("el informe", "the report"))
+        self.finding_on(&t("el informe", "the report"))
     }
 
     /// The failure of a document with a name, as `the report`, as a finding.
     #[must_use]
     pub fn finding_on(&self, document: &Text) -> Finding {
-        let Text { es: name_es, en: name_en } = document;
-        let whole = Text::fixed(
-            "las hojas y los programas están completos; use --no-report para prescindir de los PDF",
-            "the sheets and programs are complete; --no-report leaves the PDFs out",
-        );
+        let document = document.clone();
         match self {
-            Self::Folder(error) => Finding::caution(
-                Place::File,
-                Text::new(
-                    format!("{name_es} no se ha podido componer: la carpeta temporal no admite escritura ({error})"),
-                    format!("{name_en} could not be typeset: the temporary folder cannot be written ({error})"),
-                ),
-                Text::fixed(
-                    "libere espacio o indique otra carpeta temporal con la variable TMPDIR",
-                    "free some space, or name another temporary folder with the variable TMPDIR",
-                ),
-            ),
-            Self::Json(error) => Finding::caution(
-                Place::File,
-                Text::new(
-                    format!("{name_es} no se ha podido componer: {error}"),
-                    format!("{name_en} could not be typeset: {error}"),
-                ),
-                whole,
-            ),
+            Self::Folder(error) => NoTemporaryFolder { document, reason: error.to_string() }.at(Place::File),
+            Self::Json(error) => NotSerialized { document, reason: error.to_string() }.at(Place::File),
             Self::NotStarted { program, error } => {
-                let program = clean(&program.to_string_lossy());
-                Finding::caution(
-                    Place::File,
-                    Text::new(
-                        format!("{name_es} no se ha podido componer: no se puede ejecutar «{program}» ({error})"),
-                        format!("{name_en} could not be typeset: cannot run '{program}' ({error})"),
-                    ),
-                    Text::new(
-                        format!(
-                            "indique con --typst o RODETE_TYPST un typst {TYPST_VERSION}, o ninguno para usar el incorporado"
-                        ),
-                        format!(
-                            "name a typst {TYPST_VERSION} with --typst or RODETE_TYPST, or none to use the built-in one"
-                        ),
-                    ),
-                )
+                let (program, reason) = (clean(&program.to_string_lossy()), error.to_string());
+                CompilerNotStarted { document, program, reason, version: TYPST_VERSION }.at(Place::File)
             }
             Self::Failed { program, ending, diagnostics } => {
-                let program = clean(&program.to_string_lossy());
-                let (es, en) = ending.sentences();
-                let lines = first_lines(diagnostics);
-                Finding::caution(
-                    Place::File,
-                    Text::new(
-                        format!("{name_es} no se ha podido componer: «{program}» {es}{lines}"),
-                        format!("{name_en} could not be typeset: '{program}' {en}{lines}"),
-                    ),
-                    Text::new(
-                        format!(
-                            "las plantillas son para typst {TYPST_VERSION}; sin --typst ni RODETE_TYPST se usa el incorporado; las hojas y los programas están completos"
-                        ),
-                        format!(
-                            "the templates are for typst {TYPST_VERSION}; without --typst and RODETE_TYPST the built-in one is used; the sheets and programs are complete"
-                        ),
-                    ),
-                )
+                let (program, lines) = (clean(&program.to_string_lossy()), first_lines(diagnostics));
+                let (how, version) = (ending.how(), TYPST_VERSION);
+                CompilerFailed { document, program, how, lines, version }.at(Place::File)
             }
         }
     }
 }
 
 impl Ending {
-    /// What the compiler did, in Spanish and English, to follow its name.
-    fn sentences(&self) -> (String, String) {
+    /// What the compiler did, to follow its name.
+    fn how(&self) -> Text {
         match self {
             Self::Status(status) => match status.code() {
-                Some(code) => (format!("terminó con el código {code}"), format!("ended with exit code {code}")),
-                None => (format!("se interrumpió ({status})"), format!("broke off ({status})")),
+                Some(code) => {
+                    Text::new(format!("terminó con el código {code}"), format!("ended with exit code {code}"))
+                }
+                None => Text::new(format!("se interrumpió ({status})"), format!("broke off ({status})")),
             },
             Self::Deadline(time) => {
                 let seconds = time.as_secs_f64();
-                (
+                Text::new(
                     format!("no terminó en {seconds} s y se ha detenido"),
                     format!("did not end within {seconds} s and was killed"),
                 )
             }
-            Self::Interrupted => {
-                ("se ha detenido a petición del usuario".to_owned(), "was stopped by the user".to_owned())
-            }
-            Self::Lost(error) => (format!("no responde ({error})"), format!("cannot be waited for ({error})")),
+            Self::Interrupted => t("se ha detenido a petición del usuario", "was stopped by the user"),
+            Self::Lost(error) => Text::new(format!("no responde ({error})"), format!("cannot be waited for ({error})")),
             Self::Output(error) => {
-                (format!("no dejó ningún PDF legible ({error})"), format!("left no readable PDF ({error})"))
+                Text::new(format!("no dejó ningún PDF legible ({error})"), format!("left no readable PDF ({error})"))
             }
-            Self::NotPdf { length } => (
+            Self::NotPdf { length } => Text::new(
                 format!("dejó {length} bytes que no son un PDF completo"),
                 format!("left {length} bytes that are no whole PDF"),
             ),

@@ -7,6 +7,7 @@ pub mod compiler;
 pub mod failure;
 pub(crate) mod mark;
 pub(crate) mod pen;
+pub mod rules;
 
 use std::fs;
 

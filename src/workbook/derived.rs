@@ -7,7 +7,7 @@ use super::error::WriteError;
 use super::form_sheet::Layout;
 use super::style::Styles;
 use crate::table::{Quantity, Unit};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 const FIRST: ColNum = 6;
 
@@ -29,11 +29,11 @@ pub fn write(
     styles: &Styles,
 ) -> Result<(), WriteError> {
     static HEADINGS: [Text; 5] = [
-        Text::fixed("Derivado", "Derived"),
-        Text::fixed("Significado", "Meaning"),
-        Text::fixed("Valor", "Value"),
-        Text::fixed("Unidad", "Unit"),
-        Text::fixed("Procedencia", "Source"),
+        t("Derivado", "Derived"),
+        t("Significado", "Meaning"),
+        t("Valor", "Value"),
+        t("Unidad", "Unit"),
+        t("Procedencia", "Source"),
     ];
     sheet.set_column_width(FIRST - 1, 3)?;
     for (column, (heading, width)) in (FIRST..).zip(HEADINGS.iter().zip(WIDTHS)) {

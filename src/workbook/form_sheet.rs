@@ -13,7 +13,7 @@ use super::page::Page;
 use super::style::Styles;
 use super::validation::{range_and_note, validation};
 use crate::parameter::{FieldKind, Parameter, Sheet, Value};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 const SYMBOL: ColNum = 0;
 const MEANING: ColNum = 1;
@@ -129,11 +129,11 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
     /// Title, notes and column headings; returns the row of the headings.
     fn write_head(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<RowNum, WriteError> {
         static HEADINGS: [Text; 5] = [
-            Text::fixed("Símbolo", "Symbol"),
-            Text::fixed("Significado", "Meaning"),
-            Text::fixed("Valor", "Value"),
-            Text::fixed("Unidad", "Unit"),
-            Text::fixed("Intervalo admitido y nota", "Allowed range and note"),
+            t("Símbolo", "Symbol"),
+            t("Significado", "Meaning"),
+            t("Valor", "Value"),
+            t("Unidad", "Unit"),
+            t("Intervalo admitido y nota", "Allowed range and note"),
         ];
         write_text(sheet, 0, SYMBOL, self.sheet.title.get(self.language), &styles.title)?;
         let mut row = 0;

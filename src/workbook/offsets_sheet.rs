@@ -21,23 +21,23 @@ use crate::machine::work_offset::{G92_FIRST, Offsets, System};
 use crate::parameter::field::{Chosen, Typed};
 use crate::parameter::{FieldKind, Parameter};
 use crate::table::Unit;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// The sheet's name.
-pub static NAME: Text = Text::fixed("ORIGENES", "OFFSETS");
+pub static NAME: Text = t("ORIGENES", "OFFSETS");
 /// Name and version of the sheet's form.
 pub const SCHEMA: &str = "rodete-offsets 1";
 /// What stands before the schema.
-pub static SCHEMA_LABEL: Text = Text::fixed("esquema", "schema");
+pub static SCHEMA_LABEL: Text = t("esquema", "schema");
 /// The heading of the rows' names.
-pub static SYSTEM: Text = Text::fixed("Sistema", "System");
+pub static SYSTEM: Text = t("Sistema", "System");
 /// The name of the row of G92's registers.
 pub const G92: &str = "G92";
 /// The key of the choice that marks the active system.
 pub const YES: &str = "yes";
 
-static TITLE: Text = Text::fixed("Orígenes de trabajo", "Work offsets");
-static HOW: Text = Text::fixed(
+static TITLE: Text = t("Orígenes de trabajo", "Work offsets");
+static HOW: Text = t(
     "Escriba solo en las celdas amarillas; al seleccionar una se ve qué admite. Una celda sin desplazamiento lleva un 0. \
      Activo es sí en el sistema que rige tras el arranque; en la fila G92, si G92 está en vigor.",
     "Write only in the yellow cells; selecting one shows what it admits. A cell without an offset holds a 0. Active is \
@@ -54,7 +54,7 @@ const fn real(key: &'static str, meaning: Text, most: f64) -> Parameter {
         kind: FieldKind::Real { min: -most, max: most },
         required: true,
         admits: f64::admits,
-        note: Text::fixed("", ""),
+        note: t("", ""),
     }
 }
 
@@ -62,9 +62,9 @@ const fn real(key: &'static str, meaning: Text, most: f64) -> Parameter {
 const fn numbers(unit: LengthUnit) -> [Parameter; 10] {
     const fn axis(key: &'static str, axis: Axis, unit: LengthUnit) -> Parameter {
         let meaning = match unit {
-            _ if axis.rotary() => Text::fixed("eje giratorio, °", "rotary axis, °"),
-            LengthUnit::Inch => Text::fixed("eje lineal, in", "linear axis, in"),
-            LengthUnit::Millimetre => Text::fixed("eje lineal, mm", "linear axis, mm"),
+            _ if axis.rotary() => t("eje giratorio, °", "rotary axis, °"),
+            LengthUnit::Inch => t("eje lineal, in", "linear axis, in"),
+            LengthUnit::Millimetre => t("eje lineal, mm", "linear axis, mm"),
         };
         real(key, meaning, greatest(axis, unit))
     }
@@ -78,7 +78,7 @@ const fn numbers(unit: LengthUnit) -> [Parameter; 10] {
         axis("U", Axis::U, unit),
         axis("V", Axis::V, unit),
         axis("W", Axis::W, unit),
-        real("R", Text::fixed("giro alrededor de Z, °", "rotation about Z, °"), GREATEST_ROTATION),
+        real("R", t("giro alrededor de Z, °", "rotation about Z, °"), GREATEST_ROTATION),
     ]
 }
 
@@ -90,12 +90,12 @@ const fn mark(key: &'static str) -> Parameter {
     Parameter {
         key,
         name: "",
-        meaning: Text::fixed("sistema activo; G92 en vigor", "active system; G92 in force"),
+        meaning: t("sistema activo; G92 en vigor", "active system; G92 in force"),
         unit: Unit::None,
         kind: FieldKind::Choice(bool::CHOICES),
         required: false,
         admits: bool::admits,
-        note: Text::fixed("", ""),
+        note: t("", ""),
     }
 }
 

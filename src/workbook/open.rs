@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 use super::limits;
 use super::rules::file::*;
@@ -35,10 +35,10 @@ impl Input {
     /// What it is called, as the object of "name".
     const fn named(self) -> Text {
         match self {
-            Self::Workbook => Text::fixed("el libro .xlsx", "the .xlsx workbook"),
-            Self::VarFile => Text::fixed("el archivo .var", "the .var file"),
-            Self::ToolTable => Text::fixed("la tabla de herramientas", "the tool table"),
-            Self::Program => Text::fixed("el programa ISO", "the ISO program"),
+            Self::Workbook => t("el libro .xlsx", "the .xlsx workbook"),
+            Self::VarFile => t("el archivo .var", "the .var file"),
+            Self::ToolTable => t("la tabla de herramientas", "the tool table"),
+            Self::Program => t("el programa ISO", "the ISO program"),
         }
     }
 

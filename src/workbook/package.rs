@@ -9,8 +9,7 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use crate::escape::{excerpt, printable};
 use crate::finding::{Exit, Place, Raise, Refusal};
-use crate::parameter::t;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 use super::limits;
 use super::rules::package::*;

@@ -3,7 +3,7 @@
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, RowNum, Worksheet, XlsxError};
 
 use super::cell::header_text;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 const A4: u8 = 9;
 
@@ -36,7 +36,7 @@ impl Page<'_> {
 
     /// Sets a sheet up for A4 in its own size, without repeated rows.
     pub fn set_up_columns(&self, sheet: &mut Worksheet, language: Language) {
-        static PAGES: Text = Text::fixed("Página &P de &N", "Page &P of &N");
+        static PAGES: Text = t("Página &P de &N", "Page &P of &N");
         sheet.set_paper_size(A4).set_margins(0.6, 0.6, 0.8, 0.7, 0.35, 0.35);
         if self.landscape {
             sheet.set_landscape();

@@ -10,13 +10,13 @@ use super::long_rows::{RowWriter, Rows};
 use super::page::Page;
 use super::style::Styles;
 use crate::gcode::program::Program;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// The sheet's name, in both languages.
 pub const NAME: &str = "INCR";
 
 /// The sheet's name for the user's own programs, where one is too long for the sheet that it is read from.
-pub static OWN: Text = Text::fixed("LISTADO", "LISTING");
+pub static OWN: Text = t("LISTADO", "LISTING");
 
 /// The rows of a sheet.
 pub const ROWS: u64 = 1_048_576;

@@ -19,7 +19,7 @@ use super::table_sheet::{FIRST, TableSheet};
 use super::template::{HOW, OPTIONAL, write_lists};
 use crate::kind::{Chart, Outcome, checks};
 use crate::table::Table;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// The height of a row in pixels.
 const ROW: u32 = 20;
@@ -75,12 +75,12 @@ impl<'a> Results<'a> {
             format!("Computed by rodete {} from {} (SHA-256 {}).", source.version, source.workbook, source.sha256),
         );
         let again = if within_limits(outcome) {
-            Text::fixed(
+            t(
                 "Este libro es a su vez una entrada válida: cambie los valores y vuelva a calcular.",
                 "This workbook is itself a valid input: change the values and build again.",
             )
         } else {
-            Text::fixed(
+            t(
                 "Este libro es demasiado grande para volver a leerlo: cambie los valores en el libro de entrada.",
                 "This workbook is too large to be read again: change the values in the input workbook.",
             )

@@ -12,16 +12,16 @@ use super::page::{Page, properties};
 use super::style::Styles;
 use crate::parameter::list::{Naming, Rows};
 use crate::parameter::{Form, Value};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// How the sheets are filled in; stands under the title of every form.
-pub(super) static HOW: Text = Text::fixed(
+pub(super) static HOW: Text = t(
     "Escriba solo en las celdas amarillas de la columna C; al seleccionar una se ve qué admite. La hoja está protegida, sin contraseña, para que no se borre nada sin querer.",
     "Write only in the yellow cells of column C; selecting one shows what it admits. The sheet is protected, without a password, so that nothing is deleted by accident.",
 );
 
 /// What stands under the title of a sheet that may be left out.
-pub(super) static OPTIONAL: Text = Text::fixed(
+pub(super) static OPTIONAL: Text = t(
     "Esta hoja es opcional: si todos sus valores quedan vacíos, no se calcula nada con ella.",
     "This sheet is optional: if all its values stay empty, nothing is computed from it.",
 );

@@ -1,8 +1,7 @@
 //! Numbers typed as text: what was probably meant, said as a hint and never taken as the value.
 
 use crate::finding::Raise;
-use crate::parameter::t;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 use super::rules::value::*;
 

@@ -1,9 +1,8 @@
 //! The unit cell: what may stand in it, and what a value out of its limits may have been typed in.
 
 use crate::number::decimal;
-use crate::parameter::t;
 use crate::table::Unit;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// True where a unit cell says this unit, in one of its usual spellings. An empty one says only that there is none.
 #[must_use]

@@ -4,7 +4,7 @@ use rust_xlsxwriter::{DataValidation, DataValidationRule, XlsxError};
 
 use super::cell::shortened;
 use crate::parameter::{FieldKind, Parameter};
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 
 /// Excel's limits for titles and messages, in UTF-16 units.
 const TITLE: usize = 32;
@@ -32,22 +32,22 @@ pub fn range(parameter: &Parameter) -> Text {
             Text::new(join(Language::Es, "o"), join(Language::En, "or"))
         }
         FieldKind::Line { max } => Text::new(format!("hasta {max} caracteres"), format!("up to {max} characters")),
-        FieldKind::Codes => Text::fixed(
+        FieldKind::Codes => t(
             "códigos G o M con número entero, separados por espacios",
             "codes G or M with a whole number, separated by blanks",
         ),
-        FieldKind::Block => Text::fixed(
+        FieldKind::Block => t(
             "un bloque: códigos G, luego X, Y, Z con su número, luego códigos M",
             "one block: G codes, then X, Y, Z with their numbers, then M codes",
         ),
-        FieldKind::Schema => Text::fixed("", ""),
+        FieldKind::Schema => t("", ""),
     }
 }
 
 /// The allowed range and the parameter's note, for column E and the input message.
 #[must_use]
 pub fn range_and_note(parameter: &Parameter, language: Language) -> String {
-    static MAY_BE_EMPTY: Text = Text::fixed("Puede quedar vacía", "May stay empty");
+    static MAY_BE_EMPTY: Text = t("Puede quedar vacía", "May stay empty");
     let range = range(parameter);
     let range = range.get(language);
     let mut note = parameter.note.get(language);
@@ -66,7 +66,7 @@ pub fn range_and_note(parameter: &Parameter, language: Language) -> String {
 /// # Errors
 /// For a choice whose labels together are longer than a cell's list may be.
 pub fn validation(parameter: &Parameter, optional: bool, language: Language) -> Result<DataValidation, XlsxError> {
-    static WRONG: Text = Text::fixed("Valor no admitido", "Value not allowed");
+    static WRONG: Text = t("Valor no admitido", "Value not allowed");
     let rule = DataValidation::new();
     let rule = match &parameter.kind {
         FieldKind::Real { min, max } => rule.allow_decimal_number(DataValidationRule::Between(*min, *max)),

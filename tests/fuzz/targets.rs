@@ -10,9 +10,8 @@ use rodete::finding::{Exit, Finding, Grade, Refusal};
 use rodete::gcode::control::{self, Control};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, findings, tool_table};
 use rodete::gcode::motion::{Motion, MotionKind};
-use rodete::kind::Provenance;
+use rodete::kind::{Provenance, Wants};
 use rodete::kinds;
-use rodete::kinds::lathe::scene::Watching;
 use rodete::kinds::lathe::setup::Given;
 use rodete::kinds::lathe::{self, Simulated};
 use rodete::kinds::lathe::{cases, parameters, text};
@@ -142,12 +141,8 @@ pub fn simulate(bytes: &[u8]) -> Work {
         text::SheetProgram { main: text::Lines::of_file(rest), subprograms: std::collections::BTreeMap::new() };
     let Some(motions) = followed(&values, &program) else { return Work { read: 1, motions: 0 } };
     let source = Provenance { workbook: "fuzz.nc".to_owned(), sha256: "0".repeat(64), version: "0" };
-    let mut watching = Watching::default();
-    let followed =
-        lathe::watched(Fields::of(&parameters::FORM, values).expect("fields"), source, Some(program), &mut |seen| {
-            watching.see(seen)
-        });
-    match followed {
+    let fields = Fields::of(&parameters::FORM, values).expect("fields");
+    match lathe::simulated(fields, source, Some(program), Wants { scene: true }) {
         Ok(Simulated { outcome, .. }) => {
             said(&outcome.findings);
             for quantity in &outcome.quantities {

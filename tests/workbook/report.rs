@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use rodete::figure::{Axes, Figure, Ink, Stroke};
 use rodete::finding::{Finding, Grade, Place};
 use rodete::kind::{End, Outcome, Provenance};
+use rodete::kinds::KINDS;
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::field::Fields;
@@ -31,6 +32,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
     let line: Vec<[f64; 2]> =
         steps.iter().enumerate().map(|(at, &y)| [f64::from(u32::try_from(at).unwrap()), y]).collect();
     Outcome {
+        kind: KINDS[0],
         fields: Fields::of(&FORM, values).expect("all that the form requires"),
         source: Provenance {
             workbook: "impeller & co.xlsx".to_owned(),
@@ -69,6 +71,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         })),
         drawings: Vec::new(),
         solids: Vec::new(),
+        scene: None,
         setup: Vec::new(),
         findings: vec![
             Finding::new(Grade::Caution, Place::File, Text::same("a caution"), Text::same("look")).with("1 mm", "2 mm"),

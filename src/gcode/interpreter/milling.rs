@@ -18,9 +18,9 @@ use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
     ArcBehindCompensation, BesideCompensation, CompensationDiameterUnknown, CompensationHeld, CompensationOfNoTool,
-    CompensationOfNothing, CompensationOfTurningTool, CompensationPlane, CompensationTwice, CompensationWithL,
-    CompensationWithoutD, CutterInArc, CutterInCorner, CutterInShortPiece, EntryArc, EntryTooShort,
-    PositionUnderCompensation, RotaryUnderCompensation,
+    CompensationOfNothing, CompensationOfTurningTool, CompensationTwice, CompensationWithL, CompensationWithoutD,
+    CutterInArc, CutterInCorner, CutterInShortPiece, CutterPlane, EntryArc, EntryTooShort, PositionUnderCompensation,
+    RotaryUnderCompensation,
 };
 use crate::gcode::turning::nose::{Element, Path, Point};
 use crate::limits::HELD_PIECES;
@@ -78,7 +78,7 @@ impl Interpreter<'_> {
         }
         if self.modal.plane != Plane::XY {
             let name = self.modal.plane.name();
-            return Err(Fault::of(&CompensationPlane { plane: name }, &[column]));
+            return Err(Fault::of(&CutterPlane { plane: name }, &[column]));
         }
         if self.block.has(letter::L) {
             return Err(Fault::of(&CompensationWithL {}, &[column]));

@@ -183,7 +183,7 @@ rules! {
         why "El control no sabe desde qué lado salir al otro.",
             "The control does not know how to go from one side to the other.";
         example Example::program("linuxcnc", "G21 G90 F100|G41.1 D2 G1 X10|G42.1 D2 X20|G40 X30|M2", "3:1");
-    "G0426" CompensationPlane Stop { plane: &'static str }
+    "G0426" CutterPlane Stop { plane: &'static str }
         es "la compensación de radio en {plane} no está implementada"
         en "cutter radius compensation in {plane} is not supported"
         remedy "programe G17", "program G17";

@@ -39,19 +39,20 @@ pub mod tables;
 pub mod tool_path;
 pub mod undercut;
 
-use std::sync::LazyLock;
-
-use crate::finding::{Exit, Finding, Refusal};
+use crate::figure::Figure;
+use crate::finding::Finding;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
-use crate::kind::{End, Outcome, Proved, Provenance, not_finite, out_of_format};
+use crate::kind::method::{Method, Written};
+use crate::kind::{Chapters, Chart, out_of_format};
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
-use crate::kinds::impeller::figures::figures;
+use crate::kinds::impeller::figures::{Curve, figures};
 use crate::kinds::impeller::gap::Limits;
+use crate::kinds::impeller::parameters::FORM;
 use crate::kinds::impeller::programs::{Tracks, programs};
 use crate::kinds::impeller::proof::{Geometry, SOURCE, verify};
 use crate::kinds::impeller::remarks::{no_calibration, no_splitter, remarks};
@@ -59,88 +60,119 @@ use crate::kinds::impeller::shortfalls::{shortfalls, too_narrow};
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::machine::axis::Axis;
+use crate::machine::calibration::Axis as Calibrated;
+use crate::number::grid::OutOfFormat;
+use crate::parameter::Form;
 use crate::parameter::field::Fields;
-use crate::table::{Quantity, Unit};
+use crate::proof::verification::Verification;
+use crate::scene::part::Part;
+use crate::table::{Quantity, Table, Unit};
 use crate::text::Text;
 
-/// Computes an impeller.
-///
-/// # Errors
-/// A refusal with every contradiction between values, or for a splitter or calibration that does not exist.
-pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
-    let refused = |findings: Vec<Finding>| Refusal {
-        exit: Exit::Refused,
-        findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
+/// The kind.
+#[derive(Debug)]
+pub enum Impeller {}
+
+/// The blades of a design, and what is worked out of them.
+#[derive(Debug)]
+pub struct Model {
+    blade: Blade,
+    passes: ToolPaths,
+    splitter: Option<Splitter>,
+    /// The table of the calibration, and the axis that it finds.
+    calibration: Option<(Table, Calibrated)>,
+    limits: Limits,
+    /// Passes on the output grid, where they fit it.
+    tracks: Result<Tracks, OutOfFormat>,
+}
+
+impl Method for Impeller {
+    type Design = Design;
+    type Model = Model;
+    type Memo = Vec<Curve>;
+
+    const FORM: &'static Form = &FORM;
+    const CHAPTERS: &'static Chapters = &Chapters {
+        labels: include_str!("../../../report-templates/impeller/labels.typ"),
+        method: [
+            include_str!("../../../report-templates/impeller/method-es.typ"),
+            include_str!("../../../report-templates/impeller/method-en.typ"),
+        ],
+        setup: include_str!("../../../report-templates/impeller/setup.typ"),
+        further: &[("equations.typ", include_str!("../../../report-templates/impeller/equations.typ"))],
     };
-    let design = Design::new(&fields).map_err(refused)?;
-    let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
-    let passes = ToolPaths::new(&design, &blade);
-    let mut stops = Vec::new();
-    let splitter = if design.splitters {
-        Splitter::new(&design, &blade).map_err(|why| stops.push(no_splitter(why))).ok()
-    } else {
-        None
-    };
-    let calibration = design.calibration.as_ref().and_then(|slots| {
-        let found = tables::calibration(slots, design.R_B);
-        if found.is_none() {
-            stops.push(no_calibration());
-        }
-        found
-    });
-    if !stops.is_empty() {
-        return Err(refused(stops));
+    const PROVED: Text = SOURCE;
+
+    fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
+        Design::new(fields)
     }
 
-    let mut tables = tables::annexes(&blade, &passes);
-    if let Some(splitter) = &splitter {
-        tables.extend(tables::splitter(&design, &blade, splitter));
-    }
-    tables.push(tables::blank(&design));
-    let (table, calibrated) = calibration.unzip();
-    tables.extend(table);
-    tables.push(tables::views(&blade));
-    for table in &tables {
-        if let Some((_, row)) = table.not_finite() {
-            return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+    fn model(design: &Design) -> Result<Model, Vec<Finding>> {
+        let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
+        let passes = ToolPaths::new(design, &blade);
+        let mut stops = Vec::new();
+        let splitter = if design.splitters {
+            Splitter::new(design, &blade).map_err(|why| stops.push(no_splitter(why))).ok()
+        } else {
+            None
+        };
+        let calibration = design.calibration.as_ref().and_then(|slots| {
+            let found = tables::calibration(slots, design.R_B);
+            if found.is_none() {
+                stops.push(no_calibration());
+            }
+            found
+        });
+        if !stops.is_empty() {
+            return Err(stops);
         }
+        let tracks = Tracks::new(&blade, &passes, splitter.as_ref());
+        Ok(Model { blade, passes, splitter, calibration, limits: Limits::new(design), tracks })
     }
 
-    let origin = Origin {
-        workbook: &source.workbook,
-        sha256: &source.sha256,
-        version: source.version,
-        language: fields.language(),
-    };
-    let (tracks, made) = Tracks::new(&blade, &passes, splitter.as_ref())
-        .and_then(|tracks| programs(&design, &tracks, &origin).map(|made| (tracks, made)))
-        .map_err(|error| refused(vec![out_of_format(error, vec!["R", "R_B", "H"])]))?;
-    let limits = Limits::new(&design);
-    let quantities = quantities(&design, &limits, &passes, splitter.as_ref(), &made.programs);
-    let mut findings = remarks(&design, &made, calibrated);
-    findings.extend(too_narrow(&design, &limits));
-    findings.extend(shortfalls(&design, &tracks));
-    let (verification, curves) =
-        verify(Geometry { design: &design, blade: &blade, splitter: splitter.as_ref() }, &made.programs);
-    tables.push(verification.table(&made.programs, SOURCE));
-    findings.extend(verification.findings);
-    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
-    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let end = End::of(&findings, false);
-    Ok(Outcome {
-        fields,
-        quantities,
-        charts: charts::charts(splitter.is_some()),
-        figures: LazyLock::new(Box::new(move || figures(&design, &blade, &passes, splitter.as_ref(), &curves))),
-        drawings: Vec::new(),
-        solids: Vec::new(),
-        setup: Vec::new(),
-        tables,
-        programs: if end == End::Whole { made.programs.into_iter().map(Proved::from).collect() } else { Vec::new() },
-        findings,
-        end,
-        source,
-    })
+    fn tables(design: &Design, model: &Model) -> Vec<Table> {
+        let Model { blade, passes, splitter, calibration, .. } = model;
+        let mut tables = tables::annexes(blade, passes);
+        if let Some(splitter) = splitter {
+            tables.extend(tables::splitter(design, blade, splitter));
+        }
+        tables.push(tables::blank(design));
+        tables.extend(calibration.iter().map(|(table, _)| table.clone()));
+        tables.push(tables::views(blade));
+        tables
+    }
+
+    fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+        let made = match &model.tracks {
+            Ok(tracks) => programs(design, tracks, origin).map(|made| (tracks, made)),
+            Err(error) => Err(*error),
+        };
+        let (tracks, made) = made.map_err(|error| vec![out_of_format(error, vec!["R", "R_B", "H"])])?;
+        let mut findings = remarks(design, &made, model.calibration.as_ref().map(|(_, axis)| *axis));
+        findings.extend(too_narrow(design, &model.limits));
+        findings.extend(shortfalls(design, tracks));
+        Ok(Written { programs: made.programs, findings })
+    }
+
+    fn verify(design: &Design, model: &Model, programs: &[Program]) -> (Verification, Vec<Curve>) {
+        verify(Geometry { design, blade: &model.blade, splitter: model.splitter.as_ref() }, programs)
+    }
+
+    fn quantities(design: &Design, model: &Model, _: &Vec<Curve>, programs: &[Program]) -> Vec<Quantity> {
+        quantities(design, &model.limits, &model.passes, model.splitter.as_ref(), programs)
+    }
+
+    fn part(design: &Design, model: &Model) -> Option<Part> {
+        Some(scene::part(design, &model.blade, model.splitter.as_ref()))
+    }
+
+    fn charts(_: &Design, model: &Model) -> Vec<Chart> {
+        charts::charts(model.splitter.is_some())
+    }
+
+    fn figures(design: &Design, model: &Model, curves: &Vec<Curve>) -> Vec<Figure> {
+        figures(design, &model.blade, &model.passes, model.splitter.as_ref(), curves)
+    }
 }
 
 /// Derived limits, angles and lengths.

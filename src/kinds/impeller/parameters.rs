@@ -533,6 +533,7 @@ pub static FORM: Form = Form {
     programs: &["blade", "splitter", "impeller", "blank"],
     drawings: &[],
     solids: &[],
+    viewer: false,
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),

@@ -11,7 +11,6 @@ use crate::kinds::impeller::figures::{blade_halves, sections, splitter_halves};
 use crate::kinds::impeller::splitter::Splitter;
 use crate::machine::chain::Chain;
 use crate::number::trig::sin_cos;
-use crate::parameter::field::Fields;
 use crate::scene::mesh::{Mesh, Paint};
 use crate::scene::part::Part;
 use crate::scene::{Shape, ShownTool};
@@ -22,26 +21,23 @@ const ABOUT: u16 = 180;
 const MERIDIAN: u16 = 28;
 const ALONG: u16 = 56;
 
-/// The impeller of checked values; `None` where they make none.
+/// The impeller of a design.
 #[must_use]
-pub fn part(fields: &Fields) -> Option<Part> {
-    let design = Design::new(fields).ok()?;
-    let blade = Blade::new(design.torus, design.n, design.eps_v, design.machine);
-    let splitter = if design.splitters { Splitter::new(&design, &blade).ok() } else { None };
+pub fn part(design: &Design, blade: &Blade, splitter: Option<&Splitter>) -> Part {
     let mut blades = Mesh::new(Text::fixed("Álabes", "Blades"), Paint::Blade);
     let mut splitters = Mesh::new(Text::fixed("Álabes intermedios", "Splitter blades"), Paint::Splitter);
     for number in 0..design.N {
         let turn = TAU * f64::from(number) / f64::from(design.N);
-        wall(&mut blades, &sections(&design, &blade, turn, ALONG, |_| blade_halves(&design)));
-        if let Some(splitter) = &splitter {
+        wall(&mut blades, &sections(design, blade, turn, ALONG, |_| blade_halves(design)));
+        if let Some(splitter) = splitter {
             let turn = turn - PI / f64::from(design.N);
-            let halves = |v: f64| splitter_halves(&design, &blade, splitter, v);
-            wall(&mut splitters, &sections(&design, &blade, turn, ALONG, halves));
+            let halves = |v: f64| splitter_halves(design, blade, splitter, v);
+            wall(&mut splitters, &sections(design, blade, turn, ALONG, halves));
         }
     }
-    let meshes = [hub(&design), blades, splitters].into_iter().filter(|mesh| !mesh.triangles.is_empty()).collect();
+    let meshes = [hub(design), blades, splitters].into_iter().filter(|mesh| !mesh.triangles.is_empty()).collect();
     let (r, length) = (design.d_t / 2.0, design.tool_reach());
-    Some(Part {
+    Part {
         meshes,
         curves: Vec::new(),
         tool: ShownTool {
@@ -51,7 +47,7 @@ pub fn part(fields: &Fields) -> Option<Part> {
             shape: Shape::Revolved(vec![[0.0, 0.0], [r, 0.0], [r, length]]),
         },
         frame: Chain::Tilting(design.machine),
-    })
+    }
 }
 
 fn steps(from: f64, to: f64, count: u16) -> impl Iterator<Item = f64> {

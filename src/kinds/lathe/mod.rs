@@ -25,11 +25,12 @@ use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
-use crate::kind::{Drawing, Duration, End, Outcome, Proved, Provenance, Shown, Solid};
+use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
 use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
-use crate::kinds::lathe::parameters::{PROGRAM_KEY, SECOND_KEY};
+use crate::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{compared, wanted};
+use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::limits::FOLLOWED_MOTIONS;
@@ -37,7 +38,7 @@ use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
 use crate::parameter::field::Fields;
-use crate::parameter::t;
+use crate::parameter::{Form, t};
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::deviation::Profile;
@@ -122,15 +123,60 @@ pub struct Simulated {
     pub alarms: Vec<Raised>,
 }
 
-/// Follows the programs of a filled-in form.
+/// The kind.
+#[derive(Debug)]
+pub struct Lathe;
+
+impl Kind for Lathe {
+    fn form(&self) -> &'static Form {
+        &FORM
+    }
+
+    fn chapters(&self) -> &'static Chapters {
+        const {
+            &Chapters {
+                labels: include_str!("../../../report-templates/lathe/labels.typ"),
+                method: [
+                    include_str!("../../../report-templates/lathe/method-es.typ"),
+                    include_str!("../../../report-templates/lathe/method-en.typ"),
+                ],
+                setup: include_str!("../../../report-templates/lathe/setup.typ"),
+                further: &[("equations.typ", include_str!("../../../report-templates/lathe/equations.typ"))],
+            }
+        }
+    }
+
+    /// Follows the programs of a filled-in form.
+    fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal> {
+        let mut outcome = simulated(fields, source, None, wants)?.outcome;
+        outcome.findings.extend(found);
+        outcome.findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+        Ok(outcome)
+    }
+}
+
+/// Follows the programs of a filled-in form, or `program` in place of that on its sheets. The scene shows as well what
+/// stops the work.
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
-pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
-    watched(fields, source, None, &mut |_| ()).map(|simulated| simulated.outcome)
+pub fn simulated(
+    fields: Fields,
+    source: Provenance,
+    program: Option<text::SheetProgram>,
+    wants: Wants,
+) -> Result<Simulated, Refusal> {
+    let mut watching = wants.scene.then(Watching::default);
+    let mut simulated = watched(fields, source, program, &mut |seen| {
+        if let Some(watching) = &mut watching {
+            watching.see(seen);
+        }
+    })?;
+    simulated.outcome.scene = watching.map(|watching| Ok(watching.scene()));
+    Ok(simulated)
 }
 
-/// The same; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
+/// Follows programs; `watch` is shown everything as it happens. `program` stands in for the program of the sheets.
 ///
 /// # Errors
 /// A refusal with every contradiction between values.
@@ -470,6 +516,7 @@ fn outcome(
     let end = End::of(&findings, endless);
     let programs = followed.into_iter().filter(|_| end == End::Whole).map(Followed::proved).collect();
     let outcome = Outcome {
+        kind: &Lathe,
         fields,
         quantities,
         tables,
@@ -486,6 +533,7 @@ fn outcome(
             .into_iter()
             .collect(),
         solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
+        scene: None,
         setup: std::iter::once(("supported", Shown::Whether(supported))).chain(second).collect(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs,

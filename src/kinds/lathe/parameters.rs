@@ -411,6 +411,7 @@ pub static FORM: Form = Form {
     programs: &["program", "program-2"],
     drawings: &["contour"],
     solids: &[("part", t("Pieza torneada, STL en mm", "Turned part, STL in mm"))],
+    viewer: true,
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Datos del torneado", "Data of the turning"),

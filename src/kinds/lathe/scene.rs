@@ -18,7 +18,7 @@ use crate::removal::turning::stock::Fixture as Standing;
 use crate::scene::program::Program;
 use crate::scene::turning::{Fixture, ShownTurning};
 use crate::scene::{Remark, Scene, Shape, ShownTool};
-use crate::text::{Language, Text};
+use crate::text::Text;
 
 /// What has been seen of a lathe's programs.
 #[derive(Debug, Default)]
@@ -77,11 +77,11 @@ impl Watching {
 
     /// The scene of what was seen.
     #[must_use]
-    pub fn scene(mut self, title: String, language: Language) -> Scene {
+    pub fn scene(mut self) -> Scene {
         for program in &mut self.programs {
             program.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
         }
-        Scene { title, language, meshes: Vec::new(), curves: Vec::new(), programs: self.programs }
+        Scene { programs: self.programs, ..Scene::default() }
     }
 
     fn begin(

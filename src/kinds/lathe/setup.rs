@@ -455,7 +455,7 @@ fn lost(row: &Entry<'_>, column: &'static Parameter) -> Box<Finding> {
         );
         return Box::new(Finding::stop(Place::Cells(row.cell(&tools::T.row)), what, remedy));
     }
-    let remedy = if std::ptr::eq(column, &tools::SHAPE.row) {
+    let remedy = if column.key == tools::SHAPE.key() {
         Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832")
     } else {
         Text::fixed("rellene la celda", "fill the cell in")

@@ -10,7 +10,6 @@ use crate::kinds::pipe::insert::design::{Design as Insert, Mode};
 use crate::machine::chain::Chain;
 use crate::machine::torch::TorchAxes;
 use crate::number::trig::sin_cos;
-use crate::parameter::field::Fields;
 use crate::scene::mesh::{Mesh, Paint};
 use crate::scene::part::Part;
 use crate::scene::{Curve, Shape, ShownTool};
@@ -43,10 +42,9 @@ fn shell(mesh: &mut Mesh, outside: &[[Vector3<f64>; 2]], inside: &[[Vector3<f64>
     mesh.net(&rows(&|at| [inside[at][0], outside[at][0]]), closed);
 }
 
-/// The branch of checked values, as a sheet or a pipe; `None` where they make none.
+/// The branch of a design, as a sheet or a pipe.
 #[must_use]
-pub fn insert(fields: &Fields) -> Option<Part> {
-    let design = Insert::new(fields).ok()?;
+pub fn insert(design: &Insert) -> Part {
     let outline = design.outline();
     let far = outline.extent()[1] + design.branch.t.max(0.1 * outline.round());
     let rotary = design.mode == Mode::Rotary;
@@ -74,18 +72,17 @@ pub fn insert(fields: &Fields) -> Option<Part> {
     body(&mut waste, &curve, &|_| far);
     let points = angles().map(|phi| at(phi, curve(phi), false).into()).collect();
     let name = Text::fixed("antorcha (forma indicativa)", "torch (form indicative)");
-    Some(Part {
+    Part {
         meshes: vec![kept, waste],
         curves: vec![Curve { name: CURVE, paint: Paint::Line, points }],
         tool: torch(name, vec![[0.0, 0.0], [2.0, 0.0], [4.0, 4.0], [10.0, 18.0], [10.0, 70.0]]),
         frame: if rotary { Chain::Pipe(radius) } else { Chain::Milling },
-    })
+    }
 }
 
-/// The header of checked values with its bevelled hole; `None` where they make none.
+/// The header of a design with its bevelled hole.
 #[must_use]
-pub fn hole(fields: &Fields) -> Option<Part> {
-    let design = Hole::new(fields).ok()?;
+pub fn hole(design: &Hole) -> Part {
     let (groove, torch_form) = (design.groove(), design.torch());
     let stations: Vec<_> = angles().filter_map(|alpha| groove.at(alpha)).collect();
     let roots: Vec<Vector3<f64>> = stations.iter().map(|station| station.root).collect();
@@ -108,7 +105,7 @@ pub fn hole(fields: &Fields) -> Option<Part> {
         points: points.iter().map(|point| (*point).into()).collect(),
     };
     let (r_g, R_g, shoulder) = (design.r_g, design.R_g, torch_form.shoulder());
-    Some(Part {
+    Part {
         meshes: vec![bevel, header],
         curves: vec![
             curve(Text::fixed("Raíz exacta", "Exact root"), &roots),
@@ -119,5 +116,5 @@ pub fn hole(fields: &Fields) -> Option<Part> {
             vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]],
         ),
         frame: Chain::Torch,
-    })
+    }
 }

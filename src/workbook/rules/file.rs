@@ -2,7 +2,7 @@
 
 use super::made;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of files that are opened.
@@ -27,7 +27,7 @@ rules! {
         remedy "ciérrelo en Excel o LibreOffice y repita la orden", "close it in Excel or LibreOffice and run the command again";
         why "En Windows el programa que tiene abierto un archivo puede impedir que otros lo lean.",
             "On Windows the program that has a file open may keep others from reading it.";
-        example crate::finding::Example::Never(Text::fixed("solo Windows lo impide", "only Windows keeps others out"));
+        example crate::finding::Example::Never(t("solo Windows lo impide", "only Windows keeps others out"));
     "W0104" NoSuchFile Stop { path: String }
         es "no se puede abrir {path}: no existe"
         en "cannot open {path}: no such file"
@@ -81,7 +81,7 @@ rules! {
         remedy "ciérrelo en Excel o LibreOffice y repita la orden", "close it in Excel or LibreOffice and run the command again";
         why "Junto al libro está el archivo que Excel deja mientras lo tiene abierto.",
             "Beside the workbook stands the file that Excel keeps while it has it open.";
-        example crate::finding::Example::Never(Text::fixed(
+        example crate::finding::Example::Never(t(
             "el sistema solo responde así donde el disco o la red fallan con el libro abierto",
             "the system answers so only where the disk or the network fails while the workbook is open"));
     "W0112" WorkbookTooLarge Stop { path: String, most: u64 }

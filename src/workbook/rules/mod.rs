@@ -13,7 +13,7 @@ pub mod value;
 /// A workbook that cells do not show: its key, and what it is.
 macro_rules! made {
     ($key:literal, $es:literal, $en:literal) => {
-        $crate::finding::Example::Made { key: $key, how: $crate::text::Text::fixed($es, $en) }
+        $crate::finding::Example::Made { key: $key, how: $crate::text::t($es, $en) }
     };
 }
 

@@ -3,7 +3,7 @@
 use super::made;
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of packages and their parts.
@@ -109,7 +109,7 @@ rules! {
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
         why "Una parte sin nombre no se puede buscar ni descartar.", "An entry without a name can neither be looked up nor passed over.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "el lector de zip toma cualquier nombre por UTF-8 o por CP437",
             "the reader of zips takes every name, as UTF-8 or as CP437"));
     "W0220" PartTooLarge Stop { part: String, most: u64 }
@@ -291,7 +291,7 @@ rules! {
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
         why "El lector de hojas no toma el libro, por la razón que da.", "The reader of sheets does not take the workbook, for the reason that it gives.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "lo que el lector no toma se rechaza antes por su nombre; esto guarda lo que falte",
             "what the reader does not take is refused by name before; this keeps what was forgotten"));
     "W0262" SheetUnread Stop { sheet: String, reason: String }
@@ -300,7 +300,7 @@ rules! {
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
         why "El lector de hojas no toma la hoja, por la razón que da.", "The reader of sheets does not take the sheet, for the reason that it gives.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "lo que el lector no toma se rechaza antes por su nombre; esto guarda lo que falte",
             "what the reader does not take is refused by name before; this keeps what was forgotten"));
     "W0263" TooManyRows Stop { sheet: String, most: usize, last: String }

@@ -74,7 +74,7 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
         .assert()
         .code(2)
         .stdout("")
-        .stderr("error: Q9999 is no code of rodete\n");
+        .stderr("error: Q9999 is no code of rodete\nhint: rodete explain without a code lists them\n");
 }
 
 #[test]

@@ -16,21 +16,29 @@ pub mod proof;
 pub mod station;
 pub mod tables;
 
-use std::sync::LazyLock;
-
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::figure::Figure;
+use crate::finding::{Finding, Place};
 use crate::gcode::header::Origin;
+use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
-use crate::kind::{Chart, Drawing, End, Outcome, Proved, Provenance, Series, not_finite, out_of_format};
+use crate::kind::method::{Method, Written};
+use crate::kind::{Chapters, Chart, Drawing, Series, out_of_format};
 use crate::kinds::pipe::hole::bounds::too_high;
-use crate::kinds::pipe::hole::cut::{TooHigh, cut};
+use crate::kinds::pipe::hole::cut::{Cut, TooHigh, cut};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::figures::{figures, template};
+use crate::kinds::pipe::hole::parameters::FORM;
 use crate::kinds::pipe::hole::program::{distance, full, hold};
-use crate::kinds::pipe::hole::proof::verify;
+use crate::kinds::pipe::hole::proof::{Curve, verify};
+use crate::kinds::pipe::hole::station::Station;
+use crate::kinds::pipe::scene;
+use crate::number::grid::OutOfFormat;
 use crate::number::shown;
+use crate::parameter::Form;
 use crate::parameter::field::Fields;
 use crate::proof::account::Account;
+use crate::proof::verification::Verification;
+use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::Text;
 
@@ -38,67 +46,90 @@ const fn t(es: &'static str, en: &'static str) -> Text {
     Text::fixed(es, en)
 }
 
-/// Computes a bevelled hole.
-///
-/// # Errors
-/// A refusal with every contradiction between values, or for a torch that would have to be higher than it may.
-pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
-    let refused = |findings: Vec<Finding>| Refusal {
-        exit: Exit::Refused,
-        findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
+/// The kind.
+#[derive(Debug)]
+pub enum Hole {}
+
+/// The cut, and the places of the curve that the tables list.
+#[derive(Debug)]
+pub struct Model {
+    cut: Cut,
+    stations: Vec<Station>,
+}
+
+impl Method for Hole {
+    type Design = Design;
+    type Model = Model;
+    type Memo = (Curve, Account);
+
+    const FORM: &'static Form = &FORM;
+    const CHAPTERS: &'static Chapters = &Chapters {
+        labels: include_str!("../../../../report-templates/pipe-hole/labels.typ"),
+        method: [
+            include_str!("../../../../report-templates/pipe-hole/method-es.typ"),
+            include_str!("../../../../report-templates/pipe-hole/method-en.typ"),
+        ],
+        setup: include_str!("../../../../report-templates/pipe-hole/setup.typ"),
+        further: &[("equations.typ", include_str!("../../../../report-templates/pipe-hole/equations.typ"))],
     };
-    let design = Design::new(&fields).map_err(refused)?;
-    if let Some(place) = too_high(&design) {
-        return Err(refused(vec![height_refused(&design, &place)]));
+    const PROVED: Text = t(
+        "Leída del programa, postura a postura, contra la raíz exacta, el injerto y el tubo",
+        "Read back from the program, pose by pose, against the exact root, the branch and the pipe",
+    );
+
+    fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
+        Design::new(fields)
     }
-    let origin = Origin {
-        workbook: &source.workbook,
-        sha256: &source.sha256,
-        version: source.version,
-        language: fields.language(),
-    };
-    let made = cut(&design).and_then(|cut| {
-        let Some(cut) = cut else { return Ok(None) };
-        let program = full(&design, &cut, &origin)?;
-        Ok(Some((cut, program)))
-    });
-    let Some((cut, program)) = made.map_err(|error| refused(vec![out_of_format(error, vec!["D_header", "Z_s"])]))?
-    else {
-        let nowhere = TooHigh { alpha: 0.0, sigma_o: None, D: f64::INFINITY };
-        return Err(refused(vec![height_refused(&design, &nowhere)]));
-    };
-    let stations = tables::stations(&design);
-    let mut tables: Vec<Table> = vec![
-        tables::curve(&stations),
-        tables::height(&stations),
-        tables::pose(&stations, design.kerf / 2.0),
-        tables::way(&cut),
-    ];
-    for table in &tables {
-        if let Some((_, row)) = table.not_finite() {
-            return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+
+    fn model(design: &Design) -> Result<Model, Vec<Finding>> {
+        if let Some(place) = too_high(design) {
+            return Err(vec![height_refused(design, &place)]);
+        }
+        match cut(design).map_err(no_room)? {
+            Some(cut) => Ok(Model { cut, stations: tables::stations(design) }),
+            None => {
+                let nowhere = TooHigh { alpha: 0.0, sigma_o: None, D: f64::INFINITY };
+                Err(vec![height_refused(design, &nowhere)])
+            }
         }
     }
-    let (verification, curve, account) = verify(&design, &cut, &program);
-    let programs = vec![program];
-    tables.push(verification.table(
-        &programs,
-        t(
-            "Leída del programa, postura a postura, contra la raíz exacta, el injerto y el tubo",
-            "Read back from the program, pose by pose, against the exact root, the branch and the pipe",
-        ),
-    ));
-    let quantities = quantities(&design, &stations, &account);
-    let mut findings = remarks(&design, cut.pierce_held || cut.legs.iter().any(|leg| leg.held));
-    findings.extend(verification.findings);
-    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
-    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let end = End::of(&findings, false);
-    let series = |name, y| Series { name, x: ("height", "α"), y: ("height", y) };
-    Ok(Outcome {
-        fields,
-        quantities,
-        charts: vec![
+
+    fn tables(design: &Design, Model { cut, stations }: &Model) -> Vec<Table> {
+        vec![
+            tables::curve(stations),
+            tables::height(stations),
+            tables::pose(stations, design.kerf / 2.0),
+            tables::way(cut),
+        ]
+    }
+
+    fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+        let held = cut.pierce_held || cut.legs.iter().any(|leg| leg.held);
+        Ok(Written { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
+    }
+
+    fn verify(design: &Design, model: &Model, programs: &[Program]) -> (Verification, (Curve, Account)) {
+        let (mut all, mut memo) = (Verification::default(), (Curve::default(), Account::default()));
+        for program in programs {
+            let (verification, curve, account) = verify(design, &model.cut, program);
+            all.checks.extend(verification.checks);
+            all.findings.extend(verification.findings);
+            memo = (curve, account);
+        }
+        (all, memo)
+    }
+
+    fn quantities(design: &Design, model: &Model, (_, account): &(Curve, Account), _: &[Program]) -> Vec<Quantity> {
+        quantities(design, &model.stations, account)
+    }
+
+    fn part(design: &Design, _: &Model) -> Option<Part> {
+        Some(scene::hole(design))
+    }
+
+    fn charts(_: &Design, _: &Model) -> Vec<Chart> {
+        let series = |name, y| Series { name, x: ("height", "α"), y: ("height", y) };
+        vec![
             Chart {
                 table: "height",
                 title: t("Ángulo de la antorcha", "Angle of the torch"),
@@ -113,23 +144,27 @@ pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
                 equal: false,
                 series: vec![series(Text::same("D"), "D"), series(Text::same("g"), "g")],
             },
-        ],
-        drawings: vec![Drawing {
+        ]
+    }
+
+    fn drawings(design: &Design, _: &Model) -> Vec<Drawing> {
+        vec![Drawing {
             key: "template",
             title: t("Plantilla del agujero", "Template of the hole"),
-            figure: template(&design),
+            figure: template(design),
             arcs: Vec::new(),
             paper: Some(design.paper),
-        }],
-        figures: LazyLock::new(Box::new(move || figures(&design, &curve))),
-        tables,
-        programs: if end == End::Whole { programs.into_iter().map(Proved::from).collect() } else { Vec::new() },
-        solids: Vec::new(),
-        setup: Vec::new(),
-        findings,
-        end,
-        source,
-    })
+        }]
+    }
+
+    fn figures(design: &Design, _: &Model, (curve, _): &(Curve, Account)) -> Vec<Figure> {
+        figures(design, curve)
+    }
+}
+
+/// The refusal of a position that no program may carry.
+fn no_room(error: OutOfFormat) -> Vec<Finding> {
+    vec![out_of_format(error, vec!["D_header", "Z_s"])]
 }
 
 /// The refusal of a place where the torch would have to be too high.

@@ -199,6 +199,7 @@ pub static FORM: Form = Form {
     programs: &["hole"],
     drawings: &["template"],
     solids: &[],
+    viewer: false,
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Agujero biselado en un tubo: parámetros", "Bevelled hole in a pipe: parameters"),

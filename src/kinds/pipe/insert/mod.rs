@@ -27,101 +27,130 @@ pub mod program;
 pub mod proof;
 pub mod tables;
 
-use std::sync::LazyLock;
-
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::figure::Figure;
+use crate::finding::{Finding, Place};
 use crate::gcode::header::Origin;
-use crate::gcode::program::Style;
+use crate::gcode::program::{Program, Style};
 use crate::gcode::word::Distance;
-use crate::kind::{Chart, Drawing, End, Outcome, Proved, Provenance, Series, not_finite, out_of_format};
-use crate::kinds::pipe::insert::cut::cut;
+use crate::kind::method::{Method, Written};
+use crate::kind::{Chapters, Chart, Drawing, Series, out_of_format};
+use crate::kinds::pipe::insert::cut::{Cut, cut};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::figures::{figures, template};
+use crate::kinds::pipe::insert::parameters::FORM;
 use crate::kinds::pipe::insert::program::{distance, full, published};
-use crate::kinds::pipe::insert::proof::verify;
+use crate::kinds::pipe::insert::proof::{Curve, verify};
+use crate::kinds::pipe::scene;
+use crate::number::grid::OutOfFormat;
 use crate::number::shown;
+use crate::parameter::Form;
 use crate::parameter::field::Fields;
 use crate::proof::account::Account;
-use crate::table::{Quantity, Unit};
+use crate::proof::verification::Verification;
+use crate::scene::part::Part;
+use crate::table::{Quantity, Table, Unit};
 use crate::text::Text;
 
 const fn t(es: &'static str, en: &'static str) -> Text {
     Text::fixed(es, en)
 }
 
-/// Computes a branch pipe.
-///
-/// # Errors
-/// A refusal with every contradiction between values.
-pub fn run(fields: Fields, source: Provenance) -> Result<Outcome, Refusal> {
-    let refused = |findings: Vec<Finding>| Refusal {
-        exit: Exit::Refused,
-        findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
+/// The kind.
+#[derive(Debug)]
+pub enum Insert {}
+
+impl Method for Insert {
+    type Design = Design;
+    /// The cut beside the curve; `None` in the published style, which follows the curve itself.
+    type Model = Option<Cut>;
+    type Memo = (Curve, Account);
+
+    const FORM: &'static Form = &FORM;
+    const CHAPTERS: &'static Chapters = &Chapters {
+        labels: include_str!("../../../../report-templates/pipe-insert/labels.typ"),
+        method: [
+            include_str!("../../../../report-templates/pipe-insert/method-es.typ"),
+            include_str!("../../../../report-templates/pipe-insert/method-en.typ"),
+        ],
+        setup: include_str!("../../../../report-templates/pipe-insert/setup.typ"),
+        further: &[("equations.typ", include_str!("../../../../report-templates/pipe-insert/equations.typ"))],
     };
-    let design = Design::new(&fields).map_err(refused)?;
-    let origin = Origin {
-        workbook: &source.workbook,
-        sha256: &source.sha256,
-        version: source.version,
-        language: fields.language(),
-    };
-    let made = match design.style {
-        Style::Annex => published(&design).map(|program| (None, program)),
-        Style::Full => cut(&design).and_then(|cut| {
-            let program = full(&design, &cut, &origin)?;
-            Ok((Some(cut), program))
-        }),
-    };
-    let (cut, program) =
-        made.map_err(|error| refused(vec![out_of_format(error, vec!["D_branch", "D_header", "Z"])]))?;
-    let mut tables = vec![tables::template(&design), tables::arcs(&design)];
-    tables.extend(cut.as_ref().map(|cut| tables::way(&design, cut)));
-    for table in &tables {
-        if let Some((_, row)) = table.not_finite() {
-            return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+    const PROVED: Text = t(
+        "Leída del programa, movimiento a movimiento, contra la curva exacta y los dos tubos",
+        "Read back from the program, motion by motion, against the exact curve and both pipes",
+    );
+
+    fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
+        Design::new(fields)
+    }
+
+    fn model(design: &Design) -> Result<Option<Cut>, Vec<Finding>> {
+        match design.style {
+            Style::Annex => Ok(None),
+            Style::Full => cut(design).map(Some).map_err(no_room),
         }
     }
-    let (verification, curve, account) = verify(&design, cut.as_ref(), &program);
-    let programs = vec![program];
-    tables.push(verification.table(
-        &programs,
-        t(
-            "Leída del programa, movimiento a movimiento, contra la curva exacta y los dos tubos",
-            "Read back from the program, motion by motion, against the exact curve and both pipes",
-        ),
-    ));
-    let quantities = quantities(&design, &account);
-    let mut findings = remarks(&design);
-    findings.extend(verification.findings);
-    let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
-    findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
-    let end = End::of(&findings, false);
-    Ok(Outcome {
-        fields,
-        quantities,
-        charts: vec![Chart {
+
+    fn tables(design: &Design, cut: &Option<Cut>) -> Vec<Table> {
+        let way = cut.as_ref().map(|cut| tables::way(design, cut));
+        [tables::template(design), tables::arcs(design)].into_iter().chain(way).collect()
+    }
+
+    fn programs(design: &Design, cut: &Option<Cut>, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+        let program = match cut {
+            None => published(design),
+            Some(cut) => full(design, cut, origin),
+        };
+        Ok(Written { programs: vec![program.map_err(no_room)?], findings: remarks(design) })
+    }
+
+    fn verify(design: &Design, cut: &Option<Cut>, programs: &[Program]) -> (Verification, (Curve, Account)) {
+        let (mut all, mut memo) = (Verification::default(), (Curve::default(), Account::default()));
+        for program in programs {
+            let (verification, curve, account) = verify(design, cut.as_ref(), program);
+            all.checks.extend(verification.checks);
+            all.findings.extend(verification.findings);
+            memo = (curve, account);
+        }
+        (all, memo)
+    }
+
+    fn quantities(design: &Design, _: &Option<Cut>, (_, account): &(Curve, Account), _: &[Program]) -> Vec<Quantity> {
+        quantities(design, account)
+    }
+
+    fn part(design: &Design, _: &Option<Cut>) -> Option<Part> {
+        Some(scene::insert(design))
+    }
+
+    fn charts(_: &Design, _: &Option<Cut>) -> Vec<Chart> {
+        vec![Chart {
             table: "template",
             title: t("Plantilla", "Template"),
             axes: [t("x (mm)", "x (mm)"), t("y (mm)", "y (mm)")],
             equal: false,
             series: vec![Series { name: t("curva", "curve"), x: ("template", "x"), y: ("template", "y") }],
-        }],
-        drawings: vec![Drawing {
+        }]
+    }
+
+    fn drawings(design: &Design, _: &Option<Cut>) -> Vec<Drawing> {
+        vec![Drawing {
             key: "template",
             title: t("Plantilla del injerto", "Template of the branch"),
-            figure: template(&design),
+            figure: template(design),
             arcs: Vec::new(),
             paper: Some(design.paper),
-        }],
-        figures: LazyLock::new(Box::new(move || figures(&design, cut.as_ref(), &curve))),
-        tables,
-        programs: if end == End::Whole { programs.into_iter().map(Proved::from).collect() } else { Vec::new() },
-        solids: Vec::new(),
-        setup: Vec::new(),
-        findings,
-        end,
-        source,
-    })
+        }]
+    }
+
+    fn figures(design: &Design, cut: &Option<Cut>, (curve, _): &(Curve, Account)) -> Vec<Figure> {
+        figures(design, cut.as_ref(), curve)
+    }
+}
+
+/// The refusal of a position that no program may carry.
+fn no_room(error: OutOfFormat) -> Vec<Finding> {
+    vec![out_of_format(error, vec!["D_branch", "D_header", "Z"])]
 }
 
 /// Derived lengths, angles and times.

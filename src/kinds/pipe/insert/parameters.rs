@@ -187,6 +187,7 @@ pub static FORM: Form = Form {
     programs: &["insert"],
     drawings: &["template"],
     solids: &[],
+    viewer: false,
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Injerto de tubo: parámetros", "Branch pipe: parameters"),

@@ -1,0 +1,171 @@
+//! The way of every kind that plans and writes programs, written once.
+
+use std::cmp::Reverse;
+use std::marker::PhantomData;
+use std::sync::LazyLock;
+
+use super::{Chapters, Chart, Drawing, End, Kind, Outcome, Proved, Provenance, Wants, not_finite, staging};
+use crate::figure::Figure;
+use crate::finding::{Exit, Finding, Refusal, Rule};
+use crate::gcode::header::Origin;
+use crate::gcode::program::Program;
+use crate::parameter::Form;
+use crate::parameter::field::Fields;
+use crate::proof::verification::Verification;
+use crate::scene::part::Part;
+use crate::table::{Quantity, Table};
+use crate::text::Text;
+
+/// Programs, and what there is to say of the design and of them before they are proved.
+#[derive(Debug)]
+pub struct Written {
+    /// The programs, in the order in which they are handed over.
+    pub programs: Vec<Program>,
+    /// What a person should know.
+    pub findings: Vec<Finding>,
+}
+
+/// A kind that plans and writes programs, step by step. [`Of`] makes a [`Kind`] of it.
+pub trait Method: Send + Sync + 'static {
+    /// The checked values as the formulas take them.
+    type Design: Send + Sync + 'static;
+    /// What is worked out of a design before anything is written.
+    type Model: Send + Sync + 'static;
+    /// What the proof leaves for derived quantities and figures.
+    type Memo: Send + Sync + 'static;
+
+    /// What the user fills in.
+    const FORM: &'static Form;
+    /// What it brings to the report.
+    const CHAPTERS: &'static Chapters;
+    /// The rows of its own findings.
+    const RULES: &'static [&'static Rule] = &[];
+    /// How the proof goes, for the table of the checks.
+    const PROVED: Text;
+
+    /// The design of checked values.
+    ///
+    /// # Errors
+    /// Every contradiction between values.
+    fn design(fields: &Fields) -> Result<Self::Design, Vec<Finding>>;
+
+    /// What is worked out of a design.
+    ///
+    /// # Errors
+    /// Where there is none.
+    fn model(design: &Self::Design) -> Result<Self::Model, Vec<Finding>>;
+
+    /// The tables, in the order of their sheets; that of the checks follows them.
+    fn tables(design: &Self::Design, model: &Self::Model) -> Vec<Table>;
+
+    /// The programs.
+    ///
+    /// # Errors
+    /// For a position that no program may carry.
+    fn programs(design: &Self::Design, model: &Self::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>>;
+
+    /// Reads the programs back and judges them.
+    fn verify(design: &Self::Design, model: &Self::Model, programs: &[Program]) -> (Verification, Self::Memo);
+
+    /// Derived limits, angles and lengths.
+    fn quantities(design: &Self::Design, model: &Self::Model, memo: &Self::Memo, programs: &[Program])
+    -> Vec<Quantity>;
+
+    /// What can be shown of the part, with what cuts it.
+    fn part(_: &Self::Design, _: &Self::Model) -> Option<Part> {
+        None
+    }
+
+    /// Charts for the sheets.
+    fn charts(_: &Self::Design, _: &Self::Model) -> Vec<Chart> {
+        Vec::new()
+    }
+
+    /// Drawings at 1:1.
+    fn drawings(_: &Self::Design, _: &Self::Model) -> Vec<Drawing> {
+        Vec::new()
+    }
+
+    /// Figures of the report; made when they are first looked at.
+    fn figures(_: &Self::Design, _: &Self::Model, _: &Self::Memo) -> Vec<Figure> {
+        Vec::new()
+    }
+}
+
+/// The kind of a method.
+pub struct Of<M>(PhantomData<fn() -> M>);
+
+impl<M> Of<M> {
+    /// The kind.
+    #[must_use]
+    #[expect(
+        clippy::new_without_default,
+        reason = "there is one of each method, and it is named where kinds are listed"
+    )]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<M: Method> Kind for Of<M> {
+    fn form(&self) -> &'static Form {
+        M::FORM
+    }
+
+    fn chapters(&self) -> &'static Chapters {
+        M::CHAPTERS
+    }
+
+    fn rules(&self) -> &'static [&'static Rule] {
+        M::RULES
+    }
+
+    fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal> {
+        let refused = |findings: Vec<Finding>| Refusal {
+            exit: Exit::Refused,
+            findings: findings.into_iter().map(|finding| fields.locate(finding)).collect(),
+        };
+        let design = M::design(&fields).map_err(refused)?;
+        let model = M::model(&design).map_err(refused)?;
+        let mut tables = M::tables(&design, &model);
+        for table in &tables {
+            if let Some((_, row)) = table.not_finite() {
+                return Err(Refusal::new(Exit::Fault, not_finite(table, row)));
+            }
+        }
+        let origin = Origin {
+            workbook: &source.workbook,
+            sha256: &source.sha256,
+            version: source.version,
+            language: fields.language(),
+        };
+        let Written { programs, mut findings } = M::programs(&design, &model, &origin).map_err(refused)?;
+        let (verification, memo) = M::verify(&design, &model, &programs);
+        tables.push(verification.table(&programs, M::PROVED));
+        let quantities = M::quantities(&design, &model, &memo, &programs);
+        findings.extend(verification.findings);
+        let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
+        findings.extend(found);
+        findings.sort_by_key(|finding| Reverse(finding.grade));
+        let end = End::of(&findings, false);
+        // Of what stops nothing is handed over, nor shown.
+        let whole = end == End::Whole;
+        let scene = (wants.scene && whole).then(|| staging::scene(M::part(&design, &model), &programs, &findings));
+        Ok(Outcome {
+            kind: const { &Self::new() },
+            quantities,
+            tables,
+            programs: programs.into_iter().filter(|_| whole).map(Proved::from).collect(),
+            charts: M::charts(&design, &model),
+            drawings: M::drawings(&design, &model),
+            figures: LazyLock::new(Box::new(move || M::figures(&design, &model, &memo))),
+            solids: Vec::new(),
+            scene,
+            setup: Vec::new(),
+            findings,
+            end,
+            fields,
+            source,
+        })
+    }
+}

@@ -1,0 +1,49 @@
+//! A part with its programs, as it is shown.
+
+use crate::finding::{Finding, Grade, Place, Refusal};
+use crate::gcode::program::Program;
+use crate::limits::SHOWN_MOTIONS;
+use crate::machine::chain::Chain;
+use crate::scene::kept::{following, too_many};
+use crate::scene::part::Part;
+use crate::scene::program::Program as ShownProgram;
+use crate::scene::{Remark, Scene};
+
+/// The scene of a part, and every program on it. Programs that turn the blank are shown without it.
+///
+/// # Errors
+/// Exit 7 for a program with more lines or motions than [`SHOWN_MOTIONS`].
+pub(super) fn scene(part: Option<Part>, programs: &[Program], findings: &[Finding]) -> Result<Scene, Refusal> {
+    let mut scene = Scene::default();
+    let most = u64::try_from(SHOWN_MOTIONS).unwrap_or(u64::MAX);
+    for program in programs {
+        if program.blocks() > most {
+            return Err(too_many(&program.title));
+        }
+        let turning = program.control.turns();
+        let frame = match &part {
+            Some(part) if !turning => part.frame,
+            _ if turning => Chain::Turning,
+            _ => Chain::Milling,
+        };
+        let mut shown = ShownProgram::new(program.title.clone(), program.control, frame, &program.text());
+        shown.tools.extend(part.iter().filter(|_| !turning).map(|part| part.tool.clone()));
+        shown.remarks.extend(findings.iter().filter(|finding| belongs(finding, program.key)).map(Remark::from));
+        following(&mut shown, &mut program.read_back())?;
+        shown.remarks.sort_by_key(|remark| std::cmp::Reverse(remark.grade));
+        scene.programs.push(shown);
+    }
+    if let Some(part) = part {
+        scene.meshes = part.meshes;
+        scene.curves = part.curves;
+    }
+    Ok(scene)
+}
+
+/// True for a finding about a program, or one about the whole that a person must judge.
+fn belongs(finding: &Finding, key: &str) -> bool {
+    match finding.place {
+        Place::Block { program, .. } => program == key,
+        _ => finding.grade > Grade::Note,
+    }
+}

@@ -1,0 +1,19 @@
+//! What is told of a program that was to be shown: one row for each finding.
+
+use crate::finding::Example;
+use crate::finding::rule::rules;
+use crate::text::{Text, t};
+
+rules! {
+    /// The rows of what is shown.
+    RULES;
+
+    "T0401" TooManyMotions Stop { title: Text, most: usize }
+        es "{title} tiene más de {most} líneas o movimientos, demasiados para mostrarlos"
+        en "{title} has more than {most} lines or motions, too many to be shown"
+        remedy "divida el programa", "split the program";
+        why "Cada movimiento va en la página, y un navegador solo puede con unos millones.",
+            "Every motion goes into the page, and a browser manages some millions only.";
+        example Example::Made { key: "endless-view", how: t(
+            "view con un programa de demasiados movimientos", "view with a program of too many motions") };
+}

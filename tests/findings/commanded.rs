@@ -1,0 +1,271 @@
+//! Every row is raised by its own example: the commands, the folders and the documents.
+
+use std::any::Any;
+use std::fs;
+use std::os::unix::fs::{PermissionsExt, symlink};
+use std::path::Path;
+use std::process::Command;
+
+use rodete::cli::RULES;
+use rodete::drawing::{Drawing, template};
+use rodete::figure::{Figure, Ink, Paper, Stroke};
+use rodete::finding::{Example, Finding, Grade, Rule};
+use rodete::parameter::Value;
+use rodete::report::{self, Attachment, Content, Role};
+use rodete::store::sha256;
+use rodete::text::{Language, Text};
+use rodete::typeset::compiler::Typst;
+use rodete::typeset::failure::ReportFailure;
+
+use super::common;
+use super::made::may_read_all;
+
+/// The pieces of a row's sentence between its fields.
+fn pieces(template: &str) -> Vec<&str> {
+    template.split('{').flat_map(|piece| piece.split_once('}').map_or([piece, ""], |(_, rest)| [rest, ""])).collect()
+}
+
+/// What stands behind a sentence that a text begins with; none where it begins with another.
+fn behind<'t>(template: &str, text: &'t str) -> Option<&'t str> {
+    let mut pieces = pieces(template).into_iter();
+    let mut rest = text.strip_prefix(pieces.next().unwrap_or_default())?;
+    for piece in pieces {
+        rest = &rest[rest.find(piece)? + piece.len()..];
+    }
+    Some(rest)
+}
+
+/// The words that a finding of a grade begins with, gravest first.
+fn heads(language: Language) -> [(Grade, &'static str); 3] {
+    [
+        (Grade::Stop, "error: "),
+        (Grade::Caution, if language == Language::Es { "precaución: " } else { "caution: " }),
+        (Grade::Note, if language == Language::Es { "nota: " } else { "note: " }),
+    ]
+}
+
+/// True where a text tells of a row, with its remedy, and of nothing graver.
+fn tells(rule: &Rule, text: &str, language: Language) -> bool {
+    let lines = || text.match_indices('\n').map(|(at, _)| at + 1).chain([0]).map(|at| &text[at..]);
+    let own = heads(language).into_iter().filter(|(grade, _)| *grade <= rule.grade).any(|(_, head)| {
+        lines().filter_map(|line| line.strip_prefix(head)).any(|told| {
+            let rest = behind(rule.what.get(language), told);
+            let remedy = pieces(rule.remedy.get(language));
+            rest.is_some_and(|rest| {
+                let mut rest = rest;
+                remedy.iter().all(|piece| rest.find(piece).map(|at| rest = &rest[at + piece.len()..]).is_some())
+            })
+        })
+    });
+    let graver = heads(language).into_iter().filter(|(grade, _)| *grade > rule.grade);
+    own && !graver.into_iter().any(|(_, head)| lines().any(|line| line.starts_with(head)))
+}
+
+/// Runs a command in a folder: all that it prints.
+fn run(folder: &Path, words: &[String], language: Language) -> String {
+    let rodete = env!("CARGO_BIN_EXE_rodete");
+    let output =
+        Command::new(rodete).current_dir(folder).args(words).args(["--lang", language.code()]).output().unwrap();
+    [output.stderr, output.stdout].map(|text| String::from_utf8(text).unwrap()).concat()
+}
+
+/// A file's name as a notice holds it.
+fn named(name: &str) -> serde_json::Value {
+    serde_json::json!({ "Unix": name.as_bytes() })
+}
+
+/// The words of a command, and what must live as long as it runs.
+type Line = (Vec<String>, Option<Box<dyn Any>>);
+
+/// Makes what an example's key stands for.
+fn made(key: &str, folder: &Path) -> Option<Line> {
+    let path = |name: &str| folder.join(name);
+    let put = |name: &str, text: &str| fs::write(path(name), text).unwrap();
+    let view = "view part.nc";
+    let mut held: Option<Box<dyn Any>> = None;
+    put("part.nc", "G0 X1\nM30\n");
+    let line = match key {
+        "closed-folder" => {
+            fs::create_dir(path("closed")).unwrap();
+            fs::set_permissions(path("closed"), fs::Permissions::from_mode(0o555)).unwrap();
+            "new impeller closed/impeller.xlsx".to_owned()
+        }
+        "link-to-nothing" => {
+            symlink(path("nowhere"), path("out")).unwrap();
+            "new impeller out/impeller.xlsx".to_owned()
+        }
+        "file-as-folder" | "no-folder" => {
+            put("out", "x");
+            format!("new impeller out/{}impeller.xlsx", if key == "no-folder" { "" } else { "part/" })
+        }
+        "long-output" => format!("new impeller {}/impeller.xlsx", "x".repeat(300)),
+        "held" => {
+            let lock = fs::File::create(path(".rodete.lock")).unwrap();
+            lock.try_lock().unwrap();
+            held = Some(Box::new(lock));
+            "new impeller".to_owned()
+        }
+        "output-link" => {
+            symlink(path("part.nc"), path("part.html")).unwrap();
+            view.to_owned()
+        }
+        "output-folder" => {
+            fs::create_dir(path("part.html")).unwrap();
+            view.to_owned()
+        }
+        "input-as-output" => {
+            put("part.html", "G0 X1\nM30\n");
+            "view part.html -o part.html".to_owned()
+        }
+        "open-output" => {
+            put("~$part.html", "");
+            view.to_owned()
+        }
+        "illegible" => {
+            put(".rodete-delivery.json", "x");
+            "new impeller".to_owned()
+        }
+        "settled" | "mixed" => {
+            put("a.nc", "new");
+            let before = serde_json::json!({ "second": named(".rodete-b.tmp"), "sha256": sha256(b"old") });
+            let new = serde_json::json!({ "name": named("a.nc"), "sha256": sha256(b"new"),
+                "draft": named(".rodete-a.tmp"), "before": before });
+            let lost = serde_json::json!({ "name": named("c.nc"), "sha256": sha256(b"lost"),
+                "draft": named(".rodete-c.tmp"), "before": null });
+            let files = if key == "mixed" { vec![new, lost] } else { vec![new] };
+            put(".rodete-delivery.json", &serde_json::json!({ "files": files }).to_string());
+            "new impeller".to_owned()
+        }
+        "leftover" => {
+            fs::create_dir(path("out")).unwrap();
+            put("out/turn-report.pdf", "x");
+            put("turn.nc", TURNING);
+            "simulate turn.nc --dialect fanuc-lathe-a -o out".to_owned()
+        }
+        "workbook-as-program" | "lathe-tools" => {
+            run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
+            match key {
+                "lathe-tools" => "verify part.nc --tools lathe.xlsx --dialect linuxcnc".to_owned(),
+                _ => "simulate lathe.xlsx".to_owned(),
+            }
+        }
+        "large-subprogram" => {
+            put("turn.nc", "M98 P1000\nM30\n");
+            let large = rodete::workbook::limits::FILE + 1;
+            fs::File::create(path("O1000.nc")).unwrap().set_len(large).unwrap();
+            "simulate turn.nc --dialect fanuc-lathe-a".to_owned()
+        }
+        "long-var" | "long-line" => {
+            let text = if key == "long-var" { "1 0\n".repeat(100_000) } else { format!("1 0{}\n", " ".repeat(300)) };
+            put("linuxcnc.var", &text);
+            "offsets linuxcnc.var".to_owned()
+        }
+        "endless-view" => {
+            put("long.nc", &format!("G0 X1\n{}M30\n", "X1\nX2\n".repeat(500_001)));
+            "view long.nc --dialect fagor-8055".to_owned()
+        }
+        _ => return None,
+    };
+    Some((line.split(' ').map(str::to_owned).collect(), held))
+}
+
+/// A turning program at which the example machine finds nothing.
+const TURNING: &str = "G50 S2500\nT0101\nG97 S900 M3\nG0 X54. Z2.\nG1 X48. F0.2\nZ-20.\nX54.\nG0 X100. Z50.\nM30\n";
+
+/// What a document that is set, or not, is told.
+fn set(key: &str) -> Option<Vec<Finding>> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let script = |text: &str| {
+        fs::write(path("typst"), format!("#!/bin/sh\n{text}\n")).unwrap();
+        fs::set_permissions(path("typst"), fs::Permissions::from_mode(0o755)).unwrap();
+        Typst::installed(path("typst"))
+    };
+    let report = |typst: &Typst, part: &str| {
+        let outcome = common::outcome("tfg-2021", &[("part", Value::Line(part.to_owned()))]);
+        fs::File::create(path("large")).unwrap().set_len(33 << 20).unwrap();
+        let file = path("large");
+        let attachment = Attachment {
+            name: "large.xlsx".to_owned(),
+            role: Role::Input,
+            mime: "text/plain",
+            description: Text::same("large"),
+            content: Content::File(&file),
+        };
+        match report::typeset(&outcome, &[attachment], Language::En, typst) {
+            Ok(report) => report.findings,
+            Err(failure) => vec![failure.finding()],
+        }
+    };
+    let whole = "for word; do output=$word; done; printf '%%PDF-1.7\\n%%%%EOF\\n' > \"$output\"";
+    Some(match key {
+        "no-tmpdir" => vec![ReportFailure::Folder(std::io::ErrorKind::NotFound.into()).finding()],
+        "no-typst" => report(&Typst::installed("/nowhere/typst"), "a"),
+        "false-typst" => report(&script("exit 1"), "a"),
+        "large-attachment" => report(&script(whole), "a"),
+        "foreign-letters" => report(&script(whole), "\u{4e2d}"),
+        "wide-drawing" => {
+            let points = vec![[0.0, 0.0], [20_000.0, 20_000.0]];
+            let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };
+            let (strokes, labels, legend) = (vec![stroke], Vec::new(), Vec::new());
+            let figure =
+                Figure { key: "wide", caption: Text::same(""), height: 1.0, axes: None, strokes, labels, legend };
+            let (title, source) = (Text::same("wide"), common::source());
+            let drawing = Drawing {
+                figure: &figure,
+                arcs: &[],
+                title: &title,
+                part: "",
+                source: &source,
+                language: Language::En,
+            };
+            let printed = template::pdf(&drawing, Paper::A4, &Typst::installed("/nowhere/typst"));
+            vec![printed.unwrap_err().finding(&title)]
+        }
+        _ => return None,
+    })
+}
+
+/// What is wrong with a row's example; nothing where it is of another test.
+fn wrong(rule: &Rule) -> Option<String> {
+    if let Example::Made { key, .. } = rule.example
+        && let Some(findings) = set(key)
+    {
+        let own = findings.iter().any(|one| one.rule == Some(rule) && one.grade <= rule.grade);
+        let whole = own && findings.iter().all(|one| one.grade <= rule.grade);
+        return (!whole).then(|| format!("{} {}: {findings:?}", rule.code, rule.ident));
+    }
+    for language in Language::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        let (words, held) = match rule.example {
+            Example::Command { files, words } => {
+                for (name, lines) in files {
+                    fs::write(folder.path().join(name), lines.replace('|', "\n") + "\n").unwrap();
+                }
+                (words.iter().map(|word| (*word).to_owned()).collect(), None)
+            }
+            // Workbooks are those of another test.
+            Example::Made { .. } if rule.code.starts_with('W') => return None,
+            Example::Made { key, .. } => made(key, folder.path()).unwrap_or_else(|| panic!("nobody makes {key}")),
+            _ => return None,
+        };
+        let text = run(folder.path(), &words, language);
+        drop(held);
+        if !tells(rule, &text, language) {
+            return Some(format!("{} {}: rodete {}\n{text}", rule.code, rule.ident, words.join(" ")));
+        }
+    }
+    None
+}
+
+#[test]
+fn the_command_of_every_row_tells_it_in_both_languages_and_nothing_graver() {
+    let all = may_read_all();
+    let rules = RULES
+        .iter()
+        .copied()
+        .flatten()
+        .filter(|rule| !(all && matches!(rule.example, Example::Made { key: "closed-folder", .. })));
+    let wrong: Vec<_> = rules.filter_map(|rule| wrong(rule)).collect();
+    assert!(wrong.is_empty(), "{} rows\n{}", wrong.len(), wrong.join("\n"));
+}
