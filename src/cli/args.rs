@@ -130,7 +130,8 @@ pub(super) enum Command {
     Offsets(Offsets),
     /// Explain the code of a finding: what it says, why, the remedy and an example that raises it
     ///
-    /// A code as L0131, as it stands in JSON, or the number of a turning alarm as 131. Without one all codes are listed.
+    /// A code as L0131, as it stands in JSON, or the number of an alarm as 131, of a Fanuc as PS0064. Without one all codes are
+    /// listed; with --all all of them are explained, with --markdown as the page that docs/findings.md is.
     Explain(Explain),
 }
 
@@ -140,6 +141,12 @@ pub(super) struct Explain {
     /// Codes or alarm numbers
     #[arg(value_name = "CODE")]
     pub(super) codes: Vec<String>,
+    /// Explain every code
+    #[arg(long, conflicts_with = "codes")]
+    pub(super) all: bool,
+    /// Write one page in Markdown
+    #[arg(long, requires = "all")]
+    pub(super) markdown: bool,
     /// Language of the text [default: the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,

@@ -19,7 +19,7 @@ use crate::removal::turning::rules as alarms;
 use crate::report;
 use crate::scene;
 use crate::store;
-use crate::text::Language;
+use crate::text::{Language, Text};
 use crate::typeset;
 use crate::workbook;
 
@@ -64,6 +64,15 @@ fn all(kinds: &[&dyn Kind]) -> impl Iterator<Item = &'static Rule> + Clone {
 
 pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
+    if arguments.all {
+        let told: String = if arguments.markdown {
+            reference(kinds, language)
+        } else {
+            sorted(kinds).into_iter().map(|rule| told(rule, language)).collect()
+        };
+        terminal.out(&told);
+        return Exit::Done;
+    }
     if arguments.codes.is_empty() {
         let lines: String = all(kinds).map(|rule| format!("{}  {}\n", rule.code, rule.what.get(language))).collect();
         terminal.out(&lines);
@@ -89,9 +98,76 @@ fn named(rule: &Rule, code: &str) -> bool {
         || rule.alarm.iter().any(|(family, number)| family.shown(*number).eq_ignore_ascii_case(code))
 }
 
-/// A row, explained.
-fn told(rule: &Rule, language: Language) -> String {
-    let mut text = String::new();
+/// All rows, by their codes.
+fn sorted(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
+    let mut rules: Vec<_> = all(kinds).collect();
+    rules.sort_by_key(|rule| rule.code);
+    // Kinds may share rows.
+    rules.dedup();
+    rules
+}
+
+/// Every row on one page in Markdown, by its code.
+#[must_use]
+pub fn reference(kinds: &[&dyn Kind], language: Language) -> String {
+    let title = t("Lo que rodete dice", "What rodete tells");
+    let about = t(
+        "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Un código no cambia de significado ni se da dos veces. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
+        "Each code with its grade, what it says, why, what to do, and an input that raises it. A code never changes its meaning and is never given again. This page is the output of `rodete explain --all --markdown --lang en`.",
+    );
+    let mut page = format!("# {}\n\n{}\n", title.get(language), about.get(language));
+    let mut room = "";
+    for rule in sorted(kinds) {
+        let letter = rule.code.get(..1).unwrap_or_default();
+        if letter != room {
+            room = letter;
+            let _ = write!(page, "\n## {room}: {}\n", room_of(letter).get(language));
+        }
+        let _ = write!(page, "\n### {} {}\n\n", rule.code, rule.name());
+        let _ = writeln!(page, "**{}**: {}", graded(rule, language), plain(rule.what.get(language)));
+        let _ = write!(page, "\n{}: {}\n", t("Por qué", "Why").get(language), plain(rule.why.get(language)));
+        if !rule.remedy.is_empty() {
+            let _ = write!(page, "\n{}: {}\n", t("Remedio", "Remedy").get(language), plain(rule.remedy.get(language)));
+        }
+        let mut example = String::new();
+        shown(&mut example, rule, language);
+        let lines: String =
+            example.lines().map(|line| format!("{}\n", line.strip_prefix("  ").unwrap_or(line))).collect();
+        let _ = write!(page, "\n```text\n{lines}```\n");
+    }
+    page
+}
+
+/// What the codes of a letter are of.
+fn room_of(letter: &str) -> Text {
+    match letter {
+        "C" => t("el control y lo que se escribe para él", "the control, and what is written for it"),
+        "G" => t("la lectura de programas", "the reading of programs"),
+        "L" => t("el torno", "the lathe"),
+        "P" => t("parámetros que se contradicen", "parameters that contradict each other"),
+        "S" => t("el almacén de salidas", "the store of outputs"),
+        "T" => t("la composición del informe", "the typesetting of the report"),
+        "U" => t("el uso del comando", "the use of the command"),
+        "V" => t("la verificación", "the proof"),
+        "W" => t("el libro", "the workbook"),
+        _ => t("rodete mismo", "rodete itself"),
+    }
+}
+
+/// Text in which nothing is Markdown.
+fn plain(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for one in printable(text).chars() {
+        if matches!(one, '*' | '_' | '<' | '>' | '`' | '[' | ']' | '|' | '\\' | '#') {
+            shown.push('\\');
+        }
+        shown.push(one);
+    }
+    shown
+}
+
+/// Grade and alarms of a row.
+fn graded(rule: &Rule, language: Language) -> String {
     let alarm = |(family, number): &(AlarmFamily, u16)| {
         format!(", {} {}", t("alarma", "alarm").get(language), family.shown(*number))
     };
@@ -101,30 +177,42 @@ fn told(rule: &Rule, language: Language) -> String {
         Grade::Caution => t("precaución", "caution"),
         Grade::Note => t("nota", "note"),
     };
-    let _ = writeln!(text, "{} {} ({}{alarm})", rule.code, rule.name(), grade.get(language));
+    format!("{}{alarm}", grade.get(language))
+}
+
+/// A row, explained.
+fn told(rule: &Rule, language: Language) -> String {
+    let mut text = String::new();
+    let _ = writeln!(text, "{} {} ({})", rule.code, rule.name(), graded(rule, language));
     let _ = writeln!(text, "  {}", rule.what.get(language));
     let _ = writeln!(text, "  {}: {}", t("por qué", "why").get(language), rule.why.get(language));
     if !rule.remedy.is_empty() {
         let _ = writeln!(text, "  {}: {}", t("remedio", "remedy").get(language), rule.remedy.get(language));
     }
+    shown(&mut text, rule, language);
+    text
+}
+
+/// The example of a row.
+fn shown(text: &mut String, rule: &Rule, language: Language) {
     match &rule.example {
         Example::Turning { control, stock, program, machine } => {
             let given: String = machine.iter().map(|(symbol, value)| format!(", {symbol} = {value}")).collect();
             let head = t("ejemplo", "example");
             let _ = writeln!(text, "  {} ({control}, {stock}{given}):", head.get(language));
-            blocks(&mut text, program);
+            blocks(text, program);
         }
         Example::Program { control, program, given, .. } => {
             let given: String = given.iter().map(|(option, value)| format!(", {option} {value}")).collect();
             let head = t("ejemplo", "example");
             let _ = writeln!(text, "  {} ({control}{given}):", head.get(language));
-            blocks(&mut text, program);
+            blocks(text, program);
         }
         Example::Repeated { control, word, times } => {
             let head = t("ejemplo", "example");
             let often = t("repetido, veces", "repeated, times");
             let _ = writeln!(text, "  {} ({control}; {}: {times}):", head.get(language), often.get(language));
-            blocks(&mut text, word);
+            blocks(text, word);
         }
         Example::Workbook { kind, cells } => {
             let given: Vec<String> = cells.iter().map(|cell| typed(*cell, language)).collect();
@@ -149,7 +237,6 @@ fn told(rule: &Rule, language: Language) -> String {
             let _ = writeln!(text, "  {}: {}", t("sin ejemplo", "no example").get(language), why.get(language));
         }
     }
-    text
 }
 
 /// What is typed into a cell of an example.

@@ -7,9 +7,13 @@ use crate::escape::hidden;
 use crate::finding::{Exit, Finding};
 use crate::text::Text;
 
+/// What the documents of every command say of their own form: a key is added without another name, and none is taken away.
+pub(super) const SCHEMA: &str = "rodete 2";
+
 /// The whole document.
 #[derive(Serialize)]
 struct Document<'a> {
+    schema: &'static str,
     rodete: &'static str,
     command: &'a str,
     exit: u8,
@@ -55,6 +59,7 @@ pub(super) struct File<'a> {
 /// U+FFFD in its place.
 pub(super) fn document(command: &str, exit: Exit, verdicts: &[Ending]) -> String {
     let document = Document {
+        schema: SCHEMA,
         rodete: env!("CARGO_PKG_VERSION"),
         command,
         exit: code(exit),
@@ -131,7 +136,8 @@ mod tests {
         let text = document("check", Exit::Refused, &[verdict]);
         assert!(text.chars().all(|character| character == '\n' || !hidden(character)), "{text}");
         let read: Value = serde_json::from_str(&text).expect("a JSON document");
-        assert_eq!(read["exit"], 3);
+        assert_eq!((&read["schema"], &read["exit"]), (&json!("rodete 2"), &json!(3)));
+        assert_eq!(read["workbooks"][0]["findings"][0]["count"], 1);
         assert_eq!(read["workbooks"][0]["workbook"], "a\u{202e}\u{1b}.xlsx");
         assert_eq!(read["workbooks"][0]["findings"][0]["place"]["sheet"], "DATA\u{9b}");
         assert_eq!(read["workbooks"][0]["findings"][0]["what"]["es"], "falta");

@@ -135,6 +135,7 @@ fn aligned(rows: &[Vec<String>]) -> String {
 /// The whole document.
 #[derive(Serialize)]
 struct Document<'a> {
+    schema: &'static str,
     rodete: &'static str,
     command: &'static str,
     exit: u8,
@@ -173,6 +174,7 @@ struct Sheet<'a> {
 /// is that of the file as it was read.
 pub(super) fn document(verdict: &Ending, view: &View) -> String {
     json::laid_out(&Document {
+        schema: json::SCHEMA,
         rodete: env!("CARGO_PKG_VERSION"),
         command: OFFSETS,
         exit: code(verdict.exit),

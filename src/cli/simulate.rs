@@ -131,6 +131,7 @@ fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>)
     let alarms: Vec<serde_json::Value> = followed.iter().flat_map(|one| &one.alarms).map(alarm).collect();
     let motions = followed.and_then(|followed| followed.outcome.table("blocks")).map(crate::table::Table::rows);
     json!({
+        "schema": json::SCHEMA,
         "rodete": env!("CARGO_PKG_VERSION"),
         "command": "simulate",
         "exit": code(verdict.exit),

@@ -69,6 +69,7 @@ pub(super) fn run(arguments: &Verify, terminal: &mut Terminal) -> Exit {
     }
     if arguments.json {
         let whole = json!({
+            "schema": json::SCHEMA,
             "rodete": env!("CARGO_PKG_VERSION"),
             "command": "verify",
             "exit": code(exit),

@@ -169,6 +169,12 @@ impl Finding {
         Self::new(Grade::Note, place, what, t("", ""))
     }
 
+    /// How often it was found.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.value.strip_suffix(" ×").and_then(|count| count.parse().ok()).unwrap_or(1)
+    }
+
     /// The finding with the value found and the limit it was held against.
     #[must_use]
     pub fn with(mut self, value: impl Into<String>, limit: impl Into<String>) -> Self {
@@ -180,7 +186,7 @@ impl Finding {
 
 impl Serialize for Finding {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut finding = serializer.serialize_struct("Finding", if self.rule.is_some() { 9 } else { 6 })?;
+        let mut finding = serializer.serialize_struct("Finding", if self.rule.is_some() { 11 } else { 7 })?;
         if let Some(rule) = self.rule {
             finding.serialize_field("code", rule.code)?;
             finding.serialize_field("name", &rule.name())?;
@@ -191,8 +197,10 @@ impl Serialize for Finding {
         finding.serialize_field("value", &self.value)?;
         finding.serialize_field("limit", &self.limit)?;
         finding.serialize_field("remedy", &self.remedy)?;
+        finding.serialize_field("count", &self.count())?;
         if self.rule.is_some() {
             finding.serialize_field("data", &Named(&self.data))?;
+            finding.serialize_field("alarm", &self.alarm.map(|(family, number)| family.shown(number)))?;
         }
         finding.end()
     }

@@ -9,6 +9,7 @@ mod common;
 mod earlier_schema;
 mod lathe_inputs;
 mod made;
+mod reference;
 mod refusals;
 mod rules;
 

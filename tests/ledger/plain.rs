@@ -51,7 +51,10 @@ impl Sums {
 fn settle(value: &mut Value) {
     match value {
         Value::Object(object) => {
-            object.remove("rodete");
+            // Version and schema of a document.
+            if object.remove("rodete").is_some() {
+                object.remove("schema");
+            }
             if object.contains_key("sha256") {
                 object.remove("bytes");
             }

@@ -41,8 +41,8 @@ fn the_document_has_these_keys_and_these_units() {
     assert_eq!(
         keys,
         [
-            "alarms", "command", "dialect", "exit", "files", "findings", "motions", "program", "rodete", "sha256",
-            "status", "stock", "totals"
+            "alarms", "command", "dialect", "exit", "files", "findings", "motions", "program", "rodete", "schema",
+            "sha256", "status", "stock", "totals"
         ]
     );
     for (key, wanted) in

@@ -1,0 +1,76 @@
+//! The page of all findings, and their codes for ever.
+
+#![allow(clippy::unwrap_used, clippy::disallowed_methods, missing_docs)]
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use rodete::cli::{RULES, reference};
+use rodete::finding::Rule;
+use rodete::kinds::KINDS;
+use rodete::text::Language;
+
+/// The rows of every room and kind.
+fn rules() -> impl Iterator<Item = &'static Rule> {
+    RULES.iter().copied().chain(KINDS.iter().map(|kind| kind.rules())).flatten().copied()
+}
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+/// True where page and codes are to be brought up to date: `RODETE_FINDINGS=write`.
+fn write() -> bool {
+    std::env::var_os("RODETE_FINDINGS").is_some_and(|value| value == "write")
+}
+
+const HOW: &str = "where that is meant: RODETE_FINDINGS=write cargo test --test findings reference::";
+
+#[test]
+fn the_page_of_the_findings_is_what_explain_writes() {
+    let page = reference(&KINDS, Language::En);
+    let path = file("docs/findings.md");
+    if write() {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, &page).unwrap();
+    }
+    let held = fs::read_to_string(path).unwrap();
+    let apart = held.lines().zip(page.lines()).find(|(held, told)| held != told);
+    assert!(held == page, "docs/findings.md is another page at {apart:?}; {HOW}");
+}
+
+#[test]
+fn both_languages_explain_every_code() {
+    for language in [Language::Es, Language::En] {
+        let page = reference(&KINDS, language);
+        for rule in rules() {
+            assert!(page.contains(&format!("\n### {} {}\n", rule.code, rule.name())), "{}", rule.code);
+        }
+    }
+}
+
+/// A code once given keeps its name, and none goes.
+#[test]
+fn no_code_vanishes_or_changes_its_meaning() {
+    let path = file("tests/golden/codes.txt");
+    let held = fs::read_to_string(&path).unwrap_or_default();
+    let now: BTreeMap<&str, String> = rules().map(|rule| (rule.code, rule.name())).collect();
+    let mut frozen = BTreeMap::new();
+    for line in held.lines() {
+        let (code, name) = line.split_once(' ').unwrap();
+        assert_eq!(now.get(code).map(String::as_str), Some(name), "{code} was given as {name}");
+        frozen.insert(code, name.to_owned());
+    }
+    if write() {
+        let text = now.iter().fold(String::new(), |mut text, (code, name)| {
+            let _ = writeln!(text, "{code} {name}");
+            text
+        });
+        fs::write(path, text).unwrap();
+        return;
+    }
+    assert!(frozen.len() > 150, "{} codes", frozen.len());
+    assert_eq!(frozen, now, "a code that is new is not written down; {HOW}");
+}
