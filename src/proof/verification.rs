@@ -1,8 +1,9 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
 use crate::finding::{Finding, Grade, Place};
-use crate::gcode::interpreter::{Fault, Interpreter, NO_FEED, NO_SPEED_LIMIT};
+use crate::gcode::interpreter::{Fault, Interpreter};
 use crate::gcode::program::Program;
+use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
 use crate::gcode::word::Word;
 use crate::proof::check::{At, Check, FAULT, Verdict};
 use crate::proof::text;
@@ -35,8 +36,8 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>)
         return check.at(Some(at)).found(Verdict::Stop, what, remedy);
     }
     // Of feeds and of the limit of the speed their judges speak.
-    let theirs = [NO_FEED, NO_SPEED_LIMIT];
-    let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.contains(&remark.what);
+    let theirs = [NoFeed::RULE, NoSpeedLimit::RULE];
+    let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.iter().any(|rule| remark.is(rule));
     match text.remarks().into_iter().find(own) {
         None => check,
         Some(remark) => check.found(
