@@ -13,6 +13,7 @@ use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule
 use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::kind::{self, Kind};
+use crate::kinds;
 use crate::machine;
 use crate::parameter::{self, t};
 use crate::removal::turning::rules as alarms;
@@ -26,6 +27,11 @@ use crate::workbook;
 /// The rows of every room below the kinds, and of the walls.
 pub const RULES: &[&[&Rule]] = &[
     parameter::rules::RULES,
+    kinds::rules::RULES,
+    kinds::impeller::rules::RULES,
+    kinds::pipe::rules::RULES,
+    kinds::pipe::insert::rules::RULES,
+    kinds::pipe::hole::rules::RULES,
     alarms::RULES,
     corner::RULES,
     cycles::RULES,

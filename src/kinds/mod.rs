@@ -3,6 +3,7 @@
 pub mod impeller;
 pub mod lathe;
 pub mod pipe;
+pub mod rules;
 
 use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::kind::method::Of;

@@ -271,6 +271,12 @@ impl Values {
     }
 }
 
+/// The place of what is found of parameters, by their keys.
+#[must_use]
+pub fn at<const N: usize>(keys: [&'static str; N]) -> Place {
+    Place::Parameters(keys.to_vec())
+}
+
 /// The dialects of milling and cutting controls.
 pub const DIALECTS: &[Choice] = &[
     Choice { key: "fagor-8055", label: t("fagor-8055", "fagor-8055") },

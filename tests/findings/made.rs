@@ -6,7 +6,8 @@ use std::path::Path;
 
 use rodete::cli::RULES;
 use rodete::finding::{Example, Exit, Finding, Refusal, Rule};
-use rodete::kinds::{impeller, lathe};
+use rodete::kind::Provenance;
+use rodete::kinds::{self, impeller, lathe, pipe};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::Form;
@@ -31,7 +32,8 @@ fn told<T>(read: Result<T, Refusal>, findings: impl FnOnce(T) -> Vec<Finding>) -
 
 /// A kind's usual workbook, as `new` writes it.
 fn usual(kind: &str) -> (&'static Form, Vec<u8>) {
-    let form = FORMS.into_iter().find(|form| form.kind == kind).unwrap();
+    let pipes = [&pipe::insert::parameters::FORM, &pipe::hole::parameters::FORM];
+    let form = FORMS.into_iter().chain(pipes).find(|form| form.kind == kind).unwrap();
     let case = &form.cases[0];
     let mut out = Cursor::new(Vec::new());
     let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
@@ -355,6 +357,13 @@ pub fn may_read_all() -> bool {
 fn raised(rule: &Rule) -> Option<Vec<Finding>> {
     let read = |bytes: &[u8]| told(workbook::read(bytes, &FORMS), |filled| filled.findings);
     match rule.example {
+        // A contradiction is told by the kind, what stands before it by the reading.
+        Example::Workbook { kind, cells } if rule.code.starts_with('P') => {
+            let filled =
+                workbook::read(&changed(kind, cells), &[usual(kind).0]).unwrap_or_else(|refusal| panic!("{refusal:?}"));
+            let source = Provenance { workbook: String::new(), sha256: String::new(), version: "0" };
+            Some(told(kinds::run(filled.form, filled.values, source), |outcome| outcome.findings))
+        }
         Example::Workbook { kind, cells } => Some(read(&changed(kind, cells))),
         // Programs are read elsewhere.
         Example::Made { key, .. } if key.starts_with("program-") => None,

@@ -4,7 +4,6 @@
 //! The thesis, section 4.1: G85 X = 2R, Z = −r, Q = 2(R − r), R = 0, C = step, I = 0, K = r. Its table prints Z = −R; its
 //! program has −15, which is −r.
 
-use crate::finding::{Finding, Place};
 use crate::gcode::control::FAGOR_8055_T;
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{NumberFormat, Word};
@@ -12,7 +11,6 @@ use crate::geometry::torus::Torus;
 use crate::kinds::impeller::parameters as form;
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
-use crate::number::shown;
 use crate::parameter::field::Fields;
 use crate::text::Text;
 
@@ -65,63 +63,6 @@ impl BlankTurning {
             X_e: fields.get(&form::X_E),
             Z_e: fields.get(&form::Z_E),
             S_m: fields.get(&form::S_M),
-        }
-    }
-
-    /// Holds the turning against the torus; every contradiction is a stop.
-    pub fn check(&self, torus: Torus, findings: &mut Vec<Finding>) {
-        let mut stop = |keys: [&'static str; 2], es: String, en: String, value: f64, limit: f64, remedy| {
-            findings.push(
-                Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy)
-                    .with(format!("{} mm", shown(value, 3)), format!("{} mm", shown(limit, 3))),
-            );
-        };
-        let Torus { R, r } = torus;
-        if self.L_b <= r {
-            stop(
-                ["L_b", "r"],
-                format!(
-                    "el bruto mide {} mm de largo y el toro necesita más de r = {} mm",
-                    shown(self.L_b, 3),
-                    shown(r, 3)
-                ),
-                format!(
-                    "the stock is {} mm long, the torus needs more than r = {} mm",
-                    shown(self.L_b, 3),
-                    shown(r, 3)
-                ),
-                self.L_b,
-                r,
-                Text::fixed("un bruto más largo", "a longer stock"),
-            );
-        }
-        if self.X_e <= 2.0 * R {
-            stop(
-                ["X_e", "R"],
-                format!(
-                    "la X final {} mm queda dentro del bruto de diámetro {} mm",
-                    shown(self.X_e, 3),
-                    shown(2.0 * R, 3)
-                ),
-                format!(
-                    "the end X of {} mm lies inside the stock of diameter {} mm",
-                    shown(self.X_e, 3),
-                    shown(2.0 * R, 3)
-                ),
-                self.X_e,
-                2.0 * R,
-                Text::fixed("una X final mayor que 2·R", "an end X above 2·R"),
-            );
-        }
-        if self.C > r {
-            stop(
-                ["C", "r"],
-                format!("el paso C es {} mm y pasa de r = {} mm", shown(self.C, 3), shown(r, 3)),
-                format!("step C is {} mm, beyond r = {} mm", shown(self.C, 3), shown(r, 3)),
-                self.C,
-                r,
-                Text::fixed("un paso menor", "a smaller step"),
-            );
         }
     }
 

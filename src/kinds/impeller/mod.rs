@@ -27,6 +27,7 @@ pub mod proof;
 mod remarks;
 pub mod ribs;
 pub mod room;
+pub mod rules;
 pub mod safety;
 pub mod scene;
 mod shortfalls;

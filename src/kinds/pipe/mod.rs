@@ -3,5 +3,6 @@
 mod form;
 pub mod hole;
 pub mod insert;
+pub mod rules;
 pub mod scene;
 pub mod size;

@@ -17,11 +17,5 @@ macro_rules! made {
     };
 }
 
-/// The usual workbook of a kind with other values: symbols or cells, each with what is typed there.
-macro_rules! book {
-    ($kind:literal, $($cell:literal = $text:literal),+) => {
-        $crate::finding::Example::Workbook { kind: $kind, cells: &[$(($cell, $text)),+] }
-    };
-}
-
-pub(crate) use {book, made};
+pub(crate) use crate::finding::rule::book;
+pub(crate) use made;

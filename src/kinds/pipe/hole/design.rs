@@ -1,24 +1,29 @@
 //! The design of a bevelled hole: validated parameters with units settled, and the checks of one against another.
 
 use crate::figure::Paper;
-use crate::finding::{Finding, Place};
+use crate::finding::{Finding, Raise, Size};
 use crate::gcode::control::{Control, Written};
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
 use crate::kinds::pipe::form::{
-    BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, THETA, TORCH_OFF, TORCH_ON,
+    BLOCK_STEP, D_BRANCH, D_HEADER, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, T_HEADER,
+    THETA, TORCH_OFF, TORCH_ON,
 };
 use crate::kinds::pipe::hole::height::Torch;
 use crate::kinds::pipe::hole::parameters::{
     ARC_TOLERANCE, B, D_MAX, D0, F, F_MAX, G0, GAMMA, H, HOLD_OFF, HOLD_ON, KERF, LEAD_IN, M, N, NOZZLE_R_G, OVERCUT,
     PSI, TORCH_BODY_RADIUS, Z_S,
 };
+use crate::kinds::pipe::hole::rules::{
+    BodyThinner, BranchDoesNotGoIn, GapBeyondHeight, HoldUnpaired, KerfFinerThanBeam, LandBeyondWall, LeadInPastAxis,
+    LimitBelowHeight,
+};
 use crate::kinds::pipe::hole::station::Groove;
 use crate::kinds::pipe::insert::design::{BRANCH, HEADER, Pipe};
-use crate::number::shown;
+use crate::kinds::pipe::size::solid;
+use crate::parameter::at;
 use crate::parameter::field::Fields;
-use crate::text::Text;
 
 /// A design that may be computed. Lengths in mm, angles in degrees.
 #[derive(Clone, Debug)]
@@ -196,116 +201,49 @@ impl Design {
 
     /// What is valid alone but not together. All findings are stops.
     fn contradictions(&self) -> Vec<Finding> {
-        let mut findings = Vec::new();
-        let mm = |value: f64| format!("{} mm", shown(value, 3));
-        let mut stop = |keys: &[&'static str], es: String, en: String, remedy: Text| {
-            findings.push(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy));
-        };
-        for (pipe, keys, es, en) in [
-            (self.branch, ["D_branch", "t_branch"], "del injerto", "of the branch"),
-            (self.header, ["D_header", "t_header"], "del tubo base", "of the header"),
-        ] {
-            let (t, radius) = (mm(pipe.t), mm(pipe.D / 2.0));
-            if pipe.t >= pipe.D / 2.0 {
-                stop(
-                    &keys,
-                    format!("la pared {es} es {t} y debe ser menor que su radio, {radius}"),
-                    format!("the wall {en} is {t}, must be below its radius, {radius}"),
-                    Text::fixed("compruebe diámetro y pared", "check diameter and wall"),
-                );
-            }
-        }
+        let mut findings = solid(self.branch, self.header);
         let pair = self.pair();
-        let (r, R, e) = (mm(pair.r), mm(pair.R), mm(self.e));
+        let (r, e) = (Size::mm(pair.r), Size::mm(self.e));
+        let (g0, d0, wall) = (Size::mm(self.g0), Size::mm(self.d0), Size::mm(self.header.t));
         if self.h >= self.header.t {
-            let (h, t) = (mm(self.h), mm(self.header.t));
-            stop(
-                &["h", "t_header"],
-                format!("el talón h es {h} y debe ser menor que la pared, {t}"),
-                format!("the land h is {h}, must be below the wall, {t}"),
-                Text::fixed("un talón menor", "a smaller land"),
-            );
+            findings.push(LandBeyondWall { h: Size::mm(self.h), wall }.at(at([H.key(), T_HEADER.key()])));
         } else if pair.overhang() >= 0.0 {
-            stop(
-                &["D_branch", "b", "e", "D_header"],
-                format!(
-                    "el injerto con su holgura no cabe en el tubo base: le sobran {}: r + b = {r}, e = {e}, radio {R}",
-                    mm(pair.overhang())
-                ),
-                format!(
-                    "the branch with its gap does not go into the header, by {}: r + b = {r}, e = {e}, radius {R}",
-                    mm(pair.overhang())
-                ),
-                Text::fixed("un injerto menor o menos excentricidad", "a smaller branch or less eccentricity"),
-            );
+            let told = BranchDoesNotGoIn { over: Size::mm(pair.overhang()), r, e, R: Size::mm(pair.R) };
+            findings.push(told.at(at([D_BRANCH.key(), B.key(), E.key(), D_HEADER.key()])));
         }
         if self.g0 >= self.d0 {
-            let (g0, d0) = (mm(self.g0), mm(self.d0));
-            stop(
-                &["g0", "d0"],
-                format!("la distancia mínima g0 es {g0} y debe ser menor que la altura d0, {d0}"),
-                format!("the least distance g0 is {g0}, must be below the height d0, {d0}"),
-                Text::fixed("menos g0, o más d0", "a smaller g0, or a greater d0"),
-            );
+            findings.push(GapBeyondHeight { g0, d0 }.at(at([G0.key(), D0.key()])));
         }
         if self.R_g < self.r_g {
-            let (r_g, R_g) = (mm(self.r_g), mm(self.R_g));
-            stop(
-                &["R_g", "r_g"],
-                format!("el cuerpo R_g = {R_g} es más fino que la boquilla r_g = {r_g}"),
-                format!("the body R_g = {R_g} is thinner than the nozzle r_g = {r_g}"),
-                Text::fixed("compruebe los dos radios", "check both radii"),
-            );
+            let told = BodyThinner { R_g: Size::mm(self.R_g), r_g: Size::mm(self.r_g) };
+            findings.push(told.at(at([TORCH_BODY_RADIUS.key(), NOZZLE_R_G.key()])));
         }
         if self.D_max < self.d0 {
-            let (D_max, d0) = (mm(self.D_max), mm(self.d0));
-            stop(
-                &["D_max", "d0"],
-                format!("la altura máxima D_max es {D_max}, menor que la deseada, {d0}"),
-                format!("the greatest height D_max is {D_max}, below the wanted one, {d0}"),
-                Text::fixed("más D_max, o menos d0", "a greater D_max, or a smaller d0"),
-            );
+            let told = LimitBelowHeight { D_max: Size::mm(self.D_max), d0 };
+            findings.push(told.at(at([D_MAX.key(), D0.key()])));
         }
         if self.kerf < 2.0 * self.m - 1e-9 {
-            let (kerf, beam) = (mm(self.kerf), mm(2.0 * self.m));
-            stop(
-                &["kerf", "m"],
-                format!("el corte de {kerf} es más fino que el chorro, {beam}"),
-                format!("the kerf of {kerf} is finer than the beam, {beam}"),
-                Text::fixed("deje kerf vacío para 2·m", "leave kerf empty for 2·m"),
-            );
+            let told = KerfFinerThanBeam { kerf: Size::mm(self.kerf), beam: Size::mm(2.0 * self.m) };
+            findings.push(told.at(at([KERF.key(), M.key()])));
         }
         if self.kerf / 2.0 + self.lead_in >= pair.r {
-            let (way, r) = (mm(self.kerf / 2.0 + self.lead_in), mm(pair.r));
-            stop(
-                &["lead_in", "kerf"],
-                format!("la entrada llega más allá del eje del agujero: {way} y su radio es {r}"),
-                format!("the lead-in reaches past the hole's axis: {way}, and its radius is {r}"),
-                Text::fixed("una entrada más corta", "a shorter lead-in"),
-            );
+            let told = LeadInPastAxis { way: Size::mm(self.kerf / 2.0 + self.lead_in), r };
+            findings.push(told.at(at([LEAD_IN.key(), KERF.key()])));
         }
         if self.hold_on.is_empty() != self.hold_off.is_empty() {
             let (given, missing) =
-                if self.hold_on.is_empty() { ("hold_off", "hold_on") } else { ("hold_on", "hold_off") };
-            stop(
-                &[missing, given],
-                format!("{given} sin {missing}: el control de altura no se bloquearía y soltaría"),
-                format!("{given} without {missing}: the height control would not be held and let go"),
-                Text::new(
-                    format!("escriba {missing}, o deje vacíos los dos"),
-                    format!("fill in {missing}, or leave both empty"),
-                ),
-            );
+                if self.hold_on.is_empty() { (HOLD_OFF.key(), HOLD_ON.key()) } else { (HOLD_ON.key(), HOLD_OFF.key()) };
+            findings.push(HoldUnpaired { given, missing }.at(at([missing, given])));
         }
         for (key, codes) in [
-            ("torch_on", &self.torch_on),
-            ("torch_off", &self.torch_off),
-            ("hold_on", &self.hold_on),
-            ("hold_off", &self.hold_off),
+            (TORCH_ON.key(), &self.torch_on),
+            (TORCH_OFF.key(), &self.torch_off),
+            (HOLD_ON.key(), &self.hold_on),
+            (HOLD_OFF.key(), &self.hold_off),
         ] {
             findings.extend(refused_codes(self.control, key, codes, false));
         }
-        findings.extend(refused_codes(self.control, "end_codes", &self.end_codes, true));
+        findings.extend(refused_codes(self.control, END_CODES.key(), &self.end_codes, true));
         findings
     }
 }

@@ -13,11 +13,12 @@ pub mod height;
 pub mod parameters;
 pub mod program;
 pub mod proof;
+pub mod rules;
 pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place};
+use crate::finding::{Finding, Place, Raise, Said, Size};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
@@ -27,20 +28,20 @@ use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, TooHigh, cut};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::figures::{figures, template};
-use crate::kinds::pipe::hole::parameters::FORM;
+use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA};
 use crate::kinds::pipe::hole::program::{distance, full, hold};
 use crate::kinds::pipe::hole::proof::{Curve, verify};
+use crate::kinds::pipe::hole::rules::{TorchLiesDown, TorchTooHigh};
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::scene;
 use crate::number::grid::OutOfFormat;
-use crate::number::shown;
-use crate::parameter::Form;
 use crate::parameter::field::Fields;
+use crate::parameter::{Form, at};
 use crate::proof::account::Account;
 use crate::proof::verification::Verification;
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
-use crate::text::Text;
+use crate::text::{Language, Text};
 
 const fn t(es: &'static str, en: &'static str) -> Text {
     Text::fixed(es, en)
@@ -169,34 +170,15 @@ fn no_room(error: OutOfFormat) -> Vec<Finding> {
 
 /// The refusal of a place where the torch would have to be too high.
 fn height_refused(design: &Design, place: &TooHigh) -> Finding {
-    let alpha = shown(place.alpha.to_degrees(), 2);
-    let keys = vec!["gamma", "D_max", "g0"];
-    let remedy = t(
-        "menos ángulo de bisel γ, una antorcha más fina, menos g0, o más D_max",
-        "a smaller groove angle γ, a finer torch, a smaller g0, or a greater D_max",
-    );
-    let limit = format!("{} mm", shown(design.D_max, 3));
+    let alpha = Size::number(place.alpha.to_degrees(), 2);
+    let keys = at([GAMMA.key(), D_MAX.key(), G0.key()]);
     match place.sigma_o {
         Some(sigma) => {
-            let (sigma, D) = (shown(sigma.to_degrees(), 2), format!("{} mm", shown(place.D, 3)));
-            Finding::stop(
-                Place::Parameters(keys),
-                Text::new(
-                    format!("en α = {alpha}° la antorcha está a {sigma}° del tubo y necesita una altura de {D}; D_max es {limit}"),
-                    format!("at α = {alpha}° the torch stands at {sigma}° to the pipe and needs a height of {D}; D_max is {limit}"),
-                ),
-                remedy,
-            )
-            .with(D, limit)
+            let (height, most) = (Size::mm(place.D), Size::mm(design.D_max));
+            let told = TorchTooHigh { alpha, sigma: Size::number(sigma.to_degrees(), 2), height, most };
+            told.at(keys).with(height.said(Language::En), most.said(Language::En))
         }
-        None => Finding::stop(
-            Place::Parameters(keys),
-            Text::new(
-                format!("en α = {alpha}° la antorcha se tumba: su eje no sale por el exterior del tubo"),
-                format!("at α = {alpha}° the torch lies down: its axis does not leave the pipe's outside"),
-            ),
-            remedy,
-        ),
+        None => TorchLiesDown { alpha }.at(keys),
     }
 }
 

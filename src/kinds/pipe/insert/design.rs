@@ -1,7 +1,7 @@
 //! The design of a branch pipe: validated parameters with units settled.
 
 use crate::figure::Paper;
-use crate::finding::{Finding, Place};
+use crate::finding::{Finding, Raise, Typed};
 use crate::gcode::control::{Control, Written};
 use crate::gcode::program::Style;
 use crate::gcode::word::Word;
@@ -15,9 +15,10 @@ use crate::kinds::pipe::insert::parameters::{
     ARC_TOLERANCE, CONTACT, EXPERT_BRANCH_R, F, KERF, LEAD_IN, MODE, N, OVERCUT, R, R_DEV, SHEET, STYLE, Surface, Z,
 };
 pub use crate::kinds::pipe::insert::parameters::{Contact, Mode};
+use crate::kinds::pipe::rules::{NoSchedule, SizeMissing, TwoSizes};
 use crate::kinds::pipe::size::{Schedule, Size};
+use crate::parameter::at;
 use crate::parameter::field::{Field, Fields, Optional};
-use crate::text::Text;
 
 /// Outside diameter and wall of a pipe, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,50 +52,25 @@ impl Pipe {
     /// Where both are given and differ, neither is given whole, or the schedule does not exist in that size.
     pub fn of(fields: &Fields, from: SizeFields) -> Result<Self, Box<Finding>> {
         let keys = [from.size.key(), from.schedule.key(), from.D.key(), from.t.key()];
-        let [size, schedule, D, t] = keys;
-        let stop = |keys: &[&'static str], es: String, en: String, remedy: Text| {
-            Err(Box::new(Finding::stop(Place::Parameters(keys.to_vec()), Text::new(es, en), remedy)))
-        };
+        let [size, schedule, diameter, wall] = keys;
         let typed = (fields.get(from.D), fields.get(from.t));
         let named = (fields.get(from.size), fields.get(from.schedule));
-        match (named, typed) {
-            ((None, None), (Some(D), Some(t))) => Ok(Self { D, t }),
-            ((Some(found), Some(Schedule(number))), typed) => match (found.wall(number), typed) {
-                (None, _) => stop(
-                    &[size, schedule],
-                    format!("ASME B36.10 no tiene cédula {number} en el tamaño {}", found.nps),
-                    format!("ASME B36.10 has no schedule {number} in size {}", found.nps),
-                    Text::new(
-                        format!("elija otra cédula, o escriba {D} y {t}"),
-                        format!("choose another schedule, or fill in {D} and {t}"),
-                    ),
-                ),
-                (Some(thick), (typed_D, typed_t))
-                    if typed_D.is_some_and(|D| (D - found.outside).abs() > 1e-9)
-                        || typed_t.is_some_and(|t| (t - thick).abs() > 1e-9) =>
-                {
-                    let Size { nps, outside, .. } = found;
-                    stop(
-                        &keys,
-                        format!("{size} {nps} cédula {number} es {outside} × {thick} mm, y {D} o {t} dicen otra cosa"),
-                        format!(
-                            "{size} {nps} schedule {number} is {outside} × {thick} mm, and {D} or {t} say otherwise"
-                        ),
-                        Text::new(
-                            format!("deje vacíos {D} y {t}, o el tamaño nominal"),
-                            format!("leave {D} and {t} empty, or the nominal size"),
-                        ),
-                    )
-                }
-                (Some(t), _) => Ok(Self { D: found.outside, t }),
-            },
-            _ => stop(
-                &keys,
-                format!("falta el tamaño: {size} y {schedule}, o {D} y {t}"),
-                format!("the size is missing: {size} and {schedule}, or {D} and {t}"),
-                Text::fixed("rellene uno de los dos pares", "fill in one of the two pairs"),
-            ),
+        let (found, number) = match (named, typed) {
+            ((None, None), (Some(D), Some(t))) => return Ok(Self { D, t }),
+            ((Some(found), Some(Schedule(number))), _) => (found, number),
+            _ => return Err(Box::new(SizeMissing { size, schedule, diameter, wall }.at(at(keys)))),
+        };
+        let &Size { nps, outside, .. } = found;
+        let Some(thick) = found.wall(number) else {
+            return Err(Box::new(NoSchedule { number, nps, diameter, wall }.at(at([size, schedule]))));
+        };
+        let other = |typed: Option<f64>, own: f64| typed.is_some_and(|typed| (typed - own).abs() > 1e-9);
+        if other(typed.0, outside) || other(typed.1, thick) {
+            let (outside, thick) = (Typed { value: outside, unit: "" }, Typed { value: thick, unit: "mm" });
+            let told = TwoSizes { size, nps, number, outside, thick, diameter, wall };
+            return Err(Box::new(told.at(at(keys))));
         }
+        Ok(Self { D: outside, t: thick })
     }
 }
 

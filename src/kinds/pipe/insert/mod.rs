@@ -25,6 +25,7 @@ pub mod outline;
 pub mod parameters;
 pub mod program;
 pub mod proof;
+pub mod rules;
 pub mod tables;
 
 use crate::figure::Figure;
