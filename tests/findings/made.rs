@@ -356,6 +356,7 @@ fn raised(rule: &Rule) -> Option<Vec<Finding>> {
     let read = |bytes: &[u8]| told(workbook::read(bytes, &FORMS), |filled| filled.findings);
     match rule.example {
         Example::Workbook { kind, cells } => Some(read(&changed(kind, cells))),
+        Example::Made { key: "program-beyond-memory", .. } => Some(super::slips::beyond_memory()),
         // Programs are read elsewhere.
         Example::Made { key, .. } if key.starts_with("program-") => None,
         Example::Made { key, .. } => {

@@ -17,7 +17,7 @@ pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place};
+use crate::finding::{Finding, Place, Rule};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
@@ -63,6 +63,7 @@ impl Method for Hole {
     type Memo = (Curve, Account);
 
     const FORM: &'static Form = &FORM;
+    const RULES: &'static [&'static Rule] = proof::rules::RULES;
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-hole/labels.typ"),
         method: [
