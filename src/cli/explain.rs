@@ -10,7 +10,7 @@ use super::terminal::Terminal;
 use crate::drawing;
 use crate::escape::printable;
 use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
-use crate::gcode::rules::{expressions, flow, lexis};
+use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::kind::{self, Kind};
 use crate::machine;
@@ -54,6 +54,9 @@ pub const RULES: &[&[&Rule]] = &[
     finding::rules::RULES,
     flow::RULES,
     proof::rules::RULES,
+    geometry::RULES,
+    modes::RULES,
+    words::RULES,
 ];
 
 /// All rows: those of the rooms below the kinds, and those of the kinds.

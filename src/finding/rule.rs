@@ -188,6 +188,7 @@ pub trait Raise {
 ///
 /// `{name}` in a sentence or a remedy is a field of the row; a name that is none does not compile. Every field's type is
 /// [`Said`](crate::finding::Said).
+#[macro_export]
 macro_rules! rules {
     (
         $(#[$about:meta])*
@@ -249,6 +250,8 @@ macro_rules! rules {
 }
 
 /// A text whose fields in braces are said in each language.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! both {
     ($self:ident, [$($field:ident)*], $es:literal, $en:literal) => {{
         let es = {
@@ -263,7 +266,9 @@ macro_rules! both {
     }};
 }
 
-pub(crate) use {both, rules};
+#[doc(hidden)]
+pub use both;
+pub(crate) use rules;
 
 #[cfg(test)]
 mod tests {

@@ -271,7 +271,7 @@ pub(crate) fn not_finite(table: &Table, row: usize) -> Finding {
 }
 
 /// The stop for a position that no program may carry, at the parameters that make it.
-pub(crate) fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Finding {
+pub fn out_of_format(error: OutOfFormat, keys: Vec<&'static str>) -> Finding {
     let list = |and: &str| match keys.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} {and} {last}", rest.join(", ")),
         _ => keys.join(""),

@@ -1,8 +1,9 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
 use crate::finding::{FAULT, Finding, Grade, Place, Raise};
-use crate::gcode::interpreter::{Fault, Interpreter, NO_FEED, NO_SPEED_LIMIT};
+use crate::gcode::interpreter::{Fault, Interpreter};
 use crate::gcode::program::Program;
+use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
 use crate::proof::Judged;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::{ChecksPassed, MemoryExceeded, ReadWithRemark, TextRefused};
@@ -33,8 +34,8 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>)
         return asked.holds(false, |place| refused.at(place));
     }
     // Of feeds and of the limit of the speed their judges speak.
-    let theirs = [NO_FEED, NO_SPEED_LIMIT];
-    let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.contains(&remark.what);
+    let theirs = [NoFeed::RULE, NoSpeedLimit::RULE];
+    let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.iter().any(|rule| remark.is(rule));
     let remark = text.remarks().into_iter().find(own);
     asked.seen(lines).unless(remark.map(|Finding { what, remedy, .. }| {
         let program = title();

@@ -6,5 +6,6 @@
 mod common;
 mod linuxcnc;
 mod pipe_rollover;
+mod programs;
 mod rotary_axes;
 mod round_trip;

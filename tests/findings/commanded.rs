@@ -244,8 +244,8 @@ fn wrong(rule: &Rule) -> Option<String> {
                 }
                 (words.iter().map(|word| (*word).to_owned()).collect(), None)
             }
-            // Workbooks are those of another test.
-            Example::Made { .. } if rule.code.starts_with('W') => return None,
+            // Workbooks and programs are those of other tests.
+            Example::Made { key, .. } if rule.code.starts_with('W') || key.starts_with("program-") => return None,
             Example::Made { key, .. } => made(key, folder.path()).unwrap_or_else(|| panic!("nobody makes {key}")),
             _ => return None,
         };

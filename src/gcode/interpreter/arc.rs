@@ -7,7 +7,7 @@
 
 use std::f64::consts::{SQRT_2, TAU};
 
-use crate::finding::Grade;
+use crate::finding::Size;
 use crate::gcode::code::G;
 use crate::gcode::control::Across;
 use crate::gcode::interpreter::block::{AXES, letter};
@@ -15,10 +15,14 @@ use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
+use crate::gcode::rules::geometry::{
+    AbsoluteCentreHalf, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
+    EndOffCircle, HelixPitch, HelixPitchNotPositive, RadiusOfFullCircle, RadiusTooSmall, RadiusWithoutEnd,
+    TurnsNotWhole,
+};
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
-use crate::number::{shown, trig};
-use crate::text::Text;
+use crate::number::trig;
 
 /// Least radius, and what half the chord may exceed R by; mm.
 const LEAST: f64 = 0.000_05 * 25.4;
@@ -79,15 +83,8 @@ impl Interpreter<'_> {
     fn arc_form(&self) -> Outcome<()> {
         let centred = self.modal.plane.centre_letters().into_iter().any(|letter| self.block.has(letter));
         match (self.block.has(letter::R), centred) {
-            (false, false) => Err(Fault::block(
-                Text::fixed("arco sin centro (I J K) ni radio R", "arc without a centre (I J K) or radius R"),
-                Text::fixed("dé el centro o el radio", "give the centre or the radius"),
-            )),
-            (true, true) => Err(Fault::at(
-                &[self.block.column(letter::R)],
-                Text::fixed("arco con centro y con radio R", "arc with a centre and with radius R"),
-                Text::fixed("deje uno de los dos", "leave one of the two"),
-            )),
+            (false, false) => Err(Fault::of(&ArcWithoutCentre {}, &[])),
+            (true, true) => Err(Fault::of(&ArcTwoForms {}, &[self.block.column(letter::R)])),
             _ => Ok(()),
         }
     }
@@ -101,55 +98,20 @@ impl Interpreter<'_> {
         let (word, name) = (name(across), plane.name());
         let [_, _, axis] = plane.axes();
         let planar = self.end_point().get(axis) == self.current.get(axis);
-        let refused = |what, remedy| Err(Fault::at(&[column], what, remedy));
         match self.control.arcs.across {
-            Across::Pitch if value > 0.0 => refused(
-                Text::new(
-                    format!("{word} es en {name} el paso de una hélice, que no está implementado"),
-                    format!("{word} is the pitch of a helix in {name}, which is not supported"),
-                ),
-                Text::new(
-                    format!("escriba la hélice vuelta a vuelta, con su {} y sin {word}", axis.letter()),
-                    format!("write the helix turn by turn, with its {} and without {word}", axis.letter()),
-                ),
-            ),
-            Across::Pitch => refused(
-                Text::new(
-                    format!("{word}{value}: en {name} {word} es el paso de una hélice, mayor que 0 (error 0054)"),
-                    format!("{word}{value}: {word} is the pitch of a helix in {name}, above 0 (error 0054)"),
-                ),
-                Text::new(format!("quite {word}"), format!("take {word} out")),
-            ),
+            Across::Pitch if value > 0.0 => {
+                Err(Fault::of(&HelixPitch { word, plane: name, axis: axis.letter() }, &[column]))
+            }
+            Across::Pitch => Err(Fault::of(&HelixPitchNotPositive { word, value, plane: name }, &[column])),
             Across::Unknown if value == 0.0 && planar => {
                 let line = self.line;
-                self.remarks.add(
-                    Grade::Caution,
-                    line,
-                    Some(column),
-                    Text::new(
-                        format!(
-                            "{word}0 en un arco de {name}: leído como si no estuviera; lo que hace el control no se ha \
-                             podido consultar"
-                        ),
-                        format!(
-                            "{word}0 in an arc of {name}: read as if it were not there; what the control does could not \
-                             be looked up"
-                        ),
-                    ),
-                    Text::new(format!("quite {word}"), format!("take {word} out")),
-                );
+                self.remarks.row(&CentreWordOfOtherPlane { word, plane: name }, line, Some(column));
                 Ok(())
             }
-            Across::Foreign | Across::Unknown => refused(
-                Text::new(
-                    format!("{word} no pertenece al plano {name}"),
-                    format!("{word} does not belong to the plane {name}"),
-                ),
-                Text::new(
-                    format!("use {} y {}, o cambie de plano", self::name(first), self::name(second)),
-                    format!("use {} and {}, or change the plane", self::name(first), self::name(second)),
-                ),
-            ),
+            Across::Foreign | Across::Unknown => Err(Fault::of(
+                &CentreWordForeign { word, plane: name, first: self::name(first), second: self::name(second) },
+                &[column],
+            )),
         }
     }
 
@@ -167,13 +129,9 @@ impl Interpreter<'_> {
                 let incremental =
                     self.control.axes.by_letters() && (self.block.has(letter::U) || self.block.has(letter::W));
                 if !named && !incremental {
-                    return Err(Fault::at(
+                    return Err(Fault::of(
+                        &RadiusWithoutEnd { first: a.letter(), second: b.letter() },
                         &[self.block.column(letter::R)],
-                        Text::new(
-                            format!("arco con R sin {} ni {}", a.letter(), b.letter()),
-                            format!("arc with R without {} or {}", a.letter(), b.letter()),
-                        ),
-                        Text::fixed("dé el punto final", "give the end point"),
                     ));
                 }
                 self.centre_by_radius(start, end, self.modal.unit.to_mm(R), clockwise)
@@ -187,13 +145,10 @@ impl Interpreter<'_> {
     /// P, the number of turns.
     fn turns(&self) -> Outcome<i32> {
         let Some(P) = self.block.get(letter::P) else { return Ok(1) };
-        whole(P).filter(|&turns| turns >= 1).and_then(|turns| i32::try_from(turns).ok()).ok_or_else(|| {
-            Fault::at(
-                &[self.block.column(letter::P)],
-                Text::new(format!("P{P} no es un número de vueltas"), format!("P{P} is no number of turns")),
-                Text::fixed("P es un número entero de 1 en adelante", "P is a whole number from 1 on"),
-            )
-        })
+        whole(P)
+            .filter(|&turns| turns >= 1)
+            .and_then(|turns| i32::try_from(turns).ok())
+            .ok_or_else(|| Fault::of(&TurnsNotWhole { turns: P }, &[self.block.column(letter::P)]))
     }
 
     fn centre_by_offsets(&self, start: [f64; 2], end: [f64; 2], letters: [usize; 2]) -> Outcome<[f64; 2]> {
@@ -205,13 +160,7 @@ impl Interpreter<'_> {
                 (Some(word), false) => start[along] + unit.to_mm(word),
                 (None, false) => start[along],
                 (None, true) => {
-                    return Err(Fault::block(
-                        Text::new(
-                            format!("falta {} en un arco de centro absoluto", name(letter)),
-                            format!("{} is missing in an arc with absolute centre", name(letter)),
-                        ),
-                        Text::fixed("dé las dos coordenadas del centro", "give both coordinates of the centre"),
-                    ));
+                    return Err(Fault::of(&AbsoluteCentreHalf { word: name(letter) }, &[]));
                 }
             };
         }
@@ -225,30 +174,23 @@ impl Interpreter<'_> {
         let half = (chord[0] * chord[0] + chord[1] * chord[1]).sqrt() / 2.0;
         let column = self.block.column(letter::R);
         let unit = self.modal.unit;
-        let text = |value: f64| format!("{} {}", shown(unit.from_mm(value), 4), unit.symbol());
         let radius = R.abs();
         if half == 0.0 {
-            return Err(Fault::at(
-                &[column],
-                Text::fixed("arco con R cuyo final es su principio", "arc with R that ends where it starts"),
-                Text::fixed("programe el círculo con I, J o K", "program the circle with I, J or K"),
-            ));
+            return Err(Fault::of(&RadiusOfFullCircle {}, &[column]));
         }
         if half - radius > LEAST || radius == 0.0 {
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("radio {} demasiado pequeño: media cuerda {}", text(radius), text(half)),
-                    format!("radius {} too small to reach the end: half the chord is {}", text(radius), text(half)),
-                ),
-                Text::new(format!("R de al menos {}", text(half)), format!("R of at least {}", text(half))),
-            ));
+            return Err(Fault::of(&RadiusTooSmall { radius: size(radius, unit), half: size(half, unit) }, &[column]));
         }
         let offset = if half / radius > 1.0 - TINY { 0.0 } else { (radius * radius - half * half).sqrt() };
         let side = if clockwise == (R > 0.0) { -offset } else { offset };
         let scale = side / (2.0 * half);
         Ok([f64::midpoint(start[0], end[0]) - chord[1] * scale, f64::midpoint(start[1], end[1]) + chord[0] * scale])
     }
+}
+
+/// A length in the unit of the program, said to its ten-thousandth.
+const fn size(length: f64, unit: LengthUnit) -> Size {
+    Size { value: unit.from_mm(length), unit: unit.symbol(), decimals: 4 }
 }
 
 /// By how much the radii of an arc at its start and its end may differ whatever its size, in the unit whose tolerance
@@ -268,33 +210,13 @@ pub const fn radii_tolerance(unit: LengthUnit) -> f64 {
 fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()> {
     let tolerance = radii_tolerance(unit);
     let difference = (start - end).abs();
-    let text = |value: f64| format!("{} {}", shown(unit.from_mm(value), 4), unit.symbol());
     if start < LEAST || end < LEAST {
-        return Err(Fault::block(
-            Text::new(
-                format!("arco de radio cero: r1 {}, r2 {}", text(start), text(end)),
-                format!("zero-radius arc: r1 {}, r2 {}", text(start), text(end)),
-            ),
-            Text::fixed("compruebe el centro", "check the centre"),
-        ));
+        return Err(Fault::of(&ArcOfNoRadius { start: size(start, unit), end: size(end, unit) }, &[]));
     }
     if difference > 100.0 * tolerance || (difference > tolerance && difference > RELATIVE * start.max(end)) {
-        return Err(Fault::block(
-            Text::new(
-                format!(
-                    "el final no está en el círculo: r1 {}, r2 {}, diferencia {}",
-                    text(start),
-                    text(end),
-                    text(difference)
-                ),
-                format!(
-                    "the end is not on the circle: r1 {}, r2 {}, difference {}",
-                    text(start),
-                    text(end),
-                    text(difference)
-                ),
-            ),
-            Text::fixed("compruebe el final y el centro", "check the end and the centre"),
+        return Err(Fault::of(
+            &EndOffCircle { start: size(start, unit), end: size(end, unit), difference: size(difference, unit) },
+            &[],
         ));
     }
     Ok(())

@@ -6,12 +6,14 @@ use crate::gcode::control::{FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::fault::{Fault, NO_SPEED_LIMIT, Outcome};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{FeedMode, MotionKind};
+use crate::gcode::rules::modes::{
+    DwellNegative, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing, UnitsChange,
+};
 use crate::gcode::turning::pace::Pace;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
-use crate::text::Text;
 
 impl Interpreter<'_> {
     pub(super) fn set_speed_mode(&mut self) -> Outcome<()> {
@@ -27,13 +29,7 @@ impl Interpreter<'_> {
                 }
                 if self.modal.greatest_speed.is_none() {
                     let line = self.line;
-                    self.remarks.add(
-                        Grade::Caution,
-                        line,
-                        Some(self.block.g_column(Group::Speed)),
-                        NO_SPEED_LIMIT,
-                        Text::fixed("programe el límite antes de G96", "program the limit before G96"),
-                    );
+                    self.remarks.row(&NoSpeedLimit {}, line, Some(self.block.g_column(Group::Speed)));
                 }
             }
             Some(G::Rpm) => {
@@ -52,15 +48,13 @@ impl Interpreter<'_> {
     /// G96 without S: a lathe takes the S that follows.
     fn surface_speed_missing(&mut self) -> Outcome<()> {
         let column = self.block.g_column(Group::Speed);
-        let what = Text::fixed("G96 sin S", "G96 without S");
-        let remedy = Text::fixed("dé la velocidad de corte con S", "give the surface speed with S");
         if !self.control.spindle.turns.part() {
-            return Err(Fault::at(&[column], what, remedy));
+            return Err(Fault::of(&SurfaceSpeedMissing {}, &[column]));
         }
         if !self.modal.constant_surface_speed {
             self.modal.speed = 0.0;
             let line = self.line;
-            self.remarks.add(Grade::Caution, line, Some(column), what, remedy);
+            self.remarks.row_as(Grade::Caution, &SurfaceSpeedMissing {}, line, Some(column));
         }
         Ok(())
     }
@@ -160,23 +154,11 @@ impl Interpreter<'_> {
         let column = self.block.g_column(Group::NonModal);
         let times = self.control.lexis.dwell.iter().filter(|dwell| self.block.has(dwell.index())).count();
         if times > 1 {
-            return Err(Fault::at(
-                &[column],
-                Text::fixed("G4 con más de un tiempo", "G4 with more than one time"),
-                Text::fixed("deje uno", "leave one"),
-            ));
+            return Err(Fault::of(&DwellTwice {}, &[column]));
         }
         match found {
-            None => Err(Fault::at(
-                &[column],
-                Text::fixed("G4 sin tiempo", "G4 without a time"),
-                Text::fixed("dé el tiempo de espera", "give the time to wait"),
-            )),
-            Some((letter, seconds)) if seconds < 0.0 => Err(Fault::at(
-                &[self.block.column(letter)],
-                Text::fixed("tiempo de espera negativo", "negative dwell time"),
-                Text::fixed("dé un tiempo positivo", "give a positive time"),
-            )),
+            None => Err(Fault::of(&DwellWithoutTime {}, &[column])),
+            Some((letter, seconds)) if seconds < 0.0 => Err(Fault::of(&DwellNegative {}, &[self.block.column(letter)])),
             Some(found) => Ok(found),
         }
     }
@@ -184,13 +166,7 @@ impl Interpreter<'_> {
     pub(super) fn set_unit(&mut self, unit: LengthUnit) {
         if unit != self.modal.unit && self.unit_said {
             let line = self.line;
-            self.remarks.add(
-                Grade::Note,
-                line,
-                Some(self.block.g_column(Group::Units)),
-                Text::fixed("las unidades cambian en medio del programa", "the units change in mid-program"),
-                Text::fixed("", ""),
-            );
+            self.remarks.row(&UnitsChange {}, line, Some(self.block.g_column(Group::Units)));
         }
         self.unit_said = true;
         self.modal.unit = unit;

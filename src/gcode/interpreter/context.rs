@@ -4,16 +4,16 @@
 //! LinuxCNC, M-code reference, M70 to M73. What is given back is what its interpreter (2.9) gives back: F with one decimal and S
 //! with none, whether a tool's length is taken up but not which, and no motion code.
 
-use crate::finding::Grade;
+use crate::finding::Raise;
 use crate::gcode::code::{G, M};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{FeedMode, Plane};
+use crate::gcode::rules::modes::{RestoreOfLength, RestoreRounds, RestoreWithWords, RestoreWithoutSave};
 use crate::machine::axis::Pose;
 use crate::machine::length_unit::LengthUnit;
 use crate::machine::work_offset::ActiveOffsets;
-use crate::text::Text;
 
 /// The modal state as it was kept.
 #[derive(Clone, Debug)]
@@ -64,27 +64,15 @@ impl Interpreter<'_> {
                 self.flow.context().state = None;
                 Ok(())
             }
-            _ if self.block.present != 0 || self.block.groups != 0 || self.block.machine_codes > 1 => Err(Fault::at(
-                &[self.block.m_column(7)],
-                Text::fixed("M72 con otras palabras en el bloque", "M72 with other words in the block"),
-                Text::fixed(
-                    "escríbalas en otra línea: LinuxCNC las pierde al recuperar el estado",
-                    "write them on another line: LinuxCNC loses them when it restores the state",
-                ),
-            )),
+            _ if self.block.present != 0 || self.block.groups != 0 || self.block.machine_codes > 1 => {
+                Err(Fault::of(&RestoreWithWords {}, &[self.block.m_column(7)]))
+            }
             _ => match self.flow.context().state.clone() {
                 Some(state) => {
                     self.give_state_back(&state);
                     Ok(())
                 }
-                None => Err(Fault::at(
-                    &[self.block.m_column(7)],
-                    Text::fixed("M72 sin un estado guardado", "M72 without a state that was saved"),
-                    Text::fixed(
-                        "guárdelo antes con M70 o M73 en el mismo programa o subprograma",
-                        "save it before with M70 or M73 in the same program or subprogram",
-                    ),
-                )),
+                None => Err(Fault::of(&RestoreWithoutSave {}, &[self.block.m_column(7)])),
             },
         }
     }
@@ -130,10 +118,7 @@ impl Interpreter<'_> {
         self.modal.speed = S;
         for (letter, was, is) in [('F', state.feed_word, F), ('S', state.speed, S)] {
             if was != is {
-                self.remark_context(Text::new(
-                    format!("{letter}{was} vuelve como {letter}{is}: LinuxCNC lo redondea al recuperar el estado"),
-                    format!("{letter}{was} comes back as {letter}{is}: LinuxCNC rounds it when it restores the state"),
-                ));
+                self.remark_context(&RestoreRounds { letter, was, back: is });
             }
         }
         if state.constant_surface_speed && !self.modal.constant_surface_speed {
@@ -148,10 +133,7 @@ impl Interpreter<'_> {
             self.reframe(ActiveOffsets { tool, ..self.frame });
         }
         if self.frame.tool != state.tool {
-            self.remark_context(Text::fixed(
-                "la compensación de longitud no vuelve a ser la guardada: LinuxCNC recupera G43, no de qué herramienta",
-                "the tool length offset is not again the one that was saved: LinuxCNC restores G43, not of which tool",
-            ));
+            self.remark_context(&RestoreOfLength {});
         }
         self.select_system(state.system);
         self.modal.incremental = state.incremental;
@@ -166,15 +148,15 @@ impl Interpreter<'_> {
         self.modal.coolant = state.coolant;
     }
 
-    fn remark_context(&mut self, what: Text) {
-        let remedy = Text::fixed("prográmelo de nuevo detrás", "program it again behind it");
-        self.remarks.add(Grade::Caution, self.line, None, what, remedy);
+    fn remark_context(&mut self, row: &dyn Raise) {
+        self.remarks.row(row, self.line, None);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::finding::Grade;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
     use crate::machine::axis::Axis;

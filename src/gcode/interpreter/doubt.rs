@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::finding::{Finding, Grade};
+use crate::finding::{Finding, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Codes;
 use crate::gcode::interpreter::Interpreter;
@@ -11,6 +11,7 @@ use crate::gcode::interpreter::block::AXES;
 use crate::gcode::interpreter::block::letter::{F, S, T, U, W};
 use crate::gcode::interpreter::cursor::comments;
 use crate::gcode::interpreter::fault::{Fault, place};
+use crate::gcode::rules::flow::FollowingErrors;
 use crate::machine::axis::Axis;
 use crate::text::Text;
 
@@ -207,19 +208,12 @@ impl Interpreter<'_> {
             }
         }
         let (es, en): (Vec<_>, Vec<_>) = names.into_iter().unzip();
-        let (es, en) = (es.join(", "), en.join(", "));
-        let (errors_es, errors_en) = match left_out {
-            1 => ("1 error que sigue".to_owned(), "1 error that follows".to_owned()),
-            many => (format!("{many} errores que siguen"), format!("{many} errors that follow")),
+        let unknown = Text::new(es.join(", "), en.join(", "));
+        let errors = match left_out {
+            1 => Text::fixed("1 error que sigue", "1 error that follows"),
+            many => Text::new(format!("{many} errores que siguen"), format!("{many} errors that follow")),
         };
-        Some(Finding::new(
-            Grade::Caution,
-            place(file.as_deref(), *line, Vec::new()),
-            Text::new(
-                format!("{errors_es} de bloques rehusados, sin decir: desde aquí no se conoce {es}"),
-                format!("{errors_en} from refused blocks, left out: from here on not known: {en}"),
-            ),
-            Text::fixed("corrija primero los bloques rehusados", "correct the refused blocks first"),
-        ))
+        let told = FollowingErrors { count: *left_out, errors, unknown };
+        Some(told.at(place(file.as_deref(), *line, Vec::new())))
     }
 }

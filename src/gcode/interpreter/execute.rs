@@ -3,18 +3,22 @@
 //! # References
 //! LinuxCNC, G-code overview, "G-code order of execution".
 
-use crate::finding::Grade;
+use crate::finding::Raise;
 use crate::gcode::code::{G, Group, M, SinglePassCycle};
 use crate::gcode::control::Letters;
 use crate::gcode::control::{RadiusRule, Rotary};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
-use crate::gcode::interpreter::fault::{Fault, NO_FEED, Outcome};
+use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::{Interpreter, doubt};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
+use crate::gcode::rules::modes::{
+    AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, FeedMissing, InverseTimeWithoutF,
+    InverseTimeZero, MachineMoveIncremental, MachineMoveWithoutMotion, NoFeed, SetPositionWithoutAxes, SpindleStill,
+    ThreadStartAngle, WordWithoutUse,
+};
 use crate::machine::axis::{Axis, Pose};
-use crate::text::Text;
 
 /// The axis words.
 const AXIS_WORDS: u32 = Letters::of("ABCUVWXYZ").mask();
@@ -112,11 +116,7 @@ impl Interpreter<'_> {
             Some(G::SetPositionOrSpeed) => self.set_position_or_speed()?,
             Some(G::Turning(cycle)) => self.turning(cycle)?,
             Some(G::MachineCoordinates) if self.modal.incremental => {
-                return Err(Fault::at(
-                    &[self.block.g_column(Group::NonModal)],
-                    Text::fixed("G53 con cotas incrementales", "G53 with incremental coordinates"),
-                    Text::fixed("programe G90 en el bloque", "program G90 in the block"),
-                ));
+                return Err(Fault::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]));
             }
             _ => {}
         }
@@ -191,7 +191,7 @@ impl Interpreter<'_> {
                 Some(self.modal.under_cycle())
             }
             Some(G::Cancel) if axes != 0 && !takes_axes => {
-                return Err(self.axes_without_use(Text::fixed("palabras de eje con G80", "axis words with G80")));
+                return Err(self.axes_without_use(&AxesWithCancel {}));
             }
             Some(G::Cancel) => Some(G::Cancel),
             // The axis words are the one-shot code's; the motion code is in force from here on.
@@ -201,32 +201,18 @@ impl Interpreter<'_> {
                 None
             }
             Some(_) if takes_axes => {
-                return Err(Fault::at(
+                return Err(Fault::of(
+                    &AxesClaimedTwice {},
                     &[block.g_column(Group::NonModal), block.g_column(Group::Motion)],
-                    Text::fixed(
-                        "dos códigos G que usan las palabras de eje",
-                        "two G codes that both use the axis words",
-                    ),
-                    Text::fixed("escriba dos bloques", "write two blocks"),
                 ));
             }
             Some(G::Cycle(cycle)) if axes == 0 => {
-                return Err(Fault::at(
-                    &[block.g_column(Group::Motion)],
-                    Text::new(
-                        format!("G{} sin palabras de eje", cycle.number()),
-                        format!("G{} without axis words", cycle.number()),
-                    ),
-                    Text::fixed("indique dónde", "say where"),
-                ));
+                return Err(Fault::of(&CycleWithoutAxes { cycle: cycle.number() }, &[block.g_column(Group::Motion)]));
             }
             Some(motion) => Some(motion),
             None if takes_axes || (given && axes != 0) => None,
             None if axes != 0 && self.modal.motion == G::Cancel && at_once != Some(G::MachineCoordinates) => {
-                return Err(self.axes_without_use(Text::fixed(
-                    "palabras de eje sin un movimiento en vigor",
-                    "axis words without a motion in force",
-                )));
+                return Err(self.axes_without_use(&AxesWithoutMotion {}));
             }
             None if axes != 0 => Some(self.modal.motion),
             None if block.has(letter::R) && matches!(self.modal.motion, G::Pass(_)) && at_once.is_none() => {
@@ -238,21 +224,14 @@ impl Interpreter<'_> {
             None => None,
         };
         if axes == 0 && matches!(at_once, Some(G::LocalOffset | G::SetPosition)) {
-            return Err(Fault::at(
-                &[block.g_column(Group::NonModal)],
-                Text::fixed("G52 o G92 sin palabras de eje", "G52 or G92 without axis words"),
-                Text::fixed("indique los ejes, o G92.1 para anularlo", "name the axes, or G92.1 to cancel it"),
-            ));
+            return Err(Fault::of(&SetPositionWithoutAxes {}, &[block.g_column(Group::NonModal)]));
         }
         let by_rapid =
             self.control.machine_move.by_itself() && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
         if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
-            return Err(Fault::at(
-                &[block.g_column(Group::NonModal)],
-                Text::fixed("G53 sin G0 ni G1 en vigor", "G53 without G0 or G1 in force"),
-                Text::fixed("programe G53 G0 y los ejes", "program G53 G0 and the axes"),
-            )
-            .hanging_on(doubt::MOTION));
+            return Err(
+                Fault::of(&MachineMoveWithoutMotion {}, &[block.g_column(Group::NonModal)]).hanging_on(doubt::MOTION)
+            );
         }
         let mut used = dwell;
         let turning = matches!(at_once, Some(G::Turning(_)));
@@ -327,14 +306,9 @@ impl Interpreter<'_> {
         used
     }
 
-    fn axes_without_use(&self, what: Text) -> Box<Fault> {
+    fn axes_without_use(&self, row: &dyn Raise) -> Box<Fault> {
         let column = AXES.into_iter().find(|&axis| self.block.has(axis)).map_or(0, |axis| self.block.column(axis));
-        Fault::at(
-            &[column],
-            what,
-            Text::fixed("programe G0, G1, G2 o G3 antes de los ejes", "program G0, G1, G2 or G3 before the axes"),
-        )
-        .hanging_on(doubt::MOTION)
+        Fault::of(row, &[column]).hanging_on(doubt::MOTION)
     }
 
     pub(super) fn unused(&self, idle: u32) -> Box<Fault> {
@@ -345,28 +319,13 @@ impl Interpreter<'_> {
             (G::Linear, 'I' | 'K' | 'R') if self.control.corners.by_words() => {
                 Some(without_line(&name.to_string(), self.block.column(index)))
             }
-            (G::Thread(_), 'Q') => Some(Fault::at(
-                &[self.block.column(index)],
-                Text::fixed(
-                    "Q no está implementado en G34: el ángulo inicial de la rosca",
-                    "Q is not supported in G34: a thread's start angle",
-                ),
-                Text::fixed("escriba los movimientos sin ella", "write the motions without it"),
-            )),
+            (G::Thread(_), 'Q') => Some(Fault::of(&ThreadStartAngle {}, &[self.block.column(index)])),
             _ => None,
         };
         if let Some(fault) = meant {
             return fault;
         }
-        Fault::at(
-            &[self.block.column(index)],
-            Text::new(
-                format!("palabra {name} sin un código que la use"),
-                format!("{name} word with no code that uses it"),
-            ),
-            Text::fixed("quítela, o añada el código", "take it out, or add the code"),
-        )
-        .hanging_on(doubt::MOTION)
+        Fault::of(&WordWithoutUse { letter: name }, &[self.block.column(index)]).hanging_on(doubt::MOTION)
     }
 
     fn make_motion(&mut self, motion: G) -> Outcome<()> {
@@ -427,42 +386,22 @@ impl Interpreter<'_> {
         let mode = self.modal.feed_mode;
         match mode {
             FeedMode::InverseTime | FeedMode::Seconds if self.block.get(letter::F).is_none_or(|F| F <= 0.0) => {
-                return Err(Fault::block(
-                    if self.block.has(letter::F) {
-                        Text::fixed("movimiento con G93 y F0", "motion under G93 with F0")
-                    } else {
-                        Text::fixed("movimiento con G93 sin F", "motion under G93 without F")
-                    },
-                    Text::fixed(
-                        "dé un F mayor que 0 en cada bloque de movimiento",
-                        "give an F greater than 0 in every motion block",
-                    ),
-                )
-                .hanging_on(doubt::FEED));
+                let fault = if self.block.has(letter::F) {
+                    Fault::of(&InverseTimeZero {}, &[])
+                } else {
+                    Fault::of(&InverseTimeWithoutF {}, &[])
+                };
+                return Err(fault.hanging_on(doubt::FEED));
             }
             FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
                 if self.control.feed.missing.refused() || self.block.has(letter::F) {
-                    return Err(Fault::block(
-                        Text::fixed("movimiento de avance sin F, o con F0", "feed move without F, or with F0"),
-                        Text::fixed("dé el avance con F", "give the feed with F"),
-                    )
-                    .hanging_on(doubt::FEED));
+                    return Err(Fault::of(&FeedMissing {}, &[]).hanging_on(doubt::FEED));
                 }
                 let line = self.line;
-                self.remarks.add(
-                    Grade::Caution,
-                    line,
-                    None,
-                    NO_FEED,
-                    Text::fixed("dé el avance con F", "give the feed with F"),
-                );
+                self.remarks.row(&NoFeed {}, line, None);
             }
             FeedMode::PerRevolution if self.modal.speed <= 0.0 && self.control.feed.missing.refused() => {
-                return Err(Fault::block(
-                    Text::fixed("avance por vuelta con el husillo a 0", "feed per revolution with spindle speed 0"),
-                    Text::fixed("dé la velocidad del husillo con S", "give the spindle speed with S"),
-                )
-                .hanging_on(doubt::SPEED));
+                return Err(Fault::of(&SpindleStill {}, &[]).hanging_on(doubt::SPEED));
             }
             _ => {}
         }

@@ -1,9 +1,9 @@
 //! What the interpreter refuses, and what it remarks.
 
-use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule};
+use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule, Size};
+use crate::gcode::rules::geometry::HalfTurn;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::REMARKS;
-use crate::number::shown;
 use crate::text::Text;
 
 /// A refusal with its place. The block is not executed.
@@ -20,8 +20,8 @@ pub struct Fault {
     /// Other lines of one file that are at fault with it, which `what` does not name: the file as in `file`, and the line,
     /// counted from 1.
     pub others: Vec<(Option<String>, usize)>,
-    /// The row that it is of; none where it has no code yet.
-    pub rule: Option<&'static Rule>,
+    /// The row that it is of.
+    pub rule: &'static Rule,
     /// What it carries, by name, unrounded.
     pub data: Vec<(&'static str, Datum)>,
     /// The alarm that it is for the control.
@@ -40,31 +40,29 @@ pub struct Fault {
 }
 
 impl Fault {
-    /// A refusal at columns of the line in hand (counted from 0).
-    pub(super) fn at(columns: &[usize], what: Text, remedy: Text) -> Box<Self> {
-        Box::new(Self {
+    /// What a row says, at no place yet.
+    fn new(rule: &'static Rule, data: Vec<(&'static str, Datum)>, what: Text, remedy: Text) -> Self {
+        Self {
             exit: Exit::Refused,
             file: None,
             line: 0,
-            columns: columns.iter().map(|column| column + 1).collect(),
+            columns: Vec::new(),
             others: Vec::new(),
-            rule: None,
-            data: Vec::new(),
+            rule,
+            data,
             alarm: None,
             what,
             remedy,
             fatal: false,
             uncut: false,
             hangs: 0,
-        })
+        }
     }
 
     /// A row at columns of the line in hand (counted from 0); at none, of the block as a whole.
     pub(super) fn of(row: &dyn Raise, columns: &[usize]) -> Box<Self> {
-        let mut fault = Self::at(columns, row.what(), row.remedy());
-        fault.rule = Some(row.rule());
-        fault.data = row.carries();
-        fault
+        let columns = columns.iter().map(|column| column + 1).collect();
+        Box::new(Self { columns, ..Self::new(row.rule(), row.carries(), row.what(), row.remedy()) })
     }
 
     /// The same, as the end of a budget.
@@ -84,18 +82,13 @@ impl Fault {
 
     /// The refusal with the alarm that a control of a family raises for it, its number before the sentence.
     pub(super) fn as_alarm_of(mut self: Box<Self>, family: Option<AlarmFamily>) -> Box<Self> {
-        let alarm = family.and_then(|family| Some((family, self.rule?.alarm_of(family)?)));
+        let alarm = family.and_then(|family| Some((family, self.rule.alarm_of(family)?)));
         if let Some((family, number)) = alarm {
             let (alarm, Text { es, en }) = (family.shown(number), &self.what);
             self.what = Text::new(format!("{alarm}: {es}"), format!("{alarm}: {en}"));
         }
         self.alarm = alarm;
         self
-    }
-
-    /// A refusal of the block as a whole.
-    pub(super) fn block(what: Text, remedy: Text) -> Box<Self> {
-        Self::at(&[], what, remedy)
     }
 
     /// What is wrong, with the other lines at fault.
@@ -126,14 +119,14 @@ impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
         let told = fault.message();
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
-        Self { rule: fault.rule, data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
+        Self { rule: Some(fault.rule), data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
     }
 }
 
 impl From<Trouble> for Fault {
     fn from(trouble: Trouble) -> Self {
         let Trouble { rule, data, exit, what, remedy, line } = trouble;
-        Self { exit, line: line.unwrap_or(0), rule: Some(rule), data, ..*Self::at(&[], what, remedy) }
+        Self { exit, line: line.unwrap_or(0), ..Self::new(rule, data, what, remedy) }
     }
 }
 
@@ -147,18 +140,6 @@ pub(super) fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Pla
 
 /// The result of reading or executing a block.
 pub(super) type Outcome<T> = Result<T, Box<Fault>>;
-
-/// The remark on a feed move where no feed has been given, in controls that let it pass.
-pub const NO_FEED: Text = Text::fixed(
-    "movimiento de avance sin F: el control usa el avance que tenga",
-    "feed move without F: the control takes the feed it has",
-);
-
-/// The remark on a constant surface speed without a limit.
-pub const NO_SPEED_LIMIT: Text = Text::fixed(
-    "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo",
-    "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed",
-);
 
 /// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
 /// often it was seen.
@@ -184,16 +165,6 @@ impl Remarks {
     pub(super) fn turn_to(&mut self, file: Option<&String>) {
         if self.file.as_ref() != file {
             self.file = file.cloned();
-        }
-    }
-
-    /// Remarks something at a line and column (counted from 0). `what` tells one thing from another.
-    pub(super) fn add(&mut self, grade: Grade, line: usize, column: Option<usize>, what: Text, remedy: Text) {
-        if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| finding.what == what) {
-            *count += 1;
-        } else if self.list.len() < REMARKS {
-            let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, Finding::new(grade, place(self.file.as_deref(), line, columns), what, remedy)));
         }
     }
 
@@ -256,25 +227,14 @@ impl Remarks {
 impl Turns {
     fn finding(&self) -> Finding {
         let (axis, degrees, line) = self.greatest;
-        let degrees = shown(degrees, 3);
-        let (es, en) = match self.count {
-            1 => (String::new(), String::new()),
-            count => (
+        let more = match self.count {
+            1 => Text::fixed("", ""),
+            count => Text::new(
                 format!("; {count} bloques así, este es el mayor, en la línea {line}"),
                 format!("; {count} such blocks, this the greatest, in line {line}"),
             ),
         };
-        Finding::new(
-            Grade::Caution,
-            self.first.clone(),
-            Text::new(
-                format!("más de media vuelta de un eje rotativo en un bloque en avance: {axis} gira {degrees}°{es}"),
-                format!("more than half a turn of a rotary axis in one block at feed: {axis} turns {degrees}°{en}"),
-            ),
-            Text::fixed(
-                "compruebe el sentido del giro y si el eje de la máquina es rollover (--rotary)",
-                "check which way the axis is to turn, and whether the machine's axis is rollover (--rotary)",
-            ),
-        )
+        let degrees = Size::number(degrees, 3);
+        HalfTurn { axis, degrees, count: self.count, line, more }.at(self.first.clone())
     }
 }

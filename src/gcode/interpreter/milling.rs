@@ -8,7 +8,7 @@
 //! Beside what LinuxCNC refuses: G18, rotary axes and stops of the program (M0, M1) under compensation. After a
 //! [`Misfit`](crate::gcode::cutter::Misfit) motions are those of the program until G40.
 
-use crate::finding::Grade;
+use crate::finding::{Raise, Size};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::in_force::{Compensation, InForce};
@@ -16,11 +16,16 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane};
+use crate::gcode::rules::geometry::{
+    ArcBehindCompensation, BesideCompensation, CompensationDiameterUnknown, CompensationHeld, CompensationOfNoTool,
+    CompensationOfNothing, CompensationOfTurningTool, CompensationTwice, CompensationWithL, CompensationWithoutD,
+    CutterInArc, CutterInCorner, CutterInShortPiece, CutterPlane, EntryArc, EntryTooShort, PositionUnderCompensation,
+    RotaryUnderCompensation,
+};
 use crate::gcode::turning::nose::{Element, Path, Point};
 use crate::limits::HELD_PIECES;
 use crate::machine::axis::{Axis, Pose};
-use crate::number::{shown, trig};
-use crate::text::Text;
+use crate::number::trig;
 
 /// A motion on its way through the stage.
 #[derive(Clone)]
@@ -68,39 +73,20 @@ impl Interpreter<'_> {
             return Ok(());
         }
         let column = self.block.g_column(Group::CutterCompensation);
-        let refused = |what, remedy| Err(Fault::at(&[column], what, remedy));
         if self.modal.compensation != Compensation::Off {
-            return refused(
-                Text::fixed(
-                    "G41 o G42 con la compensación ya en vigor",
-                    "G41 or G42 with compensation already in force",
-                ),
-                Text::fixed("programe G40 antes", "program G40 before it"),
-            );
+            return Err(Fault::of(&CompensationTwice {}, &[column]));
         }
         if self.modal.plane != Plane::XY {
             let name = self.modal.plane.name();
-            return refused(
-                Text::new(
-                    format!("la compensación de radio en {name} no está implementada"),
-                    format!("cutter radius compensation in {name} is not supported"),
-                ),
-                Text::fixed("programe G17", "program G17"),
-            );
+            return Err(Fault::of(&CutterPlane { plane: name }, &[column]));
         }
         if self.block.has(letter::L) {
-            return refused(
-                Text::fixed("L con G41.1 o G42.1 en G17", "L with G41.1 or G42.1 in G17"),
-                Text::fixed("L es de los tornos: quítela", "L is for lathes: take it out"),
-            );
+            return Err(Fault::of(&CompensationWithL {}, &[column]));
         }
         let diameter = match (given, self.block.get(letter::D)) {
             (true, Some(D)) => self.modal.unit.to_mm(D),
             (true, None) => {
-                return refused(
-                    Text::fixed("G41.1 o G42.1 sin D", "G41.1 or G42.1 without D"),
-                    Text::fixed("D es el diámetro de la fresa", "D is the diameter of the cutter"),
-                );
+                return Err(Fault::of(&CompensationWithoutD {}, &[column]));
             }
             (false, D) => self.cutter_diameter(D)?,
         };
@@ -109,19 +95,7 @@ impl Interpreter<'_> {
         self.modal.compensation = side;
         if diameter == 0.0 {
             let line = self.line;
-            self.remarks.add(
-                Grade::Caution,
-                line,
-                Some(column),
-                Text::fixed(
-                    "G41 o G42 con diámetro 0: la fresa sigue el programa",
-                    "G41 or G42 with diameter 0: the cutter follows the program",
-                ),
-                Text::fixed(
-                    "compruebe el diámetro en la tabla de herramientas",
-                    "check the diameter in the tool table",
-                ),
-            );
+            self.remarks.row(&CompensationOfNothing {}, line, Some(column));
         } else {
             self.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0));
         }
@@ -137,31 +111,12 @@ impl Interpreter<'_> {
         let number = if number == 0 { self.modal.tool } else { number };
         let column = self.block.g_column(Group::CutterCompensation);
         match self.tools.get(&number) {
-            Some(tool) if tool.nose.is_some_and(|nose| nose.tip.number() != 9) => Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("G41 o G42 en G17 con la herramienta {number}, que es de torno (orientación Q)"),
-                    format!("G41 or G42 in G17 with tool {number}, which is a lathe's (orientation Q)"),
-                ),
-                Text::fixed("quite Q de la tabla de herramientas", "take Q out of the tool table"),
-            )),
+            Some(tool) if tool.nose.is_some_and(|nose| nose.tip.number() != 9) => {
+                Err(Fault::of(&CompensationOfTurningTool { tool: number }, &[column]))
+            }
             Some(tool) => Ok(tool.diameter),
-            None if number == 0 => Err(Fault::at(
-                &[column],
-                Text::fixed(
-                    "G41 o G42, y no se sabe qué herramienta está en el husillo",
-                    "G41 or G42, and it is not known which tool is in the spindle",
-                ),
-                Text::fixed("llámela con T y M6, o dé D", "call it with T and M6, or give D"),
-            )),
-            None => Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("G41 o G42, y el diámetro de la herramienta {number} no se conoce"),
-                    format!("G41 or G42, and the diameter of tool {number} is not known"),
-                ),
-                Text::fixed("indique la tabla de herramientas con --tools", "name the tool table with --tools"),
-            )),
+            None if number == 0 => Err(Fault::of(&CompensationOfNoTool {}, &[column])),
+            None => Err(Fault::of(&CompensationDiameterUnknown { tool: number }, &[column])),
         }
     }
 
@@ -195,14 +150,7 @@ impl Interpreter<'_> {
                 None => return Ok(()),
             },
         };
-        Err(Fault::at(
-            &[column],
-            Text::fixed(
-                "este código no puede estar con G41 o G42 en vigor",
-                "this code cannot stand with G41 or G42 in force",
-            ),
-            Text::fixed("programe antes G40 y un movimiento recto", "program G40 and a straight motion before it"),
-        ))
+        Err(Fault::of(&BesideCompensation {}, &[column]))
     }
 
     /// Refuses the position where the cutter is aside of it, as LinuxCNC does.
@@ -210,14 +158,7 @@ impl Interpreter<'_> {
         if !self.control.radius.cutter() || self.modal.compensation == Compensation::Off {
             return Ok(());
         }
-        Err(Fault::at(
-            &[column],
-            Text::fixed(
-                "la posición no puede leerse con G41 o G42 en vigor",
-                "the position cannot be read with G41 or G42 in force",
-            ),
-            Text::fixed("léala antes de G41 o detrás de G40", "read it before G41 or behind G40"),
-        ))
+        Err(Fault::of(&PositionUnderCompensation {}, &[column]))
     }
 
     /// The compensation is over: what is held back is made, and the cutter stays aside of the program.
@@ -283,14 +224,7 @@ impl Interpreter<'_> {
             Err(misfit) => {
                 match misfit {
                     Some(misfit) => self.refuse_cutter(&misfit, motion.line),
-                    None => self.refuse_here(
-                        motion.line,
-                        Text::fixed(
-                            "ejes giratorios o U, V, W con G41 o G42 en vigor no están implementados",
-                            "rotary axes or U, V, W with G41 or G42 in force are not supported",
-                        ),
-                        Text::fixed("muévalos antes de G41 o detrás de G40", "move them before G41 or behind G40"),
-                    ),
+                    None => self.refuse_here(motion.line, &RotaryUnderCompensation {}),
                 }
                 self.queue.push_back(Ok((motion, control, number)));
             }
@@ -310,14 +244,7 @@ impl Interpreter<'_> {
                 }
                 MotionKind::Arc(..) => {
                     self.milling.left = None;
-                    self.refuse_here(
-                        motion.line,
-                        Text::fixed(
-                            "el primer movimiento detrás de G40 es un arco",
-                            "the first motion behind G40 is an arc",
-                        ),
-                        Text::fixed("debe ser recto: G0 o G1", "it must be straight: G0 or G1"),
-                    );
+                    self.refuse_here(motion.line, &ArcBehindCompensation {});
                 }
                 _ => {
                     self.milling.left = None;
@@ -373,78 +300,24 @@ impl Interpreter<'_> {
         }
     }
 
-    fn refuse_here(&mut self, line: usize, what: Text, remedy: Text) {
-        let mut fault = Fault::block(what, remedy);
+    fn refuse_here(&mut self, line: usize, row: &dyn Raise) {
+        let mut fault = Fault::of(row, &[]);
         (fault.line, fault.file) = (line, self.source().file.clone());
         self.queue.push_back(Err(fault));
     }
 
     fn refuse_cutter(&mut self, misfit: &Misfit, line: usize) {
-        let mm = |value: f64| shown(value, 4);
-        let smaller =
-            Text::fixed("use una fresa menor, o cambie el contorno", "use a smaller cutter, or change the contour");
-        let (what, remedy) = match *misfit {
-            Misfit::Entry { length, radius } => (
-                Text::new(
-                    format!(
-                        "la entrada de la compensación mide {}, y ha de ser mayor que el radio {}",
-                        mm(length),
-                        mm(radius)
-                    ),
-                    format!(
-                        "the entry into compensation is {} long, and must be longer than the radius {}",
-                        mm(length),
-                        mm(radius)
-                    ),
-                ),
-                Text::fixed(
-                    "alargue en el plano el primer movimiento detrás de G41 o G42",
-                    "lengthen the first motion behind G41 or G42 in the plane",
-                ),
-            ),
-            Misfit::EntryArc => (
-                Text::fixed(
-                    "el arco de entrada de la compensación no puede ser tangente en su final",
-                    "the arc of the entry into compensation cannot be made tangential at its end",
-                ),
-                Text::fixed("entre con una recta", "enter along a line"),
-            ),
-            Misfit::Arc { radius, arc } => (
-                Text::new(
-                    format!("el radio {} de la fresa no cabe en el arco de radio {}", mm(radius), mm(arc)),
-                    format!("the cutter's radius {} does not fit into the arc of radius {}", mm(radius), mm(arc)),
-                ),
-                smaller,
-            ),
-            Misfit::Corner { radius } => (
-                Text::new(
-                    format!("el radio {} de la fresa no cabe en el rincón", mm(radius)),
-                    format!("the cutter's radius {} does not fit into the corner", mm(radius)),
-                ),
-                smaller,
-            ),
-            Misfit::Still => (
-                Text::new(
-                    format!("más de {HELD_PIECES} bloques sin movimiento en el plano con G41 o G42 en vigor"),
-                    format!("more than {HELD_PIECES} blocks without motion in the plane with G41 or G42 in force"),
-                ),
-                Text::fixed("programe antes G40", "program G40 before them"),
-            ),
-            Misfit::Short { radius } => (
-                Text::new(
-                    format!(
-                        "el radio {} de la fresa no cabe: los rincones ocupan más que el tramo anterior",
-                        mm(radius)
-                    ),
-                    format!(
-                        "the cutter's radius {} does not fit: corners take more than the piece before has",
-                        mm(radius)
-                    ),
-                ),
-                smaller,
-            ),
-        };
-        self.refuse_here(line, what, remedy);
+        match *misfit {
+            Misfit::Entry { length, radius } => self
+                .refuse_here(line, &EntryTooShort { length: Size::number(length, 4), radius: Size::number(radius, 4) }),
+            Misfit::EntryArc => self.refuse_here(line, &EntryArc {}),
+            Misfit::Arc { radius, arc } => {
+                self.refuse_here(line, &CutterInArc { radius: Size::number(radius, 4), arc: Size::number(arc, 4) })
+            }
+            Misfit::Corner { radius } => self.refuse_here(line, &CutterInCorner { radius: Size::number(radius, 4) }),
+            Misfit::Still => self.refuse_here(line, &CompensationHeld { most: HELD_PIECES }),
+            Misfit::Short { radius } => self.refuse_here(line, &CutterInShortPiece { radius: Size::number(radius, 4) }),
+        }
     }
 }
 

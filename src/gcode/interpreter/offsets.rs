@@ -4,7 +4,6 @@
 //! LinuxCNC, "Coordinate systems" and G10, G28, G30, G52, G53, G92. Parameters: 5161 G28, 5181 G30, 5210 the switch of G92
 //! and G52, 5211 their registers, 5220 the active system, 5221 + 20·(n − 1) system n with its rotation at + 9.
 
-use crate::finding::Grade;
 use crate::gcode::code::G;
 use crate::gcode::control::Reference;
 use crate::gcode::in_force::Spindle;
@@ -13,11 +12,14 @@ use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::MotionKind;
+use crate::gcode::rules::geometry::{
+    AxesOrSpeed, OffsetsPNotWhole, OffsetsPTooGreat, OffsetsRotation, OffsetsWithTurning, OffsetsWithoutL,
+    OffsetsWithoutP, RotationWithG92, SetPositionLeft, SetPositionLeftOfLathe, ToolTableLoaded,
+};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{
     ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset,
 };
-use crate::text::Text;
 
 impl Interpreter<'_> {
     /// A coordinate system as the parameters hold it.
@@ -56,39 +58,20 @@ impl Interpreter<'_> {
     /// G10: work offsets and tool table.
     pub(super) fn set_offsets(&mut self) -> Outcome<()> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
-        let refuse = |what: Text, remedy: Text| Fault::at(&[column], what, remedy);
         let L = self.block.get(letter::L).and_then(whole);
         if L == Some(0) {
-            self.remarks.add(
-                Grade::Note,
-                self.line,
-                Some(column),
-                Text::fixed(
-                    "G10 L0 carga de nuevo la tabla de herramientas: aquí sigue la que se ha dado",
-                    "G10 L0 loads the tool table again: here the one that was given stays",
-                ),
-                Text::fixed("", ""),
-            );
+            self.remarks.row(&ToolTableLoaded {}, self.line, Some(column));
             self.tools = self.setting.tools.clone().unwrap_or_default();
             return Ok(());
         }
         if !matches!(L, Some(1 | 2 | 10 | 11 | 20)) {
-            return Err(refuse(
-                Text::fixed("G10 sin L1, L2, L10, L11 o L20", "G10 without L1, L2, L10, L11 or L20"),
-                Text::fixed("dé L", "give L"),
-            ));
+            return Err(Fault::of(&OffsetsWithoutL {}, &[column]));
         }
         let Some(P) = self.block.get(letter::P) else {
-            return Err(refuse(Text::fixed("G10 sin P", "G10 without P"), Text::fixed("dé P", "give P")));
+            return Err(Fault::of(&OffsetsWithoutP {}, &[column]));
         };
         let Some(number) = whole(P).and_then(|number| u32::try_from(number).ok()) else {
-            return Err(refuse(
-                Text::new(
-                    format!("P{P} de G10 no es un número entero desde 0"),
-                    format!("P{P} of G10 is not a whole number from 0 on"),
-                ),
-                Text::fixed("dé un número entero", "give a whole number"),
-            ));
+            return Err(Fault::of(&OffsetsPNotWhole { number: P }, &[column]));
         };
         match L {
             Some(2 | 20) => {
@@ -96,26 +79,14 @@ impl Interpreter<'_> {
                     0 => self.modal.system,
                     1..=9 => u8::try_from(number).unwrap_or(1),
                     _ => {
-                        return Err(refuse(
-                            Text::new(format!("P{number} en G10 L2 o L20"), format!("P{number} in G10 L2 or L20")),
-                            Text::fixed(
-                                "P va de 1 a 9, o 0 para el activo",
-                                "P goes from 1 to 9, or 0 for the active one",
-                            ),
-                        ));
+                        return Err(Fault::of(&OffsetsPTooGreat { number }, &[column]));
                     }
                 };
                 if self.block.has(letter::I) || self.block.has(letter::J) || self.block.has(letter::Q) {
-                    return Err(refuse(
-                        Text::fixed("I, J o Q en G10 L2 o L20", "I, J or Q in G10 L2 or L20"),
-                        Text::fixed("quítelas", "take them out"),
-                    ));
+                    return Err(Fault::of(&OffsetsWithTurning {}, &[column]));
                 }
                 if L == Some(20) && self.block.has(letter::R) {
-                    return Err(refuse(
-                        Text::fixed("R en G10 L20", "R in G10 L20"),
-                        Text::fixed("gire el sistema con G10 L2 R", "rotate the system with G10 L2 R"),
-                    ));
+                    return Err(Fault::of(&OffsetsRotation {}, &[column]));
                 }
                 self.set_system(system, L == Some(20));
                 Ok(())
@@ -155,21 +126,7 @@ impl Interpreter<'_> {
         }
         let forgets = number == self.modal.system && self.block.has(letter::R) && self.frame.g92 != Pose::default();
         if forgets {
-            self.remarks.add(
-                Grade::Caution,
-                self.line,
-                Some(self.block.column(letter::R)),
-                Text::fixed(
-                    "G10 L2 R del sistema activo con G92 en vigor: LinuxCNC 2.9 olvida G92 en el movimiento siguiente y llega \
-                     a otro sitio",
-                    "G10 L2 R of the active system while G92 is in force: LinuxCNC 2.9 forgets G92 in the next motion and goes \
-                     elsewhere",
-                ),
-                Text::fixed(
-                    "leído con G92 en vigor; programe G92.1 antes y G92 después",
-                    "read with G92 in force; program G92.1 before it and G92 behind it",
-                ),
-            );
+            self.remarks.row(&RotationWithG92 {}, self.line, Some(self.block.column(letter::R)));
         }
         let system = System::from_number(number.into()).unwrap_or_default();
         self.keep_pose(system.first_parameter(), &work.origin);
@@ -274,14 +231,7 @@ impl Interpreter<'_> {
                 }
                 Ok(())
             }
-            _ => Err(Fault::at(
-                &[self.block.g_column(crate::gcode::code::Group::NonModal)],
-                Text::fixed(
-                    "se esperan o palabras de eje o S, no ambas",
-                    "either axis words or S are wanted, not both and not none",
-                ),
-                Text::fixed("escriba dos bloques", "write two blocks"),
-            )),
+            _ => Err(Fault::of(&AxesOrSpeed {}, &[self.block.g_column(crate::gcode::code::Group::NonModal)])),
         }
     }
 
@@ -306,24 +256,11 @@ impl Interpreter<'_> {
             self.reframe(ActiveOffsets { g92: Pose::default(), ..self.frame });
         } else if left {
             let line = self.line;
-            let (what, remedy) = if self.control.offsets.shifts() {
-                (
-                    Text::fixed(
-                        "G50 con X o Z sigue activo al final: vale también para el programa siguiente",
-                        "G50 with X or Z is left active at the end: it holds for the next program too",
-                    ),
-                    Text::fixed("use los orígenes G54 a G59", "use the work offsets G54 to G59"),
-                )
+            if self.control.offsets.shifts() {
+                self.remarks.row(&SetPositionLeftOfLathe {}, line, None);
             } else {
-                (
-                    Text::fixed(
-                        "G92 o G52 sigue activo al final: vale también para el programa siguiente",
-                        "G92 or G52 is left active at the end: it holds for the next program too",
-                    ),
-                    Text::fixed("programe G92.1 antes del final", "program G92.1 before the end"),
-                )
-            };
-            self.remarks.add(Grade::Caution, line, None, what, remedy);
+                self.remarks.row(&SetPositionLeft {}, line, None);
+            }
         }
         self.select_system(1);
         self.modal.plane = self.control.start.plane;

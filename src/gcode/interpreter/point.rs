@@ -4,7 +4,6 @@
 //! Fanuc Series 0i-T operator's manual, decimal point programming: pocket calculator type and usual type; addresses that take a
 //! decimal point are lengths, times and feeds; P, Q, L and others take none.
 
-use crate::finding::Grade;
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
@@ -13,6 +12,9 @@ use crate::gcode::interpreter::cursor::Decimal;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::setting::DecimalPoint;
 use crate::gcode::motion::FeedMode;
+use crate::gcode::rules::words::{
+    DimensionsWithoutPoint, DwellsWithoutPoint, PointMissing, PointMissingInFeed, PointNotTaken,
+};
 use crate::machine::length_unit::LengthUnit;
 use crate::text::Text;
 
@@ -27,17 +29,7 @@ impl Interpreter<'_> {
     pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Outcome<()> {
         if number.point && WHOLE.has(index) {
             let name = char::from(b'A' + index);
-            return Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("{name}{} lleva punto decimal, que {name} no admite", number.value),
-                    format!("{name}{} has a decimal point, which {name} does not take", number.value),
-                ),
-                Text::fixed(
-                    "escriba un número entero: P y Q van en incrementos mínimos, ms o milésimas de grado",
-                    "write a whole number: P and Q are in least increments, ms or thousandths of a degree",
-                ),
-            ));
+            return Err(Fault::of(&PointNotTaken { letter: name, value: number.value }, &[column]));
         }
         if !number.point && number.value != 0.0 && SCALED.has(index) {
             self.block.pointless |= 1 << index;
@@ -80,30 +72,14 @@ impl Interpreter<'_> {
                     true => ("pulgadas o diezmilésimas", "inches or ten-thousandths"),
                     false => ("mm o µm", "mm or µm"),
                 };
-                return Err(Fault::at(
+                return Err(Fault::of(
+                    &PointMissing { word: word.to_owned(), reading: Text::fixed(es, en) },
                     &[column],
-                    Text::new(
-                        format!("{word} sin punto decimal: según el control son {es}"),
-                        format!("{word} has no decimal point: {en}, depending on the control"),
-                    ),
-                    Text::new(
-                        format!("escriba {word}. o diga qué hace el control: --decimal-point"),
-                        format!("write {word}. or say what the control does: --decimal-point"),
-                    ),
                 ));
             }
             Some(DecimalPoint::Calculator) => 1.0,
             Some(DecimalPoint::Micrometre) if feed => {
-                return Err(Fault::at(
-                    &[column],
-                    Text::new(
-                        format!("{word} sin punto decimal: el incremento del avance por vuelta depende del control"),
-                        format!(
-                            "{word} has no decimal point: the increment of a feed per revolution depends on the control"
-                        ),
-                    ),
-                    Text::new(format!("escriba {word}."), format!("write {word}.")),
-                ));
+                return Err(Fault::of(&PointMissingInFeed { word: word.to_owned() }, &[column]));
             }
             Some(DecimalPoint::Micrometre) => {
                 if self.inch() && !dwell {
@@ -125,17 +101,11 @@ impl Interpreter<'_> {
                 ("leídas como incrementos mínimos (0.0001 pulgadas)", "read as least increments (0.0001 inch)")
             }
         };
-        self.remarks.add(
-            Grade::Note,
-            line,
-            Some(column),
-            if dwell {
-                Text::new(format!("esperas sin punto decimal, {es}"), format!("dwells without decimal point, {en}"))
-            } else {
-                Text::new(format!("cotas sin punto decimal, {es}"), format!("dimensions without decimal point, {en}"))
-            },
-            Text::fixed("", ""),
-        );
+        if dwell {
+            self.remarks.row(&DwellsWithoutPoint { reading: Text::fixed(es, en) }, line, Some(column));
+        } else {
+            self.remarks.row(&DimensionsWithoutPoint { reading: Text::fixed(es, en) }, line, Some(column));
+        }
         Ok(by)
     }
 

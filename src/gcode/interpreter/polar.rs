@@ -10,24 +10,18 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::Plane;
+use crate::gcode::rules::geometry::{
+    PolarAtOrigin, PolarBesideAxes, PolarBesideCode, PolarPlane, PolarRepeated, PolarTooGreat, PolarTwice,
+};
 use crate::machine::axis::Axis;
 use crate::number::grid::LIMIT;
 use crate::number::trig;
-use crate::text::Text;
 
 /// The polar words of a block: distance and angle, each with its column.
 pub(super) type Polar = [Option<(f64, usize)>; 2];
 
 /// Groups beside which polar words stand: motion, distance mode, what F means and how cycles return.
 const BESIDE: [Group; 5] = [Group::Motion, Group::Distance, Group::Feed, Group::Retract, Group::Path];
-
-fn refused(column: usize, es: &'static str, en: &'static str) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed(es, en),
-        Text::fixed("escriba X e Y, o el bloque aparte", "write X and Y, or a block of its own"),
-    )
-}
 
 impl Interpreter<'_> {
     /// Reads `@` or `^`, on which the cursor stands.
@@ -36,13 +30,11 @@ impl Interpreter<'_> {
         cursor.pass();
         let value = self.value(cursor)?.value;
         if value.abs() > f64::from(LIMIT) / 1000.0 {
-            return Err(refused(column, "cota polar de más de 99 999.999", "polar coordinate of more than 99,999.999"));
+            return Err(Fault::of(&PolarTooGreat {}, &[column]));
         }
         match self.block.polar[usize::from(angle)].replace((value, column)) {
             None => Ok(()),
-            Some(_) => {
-                Err(refused(column, "dos cotas polares iguales en un bloque", "the same polar word twice in one block"))
-            }
+            Some(_) => Err(Fault::of(&PolarTwice {}, &[column])),
         }
     }
 
@@ -51,14 +43,14 @@ impl Interpreter<'_> {
         let [radius, angle] = self.block.polar;
         let Some((_, column)) = radius.or(angle) else { return Ok(()) };
         if self.block.has(letter::X) || self.block.has(letter::Y) {
-            return Err(refused(column, "cotas polares junto a X o Y", "polar words beside X or Y"));
+            return Err(Fault::of(&PolarBesideAxes {}, &[column]));
         }
         if self.modal.plane != Plane::XY {
-            return Err(refused(column, "cotas polares fuera de G17", "polar words outside G17"));
+            return Err(Fault::of(&PolarPlane {}, &[column]));
         }
         let others = BESIDE.iter().fold(self.block.groups, |groups, group| groups & !(1 << *group as u16));
         if others != 0 {
-            return Err(refused(column, "cotas polares junto a otro código G", "polar words beside another G code"));
+            return Err(Fault::of(&PolarBesideCode {}, &[column]));
         }
         let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
         let incremental = match self.block.g(Group::Distance) {
@@ -66,21 +58,13 @@ impl Interpreter<'_> {
             None => self.modal.incremental,
         };
         if incremental && matches!(motion, G::Cycle(_)) && self.block.get(letter::L).is_some_and(|holes| holes != 1.0) {
-            return Err(refused(
-                column,
-                "cotas polares repetidas con L en G91 no están implementadas",
-                "polar words repeated by L under G91 are not supported",
-            ));
+            return Err(Fault::of(&PolarRepeated {}, &[column]));
         }
         let unit = self.modal.unit;
         let at = [Axis::X, Axis::Y].map(|axis| unit.from_mm(self.current.get(axis)));
         let [here, turned] = [trig::hypot(at[0], at[1]), trig::atan2(at[1], at[0])];
         if (incremental || angle.is_none()) && at == [0.0; 2] {
-            return Err(refused(
-                column,
-                "cota polar sin ángulo conocido: la herramienta está en el origen",
-                "polar word without a known angle: the tool stands at the origin",
-            ));
+            return Err(Fault::of(&PolarAtOrigin {}, &[column]));
         }
         let [radius, angle] = [radius, angle].map(|word| word.map(|(value, _)| value));
         let (radius, angle) = if incremental {

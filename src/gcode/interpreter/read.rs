@@ -1,6 +1,5 @@
 //! From a line to a block.
 
-use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, TurningCycle};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Interpreter;
@@ -9,6 +8,11 @@ use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::FeedMode;
+use crate::gcode::rules::words::{
+    CodeNotSupported, CoordinateTooGreat, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported,
+    LetterUnknown, MachineCodeNotSupported, MachineCodeOfBuilder, MachineCodesTooMany, Macros, Negative, NumberParted,
+    TwoCodesOfGroup, TwoMachineCodesOfGroup, Unknown, WordTooGreat, WordTwice,
+};
 use crate::limits::COUNT;
 use crate::number::grid::LIMIT;
 use crate::text::Text;
@@ -18,22 +22,8 @@ const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
 /// The letter E, counted from A = 0.
 const E: u8 = b'E' - b'A';
 
-fn unverifiable() -> Text {
-    Text::fixed(
-        "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar",
-        "take it out or replace it: a program with it cannot be verified",
-    )
-}
-
 fn macros(column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::fixed(
-            "las macros (#, IF, WHILE, GOTO) no están implementadas",
-            "macros (#, IF, WHILE, GOTO) are not supported",
-        ),
-        unverifiable(),
-    )
+    Fault::of(&Macros {}, &[column])
 }
 
 fn name(letter: u8) -> char {
@@ -42,20 +32,12 @@ fn name(letter: u8) -> char {
 
 #[cold]
 fn negative(name: char, value: f64, column: usize) -> Box<Fault> {
-    Fault::at(
-        &[column],
-        Text::new(format!("{name} negativo: {value}"), format!("negative {name}: {value}")),
-        Text::fixed("escriba un número positivo", "write a positive number"),
-    )
+    Fault::of(&Negative { letter: name, value }, &[column])
 }
 
 #[cold]
 fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
-    Fault::at(
-        &[first, second],
-        Text::new(format!("dos palabras {letter} en un bloque"), format!("two {letter} words in one block")),
-        Text::fixed("deje una, o escriba dos bloques", "leave one, or write two blocks"),
-    )
+    Fault::of(&WordTwice { letter }, &[first, second])
 }
 
 impl Interpreter<'_> {
@@ -95,13 +77,7 @@ impl Interpreter<'_> {
         }
         if let Some(column) = cursor.parted {
             let line = self.line;
-            self.remarks.add(
-                Grade::Note,
-                line,
-                Some(column),
-                Text::fixed("número con blancos en medio", "number with blanks inside"),
-                Text::fixed("escríbalo sin blancos", "write it without blanks"),
-            );
+            self.remarks.row(&NumberParted {}, line, Some(column));
         }
         if self.block.pointless != 0 || self.block.edge.is_some() {
             self.settle_points()?;
@@ -123,11 +99,7 @@ impl Interpreter<'_> {
                 continue;
             }
             let name = if index == letter::F { 'F' } else { 'S' };
-            return Err(Fault::at(
-                &[self.block.column(index)],
-                Text::new(format!("{name}{value} supera 99 999.999"), format!("{name}{value} is over 99,999.999")),
-                Text::fixed("compruebe el número", "check the number"),
-            ));
+            return Err(Fault::of(&FeedOrSpeedTooGreat { letter: name, value }, &[self.block.column(index)]));
         }
         Ok(())
     }
@@ -144,24 +116,12 @@ impl Interpreter<'_> {
         let tenths = whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok());
         let found = tenths.and_then(|tenths| self.control.codes.get(tenths));
         match found {
-            Some(G::Refused(_, name)) => Err(Fault::at(
-                &[column],
-                Text::new(
-                    format!("G{value} no está implementado: {}", name.0),
-                    format!("G{value} is not supported: {}", name.1),
-                ),
-                unverifiable(),
-            )),
+            Some(G::Refused(_, name)) => {
+                Err(Fault::of(&CodeNotSupported { code: value, reason: Text::fixed(name.0, name.1) }, &[column]))
+            }
             Some(g) => self.block.put_g(g, column).map_err(|first| {
                 let group = g.group().name();
-                Fault::at(
-                    &[first, column],
-                    Text::new(
-                        format!("dos códigos G del mismo grupo ({})", group.es),
-                        format!("two G codes of one modal group ({})", group.en),
-                    ),
-                    Text::fixed("deje uno, o escriba dos bloques", "leave one, or write two blocks"),
-                )
+                Fault::of(&TwoCodesOfGroup { group }, &[first, column])
             }),
             None => Err(self.unknown('G', value, column)),
         }
@@ -174,40 +134,23 @@ impl Interpreter<'_> {
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
         let found = number.and_then(|number| Some((number, (self.control.machine_code)(number)?)));
         match found {
-            Some((number, M::Refused(name))) => Err(Fault::at(
+            Some((number, M::Refused(name))) => Err(Fault::of(
+                &MachineCodeNotSupported { code: number, reason: Text::fixed(name.0, name.1) },
                 &[column],
-                Text::new(
-                    format!("M{number} no está implementado: {}", name.0),
-                    format!("M{number} is not supported: {}", name.1),
-                ),
-                unverifiable(),
             )),
             Some((number, m)) => {
                 if m == M::User {
                     let line = self.line;
-                    self.remarks.add(
-                        Grade::Note,
-                        line,
-                        Some(column),
-                        Text::new(
-                            format!("M{number} es un código de la máquina: no se ejecuta"),
-                            format!("M{number} is a code of the machine's own: it is not run"),
-                        ),
-                        Text::fixed("", ""),
-                    );
+                    self.remarks.row(&MachineCodeOfBuilder { code: number }, line, Some(column));
                     // Codes of the builder do not exclude each other everywhere: clamps M11 and M13 stand in one block.
                     if self.control.lexis.builders.stand_together() {
                         self.block.machine_codes += 1;
                         return self.machine_code_count(column);
                     }
                 }
-                self.block.put_m(m, number, column).map_err(|first| {
-                    Fault::at(
-                        &[first, column],
-                        Text::fixed("dos códigos M del mismo grupo", "two M codes of one modal group"),
-                        Text::fixed("deje uno, o escriba dos bloques", "leave one, or write two blocks"),
-                    )
-                })?;
+                self.block
+                    .put_m(m, number, column)
+                    .map_err(|first| Fault::of(&TwoMachineCodesOfGroup {}, &[first, column]))?;
                 self.machine_code_count(column)
             }
             None => Err(self.unknown('M', value, column)),
@@ -219,30 +162,13 @@ impl Interpreter<'_> {
         if self.block.machine_codes <= most {
             return Ok(());
         }
-        Err(Fault::at(
-            &[column],
-            Text::new(
-                format!("más de {most} códigos M en un bloque"),
-                format!("more than {most} M codes in one block"),
-            ),
-            Text::fixed("repártalos en varios bloques", "spread them over several blocks"),
-        ))
+        Err(Fault::of(&MachineCodesTooMany { most }, &[column]))
     }
 
     #[cold]
     pub(super) fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
         let dialect = self.setting.control.name;
-        Fault::at(
-            &[column],
-            Text::new(
-                format!("{letter}{value} no existe en el dialecto {dialect}"),
-                format!("{letter}{value} does not exist in the dialect {dialect}"),
-            ),
-            Text::fixed(
-                "corríjalo, o indique el dialecto del programa: con --dialect, o en la hoja DATOS de un libro",
-                "correct it, or name the program's dialect: with --dialect, or on the sheet DATA of a workbook",
-            ),
-        )
+        Fault::of(&Unknown { letter, value, dialect }, &[column])
     }
 
     /// `,C` and `,R`.
@@ -265,25 +191,11 @@ impl Interpreter<'_> {
             pointless: !point && value != 0.0,
         };
         if let Some(first) = self.block.edge.replace(edge) {
-            return Err(Fault::at(
-                &[first.column, column],
-                Text::fixed(
-                    "PS0053: más de un «,C» o «,R» en un bloque",
-                    "PS0053: more than one ',C' or ',R' in one block",
-                ),
-                Text::fixed("deje uno", "leave one"),
-            ));
+            return Err(Fault::of(&EdgeTwice {}, &[first.column, column]).as_alarm_of(self.alarms()));
         }
         if value.abs() > f64::from(LIMIT) / 1000.0 || value < 0.0 {
             let name = edge.name;
-            return Err(Fault::at(
-                &[number_column],
-                Text::new(
-                    format!("{name}{value} no es el tamaño de una esquina"),
-                    format!("{name}{value} is no size of a corner"),
-                ),
-                Text::fixed("dé una longitud sin signo", "give a length without a sign"),
-            ));
+            return Err(Fault::of(&EdgeNoSize { edge: name, value }, &[number_column]));
         }
         Ok(())
     }
@@ -306,24 +218,10 @@ impl Interpreter<'_> {
         let value = number.value;
         if DIMENSIONS.has(index) || self.fagor_cycle() {
             if value.abs() > f64::from(LIMIT) / 1000.0 {
-                return Err(Fault::at(
-                    &[number_column],
-                    Text::new(
-                        format!("{}{value} supera ±99 999.999", name(letter)),
-                        format!("{}{value} is over ±99,999.999", name(letter)),
-                    ),
-                    Text::fixed("compruebe el número", "check the number"),
-                ));
+                return Err(Fault::of(&CoordinateTooGreat { letter: name(letter), value }, &[number_column]));
             }
         } else if value.abs() > COUNT {
-            return Err(Fault::at(
-                &[number_column],
-                Text::new(
-                    format!("{}{value} supera 9 999 999 999", name(letter)),
-                    format!("{}{value} is over 9,999,999,999", name(letter)),
-                ),
-                Text::fixed("compruebe el número", "check the number"),
-            ));
+            return Err(Fault::of(&WordTooGreat { letter: name(letter), value }, &[number_column]));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
             && !self.control.lexis.negative.has(index)
@@ -345,26 +243,9 @@ impl Interpreter<'_> {
     fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
         let (name, dialect) = (name(letter), self.setting.control.name);
         if self.control.lexis.refused.has(letter - b'a') {
-            Fault::at(
-                &[column],
-                Text::new(
-                    format!("la letra {name} no está implementada en el dialecto {dialect}"),
-                    format!("letter {name} is not supported in the dialect {dialect}"),
-                ),
-                unverifiable(),
-            )
+            Fault::of(&LetterNotSupported { letter: name, dialect }, &[column])
         } else {
-            Fault::at(
-                &[column],
-                Text::new(
-                    format!("la letra {name} no puede estar aquí en el dialecto {dialect}"),
-                    format!("letter {name} cannot stand here in the dialect {dialect}"),
-                ),
-                Text::fixed(
-                    "quítela, o indique el dialecto: con --dialect, o en la hoja DATOS de un libro",
-                    "take it out, or name the dialect: with --dialect, or on the sheet DATA of a workbook",
-                ),
-            )
+            Fault::of(&LetterUnknown { letter: name, dialect }, &[column])
         }
     }
 }

@@ -6,7 +6,7 @@
 //! the number how far, more than a turn where it is more than 360. Error manual, 0168 and 0199: the ranges. LinuxCNC,
 //! `WRAPPED_ROTARY` and `unwrap_rotary` in `interp_find.cc`: the same, and no motion where the angle is reached already.
 
-use crate::finding::Grade;
+use crate::finding::Raise;
 use crate::gcode::code::{G, Group};
 use crate::gcode::control::Letters;
 use crate::gcode::control::Rotary;
@@ -14,8 +14,10 @@ use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::MotionKind;
+use crate::gcode::rules::geometry::{
+    RolloverBeyondTurn, RolloverMinusZero, RolloverPreset, RolloverReached, WrappedInMachine,
+};
 use crate::machine::axis::{Axis, Pose};
-use crate::text::Text;
 
 /// The words of rotary axes.
 const WORDS: u32 = Letters::of("ABC").mask();
@@ -45,50 +47,16 @@ impl Interpreter<'_> {
         for (axis, index) in ROTARY {
             let Some(word) = self.block.get(index) else { continue };
             let name = axis.letter();
-            let fault = |what: Text, remedy: Text| Err(Fault::at(&[self.block.column(index)], what, remedy));
+            let column = self.block.column(index);
             if preset && !self.control.rotary.rollover.wrapped() && !(0.0..360.0).contains(&word) {
-                return fault(
-                    Text::new(
-                        format!("0199: {name}{word} como cota de un eje rotativo rollover: va de 0 a 359.9999"),
-                        format!("0199: {name}{word} to preset a rollover axis: it goes from 0 to 359.9999"),
-                    ),
-                    Text::fixed(
-                        "escriba el mismo ángulo entre 0 y 359.9999",
-                        "write the same angle from 0 to 359.9999",
-                    ),
-                );
+                return Err(Fault::of(&RolloverPreset { axis: name, angle: word }, &[column]));
             }
             if self.control.rotary.rollover.wrapped() && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) {
-                return fault(
-                    Text::new(
-                        format!(
-                            "{name} con G53 en un eje con WRAPPED_ROTARY: el control toma el signo de la palabra y el destino sin el traslado"
-                        ),
-                        format!(
-                            "{name} with G53 on an axis with WRAPPED_ROTARY: the control takes the sign of the word and the target without the offset"
-                        ),
-                    ),
-                    Text::fixed("mueva el eje sin G53", "move the axis without G53"),
-                );
+                return Err(Fault::of(&WrappedInMachine { axis: name }, &[column]));
             }
             if word.abs() >= 360.0 {
                 let number = if self.control.rotary.rollover.wrapped() { "" } else { "0168: " };
-                return fault(
-                    Text::new(
-                        format!(
-                            "{number}{name}{word} en G90: en un eje rollover el número es el destino, de 0 a 359.9999, y el \
-                             signo el sentido"
-                        ),
-                        format!(
-                            "{number}{name}{word} in G90: on a rollover axis the number is the target, 0 to 359.9999, and \
-                             the sign the direction"
-                        ),
-                    ),
-                    Text::fixed(
-                        "escriba el giro en G91; si el eje de la máquina no es rollover, dígalo con --rotary linear",
-                        "write the turn in G91; if the machine's axis is not rollover say so with --rotary linear",
-                    ),
-                );
+                return Err(Fault::of(&RolloverBeyondTurn { alarm: number, axis: name, angle: word }, &[column]));
             }
         }
         Ok(())
@@ -105,21 +73,9 @@ impl Interpreter<'_> {
         let reached = [0.0, -360.0].into_iter().find(|whole| (way + whole).abs() < SAME);
         let name = axis.letter();
         if reached.is_some() {
-            self.undefined(
-                index,
-                Text::new(
-                    format!("{name} ya está en el ángulo de su palabra en G90: no está definido en este control"),
-                    format!("{name} stands at the angle of its word in G90 already: undefined on this control"),
-                ),
-            );
+            self.unclear(index, &RolloverReached { axis: name });
         } else if minus && target == 0.0 {
-            self.undefined(
-                index,
-                Text::new(
-                    format!("{name}-0 en G90: no está definido en este control; leído como giro negativo hasta 0"),
-                    format!("{name}-0 in G90: undefined on this control; read as a turn in minus to 0"),
-                ),
-            );
+            self.unclear(index, &RolloverMinusZero { axis: name });
         }
         let whole = reached.unwrap_or(match (minus, way < 0.0) {
             (false, true) => 360.0,
@@ -130,15 +86,11 @@ impl Interpreter<'_> {
     }
 
     /// Cautions that the control's manuals do not say what a word of a rollover axis does; LinuxCNC's program does.
-    fn undefined(&mut self, letter: usize, what: Text) {
+    fn unclear(&mut self, letter: usize, row: &dyn Raise) {
         if self.control.rotary.rollover.wrapped() {
             return;
         }
-        let remedy = Text::fixed(
-            "quite la palabra de un eje que no gira, o escriba el giro en G91",
-            "take out the word of an axis that does not turn, or write the turn in G91",
-        );
-        self.remarks.add(Grade::Caution, self.line, Some(self.block.column(letter)), what, remedy);
+        self.remarks.row(row, self.line, Some(self.block.column(letter)));
     }
 
     /// Points out a motion at feed that turns a rotary axis by more than half a turn.

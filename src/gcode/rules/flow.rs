@@ -309,4 +309,10 @@ rules! {
         why "El ciclo no encuentra el contorno que ha de tornear.",
             "The cycle does not find the contour that it is to turn.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 P10 Q20 U1. W.1 F.2|N10 G0 X20.|M30", "4:9");
+    "G0344" FollowingErrors Caution { count: u64, errors: Text, unknown: Text }
+        es "{errors} de bloques rehusados, sin decir: desde aquí no se conoce {unknown}"
+        en "{errors} from refused blocks, left out: from here on not known: {unknown}"
+        remedy "corrija primero los bloques rehusados", "correct the refused blocks first";
+        why "Un error que sale de otro se va con él.", "An error that comes of another one goes with it.";
+        example Example::program("linuxcnc", "G21 G90 G80|G1 F100 X1,5|X2|M2", "2");
 }

@@ -5,4 +5,7 @@
 
 pub mod expressions;
 pub mod flow;
+pub mod geometry;
 pub mod lexis;
+pub mod modes;
+pub mod words;

@@ -1,0 +1,109 @@
+//! A workbook kind outside of rodete: holes on a pitch circle. This folder is all there is of it; `docs/dev/add-a-kind.md` is
+//! its story.
+//!
+//! With a command behind its name this binary is what `rodete` is, for this one kind; without, it runs every command by
+//! itself and looks at what comes out.
+
+#![allow(non_snake_case, missing_docs, reason = "formula symbols; the story says what each is")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::disallowed_methods, reason = "it tests itself")]
+
+mod design;
+mod form;
+mod program;
+mod proof;
+mod rules;
+mod tried;
+
+use std::process::ExitCode;
+
+use rodete::finding::{Finding, Rule};
+use rodete::gcode::header::Origin;
+use rodete::gcode::program::Program;
+use rodete::kind::method::{Method, Of, Written};
+use rodete::kind::{Chapters, out_of_format};
+use rodete::parameter::field::Fields;
+use rodete::parameter::{Form, t};
+use rodete::proof::verification::Verification;
+use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
+use rodete::text::Text;
+
+use crate::design::BoltCircle;
+use crate::form::FORM;
+
+/// The kind.
+enum Kind {}
+
+impl Method for Kind {
+    type Design = BoltCircle;
+    type Model = ();
+    type Memo = ();
+
+    const FORM: &'static Form = &FORM;
+    const CHAPTERS: &'static Chapters = &Chapters {
+        labels: include_str!("labels.typ"),
+        method: [include_str!("method-es.typ"), include_str!("method-en.typ")],
+        setup: include_str!("setup.typ"),
+        further: &[],
+    };
+    const RULES: &'static [&'static Rule] = rules::RULES;
+    const PROVED: Text = t("Leída del programa, agujero a agujero", "Read back from the program, hole by hole");
+
+    fn design(fields: &Fields) -> Result<BoltCircle, Vec<Finding>> {
+        BoltCircle::new(fields)
+    }
+
+    fn model(_: &BoltCircle) -> Result<(), Vec<Finding>> {
+        Ok(())
+    }
+
+    fn tables(circle: &BoltCircle, (): &()) -> Vec<Table> {
+        let holes = || 0..circle.N;
+        let column = |symbol, unit, formula, value: &dyn Fn(u32) -> f64| {
+            Column::numbers(symbol, unit, formula, holes().map(value).collect::<Vec<_>>())
+        };
+        vec![Table {
+            key: "holes",
+            name: t("AGUJEROS", "HOLES"),
+            title: t("Los agujeros", "The holes"),
+            source: t("A partes iguales de la vuelta", "Equal parts of a turn"),
+            index: Index::Point,
+            print: Print::Short,
+            columns: vec![
+                column("φ", Unit::Degree, "φ = α + 360·i/N", &|hole| circle.angle(hole)),
+                column("x", Unit::Millimetre, "x = D/2·cos φ", &|hole| circle.at(hole)[0]),
+                column("y", Unit::Millimetre, "y = D/2·sin φ", &|hole| circle.at(hole)[1]),
+            ],
+        }]
+    }
+
+    fn programs(circle: &BoltCircle, (): &(), origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+        let program = program::program(circle, origin).map_err(|error| vec![out_of_format(error, vec!["D", "h"])])?;
+        Ok(Written { programs: vec![program], findings: Vec::new() })
+    }
+
+    fn verify(circle: &BoltCircle, (): &(), programs: &[Program]) -> (Verification, ()) {
+        let mut verification = Verification::default();
+        programs.iter().for_each(|program| verification.add(program, proof::judge(circle, program)));
+        (verification, ())
+    }
+
+    fn quantities(circle: &BoltCircle, (): &(), (): &(), _: &[Program]) -> Vec<Quantity> {
+        let [from, to] = [circle.at(0), circle.at(1)];
+        vec![Quantity {
+            symbol: "c",
+            meaning: t("De agujero a agujero", "From hole to hole"),
+            value: (to[0] - from[0]).hypot(to[1] - from[1]),
+            unit: Unit::Millimetre,
+            source: t("cuerda", "chord"),
+        }]
+    }
+}
+
+fn main() -> ExitCode {
+    let first = std::env::args().nth(1).unwrap_or_default();
+    if ["new", "check", "build", "view", "verify", "explain", "--version"].contains(&first.as_str()) {
+        return rodete::cli::run(std::env::args_os(), &[&Of::<Kind>::new()]);
+    }
+    tried::every_command();
+    ExitCode::SUCCESS
+}

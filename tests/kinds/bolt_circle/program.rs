@@ -1,0 +1,46 @@
+//! The program: over each hole, down, and up again.
+
+use rodete::gcode::feed_word::FeedWord;
+use rodete::gcode::header::{Header, Origin, Work};
+use rodete::gcode::program::Program;
+use rodete::gcode::word::{NumberFormat, Word};
+use rodete::gcode::writer::Writer;
+use rodete::machine::axis::Position;
+use rodete::number::grid::{Milli, OutOfFormat};
+use rodete::parameter::t;
+
+use crate::design::BoltCircle;
+
+/// How far above the face the drill moves from hole to hole, mm.
+pub const CLEAR: f64 = 5.0;
+
+pub fn program(circle: &BoltCircle, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {
+    let title = t("Agujeros", "Holes");
+    let work = Work { part: &circle.part, material: "", number: 1 };
+    let control = circle.written.control;
+    let mut writer =
+        Writer::new(circle.written, Header::new(control, "holes", &title, work, origin).parts).along_the_path();
+    let (up, down) = (Milli::round(CLEAR)?, Milli::round(-circle.h)?);
+    let way = CLEAR + circle.h;
+    let F = FeedWord::lasting(writer.law(), 60.0 * way / circle.F, way)?;
+    writer.safety();
+    writer.block([Word::whole('S', circle.S), Word::whole('M', 3)]);
+    writer.rapid([Word::size('Z', up)]);
+    for hole in 0..circle.N {
+        let [x, y] = circle.at(hole);
+        writer.rapid([Word::size('X', Milli::round(x)?), Word::size('Y', Milli::round(y)?)]);
+        writer.feed([Word::whole('G', 1), Word::size('Z', down)], F);
+        writer.rapid([Word::size('Z', up)]);
+    }
+    writer.block([Word::whole('M', 5)]);
+    writer.block([Word::whole('M', 30)]);
+    Ok(Program {
+        key: "holes",
+        title,
+        control,
+        format: NumberFormat::Fixed,
+        block_step: Some(10),
+        start: Position::default(),
+        parts: writer.finish(),
+    })
+}
