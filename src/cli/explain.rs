@@ -16,6 +16,7 @@ use crate::kind::{self, Kind};
 use crate::kinds;
 use crate::machine;
 use crate::parameter::{self, t};
+use crate::proof;
 use crate::removal::turning::rules as alarms;
 use crate::report;
 use crate::scene;
@@ -58,6 +59,7 @@ pub const RULES: &[&[&Rule]] = &[
     scene::rules::RULES,
     finding::rules::RULES,
     flow::RULES,
+    proof::rules::RULES,
     geometry::RULES,
     modes::RULES,
     words::RULES,
@@ -207,6 +209,20 @@ fn shown(text: &mut String, rule: &Rule, language: Language) {
             let head = t("ejemplo", "example");
             let _ = writeln!(text, "  {} ({control}, {stock}{given}):", head.get(language));
             blocks(text, program);
+        }
+        Example::Slip { kind, cells, program, from, to } => {
+            let given: String = cells.iter().map(|(symbol, value)| format!(", {symbol} = {value}")).collect();
+            let head = t("ejemplo", "example");
+            let _ = writeln!(text, "  {} ({kind}, {program}{given}):", head.get(language));
+            if from.is_empty() {
+                let _ = writeln!(
+                    text,
+                    "    {}",
+                    t("el programa como se escribe", "the program as it is written").get(language)
+                );
+            } else {
+                let _ = writeln!(text, "    {from} → {to}");
+            }
         }
         Example::Program { control, program, given, .. } => {
             let given: String = given.iter().map(|(option, value)| format!(", {option} {value}")).collect();

@@ -83,7 +83,11 @@ impl Said for Size {
             return if self.value > 0.0 { "∞".into() } else { "−∞".into() };
         }
         let number = shown(self.value, self.decimals);
-        if self.unit.is_empty() { number.into() } else { format!("{number} {}", self.unit).into() }
+        match self.unit {
+            "" => number.into(),
+            "°" => format!("{number}°").into(),
+            unit => format!("{number} {unit}").into(),
+        }
     }
 
     fn datum(&self) -> Datum {

@@ -64,6 +64,19 @@ pub enum Example {
         /// Parameters of the lathe workbook that differ from the example's, by symbol.
         machine: &'static [(&'static str, &'static str)],
     },
+    /// A program that a workbook writes, judged with a text in it replaced.
+    Slip {
+        /// The kind, whose usual case is taken.
+        kind: &'static str,
+        /// Parameters that differ from it, by symbol; an empty text empties the cell.
+        cells: &'static [(&'static str, &'static str)],
+        /// The program's key.
+        program: &'static str,
+        /// What is replaced, where it first stands; empty where the cells alone raise the rule.
+        from: &'static str,
+        /// What stands there instead.
+        to: &'static str,
+    },
     /// The usual workbook of a kind in English, with other cells.
     Workbook {
         /// The kind, as `rodete new` names it.

@@ -1,12 +1,12 @@
 //! What a program comes to: how far it reaches, where it ends, how long its path is and how long it takes.
 
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::{Finding, Place, Raise};
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::{shown, trig};
-use crate::text::Text;
+use crate::proof::rules::{IncrementsClose, IncrementsShift, IncrementsTurn};
 
 /// How far each axis reaches; mm and degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,31 +143,11 @@ pub fn drift(interpreter: &Interpreter<'_>, start: &Pose) -> Option<Finding> {
     let linear = Axis::ALL.into_iter().any(|axis| !axis.rotary() && moved(&axis));
     let turned = Axis::ALL.into_iter().any(|axis| axis.rotary() && moved(&axis));
     let finding = if linear {
-        Finding::new(
-            Grade::Caution,
-            Place::File,
-            Text::fixed(
-                "el programa incremental no vuelve a donde empieza: cada ejecución se desplaza",
-                "the incremental program does not come back to where it starts: each run is shifted",
-            ),
-            Text::fixed(
-                "haga que la suma de los incrementos sea 0 en cada eje lineal",
-                "make the increments of each linear axis sum up to 0",
-            ),
-        )
+        IncrementsShift {}.at(Place::File)
+    } else if turned {
+        IncrementsTurn {}.at(Place::File)
     } else {
-        let turns = if turned {
-            Text::fixed(
-                "el programa incremental vuelve a donde empieza, con los ejes giratorios en otro ángulo",
-                "the incremental program comes back to where it starts, the rotary axes at another angle",
-            )
-        } else {
-            Text::fixed(
-                "el programa incremental vuelve a donde empieza",
-                "the incremental program comes back to where it starts",
-            )
-        };
-        Finding::note(Place::File, turns)
+        IncrementsClose {}.at(Place::File)
     };
     Some(finding.with(list, "X 0  Y 0  Z 0"))
 }

@@ -1,25 +1,28 @@
 //! Agreement: the text says what was planned, motion by motion.
 //!
-//! Every position must be the planned one in every axis, on the grid of 0.001; and the tip, put back on the part by the
-//! forward kinematics, must be within 0.001 mm of where the plan has it. The time of each motion must be the planned
-//! one, and every blade and splitter must be cut once on both sides. The first difference ends the comparison: after
-//! it, nothing fits any more.
+//! Every motion must end at the planned position in every axis, run as planned, straight at feed, at rapid or along the planned
+//! arc, and take the planned time. On a machine whose forward kinematics are known the tip, put back on the part, must be
+//! within 0.001 mm of where the plan has it. The first difference ends the comparison: after it, nothing fits any more.
 
 use nalgebra::Vector3;
 
-use crate::gcode::program::{Move, Program};
+use crate::finding::Raise;
+use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::Rotary;
 use crate::number::shown;
-use crate::proof::check::{At, Check, FAULT, Verdict, mm};
-use crate::proof::step::{Judge, Stage, Step, same};
-use crate::proof::track::Track;
+use crate::proof::check::{At, Check, Extreme, Question, mm};
+use crate::proof::rules::NotAsPlanned;
+use crate::proof::step::{Judge, Planned, Run, SAME, Stage, Step, Time};
 use crate::text::Text;
 
 /// How far the tip may be from the plan, mm.
 pub const LIMIT: f64 = 0.001;
 /// By what fraction the time of a motion may differ: what the arithmetic of a control loses.
 const TIME: f64 = 1e-6;
+/// How far a position may be from the plan where the tip is not compared: what the decimals of a published program leave.
+const DECIMALS: f64 = 1e-6;
 
 /// The point of the part at which the tip stands in a pose, mm.
 #[must_use]
@@ -28,59 +31,111 @@ pub fn tip(machine: Rotary, pose: &Pose) -> Vector3<f64> {
     machine.to_part(&point, pose.get(Axis::B).to_radians(), pose.get(Axis::C).to_radians())
 }
 
-/// How many passes of each track a program should make.
-pub type PassCount = [usize; 4];
+/// What a program is compared by.
+#[derive(Clone, Copy, Debug)]
+enum By {
+    /// All axes, and the tip over the part.
+    Tip(Rotary),
+    /// These axes alone.
+    Axes(&'static [Axis]),
+}
 
 /// Holds a program against its plan.
 #[derive(Debug)]
 pub struct Agreement {
-    machine: Rotary,
-    expected: PassCount,
-    made: PassCount,
-    motions: usize,
-    farthest: f64,
+    by: By,
+    planned: usize,
+    /// How many of them are rapid moves that are not told.
+    untold: usize,
+    /// How many rapid moves may bring the machine to the start.
+    approach: Option<usize>,
+    positioned: usize,
+    agreed: usize,
+    told: usize,
+    farthest: Extreme,
     different: Option<(At, Text)>,
 }
 
 impl Agreement {
-    /// The judge of a program that should make these passes.
+    /// The judge of a program on a machine that turns tool and part.
     #[must_use]
-    pub fn new(machine: Rotary, expected: PassCount) -> Self {
-        Self { machine, expected, made: [0; 4], motions: 0, farthest: 0.0, different: None }
+    pub fn of_the_tip(machine: Rotary, program: &Program) -> Self {
+        Self::new(By::Tip(machine), program.moves().count(), 0)
     }
 
-    fn compare(&mut self, step: &Step<'_>, planned: &Move<'_>) {
-        let (motion, to) = (&step.motion, Pose::from(planned.to));
-        let ends = [(&motion.to, to), (&motion.from, Pose::from(planned.from))];
+    /// The judge of a torch's program by the axes that it moves, with so many moves of which some are rapid.
+    #[must_use]
+    pub const fn of_the_torch(axes: &'static [Axis], planned: usize, rapid: usize) -> Self {
+        Self::new(By::Axes(axes), planned, rapid)
+    }
+
+    /// The judge, where the number of rapid moves to the start is known.
+    #[must_use]
+    pub const fn approached_by(mut self, rapid: usize) -> Self {
+        self.approach = Some(rapid);
+        self
+    }
+
+    const fn new(by: By, planned: usize, untold: usize) -> Self {
+        let farthest = Extreme::nothing();
+        Self { by, planned, untold, approach: None, positioned: 0, agreed: 0, told: 0, farthest, different: None }
+    }
+
+    /// In what a motion is other than planned.
+    fn difference(&mut self, motion: &Motion, planned: &Planned<'_>) -> Option<Text> {
+        let first = self.agreed == 0;
+        if first && self.approach.is_some_and(|approach| approach != self.positioned) {
+            return Some(Text::fixed("no va en rápido a la perforación", "it is no rapid move to the pierce"));
+        }
         // A motion that begins elsewhere than planned was noticed where the last one ended, but for the first.
-        for (read, plan) in ends.iter().take(if self.motions == 0 { 2 } else { 1 }) {
-            let distance = (tip(self.machine, read) - tip(self.machine, plan)).norm();
-            self.farthest = self.farthest.max(distance);
-            if !same(read, plan) || distance > LIMIT {
-                self.different = Some((At::motion(motion), position(read, plan)));
-                return;
+        let ends = [(&motion.to, &planned.to), (&motion.from, &planned.from)];
+        for (read, plan) in ends.into_iter().take(if first { 2 } else { 1 }) {
+            let (axes, close): (&[Axis], f64) = match self.by {
+                By::Tip(machine) => {
+                    let distance = (tip(machine, read) - tip(machine, plan)).norm();
+                    self.farthest.take(distance, At::motion(motion));
+                    if distance.is_nan() || distance > LIMIT {
+                        return Some(position(read, plan, &Axis::ALL));
+                    }
+                    (&Axis::ALL, SAME)
+                }
+                By::Axes(axes) => (axes, DECIMALS),
+            };
+            if !axes.iter().all(|axis| (read.get(*axis) - plan.get(*axis)).abs() <= close) {
+                return Some(position(read, plan, axes));
             }
         }
-        let planned_time = planned.path.seconds(planned.step);
-        let agree = match (motion.seconds, planned_time) {
-            (Some(read), Some(plan)) => (read - plan).abs() <= TIME * plan,
-            (None, None) => true,
-            // A rapid move takes the time that the machine needs.
-            _ => planned.path.rapid,
-        };
-        if !agree {
-            self.different = Some((At::motion(motion), time(motion.seconds, planned_time)));
+        if !runs(&motion.kind, planned.run) {
+            return Some(Text::fixed(
+                "no va como dice el plan: en rápido, recto o en arco",
+                "it does not run as planned: at rapid, straight or along an arc",
+            ));
         }
+        let agrees = match (motion.seconds, planned.time) {
+            (_, Time::Free) | (None, Time::Unknown) => true,
+            (Some(read), Time::Seconds(plan)) => (read - plan).abs() <= TIME * plan,
+            (Some(_), Time::Unknown) | (None, Time::Seconds(_)) => false,
+        };
+        (!agrees).then(|| time(motion.seconds, planned.time))
     }
 }
 
-/// The first axis in which two poses differ.
-fn position(read: &Pose, plan: &Pose) -> Text {
-    let differences = read.differences(plan);
-    let worst = Axis::ALL
-        .into_iter()
-        .max_by(|one, other| differences[*one as usize].abs().total_cmp(&differences[*other as usize].abs()))
-        .unwrap_or(Axis::X);
+/// True where a motion runs as planned.
+fn runs(kind: &MotionKind, run: Run) -> bool {
+    match (kind, run) {
+        (MotionKind::Rapid, Run::Rapid) | (MotionKind::Feed(_), Run::Straight) => true,
+        // A radius given to three or six decimals moves the centre, and so the radius read back, by rounding only.
+        (MotionKind::Arc(arc, _), Run::Arc { clockwise, radius }) => {
+            (arc.turns < 0) == clockwise && (arc.radius - radius).abs() <= 1e-6 * radius.max(1.0)
+        }
+        _ => false,
+    }
+}
+
+/// The axis in which two poses differ most.
+fn position(read: &Pose, plan: &Pose, axes: &[Axis]) -> Text {
+    let off = |axis: &Axis| (read.get(*axis) - plan.get(*axis)).abs();
+    let worst = axes.iter().copied().max_by(|one, other| off(one).total_cmp(&off(other))).unwrap_or(Axis::X);
     let (letter, unit) = (worst.letter(), if worst.rotary() { "°" } else { " mm" });
     let (read, plan) = (shown(read.get(worst), 4), shown(plan.get(worst), 4));
     Text::new(
@@ -89,8 +144,9 @@ fn position(read: &Pose, plan: &Pose) -> Text {
     )
 }
 
-fn time(read: Option<f64>, plan: Option<f64>) -> Text {
+fn time(read: Option<f64>, plan: Time) -> Text {
     let seconds = |time: Option<f64>| time.map_or_else(|| "–".to_owned(), |time| format!("{} s", shown(time, 4)));
+    let plan = if let Time::Seconds(plan) = plan { Some(plan) } else { None };
     let (read, plan) = (seconds(read), seconds(plan));
     Text::new(
         format!("el movimiento dura {read} y el plan dice {plan}"),
@@ -103,69 +159,55 @@ impl Judge for Agreement {
         if self.different.is_some() {
             return;
         }
-        match &step.stage {
-            Stage::Positioning => return,
-            Stage::Planned(planned) => self.compare(step, planned),
-            Stage::Unplanned => {
-                let what = Text::fixed("hay un movimiento que no está en el plan", "there is a motion beyond the plan");
-                self.different = Some((At::motion(&step.motion), what));
+        let what = match &step.stage {
+            Stage::Still => return,
+            Stage::Positioning => {
+                self.positioned += 1;
+                return;
             }
-        }
-        self.motions += 1;
-        if let Some(cut) = step.cut()
-            && cut.points == [None, None]
-            && let Some(made) = Track::ALL.iter().position(|track| *track == cut.track)
-        {
-            self.made[made] += 1;
+            Stage::Planned(planned) => self.difference(&step.motion, planned),
+            Stage::Unplanned => {
+                Some(Text::fixed("hay un movimiento que no está en el plan", "there is a motion beyond the plan"))
+            }
+        };
+        self.different = what.map(|what| (At::motion(&step.motion), what));
+        if self.different.is_none() {
+            self.agreed += 1;
+            self.told += usize::from(self.untold == 0 || !matches!(step.motion.kind, MotionKind::Rapid));
         }
     }
 
-    fn checks(&mut self, program: &Program) -> Vec<Check> {
-        let planned = program.moves().count();
-        if self.different.is_none() && self.motions != planned {
-            let what = Text::new(
-                format!("el texto acaba tras {} movimientos de {planned}", self.motions),
-                format!("the text ends after {} of {planned} motions", self.motions),
-            );
-            self.different = Some((At { line: 1, n: None, point: None }, what));
-        }
-        let name = Text::fixed("Cada punto, como en el plan", "Every point as planned");
-        let value = Text::new(
-            format!("{} movimientos; {}", self.motions, mm(self.farthest)),
-            format!("{} motions; {}", self.motions, mm(self.farthest)),
-        );
-        let limit = Text::new(format!("{planned}; {}", mm(LIMIT)), format!("{planned}; {}", mm(LIMIT)));
-        let points = Check::passed("agreement", name, program, value, limit);
-        let points = match self.different.take() {
-            None => points,
-            Some((at, what)) => points.at(Some(at)).found(
-                Verdict::Stop,
-                Text::new(
-                    format!("«{}» no es lo planeado en la {}: {}", program.title.es, at.words().es, what.es),
-                    format!("\"{}\" is not what was planned at {}: {}", program.title.en, at.words().en, what.en),
-                ),
-                FAULT,
-            ),
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let Self { planned, agreed, told, .. } = *self;
+        let different = self.different.or_else(|| {
+            (agreed != planned).then(|| {
+                let what = Text::new(
+                    format!("el texto acaba tras {agreed} movimientos de {planned}"),
+                    format!("the text ends after {agreed} of {planned} motions"),
+                );
+                (At::line(1), what)
+            })
+        });
+        let wanted = planned - self.untold.min(planned);
+        let (name, value, limit) = match self.by {
+            By::Tip(_) => {
+                let (far, most) = (mm(self.farthest.value()), mm(LIMIT));
+                let value = Text::new(format!("{told} movimientos; {far}"), format!("{told} motions; {far}"));
+                (
+                    Text::fixed("Cada punto, como en el plan", "Every point as planned"),
+                    value,
+                    format!("{wanted}; {most}"),
+                )
+            }
+            By::Axes(_) => {
+                let value = Text::new(format!("{told} movimientos"), format!("{told} motions"));
+                (Text::fixed("Cada movimiento, como en el plan", "Every motion as planned"), value, wanted.to_string())
+            }
         };
-        let list = |passes: PassCount| passes.map(|count| count.to_string()).join(" + ");
-        let name = Text::fixed(
-            "Pasadas: anverso + reverso + intermedio, ida + vuelta",
-            "Passes: obverse + reverse + splitter, out + back",
-        );
-        let (made, expected) = (list(self.made), list(self.expected));
-        let passes = Check::passed("passes", name, program, Text::same(made.as_str()), Text::same(expected.as_str()));
-        let passes = if self.made == self.expected {
-            passes
-        } else {
-            passes.found(
-                Verdict::Stop,
-                Text::new(
-                    format!("«{}» hace {made} pasadas y deben ser {expected}", program.title.es),
-                    format!("\"{}\" makes {made} passes where {expected} are due", program.title.en),
-                ),
-                FAULT,
-            )
-        };
-        vec![points, passes]
+        let asked = Question::new("agreement", name, program).showing(value, Text::same(limit)).seen(planned);
+        vec![asked.at(different.as_ref().map(|(at, _)| *at)).unless(different.map(|(at, difference)| {
+            let (at, program) = (at.words(), program.title.clone());
+            move |place| NotAsPlanned { at, difference, program }.at(place)
+        }))]
     }
 }

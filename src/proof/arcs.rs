@@ -1,12 +1,14 @@
-//! Arcs: how well the radii at start and end agree, on the numbers as the text has them. An arc beyond the limits is
-//! refused by the interpreter.
+//! Arcs: how well the radii at start and end agree, on the numbers as the text has them. An arc beyond the limit in mm is a
+//! stop here; one beyond what the control takes is refused by the interpreter before.
 
+use crate::finding::{Raise, Size};
 use crate::gcode::interpreter::radii_tolerance;
 use crate::gcode::motion::{Arc, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::machine::length_unit::LengthUnit;
 use crate::number::trig::hypot;
-use crate::proof::check::{At, Check, mm};
+use crate::proof::check::{At, Check, Extreme, Question, mm};
+use crate::proof::rules::RadiiDiffer;
 use crate::proof::step::{Judge, Step};
 use crate::text::Text;
 
@@ -20,25 +22,30 @@ pub fn radii(motion: &Motion, arc: &Arc) -> [f64; 2] {
 /// Watches the arcs of a program.
 #[derive(Debug, Default)]
 pub struct Arcs {
-    worst: Option<(f64, At)>,
+    worst: Extreme,
 }
 
 impl Judge for Arcs {
     fn see(&mut self, step: &Step<'_>) {
         let MotionKind::Arc(arc, _) = &step.motion.kind else { return };
         let [start, end] = radii(&step.motion, arc);
-        let difference = (start - end).abs();
-        if self.worst.is_none_or(|(worst, _)| difference > worst) {
-            self.worst = Some((difference, At::motion(&step.motion)));
-        }
+        self.worst.take((start - end).abs(), At::motion(&step.motion));
     }
 
-    fn checks(&mut self, program: &Program) -> Vec<Check> {
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let name = Text::fixed("Arcos: diferencia de los radios", "Arcs: difference of the radii");
-        let limit = Text::same(mm(radii_tolerance(LengthUnit::Millimetre)));
-        vec![match self.worst {
-            None => Check::passed("arcs", name, program, Text::fixed("sin arcos", "no arcs"), limit),
-            Some((worst, at)) => Check::passed("arcs", name, program, Text::same(mm(worst)), limit).at(Some(at)),
+        let most = radii_tolerance(LengthUnit::Millimetre);
+        let (asked, limit) = (Question::new("arcs", name, program), Text::same(mm(most)));
+        vec![if self.worst.seen() == 0 {
+            // A program without arcs is asked nothing.
+            asked.showing(Text::fixed("sin arcos", "no arcs"), limit).informs()
+        } else {
+            let asked = asked.showing(Text::same(mm(self.worst.value())), limit);
+            asked.within(&self.worst, most, |found, place| {
+                let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
+                let (difference, most, line) = (size(found.value()), size(most), found.line());
+                RadiiDiffer { line, difference, most, program: program.title.clone() }.at(place)
+            })
         }]
     }
 }

@@ -1,38 +1,15 @@
-//! A check: one question put to one program, with its answer.
+//! A question put to one program, and the check that it becomes once it is answered.
+//!
+//! A [`Question`] is no check until it is answered, and one for which nothing was looked at is answered with a stop whatever
+//! was measured: silence passes nothing. What is not asked at all, or has nothing to be held against, says so with
+//! [`Question::informs`].
 
-pub use crate::finding::FAULT;
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::{Finding, Grade, Place, Raise};
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
 use crate::number::shown;
-use crate::proof::track::Track;
+use crate::proof::rules::NothingSeen;
 use crate::text::Text;
-
-/// How a check ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
-    /// Within its limit.
-    Passed,
-    /// Worth knowing; nothing is held against it.
-    Note,
-    /// To be judged by a person.
-    Caution,
-    /// No program may be written.
-    Stop,
-}
-
-impl Verdict {
-    /// The verdict in a word.
-    #[must_use]
-    pub const fn name(self) -> Text {
-        match self {
-            Self::Passed => Text::fixed("Cumple", "Passed"),
-            Self::Note => Grade::Note.name(),
-            Self::Caution => Grade::Caution.name(),
-            Self::Stop => Grade::Stop.name(),
-        }
-    }
-}
 
 /// Where in a program something is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,15 +18,21 @@ pub struct At {
     pub line: usize,
     /// The block number.
     pub n: Option<u32>,
-    /// The track and the point index along it, continued between the points.
-    pub point: Option<(Track, f64)>,
+    /// What the program follows there, and the point index along it, continued between the points.
+    pub along: Option<(&'static Text, f64)>,
 }
 
 impl At {
+    /// A line of the text.
+    #[must_use]
+    pub const fn line(line: usize) -> Self {
+        Self { line, n: None, along: None }
+    }
+
     /// Where a motion is.
     #[must_use]
     pub const fn motion(motion: &Motion) -> Self {
-        Self { line: motion.line, n: motion.n, point: None }
+        Self { line: motion.line, n: motion.n, along: None }
     }
 
     /// The place in words.
@@ -57,8 +40,8 @@ impl At {
     pub fn words(&self) -> Text {
         let block = self.n.map(|n| format!(" (N{n})")).unwrap_or_default();
         let (mut es, mut en) = (format!("línea {}{block}", self.line), format!("line {}{block}", self.line));
-        if let Some((track, x)) = self.point {
-            let (name, x) = (track.name(), shown(x, 2));
+        if let Some((name, x)) = self.along {
+            let x = shown(x, 2);
             es.push_str(&format!(", {}, punto {x}", name.es));
             en.push_str(&format!(", {}, point {x}", name.en));
         }
@@ -66,94 +49,237 @@ impl At {
     }
 }
 
-/// A check with its answer.
+/// The greatest of what was measured, where it was first found, and of how much.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extreme {
+    value: f64,
+    at: Option<At>,
+    seen: usize,
+}
+
+impl Extreme {
+    /// Of nothing yet.
+    #[must_use]
+    pub const fn nothing() -> Self {
+        Self { value: 0.0, at: None, seen: 0 }
+    }
+
+    /// Takes a value in. One that is no number is beyond every limit, and stays.
+    pub fn take(&mut self, value: f64, at: impl Into<Option<At>>) {
+        if self.seen == 0 || value > self.value || (value.is_nan() && !self.value.is_nan()) {
+            (self.value, self.at) = (value, at.into());
+        }
+        self.seen += 1;
+    }
+
+    /// The greatest value; 0 where nothing was measured.
+    #[must_use]
+    pub const fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub const fn at(&self) -> Option<At> {
+        self.at
+    }
+
+    /// The line of the text where it is; 1 where it belongs to the program as a whole.
+    #[must_use]
+    pub fn line(&self) -> usize {
+        self.at.map_or(1, |at| at.line)
+    }
+
+    /// How much was measured.
+    #[must_use]
+    pub const fn seen(&self) -> usize {
+        self.seen
+    }
+}
+
+/// How a question was answered.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Check {
-    /// Its name in code, as `closure`.
-    pub key: &'static str,
-    /// What is asked.
-    pub name: Text,
-    /// The program's key.
-    pub program: &'static str,
-    /// The value found, with its unit.
-    pub value: Text,
-    /// The limit, with its unit; empty where there is none.
-    pub limit: Text,
-    /// Where the value was found; `None` where it belongs to the program as a whole.
-    pub at: Option<At>,
-    /// How it ended.
-    pub verdict: Verdict,
-    /// What was found, as a sentence; empty where the row of the table says it all.
-    what: Text,
-    remedy: Text,
-    place: Place,
+#[expect(clippy::large_enum_variant, reason = "some twenty a program")]
+pub enum Answer {
+    /// Within its limit.
+    Passed,
+    /// Worth knowing: it is no test, and nothing is held against its value.
+    Informs,
+    /// Something is to be said of it.
+    Found(Finding),
+}
+
+/// A question to a program that is not yet answered.
+#[derive(Clone, Debug)]
+#[must_use = "a question is to be answered"]
+pub struct Question {
+    key: &'static str,
+    name: Text,
+    program: &'static str,
+    title: Text,
+    value: Text,
+    limit: Text,
+    at: Option<At>,
+    parameters: Option<Vec<&'static str>>,
+    seen: usize,
 }
 
 const NOTHING: Text = Text::fixed("", "");
 
-impl Check {
-    /// A check that was passed.
-    #[must_use]
-    pub fn passed(key: &'static str, name: Text, program: &Program, value: Text, limit: Text) -> Self {
-        Self {
-            key,
-            name,
-            program: program.key,
-            value,
-            limit,
-            at: None,
-            verdict: Verdict::Passed,
-            what: NOTHING,
-            remedy: NOTHING,
-            place: Place::Block { program: program.key, line: 1 },
-        }
+impl Question {
+    /// A question by its key, as `closure`, and what is asked.
+    pub fn new(key: &'static str, name: Text, program: &Program) -> Self {
+        let title = program.title.clone();
+        let (value, limit) = (NOTHING, NOTHING);
+        Self { key, name, program: program.key, title, value, limit, at: None, parameters: None, seen: 0 }
     }
 
-    /// The check with the place where its value was found.
-    #[must_use]
+    /// The question with the value found and its limit, both with their units; an empty limit where there is none.
+    pub fn showing(mut self, value: Text, limit: Text) -> Self {
+        (self.value, self.limit) = (value, limit);
+        self
+    }
+
+    /// The question with the place where its value was found.
     pub fn at(mut self, at: Option<At>) -> Self {
-        if let (Some(at), Place::Block { line, .. }) = (at, &mut self.place) {
-            *line = at.line;
-        }
         self.at = at;
         self
     }
 
-    /// The check as one that was not passed: what was found and what to do about it.
-    #[must_use]
-    pub fn found(mut self, verdict: Verdict, what: Text, remedy: Text) -> Self {
-        (self.verdict, self.what, self.remedy) = (verdict, what, remedy);
-        self
-    }
-
-    /// The check as one that is for information: nothing is held against its value.
-    #[must_use]
-    pub fn informing(mut self) -> Self {
-        self.verdict = Verdict::Note;
-        self
-    }
-
-    /// The check with parameters as the place of its finding.
-    #[must_use]
+    /// The question with parameters as the place of what is found.
     pub fn of_parameters(mut self, keys: Vec<&'static str>) -> Self {
-        self.place = Place::Parameters(keys);
+        self.parameters = Some(keys);
         self
+    }
+
+    /// The question with how much was looked at for it.
+    pub const fn seen(mut self, seen: usize) -> Self {
+        self.seen = seen;
+        self
+    }
+
+    /// The question with place and number of what was measured.
+    pub const fn of(mut self, measured: &Extreme) -> Self {
+        (self.at, self.seen) = (measured.at, measured.seen);
+        self
+    }
+
+    /// Held against a limit: passed where what was measured is not beyond it.
+    #[must_use]
+    pub fn within(self, measured: &Extreme, limit: f64, otherwise: impl FnOnce(&Extreme, Place) -> Finding) -> Check {
+        self.of(measured).holds(measured.value <= limit, |place| otherwise(measured, place))
+    }
+
+    /// Held against what must be so; `otherwise` says what is found at a place.
+    #[must_use]
+    pub fn holds(self, yes: bool, otherwise: impl FnOnce(Place) -> Finding) -> Check {
+        self.unless((!yes).then_some(otherwise))
+    }
+
+    /// Passed unless there is something to be said of it, at a place.
+    #[must_use]
+    pub fn unless(self, found: Option<impl FnOnce(Place) -> Finding>) -> Check {
+        let line = self.at.map_or(1, |at| at.line);
+        let place = self.parameters.clone().map_or(Place::Block { program: self.program, line }, Place::Parameters);
+        let found = if self.seen == 0 {
+            let (check, program) = (self.name.clone(), self.title.clone());
+            NothingSeen { check, program }.at(Place::Block { program: self.program, line })
+        } else {
+            match found {
+                None => return Check { asked: self, answer: Answer::Passed },
+                Some(found) => found(place),
+            }
+        };
+        let found = found.with(self.value.en.as_ref(), self.limit.en.as_ref());
+        Check { asked: self, answer: Answer::Found(found) }
+    }
+
+    /// Passed: it was decided on the way.
+    #[must_use]
+    pub fn passes(self) -> Check {
+        self.unless(None::<fn(Place) -> Finding>)
+    }
+
+    /// Answered as what is no test: it is for information, or there is nothing to be asked.
+    #[must_use]
+    pub const fn informs(self) -> Check {
+        Check { asked: self, answer: Answer::Informs }
+    }
+}
+
+/// A question with its answer.
+#[derive(Clone, Debug)]
+pub struct Check {
+    asked: Question,
+    answer: Answer,
+}
+
+impl Check {
+    /// Its name in code, as `closure`.
+    #[must_use]
+    pub const fn key(&self) -> &'static str {
+        self.asked.key
+    }
+
+    /// What is asked.
+    #[must_use]
+    pub const fn name(&self) -> &Text {
+        &self.asked.name
+    }
+
+    /// The program's key.
+    #[must_use]
+    pub const fn program(&self) -> &'static str {
+        self.asked.program
+    }
+
+    /// The value found, with its unit.
+    #[must_use]
+    pub const fn value(&self) -> &Text {
+        &self.asked.value
+    }
+
+    /// The limit, with its unit; empty where there is none.
+    #[must_use]
+    pub const fn limit(&self) -> &Text {
+        &self.asked.limit
+    }
+
+    /// Where the value was found; `None` where it belongs to the program as a whole.
+    #[must_use]
+    pub const fn at(&self) -> Option<At> {
+        self.asked.at
+    }
+
+    /// How it was answered.
+    #[must_use]
+    pub const fn answer(&self) -> &Answer {
+        &self.answer
+    }
+
+    /// How grave the answer is; `None` where it was passed.
+    #[must_use]
+    pub const fn grade(&self) -> Option<Grade> {
+        match &self.answer {
+            Answer::Passed => None,
+            Answer::Informs => Some(Grade::Note),
+            Answer::Found(found) => Some(found.grade),
+        }
+    }
+
+    /// The answer in a word.
+    #[must_use]
+    pub fn word(&self) -> Text {
+        self.grade().map_or(Text::fixed("Cumple", "Passed"), Grade::name)
     }
 
     /// What there is to say of it beside its row in the table.
     #[must_use]
-    pub fn finding(&self) -> Option<Finding> {
-        let grade = match self.verdict {
-            Verdict::Passed => return None,
-            Verdict::Note => Grade::Note,
-            Verdict::Caution => Grade::Caution,
-            Verdict::Stop => Grade::Stop,
-        };
-        if self.what.is_empty() {
-            return None;
+    pub const fn finding(&self) -> Option<&Finding> {
+        match &self.answer {
+            Answer::Found(found) => Some(found),
+            Answer::Passed | Answer::Informs => None,
         }
-        let finding = Finding::new(grade, self.place.clone(), self.what.clone(), self.remedy.clone());
-        Some(finding.with(self.value.en.as_ref(), self.limit.en.as_ref()))
     }
 }
 
@@ -175,4 +301,57 @@ pub fn up(value: f64) -> f64 {
 pub fn bounded(lower: f64, upper: f64) -> Text {
     let (low, high) = (shown(-up(-lower), 4), mm(up(upper)));
     Text::new(format!("acotada entre {low} y {high}"), format!("bounded between {low} and {high}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{At, Extreme, Question};
+    use crate::finding::{Finding, Grade, Place};
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::program::Program;
+    use crate::gcode::word::NumberFormat;
+    use crate::machine::axis::Position;
+    use crate::text::Text;
+
+    fn question() -> Question {
+        let program = Program {
+            key: "hole",
+            title: Text::same("Hole"),
+            control: &LINUXCNC,
+            format: NumberFormat::Fixed,
+            block_step: None,
+            start: Position::default(),
+            parts: Vec::new(),
+        };
+        Question::new("path", Text::same("Path"), &program)
+    }
+
+    fn beyond(_: &Extreme, place: Place) -> Finding {
+        Finding::caution(place, Text::same("beyond"), Text::same("less"))
+    }
+
+    #[test]
+    fn a_question_for_which_nothing_was_looked_at_is_answered_with_a_stop() {
+        let check = question().within(&Extreme::default(), 1.0, beyond);
+        let found = check.finding().expect("a finding");
+        assert_eq!((found.grade, found.rule.map(|rule| rule.code)), (Grade::Stop, Some("V0001")));
+        assert_eq!(question().holds(true, |_| unreachable!()).grade(), Some(Grade::Stop));
+        assert_eq!(question().informs().grade(), Some(Grade::Note));
+        assert!(question().informs().finding().is_none());
+    }
+
+    #[test]
+    fn what_is_measured_is_held_against_its_limit_once_and_no_number_passes_none() {
+        let grade = |values: &[f64], limit: f64| {
+            let mut most = Extreme::default();
+            values.iter().zip(1..).for_each(|(value, line)| most.take(*value, At::line(line)));
+            question().within(&most, limit, beyond).grade()
+        };
+        assert_eq!(grade(&[1.0, 3.0, 2.0], 3.0), None);
+        assert_eq!(grade(&[1.0, 3.0, 2.0], 2.9), Some(Grade::Caution));
+        assert_eq!(grade(&[1.0, f64::NAN, 2.0], 3.0), Some(Grade::Caution));
+        let mut most = Extreme::default();
+        [2.0, 5.0, 5.0].into_iter().zip(4..).for_each(|(value, line)| most.take(value, At::line(line)));
+        assert_eq!((most.value(), most.line(), most.seen()), (5.0, 5, 3));
+    }
 }

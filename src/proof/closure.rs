@@ -1,11 +1,13 @@
 //! Closure: a program that is run again must start where it started.
 
+use crate::finding::Raise;
 use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
 use crate::number::shown;
-use crate::proof::check::{Check, FAULT, Verdict};
-use crate::proof::step::{Judge, SAME, Stage, Step};
+use crate::proof::check::{Check, Question};
+use crate::proof::rules::NotClosed;
+use crate::proof::step::{Judge, SAME, Step};
 use crate::text::Text;
 
 /// What a program leaves of C when it ends.
@@ -22,13 +24,14 @@ pub enum Turn {
 pub struct Closure {
     turn: Turn,
     ends: Option<[Pose; 2]>,
+    seen: usize,
 }
 
 impl Closure {
     /// The judge of a program that should leave this turn of C.
     #[must_use]
     pub const fn new(turn: Turn) -> Self {
-        Self { turn, ends: None }
+        Self { turn, ends: None, seen: 0 }
     }
 
     /// The sum of the increments seen: where the program ends, seen from where it starts.
@@ -40,12 +43,13 @@ impl Closure {
 
 impl Judge for Closure {
     fn see(&mut self, step: &Step<'_>) {
-        if !matches!(step.stage, Stage::Positioning) {
+        if step.at_work() {
             self.ends.get_or_insert([step.motion.from, step.motion.to])[1] = step.motion.to;
+            self.seen += 1;
         }
     }
 
-    fn checks(&mut self, program: &Program) -> Vec<Check> {
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let net = self.net();
         let (C_left, C_limit) = match self.turn {
             Turn::Whole => {
@@ -61,18 +65,8 @@ impl Judge for Closure {
             .join("  ");
         let name = Text::fixed("Cierre: suma de los incrementos", "Closure: sum of the increments");
         let limit = format!("X 0  Y 0  Z 0  B 0  {C_limit}");
-        let check = Check::passed("closure", name, program, Text::same(value), Text::same(limit));
-        vec![if closes {
-            check
-        } else {
-            check.found(
-                Verdict::Stop,
-                Text::new(
-                    format!("el programa «{}» no cierra", program.title.es),
-                    format!("program \"{}\" does not close", program.title.en),
-                ),
-                FAULT,
-            )
-        }]
+        let asked = Question::new("closure", name, program).showing(Text::same(value), Text::same(limit));
+        let open = |place| NotClosed { program: program.title.clone() }.at(place);
+        vec![asked.seen(self.seen).holds(closes, open)]
     }
 }

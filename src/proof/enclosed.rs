@@ -1,24 +1,36 @@
 //! What a judge has enclosed over the motions of a program: between the looks too, so that a pass is one of every place.
 
-use crate::gcode::program::Program;
+use crate::finding::{Finding, Place, Raise, Size};
 use crate::number::bound::Enclosure;
-use crate::proof::check::{At, Check, FAULT, Verdict, mm};
+use crate::proof::check::{At, Check, Question, mm, up};
+use crate::proof::rules::{NotEnclosed, OffByN, OffTolerance};
 use crate::text::Text;
 
 /// The greatest values of K questions, with where they were found.
 #[derive(Clone, Copy, Debug)]
 pub struct Enclosed<const K: usize> {
     /// The values.
-    pub found: Enclosure<K>,
+    found: Enclosure<K>,
     /// Where.
-    pub at: [Option<At>; K],
+    at: [Option<At>; K],
+    /// How many motions were taken in.
+    seen: usize,
+}
+
+/// Whose it is to mend what leaves its tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remedy {
+    /// The user's, with a greater N: a caution.
+    GreaterN,
+    /// rodete's own: a stop.
+    Fault,
 }
 
 impl<const K: usize> Enclosed<K> {
     /// Of no motion yet; see [`Enclosure::new`].
     #[must_use]
     pub const fn new(fine: [f64; K], limit: [f64; K], looks: u32) -> Self {
-        Self { found: Enclosure::new(fine, limit, looks), at: [None; K] }
+        Self { found: Enclosure::new(fine, limit, looks), at: [None; K], seen: 0 }
     }
 
     /// Takes a motion in; see [`Enclosure::take`].
@@ -32,6 +44,7 @@ impl<const K: usize> Enclosed<K> {
     ) {
         let before = self.found;
         self.found.take(looks, values, over, middle);
+        self.seen += usize::from(!looks.is_empty());
         for k in 0..K {
             if self.found.reached[k] > before.reached[k] || self.at[k].is_none() {
                 self.at[k] = Some(at);
@@ -42,73 +55,67 @@ impl<const K: usize> Enclosed<K> {
     /// What the `k`th is nowhere greater than; 0 where nothing was looked at.
     #[must_use]
     pub fn at_most(&self, k: usize) -> f64 {
-        if self.at[k].is_none() { 0.0 } else { self.found.at_most[k] }
+        if self.seen == 0 { 0.0 } else { self.found.at_most[k] }
     }
 
-    /// The greatest value seen of the `k`th.
+    /// The greatest value seen of the `k`th; 0 where nothing was looked at.
     #[must_use]
     pub fn reached(&self, k: usize) -> f64 {
-        if self.at[k].is_none() { 0.0 } else { self.found.reached[k] }
+        if self.seen == 0 { 0.0 } else { self.found.reached[k] }
+    }
+
+    /// Where that is.
+    #[must_use]
+    pub const fn at(&self, k: usize) -> Option<At> {
+        self.at[k]
+    }
+
+    /// The question with where the `k`th was found, and how many motions were looked at.
+    pub fn put(&self, asked: Question, k: usize) -> Question {
+        asked.at(self.at[k]).seen(self.seen)
+    }
+
+    /// The check that the `k`th length stays within its tolerance everywhere. `what` says what leaves what. What could not be
+    /// enclosed is a caution.
+    #[must_use]
+    pub fn within(&self, asked: Question, k: usize, tolerance: f64, what: Text, remedy: Remedy) -> Check {
+        let (reached, at_most) = (self.reached(k), self.at_most(k));
+        self.put(asked, k).holds(at_most <= tolerance, |place| beyond(reached, at_most, tolerance, what, remedy, place))
     }
 }
 
-/// The check that a length stays within its tolerance everywhere. `what` says what leaves what; a remedy is the user's, who
-/// gets a caution, or [`FAULT`], which is a stop. What could not be enclosed is a caution.
-#[must_use]
-pub fn within<const K: usize>(
-    check: Check,
-    worst: (&Enclosed<K>, usize),
-    tolerance: f64,
-    [es, en]: [&str; 2],
-    remedy: Text,
-) -> Check {
-    let (enclosed, k) = worst;
-    let (reached, at_most) = (enclosed.reached(k), enclosed.at_most(k));
-    let check = check.at(enclosed.at[k]);
-    let (off, limit) = (mm(reached), mm(tolerance));
-    if at_most <= tolerance {
-        check
-    } else if reached > tolerance {
-        let verdict = if remedy == FAULT { Verdict::Stop } else { Verdict::Caution };
-        let what =
-            Text::new(format!("{es} {off}; la tolerancia es {limit}"), format!("{en} {off}; the tolerance is {limit}"));
-        check.found(verdict, what, remedy)
-    } else {
-        let most = mm(at_most);
-        let what = Text::new(
-            format!(
-                "{es} {off} donde se ha mirado, y entre medias no se ha podido asegurar más que {most}; la tolerancia es {limit}"
-            ),
-            format!(
-                "{en} {off} where it was looked at, and between no more than {most} could be made sure of; the tolerance is {limit}"
-            ),
-        );
-        check.found(
-            Verdict::Caution,
-            what,
-            Text::fixed("más arc_tolerance, u otro N", "a greater arc_tolerance, or another N"),
-        )
+/// What is said of a length beyond its tolerance, or not known to be within.
+fn beyond(reached: f64, at_most: f64, tolerance: f64, what: Text, remedy: Remedy, place: Place) -> Finding {
+    let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
+    let (off, limit) = (size(reached), size(tolerance));
+    match remedy {
+        _ if reached.is_nan() || reached <= tolerance => {
+            NotEnclosed { what, off, most: size(at_most), limit }.at(place)
+        }
+        Remedy::GreaterN => OffByN { what, off, limit }.at(place),
+        Remedy::Fault => OffTolerance { what, off, limit }.at(place),
     }
 }
 
-/// A row of the table for a length that is nowhere greater.
+/// A length that is nowhere greater, rounded up, and its limit.
 #[must_use]
-pub fn row(key: &'static str, name: Text, program: &Program, at_most: f64, limit: f64) -> Check {
-    Check::passed(key, name, program, Text::same(format!("≤ {}", mm(at_most))), Text::same(mm(limit)))
+pub fn bound(at_most: f64, limit: f64) -> [Text; 2] {
+    [Text::same(format!("≤ {}", mm(up(at_most)))), Text::same(mm(limit))]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::finding::Grade;
     use crate::gcode::control::LINUXCNC;
+    use crate::gcode::program::Program;
     use crate::gcode::word::NumberFormat;
     use crate::machine::axis::Position;
 
-    /// The verdict on a length that is 1 mm where it is looked at, and between up to `over`.
-    fn verdict(over: f64, tolerance: f64, remedy: Text) -> Verdict {
+    /// The answer on a length that is 1 mm where it is looked at, and between up to `over`.
+    fn grade(over: f64, tolerance: f64, remedy: Remedy) -> Option<Grade> {
         let mut enclosed = Enclosed::new([0.0], [tolerance], 0);
-        let at = At { line: 1, n: None, point: None };
-        enclosed.take(at, &[0.0, 1.0], |_| [1.0], |_, _| [over], |one, _| *one);
+        enclosed.take(At::line(1), &[0.0, 1.0], |_| [1.0], |_, _| [over], |one, _| *one);
         let program = Program {
             key: "hole",
             title: Text::same(""),
@@ -118,16 +125,23 @@ mod tests {
             start: Position::default(),
             parts: Vec::new(),
         };
-        let check = row("path", Text::same(""), &program, enclosed.at_most(0), tolerance);
-        within(check, (&enclosed, 0), tolerance, ["", ""], remedy).verdict
+        let [value, limit] = bound(enclosed.at_most(0), tolerance);
+        let asked = Question::new("path", Text::same(""), &program).showing(value, limit);
+        enclosed.within(asked, 0, tolerance, Text::same(""), remedy).grade()
     }
 
     #[test]
     fn what_the_work_does_not_settle_is_not_passed() {
-        assert_eq!(verdict(1.1, 1.2, FAULT), Verdict::Passed);
-        assert_eq!(verdict(1.3, 1.2, FAULT), Verdict::Caution);
-        assert_eq!(verdict(f64::NAN, 1.2, FAULT), Verdict::Caution);
-        assert_eq!(verdict(1.1, 0.9, FAULT), Verdict::Stop);
-        assert_eq!(verdict(1.1, 0.9, Text::same("a greater N")), Verdict::Caution);
+        assert_eq!(grade(1.1, 1.2, Remedy::Fault), None);
+        assert_eq!(grade(1.3, 1.2, Remedy::Fault), Some(Grade::Caution));
+        assert_eq!(grade(f64::NAN, 1.2, Remedy::Fault), Some(Grade::Caution));
+        assert_eq!(grade(1.1, 0.9, Remedy::Fault), Some(Grade::Stop));
+        assert_eq!(grade(1.1, 0.9, Remedy::GreaterN), Some(Grade::Caution));
+    }
+
+    #[test]
+    fn a_bound_that_is_told_is_rounded_up() {
+        let [value, limit] = bound(0.050_01, 0.05);
+        assert_eq!((value.en.as_ref(), limit.en.as_ref()), ("≤ 0.0501 mm", "0.05 mm"));
     }
 }

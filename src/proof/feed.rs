@@ -5,6 +5,7 @@
 //! which is what an F word settles. F words are rounded to the slower side; by how much that
 //! slows the most is a check of its own, here and for pipes.
 
+use crate::finding::{Raise, Size};
 use crate::gcode::control::FeedLaw;
 use crate::gcode::feed_word::step;
 use crate::gcode::motion::{Motion, MotionKind};
@@ -13,22 +14,23 @@ use crate::machine::axis::Axis;
 use crate::machine::rotary::Rotary;
 use crate::machine::tip_way::longest;
 use crate::number::shown;
-use crate::proof::check::{At, Check, FAULT, Verdict};
-use crate::proof::step::{Judge, Stage, Step};
+use crate::proof::check::{At, Check, Extreme, Question};
+use crate::proof::rules::{AxisTooFast, CutWithoutFeed, DecimalsAssumed, FeedWordSlows, TipTooFast};
+use crate::proof::step::{Judge, Step};
 use crate::text::Text;
 
 /// By what part rounding the F word may slow a motion before a person must judge it.
 const SLOWER: f64 = 0.05;
 
-/// The check of what rounding the F words costs: by what part it slows a motion the most, and where; `None` for a program
-/// without F words.
+/// The check of what rounding the F words costs: by what part it slows a motion the most, and where; nothing is asked of a
+/// program without F words.
 #[must_use]
-pub fn feed_word(program: &Program, worst: Option<(f64, At)>) -> Check {
+pub fn feed_word(program: &Program, worst: &Extreme) -> Check {
     let name = Text::fixed("Palabra F: lo más que frena el redondeo", "F word: the most that rounding slows");
-    let Some((slower, at)) = worst else {
-        let none = Text::fixed("sin palabra F", "no F word");
-        return Check::passed("feed-word", name, program, none, Text::same("")).informing();
-    };
+    let asked = Question::new("feed-word", name, program);
+    if worst.seen() == 0 {
+        return asked.showing(Text::fixed("sin palabra F", "no F word"), Text::same("")).informs();
+    }
     let law = program.control.feed.law;
     let part = |part: f64| format!("{} %", shown(part * 100.0, 3));
     let limit = part(SLOWER);
@@ -38,29 +40,15 @@ pub fn feed_word(program: &Program, worst: Option<(f64, At)>) -> Check {
         }
         FeedLaw::Resultant | FeedLaw::InverseTime => Text::same(limit),
     };
-    let check = Check::passed("feed-word", name, program, Text::same(part(slower)), limit).at(Some(at));
-    if slower > SLOWER {
-        let (slower, line) = (part(slower), at.line);
-        return check.found(
-            Verdict::Caution,
-            Text::new(
-                format!("los decimales de F frenan la línea {line} de «{}» un {slower}", program.title.es),
-                format!("the decimals of F slow line {line} of \"{}\" by {slower}", program.title.en),
-            ),
-            Text::fixed("menos F, o tramos más largos", "a smaller F, or longer moves"),
-        );
+    let asked = asked.showing(Text::same(part(worst.value())), limit);
+    let slowed = |found: &Extreme, place| {
+        let (part, line) = (Size { value: found.value() * 100.0, unit: "%", decimals: 3 }, found.line());
+        FeedWordSlows { line, part, program: program.title.clone() }.at(place)
+    };
+    if law == FeedLaw::Seconds && worst.value() <= SLOWER {
+        return asked.of(worst).holds(false, |place| DecimalsAssumed {}.at(place));
     }
-    if law != FeedLaw::Seconds {
-        return check;
-    }
-    check.found(
-        Verdict::Note,
-        Text::fixed(
-            "F en G93 va a 0.0001 s, un supuesto: la página del manual del 8070 no da formato; un control de tres decimales acortaría un bloque hasta 0.0009 s",
-            "F in G93 goes to 0.0001 s, an assumption: the page of the 8070's manual gives no format; a control with three decimals would shorten a block by up to 0.0009 s",
-        ),
-        Text::fixed("pruébelo en el control antes de cortar", "try it on the control before cutting"),
-    )
+    asked.within(worst, SLOWER, slowed)
 }
 
 /// True where the F word of a motion lets it take the time that was planned, or longer by what rounding the word takes.
@@ -81,9 +69,11 @@ pub struct Feeds {
     machine: Rotary,
     F: Option<f64>,
     F_max: Option<f64>,
-    axis: Option<(f64, Axis, At)>,
-    tip: Option<(f64, At)>,
-    rounded: Option<(f64, At)>,
+    axis: Extreme,
+    /// The axis that is the fastest.
+    fastest: Axis,
+    tip: Extreme,
+    rounded: Extreme,
     without: Option<At>,
 }
 
@@ -91,14 +81,15 @@ impl Feeds {
     /// The judge of programs on a machine with a feed at the tip, mm/min, and the greatest of an axis, mm/min and °/min.
     #[must_use]
     pub const fn new(machine: Rotary, F: Option<f64>, F_max: Option<f64>) -> Self {
-        Self { machine, F, F_max, axis: None, tip: None, rounded: None, without: None }
+        let nothing = Extreme::nothing();
+        Self { machine, F, F_max, axis: nothing, fastest: Axis::X, tip: nothing, rounded: nothing, without: None }
     }
 }
 
 impl Judge for Feeds {
     fn see(&mut self, step: &Step<'_>) {
         let motion = &step.motion;
-        if matches!(motion.kind, MotionKind::Rapid) || matches!(step.stage, Stage::Positioning) {
+        if matches!(motion.kind, MotionKind::Rapid) || !step.at_work() {
             return;
         }
         let Some(seconds) = motion.seconds else {
@@ -108,100 +99,67 @@ impl Judge for Feeds {
         let at = At::motion(motion);
         let by = motion.to.differences(&motion.from);
         for axis in Axis::ALL {
-            let speed = by[axis as usize].abs() * 60.0 / seconds;
-            if self.axis.is_none_or(|(most, ..)| speed > most) {
-                self.axis = Some((speed, axis, at));
+            let before = self.axis;
+            self.axis.take(by[axis as usize].abs() * 60.0 / seconds, at);
+            if before.seen() == 0 || self.axis.value() > before.value() {
+                self.fastest = axis;
             }
         }
         let way = longest(self.machine, &motion.from, &motion.to);
         if let Some(F) = self.F {
             let greatest = by.iter().fold(0.0_f64, |most, by| most.max(by.abs()));
             let wanted = (way * 60.0 / F).max(self.F_max.map_or(0.0, |F_max| greatest * 60.0 / F_max));
-            let slower = seconds / wanted - 1.0;
-            if wanted > 0.0 && self.rounded.is_none_or(|(most, _)| slower > most) {
-                self.rounded = Some((slower, at));
+            if wanted > 0.0 {
+                self.rounded.take(seconds / wanted - 1.0, at);
             }
         }
-        let speed = way * 60.0 / seconds;
-        if self.tip.is_none_or(|(most, _)| speed > most) {
-            self.tip = Some((speed, at));
-        }
+        self.tip.take(way * 60.0 / seconds, at);
     }
 
-    fn checks(&mut self, program: &Program) -> Vec<Check> {
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let axis_name = Text::fixed("Velocidad del eje más rápido", "Speed of the fastest axis");
         let tip_name = Text::fixed("Avance de la punta sobre la pieza", "Feed of the tip over the part");
         let speed = |speed: f64, unit: &str| Text::same(format!("{} {unit}", shown(speed, 2)));
         let limit = |limit: Option<f64>, unit: &str| limit.map_or_else(|| Text::same(""), |limit| speed(limit, unit));
-        let unit = |axis: Axis| if axis.rotary() { "°/min" } else { "mm/min" };
+        let (axis, unit) = (self.fastest, if self.fastest.rotary() { "°/min" } else { "mm/min" });
         let none = Text::fixed("sin palabra F", "no F word");
-        let (Some((fastest, axis, axis_at)), Some((greatest, tip_at))) = (self.axis, self.tip) else {
-            let check = Check::passed("feed", tip_name, program, none, Text::same(""));
-            return vec![check.at(self.without).informing()];
+        if self.tip.seen() == 0 {
+            // Of a program without F words nothing is asked.
+            let asked = Question::new("feed", tip_name, program).showing(none, Text::same(""));
+            return vec![asked.at(self.without).informs()];
+        }
+        let value = Text::same(format!("{} {} {unit}", axis.letter(), shown(self.axis.value(), 2)));
+        let by_axis = Question::new("feed-axis", axis_name, program).showing(value, limit(self.F_max, unit));
+        let by_axis = match self.F_max {
+            None => by_axis.of(&self.axis).informs(),
+            Some(most) => by_axis.within(&self.axis, most * SLACK, |found, place| {
+                let (speed, limit) = (Size { value: found.value(), unit, decimals: 2 }, plain(most));
+                let (axis, line, program) = (axis.letter(), found.line(), program.title.clone());
+                AxisTooFast { axis, speed, line, program, limit }.at(place)
+            }),
         };
-        let value = Text::same(format!("{} {} {}", axis.letter(), shown(fastest, 2), unit(axis)));
-        let by_axis = Check::passed("feed-axis", axis_name, program, value, limit(self.F_max, unit(axis)));
-        let by_axis = by_axis.at(Some(axis_at));
-        let tip = Check::passed("feed-tip", tip_name, program, speed(greatest, "mm/min"), limit(self.F, "mm/min"));
-        let tip = tip.at(Some(tip_at));
-        let mut checks = vec![
-            match self.F_max {
-                None => by_axis.informing(),
-                Some(most) if fastest <= most * SLACK => by_axis,
-                Some(most) => {
-                    let (letter, unit) = (axis.letter(), unit(axis));
-                    let (fastest, most, line) = (shown(fastest, 2), shown(most, 2), axis_at.line);
-                    by_axis.found(
-                        Verdict::Stop,
-                        Text::new(
-                            format!(
-                                "{letter} va a {fastest} {unit} en la línea {line} de «{}»; F_max es {most}",
-                                program.title.es
-                            ),
-                            format!(
-                                "{letter} runs at {fastest} {unit} at line {line} of \"{}\"; F_max is {most}",
-                                program.title.en
-                            ),
-                        ),
-                        FAULT,
-                    )
-                }
-            },
-            match self.F {
-                None => tip.informing(),
-                Some(most) if greatest <= most * SLACK => tip,
-                Some(most) => {
-                    let (greatest, most, line) = (shown(greatest, 2), shown(most, 2), tip_at.line);
-                    tip.found(
-                        Verdict::Stop,
-                        Text::new(
-                            format!(
-                                "la punta va a {greatest} mm/min en la línea {line} de «{}»; F es {most}",
-                                program.title.es
-                            ),
-                            format!(
-                                "the tip runs at {greatest} mm/min at line {line} of \"{}\"; F is {most}",
-                                program.title.en
-                            ),
-                        ),
-                        FAULT,
-                    )
-                }
-            },
-        ];
-        checks.push(feed_word(program, self.rounded));
+        let tip = Question::new("feed-tip", tip_name, program);
+        let tip = tip.showing(speed(self.tip.value(), "mm/min"), limit(self.F, "mm/min"));
+        let tip = match self.F {
+            None => tip.of(&self.tip).informs(),
+            Some(most) => tip.within(&self.tip, most * SLACK, |found, place| {
+                let (speed, limit) = (Size { value: found.value(), unit: "mm/min", decimals: 2 }, plain(most));
+                TipTooFast { speed, line: found.line(), program: program.title.clone(), limit }.at(place)
+            }),
+        };
+        let mut checks = vec![by_axis, tip, feed_word(program, &self.rounded)];
         if let Some(at) = self.without {
             let name = Text::fixed("Movimiento de corte sin avance", "Cutting motion without feed");
-            let check = Check::passed("feed", name, program, none, Text::same("")).at(Some(at));
-            checks.push(check.found(
-                Verdict::Stop,
-                Text::new(
-                    format!("hay un movimiento de corte sin avance en la línea {} de «{}»", at.line, program.title.es),
-                    format!("there is a cutting motion without feed at line {} of \"{}\"", at.line, program.title.en),
-                ),
-                FAULT,
-            ));
+            let asked = Question::new("feed", name, program).showing(none, Text::same("")).at(Some(at)).seen(1);
+            checks.push(
+                asked.holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place)),
+            );
         }
         checks
     }
+}
+
+/// A number whose unit stands before it in the sentence.
+const fn plain(value: f64) -> Size {
+    Size { value, unit: "", decimals: 2 }
 }

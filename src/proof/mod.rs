@@ -1,24 +1,25 @@
 //! Judging programs: what a control would do with their text, held against the design.
 //!
-//! [`crate::kinds::impeller::proof::verify`] is the whole: each program is read back from its text once, motion by motion, and every judge
-//! sees each motion in turn ([`step`]), so that a program of any length takes no memory. A judge answers with
-//! [`check::Check`]s: the rows of the table of the verification, and the findings of those that failed.
+//! [`of`] is the whole: a program is read back from its text once, motion by motion, and every judge of its kind sees each
+//! motion in turn ([`step`]), so that a program of any length takes no memory. A judge answers with [`check::Check`]s: the rows
+//! of the table of the verification, and the findings of those that failed. What a kind must ask is a list of its own; a key
+//! of it that nobody answered is a stop, so that a judge left out stops the build.
 //!
 //! | judge | question |
 //! |---|---|
-//! | [`agreement`] | does the text say what was planned, point by point |
+//! | [`agreement`] | does the text say what was planned, move by move |
 //! | [`closure`] | does the program end where it began |
 //! | [`travel`] | do the axes stay within their travel |
 //! | [`turning`] | does C run on without a jump |
 //! | [`rollover`] | does it make the same motions whatever the rotary axes of the machine are |
 //! | [`feed`] | is no axis, and the tip, faster than it may be |
-//! | [`crate::kinds::impeller::proof::tip_path`] | how far does the tip leave its path between the blocks, and how fine must the steps be |
-//! | [`crate::kinds::impeller::proof::floor`] | how much deeper than the floor does the tool's rim cut |
-//! | [`crate::kinds::impeller::proof::flanks`] | does the tool keep clear of the other blades |
-//! | [`crate::kinds::impeller::proof::stock`] | does it keep clear of the stock where it does not cut |
-//! | [`text`] | are characters, numbers and lines such as the control takes them |
 //! | [`arcs`] | how well do the radii of an arc agree |
-//! | [`crate::kinds::impeller::proof::blank`] | does the turning program leave the torus, cut at the speeds and feeds asked for, and nowhere at rapid |
+//! | [`torch`] | does the torch burn in the cut only |
+//! | [`text`] | are characters, numbers and lines such as the control takes them |
+//! | [`account`] | what does the program come to: it asks nothing |
+//!
+//! The other judges are those of the kinds: [`impeller`](crate::kinds::impeller::proof), [`branch`](crate::kinds::pipe::insert::proof),
+//! [`hole`](crate::kinds::pipe::hole::proof).
 
 pub mod account;
 pub mod agreement;
@@ -28,9 +29,146 @@ pub mod closure;
 pub mod enclosed;
 pub mod feed;
 pub mod rollover;
+pub mod rules;
 pub mod step;
 pub mod text;
-pub mod track;
+pub mod torch;
 pub mod travel;
 pub mod turning;
 pub mod verification;
+
+use crate::finding::Raise;
+use crate::gcode::interpreter::{Interpreter, Setting};
+use crate::gcode::program::Program;
+use crate::proof::account::Account;
+use crate::proof::check::{Check, Question};
+use crate::proof::rules::NotAnswered;
+use crate::proof::step::{Judge, Plan, Steps};
+use crate::proof::verification::reading;
+use crate::text::Text;
+
+/// What came of one program.
+#[derive(Debug)]
+pub struct Judged {
+    /// Every check, in the order of the judges.
+    pub checks: Vec<Check>,
+    /// What it comes to.
+    pub account: Account,
+    /// How many bytes its text takes.
+    pub bytes: u64,
+}
+
+/// Reads a program back from its text and asks all judges, what is asked of every text among them. A text that the
+/// interpreter refuses is asked nothing else. Each key of `due` must be answered, by a check of that key or of one that begins
+/// with it and a hyphen.
+#[must_use]
+pub fn of(
+    program: &Program,
+    setting: Setting,
+    plan: Plan<'_>,
+    judges: Vec<Box<dyn Judge + '_>>,
+    due: &[&'static str],
+) -> Judged {
+    let mut judged = over(program, &mut program.read_back_with(setting), plan, judges, due);
+    let characters = text::read(program);
+    judged.bytes = characters.bytes();
+    judged.checks.push(characters.check());
+    judged
+}
+
+/// The same of a text in the place of the program's own, but for its characters.
+#[must_use]
+pub fn over(
+    program: &Program,
+    text: &mut Interpreter<'_>,
+    plan: Plan<'_>,
+    mut judges: Vec<Box<dyn Judge + '_>>,
+    due: &[&'static str],
+) -> Judged {
+    let (mut steps, mut account, mut before, mut fault) = (Steps::new(plan), Account::default(), None, None);
+    while let Some(motion) = text.next() {
+        let motion = match motion {
+            Ok(motion) => motion,
+            Err(found) => {
+                fault = Some(found);
+                break;
+            }
+        };
+        // Where the machine comes from is not known.
+        if let Some(before) = before {
+            account.take(&motion, &before);
+        }
+        before = Some(motion.machine);
+        let step = steps.next(motion, *text.in_force());
+        judges.iter_mut().for_each(|judge| judge.see(&step));
+    }
+    let mut checks = vec![reading(program, text, fault.as_deref())];
+    if fault.is_none() {
+        checks.extend(judges.into_iter().flat_map(|judge| judge.checks(program)));
+        let missing: Vec<Check> = due
+            .iter()
+            .filter(|key| !checks.iter().any(|check| answers(check, key)))
+            .map(|key| unanswered(program, key))
+            .collect();
+        checks.extend(missing);
+    }
+    Judged { checks, account, bytes: 0 }
+}
+
+/// True for a check that answers what is due.
+fn answers(check: &Check, due: &str) -> bool {
+    check.key().strip_prefix(due).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+}
+
+/// The stop for what nobody answered.
+fn unanswered(program: &Program, key: &'static str) -> Check {
+    let name = Text::new(format!("Comprobación pendiente: {key}"), format!("Check that is due: {key}"));
+    let asked = Question::new(key, name, program).seen(1);
+    asked.holds(false, |place| NotAnswered { check: key, program: program.title.clone() }.at(place))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Plan, of};
+    use crate::finding::Grade;
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::program::{Part, Program};
+    use crate::gcode::word::{NumberFormat, Word};
+    use crate::machine::axis::Position;
+    use crate::proof::check::{Check, Question};
+    use crate::proof::step::{Judge, Step};
+    use crate::text::Text;
+
+    /// Answers for information.
+    struct Word0(&'static str);
+
+    impl Judge for Word0 {
+        fn see(&mut self, _: &Step<'_>) {}
+
+        fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+            vec![Question::new(self.0, Text::same("Name"), program).informs()]
+        }
+    }
+
+    #[test]
+    fn a_check_that_is_due_and_that_no_judge_answers_is_a_stop() {
+        let program = Program {
+            key: "hole",
+            title: Text::same("Hole"),
+            control: &LINUXCNC,
+            format: NumberFormat::Fixed,
+            block_step: None,
+            start: Position::default(),
+            parts: vec![Part::Block(vec![Word::whole('M', 2)])],
+        };
+        let stops = |answered: &'static str| {
+            let judged =
+                of(&program, program.setting(), Plan::of(&program), vec![Box::new(Word0(answered))], &["feed"]);
+            let stopped = judged.checks.iter().filter(|check| check.grade() == Some(Grade::Stop));
+            stopped.map(|check| (check.key(), check.finding().unwrap().rule.unwrap().code)).collect::<Vec<_>>()
+        };
+        assert_eq!(stops("feed"), []);
+        assert_eq!(stops("feed-axis"), []);
+        assert_eq!(stops("feeding"), [("feed", "V0002")]);
+    }
+}

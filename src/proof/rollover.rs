@@ -4,12 +4,14 @@
 //! The text is read back twice, once with each setting, with B and C at 0 before. A program that makes the same motions under
 //! both is true for any machine; one that does not is written only for axes that the workbook says are linear.
 
+use crate::finding::Raise;
 use crate::gcode::control::Rotary;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
-use crate::proof::check::{At, Check, FAULT, Verdict};
-use crate::proof::step::same;
+use crate::proof::check::{At, Check, Question};
+use crate::proof::rules::OtherwiseOnRollover;
+use crate::proof::step::{Judge, Step, same};
 use crate::text::Text;
 
 /// Reads a program back under both settings. `counting` is what the workbook says, or the control is delivered with.
@@ -18,7 +20,7 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
     let setting = |rotary| Setting { rotary, ..program.setting() };
     let mut linear = program.read_back_with(setting(Rotary::Linear));
     let mut rollover = program.read_back_with(setting(Rotary::Rollover));
-    let (mut motions, mut differs) = (0_u64, None);
+    let (mut motions, mut differs) = (0_usize, None);
     loop {
         match (linear.next(), rollover.next()) {
             (None, None) => break,
@@ -29,32 +31,38 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
             }
             // A text that is refused under both settings is told by the reading of it.
             (Some(Err(fault)), _) | (None, Some(Err(fault))) => {
-                differs = Some(At { line: fault.line, n: None, point: None });
+                differs = Some(At::line(fault.line));
                 break;
             }
         }
     }
     let name = Text::fixed("Ejes rotativos: para qué máquina vale", "Rotary axes: which machine it is true for");
+    let asked = Question::new("rotary", name, program).at(differs);
+    let limit = Text::same(counting.name());
     let Some(at) = differs else {
         let value = Text::new(
             format!("rollover y linear: los mismos {motions} movimientos"),
             format!("rollover and linear: the same {motions} motions"),
         );
-        return Check::passed("rotary", name, program, value, Text::same(counting.name()));
+        return asked.showing(value, limit).seen(motions).passes();
     };
-    let value = Text::fixed("sólo linear", "linear only");
-    let check = Check::passed("rotary", name, program, value, Text::same(counting.name())).at(Some(at));
+    let asked = asked.showing(Text::fixed("sólo linear", "linear only"), limit).seen(motions + 1);
     if counting == Rotary::Linear {
-        return check.informing();
+        return asked.informs();
     }
-    check.found(
-        Verdict::Stop,
-        Text::new(
-            format!("«{}» gira de otro modo con ejes rollover, desde la {}", program.title.es, at.words().es),
-            format!("\"{}\" turns otherwise on rollover axes, from {} on", program.title.en, at.words().en),
-        ),
-        FAULT,
-    )
+    asked.holds(false, |place| OtherwiseOnRollover { at: at.words(), program: program.title.clone() }.at(place))
+}
+
+/// Asks it of the program's own text, when that has been read.
+#[derive(Clone, Copy, Debug)]
+pub struct Rollover(pub Rotary);
+
+impl Judge for Rollover {
+    fn see(&mut self, _: &Step<'_>) {}
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        vec![check(program, self.0)]
+    }
 }
 
 fn alike(one: &Motion, other: &Motion) -> bool {

@@ -1,12 +1,13 @@
 //! The motions of a program beside its plan, and what a judge is.
 
-use crate::gcode::interpreter::Fault;
+use std::fmt;
+use std::iter::Peekable;
+
+use crate::gcode::in_force::InForce;
 use crate::gcode::motion::{Motion, MotionKind};
-use crate::gcode::program::{Move, Moves, Program, Role};
+use crate::gcode::program::{Path, Program};
 use crate::machine::axis::{Axis, Pose};
-use crate::number::grid::Milli;
 use crate::proof::check::Check;
-use crate::proof::track::Track;
 
 /// Positions closer than this are one: a hundredth of the output grid, far above what sums of increments lose.
 pub const SAME: f64 = 1e-5;
@@ -17,14 +18,119 @@ pub fn same(one: &Pose, other: &Pose) -> bool {
     one.differences(other).iter().all(|difference| difference.abs() < SAME)
 }
 
+/// How a planned move runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Run {
+    /// At rapid.
+    Rapid,
+    /// Straight, at feed.
+    Straight,
+    /// Along an arc.
+    Arc {
+        /// To the right: G2.
+        clockwise: bool,
+        /// Its radius, mm.
+        radius: f64,
+    },
+}
+
+/// How long a planned move takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Time {
+    /// What the machine needs, or what a judge of its own asks for.
+    Free,
+    /// It carries no feed.
+    Unknown,
+    /// So many seconds.
+    Seconds(f64),
+}
+
+/// A move of the plan.
+#[derive(Clone, Copy, Debug)]
+pub struct Planned<'a> {
+    /// Where it starts.
+    pub from: Pose,
+    /// Where it ends.
+    pub to: Pose,
+    /// How it runs.
+    pub run: Run,
+    /// How long it takes.
+    pub time: Time,
+    /// Its line in the program's text, counted from 1, where the plan knows it.
+    pub line: Option<usize>,
+    /// Its number in the kind's own list of moves.
+    pub leg: usize,
+    /// Its path and its number in that, where the program was written along paths.
+    pub path: Option<(&'a Path, usize)>,
+}
+
+/// Where a plan begins.
+#[derive(Clone, Copy, Debug)]
+enum Begin {
+    /// At its first position. A program that does not find it itself begins wherever the machine stands, and is moved there;
+    /// the line that takes the tool away is none of the plan's.
+    Position { start: Pose, found: bool, away: Option<usize> },
+    /// With the first motion that is not rapid.
+    Pierce,
+}
+
+/// What a program is meant to do, move by move.
+pub struct Plan<'a> {
+    begin: Begin,
+    moves: Peekable<Box<dyn Iterator<Item = Planned<'a>> + 'a>>,
+}
+
+impl fmt::Debug for Plan<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Plan").field("begin", &self.begin).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Plan<'a> {
+    /// The moves along the paths of a program.
+    #[must_use]
+    pub fn of(program: &'a Program) -> Self {
+        let moves = program.moves().enumerate().map(|(leg, planned)| {
+            let rapid = planned.path.rapid;
+            let time = match planned.path.seconds(planned.step) {
+                _ if rapid => Time::Free,
+                None => Time::Unknown,
+                Some(seconds) => Time::Seconds(seconds),
+            };
+            Planned {
+                from: Pose::from(planned.from),
+                to: Pose::from(planned.to),
+                run: if rapid { Run::Rapid } else { Run::Straight },
+                time,
+                line: Some(planned.line),
+                leg,
+                path: Some((planned.path, planned.step)),
+            }
+        });
+        let (start, found, away) = (Pose::from(program.start), program.finds_its_start(), program.away());
+        let moves: Box<dyn Iterator<Item = Planned<'a>> + 'a> = Box::new(moves);
+        Self { begin: Begin::Position { start, found, away }, moves: moves.peekable() }
+    }
+
+    /// The moves of a torch from where it pierces: what is rapid before the first other motion brings it there.
+    #[must_use]
+    pub fn from_the_pierce(moves: impl Iterator<Item = Planned<'a>> + 'a) -> Self {
+        let moves: Box<dyn Iterator<Item = Planned<'a>> + 'a> = Box::new(moves);
+        Self { begin: Begin::Pierce, moves: moves.peekable() }
+    }
+}
+
 /// What a motion is to the plan.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "one at a time, and most are of the largest")]
 pub enum Stage<'a> {
+    /// It goes nowhere, or takes the tool away first of all: a dwell, a rapid move to where the machine stands.
+    Still,
     /// It brings the machine to the start: where it comes from is not known.
     Positioning,
     /// It answers to this move.
-    Planned(Move<'a>),
-    /// The plan has ended.
+    Planned(Planned<'a>),
+    /// The plan has ended, or there is none.
     Unplanned,
 }
 
@@ -33,46 +139,27 @@ pub enum Stage<'a> {
 pub struct Step<'a> {
     /// The motion, in program coordinates.
     pub motion: Motion,
+    /// What the control has in force during it.
+    pub in_force: InForce,
     /// What it is to the plan.
     pub stage: Stage<'a>,
 }
 
-/// A motion that cuts.
-#[derive(Clone, Copy, Debug)]
-pub struct TrackStep {
-    /// The track.
-    pub track: Track,
-    /// How far C is turned on beyond the track's own position.
-    pub turn: Milli,
-    /// The point index from which it runs and that to which it runs; `None` for the safe point.
-    pub points: [Option<usize>; 2],
-}
-
 impl Step<'_> {
-    /// What of a track the motion cuts, or leaves.
+    /// True for a motion that belongs to the plan, or should: the machine neither stands nor is on its way to the start.
     #[must_use]
-    pub fn cut(&self) -> Option<TrackStep> {
-        let Stage::Planned(planned) = self.stage else { return None };
-        let path = planned.path;
-        let index = |step: usize| if path.backwards { path.positions.len().checked_sub(step + 1) } else { Some(step) };
-        let (key, points) = match path.role {
-            Role::Clear => return None,
-            Role::Cut(key) => (key, [planned.step.checked_sub(1).and_then(index), index(planned.step)]),
-            Role::Leave(key) => (key, [None, None]),
-        };
-        Some(TrackStep { track: Track::from_key(key)?, turn: path.turn, points })
-    }
-
-    /// True for a motion that should be clear of the part.
-    #[must_use]
-    pub const fn clear(&self) -> bool {
-        matches!(self.stage, Stage::Planned(Move { path, .. }) if matches!(path.role, Role::Clear))
+    pub const fn at_work(&self) -> bool {
+        matches!(self.stage, Stage::Planned(_) | Stage::Unplanned)
     }
 
     /// Where a judge that watches positions must look: the end, and the beginning where it is known.
     pub fn ends(&self) -> impl Iterator<Item = &Pose> {
-        let known = !matches!(self.stage, Stage::Positioning);
-        known.then_some(&self.motion.from).into_iter().chain([&self.motion.to])
+        let (from, to) = match self.stage {
+            Stage::Still => (false, false),
+            Stage::Positioning => (false, true),
+            Stage::Planned(_) | Stage::Unplanned => (true, true),
+        };
+        from.then_some(&self.motion.from).into_iter().chain(to.then_some(&self.motion.to))
     }
 }
 
@@ -82,80 +169,60 @@ pub trait Judge {
     fn see(&mut self, step: &Step<'_>);
 
     /// The answers, when the program has ended.
-    fn checks(&mut self, program: &Program) -> Vec<Check>;
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check>;
 }
 
-/// The motions of a program beside its moves. Motions of no length and dwells are passed over, as in the plan.
-///
-/// A program that does not find its start is moved to where the plan starts.
+/// Puts the motions of a program beside its plan.
 #[derive(Debug)]
-pub struct Steps<'a, I> {
-    motions: I,
-    plan: Moves<'a>,
-    next: Option<Move<'a>>,
-    start: Pose,
+pub struct Steps<'a> {
+    plan: Plan<'a>,
     shift: Option<[f64; 9]>,
-    away: Option<usize>,
     started: bool,
 }
 
-impl<'a, I: Iterator<Item = Result<Motion, Box<Fault>>>> Steps<'a, I> {
-    /// The steps of a program whose text gave these motions.
+impl<'a> Steps<'a> {
+    /// For the motions of a program with this plan.
     #[must_use]
-    pub fn new(program: &'a Program, motions: I) -> Self {
-        let mut plan = program.moves();
-        let next = plan.next();
-        let shift = program.finds_its_start().then_some([0.0; 9]);
-        Self { motions, plan, next, start: Pose::from(program.start), shift, away: program.away(), started: false }
+    pub const fn new(plan: Plan<'a>) -> Self {
+        Self { plan, shift: None, started: false }
     }
-}
 
-impl<'a, I: Iterator<Item = Result<Motion, Box<Fault>>>> Iterator for Steps<'a, I> {
-    type Item = Result<Step<'a>, Box<Fault>>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        loop {
-            let mut motion = match self.motions.next()? {
-                Ok(motion) => motion,
-                Err(fault) => return Some(Err(fault)),
-            };
-            let shift = *self.shift.get_or_insert_with(|| self.start.differences(&motion.from));
+    /// The next motion of the text beside its plan.
+    pub fn next(&mut self, mut motion: Motion, in_force: InForce) -> Step<'a> {
+        if let Begin::Position { start, found, .. } = self.plan.begin {
+            let shift = if found { [0.0; 9] } else { start.differences(&motion.from) };
+            let shift = *self.shift.get_or_insert(shift);
             for axis in Axis::ALL {
                 for pose in [&mut motion.from, &mut motion.to] {
                     pose.set(axis, pose.get(axis) + shift[axis as usize]);
                 }
             }
-            // Where the tool is taken away to may be a place of the machine: it is none of the program's positions.
-            let away = self.away == Some(motion.line);
-            if away || matches!(motion.kind, MotionKind::Dwell(_)) || same(&motion.from, &motion.to) {
-                continue;
-            }
-            let before = self.next.is_some_and(|planned| motion.line < planned.line);
-            if !self.started && !same(&motion.from, &self.start) && before {
-                return Some(Ok(Step { motion, stage: Stage::Positioning }));
-            }
-            self.started = true;
-            let stage = self.next.map_or(Stage::Unplanned, Stage::Planned);
-            self.next = self.plan.next();
-            return Some(Ok(Step { motion, stage }));
         }
+        let stage = self.stage(&motion);
+        Step { motion, in_force, stage }
     }
-}
 
-/// Lets all judges see all motions of a program.
-///
-/// # Errors
-/// Passes on what the interpreter refuses.
-pub fn watch(
-    program: &Program,
-    motions: impl Iterator<Item = Result<Motion, Box<Fault>>>,
-    judges: &mut [&mut dyn Judge],
-) -> Result<(), Box<Fault>> {
-    for step in Steps::new(program, motions) {
-        let step = step?;
-        for judge in &mut *judges {
-            judge.see(&step);
+    fn stage(&mut self, motion: &Motion) -> Stage<'a> {
+        let rapid = matches!(motion.kind, MotionKind::Rapid);
+        if matches!(motion.kind, MotionKind::Dwell(_)) {
+            return Stage::Still;
         }
+        let still = rapid && same(&motion.from, &motion.to);
+        match self.plan.begin {
+            // Where the tool is taken away to may be a place of the machine: it is none of the program's positions.
+            Begin::Position { away, .. } if still || away == Some(motion.line) => return Stage::Still,
+            Begin::Position { start, .. } => {
+                let before = self.plan.moves.peek().and_then(|planned| planned.line);
+                let before = before.is_some_and(|line| motion.line < line);
+                if !self.started && !same(&motion.from, &start) && before {
+                    return Stage::Positioning;
+                }
+            }
+            Begin::Pierce if rapid && !self.started => return Stage::Positioning,
+            Begin::Pierce if still => return Stage::Still,
+            Begin::Pierce => {}
+        }
+        self.started = true;
+        self.plan.moves.next().map_or(Stage::Unplanned, Stage::Planned)
     }
-    Ok(())
 }

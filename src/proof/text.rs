@@ -5,11 +5,13 @@
 //! digits before and three after the point, never −0, an exponent or a comma, and always with three decimals where the
 //! layout is fixed, times of a move in seconds with four and inverse times below 1 with six; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
 
+use crate::finding::Raise;
 use crate::gcode::comment;
 use crate::gcode::control::{CommentForm, FeedLaw, Opening};
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
-use crate::proof::check::{At, Check, FAULT, Verdict};
+use crate::proof::check::{At, Check, Question};
+use crate::proof::rules::CharactersRefused;
 use crate::text::Text;
 
 /// The most characters of a line: LinuxCNC's limit, the least of the dialects'.
@@ -49,7 +51,7 @@ impl<'a> Characters<'a> {
             && let Err(fault) = self.judge(line)
         {
             let n = line.strip_prefix('N').and_then(|rest| rest.split(' ').next()?.parse().ok());
-            self.fault = Some((At { line: self.lines, n, point: None }, fault));
+            self.fault = Some((At { n, ..At::line(self.lines) }, fault));
         }
     }
 
@@ -120,18 +122,10 @@ impl<'a> Characters<'a> {
             format!("{}; ±5.3 cifras; {LONGEST}", program.control.name),
             format!("{}; ±5.3 digits; {LONGEST}", program.control.name),
         );
-        let check = Check::passed("characters", name, program, value, limit);
-        match self.fault {
-            None => check,
-            Some((at, fault)) => check.at(Some(at)).found(
-                Verdict::Stop,
-                Text::new(
-                    format!("el control no toma la línea {} de «{}»: {}", at.line, program.title.es, fault.es),
-                    format!("the control does not take line {} of \"{}\": {}", at.line, program.title.en, fault.en),
-                ),
-                FAULT,
-            ),
-        }
+        let asked = Question::new("characters", name, program).showing(value, limit).seen(lines);
+        asked.at(self.fault.as_ref().map(|(at, _)| *at)).unless(self.fault.map(|(at, fault)| {
+            move |place| CharactersRefused { line: at.line, fault, program: program.title.clone() }.at(place)
+        }))
     }
 }
 

@@ -1,10 +1,12 @@
 //! Axis travel: no position of a program may lie beyond the machine's limits. Program coordinates, mm and degrees.
 
+use crate::finding::{Raise, Size};
 use crate::gcode::program::Program;
 use crate::machine::axis::Axis;
 use crate::machine::travel::{Excess, Travel, excess};
 use crate::number::shown;
-use crate::proof::check::{At, Check, Verdict};
+use crate::proof::check::{At, Check, Question};
+use crate::proof::rules::AxisLeavesTravel;
 use crate::proof::step::{Judge, Step};
 use crate::text::Text;
 
@@ -19,6 +21,8 @@ struct AxisRange {
     ends: Option<[f64; 2]>,
     /// Where the limit was first left, and the greatest excess.
     left: Option<(At, Excess)>,
+    /// How many positions were looked at.
+    seen: usize,
 }
 
 /// Holds a program against the travel of its axes.
@@ -37,7 +41,7 @@ impl Axes {
         ];
         Self(axes.map(|(axis, keys)| {
             let limit = limits.iter().find(|(letter, _)| *letter == axis.letter()).map_or([None, None], |one| one.1);
-            AxisRange { axis, limit, keys, ends: None, left: None }
+            AxisRange { axis, limit, keys, ends: None, left: None, seen: 0 }
         }))
     }
 }
@@ -47,6 +51,7 @@ impl Judge for Axes {
         for pose in step.ends() {
             for run in &mut self.0 {
                 let position = pose.get(run.axis);
+                run.seen += 1;
                 let [low, high] = run.ends.get_or_insert([position; 2]);
                 (*low, *high) = (low.min(position), high.max(position));
                 let Some(found) = excess(run.limit, position) else { continue };
@@ -59,7 +64,7 @@ impl Judge for Axes {
         }
     }
 
-    fn checks(&mut self, program: &Program) -> Vec<Check> {
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         self.0.iter().map(|run| run.check(program)).collect()
     }
 }
@@ -75,28 +80,25 @@ impl AxisRange {
         let value = range(self.ends.map_or([None, None], |ends| ends.map(Some)));
         let known = self.limit.iter().any(Option::is_some);
         let limit = if known { range(self.limit) } else { String::new() };
-        let check = Check::passed("travel", name, program, Text::same(value), Text::same(limit));
-        let Some((at, worst)) = self.left else {
-            return if known { check } else { check.informing() };
+        let asked =
+            Question::new("travel", name, program).showing(Text::same(value), Text::same(limit)).seen(self.seen);
+        if !known {
+            return asked.informs();
+        }
+        let asked = match self.left {
+            None => asked,
+            Some((at, worst)) => asked.at(Some(at)).of_parameters(vec![self.key(&worst)]),
         };
-        let key = self.keys[usize::from(worst.position > worst.limit)];
-        let (position, limit, line) = (shown(worst.position, 3), shown(worst.limit, 3), at.line);
-        check.at(Some(at)).of_parameters(vec![key]).found(
-            Verdict::Stop,
-            Text::new(
-                format!(
-                    "el eje {letter} llega a {position}{unit} en «{}», desde la línea {line}; su límite es {limit}{unit}",
-                    program.title.es
-                ),
-                format!(
-                    "axis {letter} goes to {position}{unit} in \"{}\", from line {line} on; its limit is {limit}{unit}",
-                    program.title.en
-                ),
-            ),
-            Text::new(
-                format!("compruebe {key}, la longitud de pivote y el cero, o mecanice en otra máquina"),
-                format!("check {key}, the pivot length and the zero, or use another machine"),
-            ),
-        )
+        asked.unless(self.left.map(|(at, worst)| {
+            let size = |value: f64| Size { value, unit: unit.trim_start(), decimals: 3 };
+            let (position, limit, key) = (size(worst.position), size(worst.limit), self.key(&worst));
+            let (axis, program) = (letter, program.title.clone());
+            move |place| AxisLeavesTravel { axis, position, limit, key, line: at.line, program }.at(place)
+        }))
+    }
+
+    /// The parameter of the limit that is left.
+    fn key(&self, worst: &Excess) -> &'static str {
+        self.keys[usize::from(worst.position > worst.limit)]
     }
 }

@@ -1,12 +1,12 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::{FAULT, Finding, Grade, Place, Raise};
 use crate::gcode::interpreter::{Fault, Interpreter};
 use crate::gcode::program::Program;
 use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
-use crate::gcode::word::Word;
-use crate::proof::check::{At, Check, FAULT, Verdict};
-use crate::proof::text;
+use crate::proof::Judged;
+use crate::proof::check::{At, Check, Question};
+use crate::proof::rules::{ChecksPassed, MemoryExceeded, ReadWithRemark, TextRefused};
 use crate::table::{Column, Index, Print, Table};
 use crate::text::Text;
 
@@ -25,158 +25,51 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>)
     let lines = text.lines();
     let name = Text::fixed("Leído de nuevo por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
-    let check = Check::passed("reading", name, program, value, Text::same(program.control.name));
+    let asked = Question::new("reading", name, program).showing(value, Text::same(program.control.name));
+    let title = || program.title.clone();
     if let Some(fault) = fault {
-        let at = At { line: fault.line, n: None, point: None };
-        let what = Text::new(
-            format!("el control no toma la línea {} de «{}»: {}", fault.line, program.title.es, fault.what.es),
-            format!("the control does not take line {} of \"{}\": {}", fault.line, program.title.en, fault.what.en),
-        );
-        let remedy = if fault.remedy.is_empty() { FAULT } else { fault.remedy.clone() };
-        return check.at(Some(at)).found(Verdict::Stop, what, remedy);
+        let asked = asked.at(Some(At::line(fault.line))).seen(1);
+        let todo = if fault.remedy.is_empty() { FAULT } else { fault.remedy.clone() };
+        let refused = TextRefused { line: fault.line, program: title(), fault: fault.what.clone(), todo };
+        return asked.holds(false, |place| refused.at(place));
     }
     // Of feeds and of the limit of the speed their judges speak.
     let theirs = [NoFeed::RULE, NoSpeedLimit::RULE];
     let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.iter().any(|rule| remark.is(rule));
-    match text.remarks().into_iter().find(own) {
-        None => check,
-        Some(remark) => check.found(
-            Verdict::Caution,
-            Text::new(
-                format!("«{}»: {}", program.title.es, remark.what.es),
-                format!("\"{}\": {}", program.title.en, remark.what.en),
-            ),
-            remark.remedy,
-        ),
-    }
-}
-
-/// The check that every motion is as planned: how many agreed, how many were planned, and where the first was another.
-#[must_use]
-pub fn as_planned(program: &Program, agreed: usize, planned: usize, different: Option<(At, Text)>) -> Check {
-    let title = &program.title;
-    let name = Text::fixed("Cada movimiento, como en el plan", "Every motion as planned");
-    let value = Text::new(format!("{agreed} movimientos"), format!("{agreed} motions"));
-    let check = Check::passed("agreement", name, program, value, Text::same(planned.to_string()));
-    let ended = || {
-        let what = Text::new(
-            format!("el texto acaba tras {agreed} movimientos de {planned}"),
-            format!("the text ends after {agreed} of {planned} motions"),
-        );
-        (At { line: 1, n: None, point: None }, what)
-    };
-    match different.or_else(|| (agreed != planned).then(ended)) {
-        None => check,
-        Some((at, what)) => check.at(Some(at)).found(
-            Verdict::Stop,
-            Text::new(
-                format!("«{}» no es lo planeado en la {}: {}", title.es, at.words().es, what.es),
-                format!("\"{}\" is not what was planned at {}: {}", title.en, at.words().en, what.en),
-            ),
-            FAULT,
-        ),
-    }
-}
-
-/// The check that the torch burns over the feed moves and over no rapid move, from the text. Of a program without the codes
-/// that turn it on and off, as the published one, the moves are only counted.
-#[must_use]
-pub fn torch(program: &Program, codes: Option<[&[Word]; 2]>) -> Check {
-    let name = Text::fixed("Antorcha: encendida solo en el corte", "Torch: on in the cut only");
-    let written = |codes: &[Word]| {
-        let mut block = String::new();
-        codes.iter().for_each(|word| word.write(program.format, &mut block));
-        block
-    };
-    let codes = codes.map(|codes| codes.map(written));
-    let (mut burning, mut line, mut cuts, mut wrong) = (false, 0, 0, None);
-    let mut lines = program.lines();
-    while let Some((_, text)) = lines.next() {
-        line += 1;
-        let first = text.split(' ').next().unwrap_or_default();
-        let rapid = matches!(first, "G0");
-        let feed = matches!(first, "G1" | "G2" | "G3" | "G01" | "G02" | "G03");
-        if let Some([on, off]) = &codes {
-            burning = text == on || burning && text != off;
-        }
-        cuts += usize::from(feed);
-        if feed != burning && (feed || rapid) {
-            wrong.get_or_insert(line);
-        }
-    }
-    if burning {
-        wrong.get_or_insert(line);
-    }
-    let value = Text::new(format!("{cuts} movimientos de corte"), format!("{cuts} cutting moves"));
-    let check = Check::passed("torch", name, program, value, Text::same(""));
-    match wrong {
-        _ if codes.is_none() => check.informing(),
-        None => check,
-        Some(line) => check.at(Some(At { line, n: None, point: None })).found(
-            Verdict::Stop,
-            Text::new(
-                format!("la antorcha no está como debe en la línea {line}"),
-                format!("the torch is not as it should be at line {line}"),
-            ),
-            FAULT,
-        ),
-    }
+    let remark = text.remarks().into_iter().find(own);
+    asked.seen(lines).unless(remark.map(|Finding { what, remedy, .. }| {
+        let program = title();
+        move |place| ReadWithRemark { program, remark: what, todo: remedy }.at(place)
+    }))
 }
 
 /// The caution for a program that its control may not hold.
 fn too_long(program: &Program, bytes: u64) -> Option<Finding> {
-    (bytes > program.control.text.memory).then(|| {
-        Finding::caution(
-            Place::Block { program: program.key, line: 1 },
-            Text::new(
-                format!(
-                    "el programa «{}» ocupa {bytes} bytes, más que la memoria habitual del control",
-                    program.title.es
-                ),
-                format!("program \"{}\" takes {bytes} bytes, more than the control's usual memory", program.title.en),
-            ),
-            Text::fixed("ejecútelo desde disco o red, o un n menor", "run it from disk or network, or a smaller n"),
-        )
-        .with(bytes.to_string(), program.control.text.memory.to_string())
+    let memory = program.control.text.memory;
+    (bytes > memory).then(|| {
+        let place = Place::Block { program: program.key, line: 1 };
+        MemoryExceeded { program: program.title.clone(), bytes }.at(place).with(bytes.to_string(), memory.to_string())
     })
 }
 
 impl Verification {
-    /// Takes the checks of a program, and those of its text as characters. Stops are said for each program; what else
-    /// there is to say, once.
-    pub fn add(&mut self, program: &Program, mut checks: Vec<Check>) {
-        let characters = text::read(program);
-        let bytes = characters.bytes();
-        checks.push(characters.check());
-        let stopped = checks.iter().any(|check| check.verdict == Verdict::Stop);
-        let held = checks.iter().filter(|check| check.verdict == Verdict::Passed).count();
+    /// Takes in what came of a program. Stops are said for each program; what else there is to say, once.
+    pub fn add(&mut self, program: &Program, judged: Judged) {
+        let Judged { checks, bytes, .. } = judged;
+        let stopped = checks.iter().any(|check| check.grade() == Some(Grade::Stop));
+        let held = checks.iter().filter(|check| check.grade().is_none()).count();
         for check in &checks {
-            let said = self.checks.iter().any(|known| known.key == check.key && known.verdict == check.verdict);
+            let said = self.checks.iter().any(|known| known.key() == check.key() && known.grade() == check.grade());
             if let Some(finding) = check.finding()
-                && (check.verdict == Verdict::Stop || !said)
+                && (finding.grade == Grade::Stop || !said)
             {
-                self.findings.push(finding);
+                self.findings.push(finding.clone());
             }
         }
         if !stopped {
-            self.findings.push(
-                Finding::new(
-                    Grade::Note,
-                    Place::Block { program: program.key, line: 1 },
-                    Text::new(
-                        format!(
-                            "comprobaciones que cumple «{}», leído de nuevo: vea la tabla Verificación",
-                            program.title.es
-                        ),
-                        format!(
-                            "checks that \"{}\", read back, has passed: see the table Verification",
-                            program.title.en
-                        ),
-                    ),
-                    Text::fixed("", ""),
-                )
-                .with(held.to_string(), ""),
-            );
+            let place = Place::Block { program: program.key, line: 1 };
+            let passed = ChecksPassed { program: program.title.clone() }.at(place);
+            self.findings.push(passed.with(held.to_string(), ""));
         }
         self.checks.extend(checks);
         self.findings.extend(too_long(program, bytes));
@@ -189,25 +82,25 @@ impl Verification {
             Column::texts(symbol, "", self.checks.iter().map(entry).collect())
         };
         let title = |check: &Check| {
-            let program = programs.iter().find(|program| program.key == check.program);
-            program.map_or_else(|| Text::same(check.program), |program| program.title.clone())
+            let program = programs.iter().find(|program| program.key == check.program());
+            program.map_or_else(|| Text::same(check.program()), |program| program.title.clone())
         };
         Table {
             key: "verification",
             name: Text::fixed("Verificación", "Verification"),
             title: Text::fixed("Verificación de los programas", "Verification of the programs"),
             source,
-            index: Index::None,
             print: Print::Whole,
+            index: Index::None,
             columns: vec![
                 column(Text::fixed("Programa", "Program"), &title),
-                column(Text::fixed("Comprobación", "Check"), &|check| check.name.clone()),
-                column(Text::fixed("Valor", "Value"), &|check| check.value.clone()),
-                column(Text::fixed("Límite", "Limit"), &|check| check.limit.clone()),
+                column(Text::fixed("Comprobación", "Check"), &|check| check.name().clone()),
+                column(Text::fixed("Valor", "Value"), &|check| check.value().clone()),
+                column(Text::fixed("Límite", "Limit"), &|check| check.limit().clone()),
                 column(Text::fixed("Lugar", "Place"), &|check| {
-                    check.at.map_or_else(|| Text::same(""), |at| at.words())
+                    check.at().map_or_else(|| Text::same(""), |at| at.words())
                 }),
-                column(Text::fixed("Resultado", "Verdict"), &|check| check.verdict.name()),
+                column(Text::fixed("Resultado", "Verdict"), &Check::word),
             ],
         }
     }

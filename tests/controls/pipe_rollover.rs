@@ -12,7 +12,6 @@ use rodete::kinds::pipe::{hole, insert};
 use rodete::machine::axis::Axis;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
-use rodete::proof::check::Verdict;
 use rodete::proof::rollover;
 use rodete::text::Language;
 
@@ -158,14 +157,14 @@ fn header_notes_and_checks_say_which_rotary_axes_a_program_is_true_for() {
 #[test]
 fn an_absolute_program_is_stopped_where_the_axes_may_be_rollover() {
     for kind in KINDS {
-        let absolute = outcome(kind, "fagor-8070", &[]).programs.remove(0);
+        let absolute = outcome(kind, "fagor-8070", &[]).programs.remove(0).program;
         let check = rollover::check(&absolute, Rotary::Rollover);
-        assert_eq!(check.verdict, Verdict::Stop, "{kind}");
+        assert_eq!(check.grade(), Some(Grade::Stop), "{kind}");
         let mut words = outcome(kind, "fagor-8055", &[]).programs.remove(0).program;
-        assert_eq!(rollover::check(&words, Rotary::Rollover).verdict, Verdict::Passed, "{kind}");
+        assert_eq!(rollover::check(&words, Rotary::Rollover).grade(), None, "{kind}");
         let incremental = [Word::whole('G', 91)];
         words.parts.retain(|part| !matches!(part, Part::Block(words) if *words == incremental));
-        assert_eq!(rollover::check(&words, Rotary::Rollover).verdict, Verdict::Stop, "{kind}");
+        assert_eq!(rollover::check(&words, Rotary::Rollover).grade(), Some(Grade::Stop), "{kind}");
     }
 }
 
@@ -174,7 +173,7 @@ fn an_absolute_program_is_stopped_where_the_axes_may_be_rollover() {
 fn a_wrong_increment_is_caught() {
     for kind in KINDS {
         let values = values(kind, "fagor-8055", &[]);
-        let program = outcome(kind, "fagor-8055", &[]).programs.remove(0);
+        let program = outcome(kind, "fagor-8055", &[]).programs.remove(0).program;
         let text = program.text();
         let agreement = |text: &str| {
             let mut read = Interpreter::over(text.as_bytes(), program.setting());
@@ -182,23 +181,23 @@ fn a_wrong_increment_is_caught() {
                 let design = hole::design::Design::new(&Fields::of(&hole::parameters::FORM, values.clone()).unwrap())
                     .expect("a design");
                 let way = hole::cut::cut(&design).expect("within the format").expect("a way");
-                hole::proof::judge(&design, &way, &program, &mut read).0
+                hole::proof::judge(&design, &way, &program, &mut read).checks
             } else {
                 let design =
                     insert::design::Design::new(&Fields::of(&insert::parameters::FORM, values.clone()).unwrap())
                         .expect("a design");
                 let way = insert::cut::cut(&design).expect("a way");
-                insert::proof::judge(&design, Some(&way), &program, &mut read).0
+                insert::proof::judge(&design, Some(&way), &program, &mut read).checks
             };
-            checks.iter().find(|check| check.key == "agreement").expect("the row").verdict
+            checks.iter().find(|check| check.key() == "agreement").expect("the row").grade()
         };
-        assert_eq!(agreement(&text), Verdict::Passed, "{kind}");
+        assert_eq!(agreement(&text), None, "{kind}");
         let turning = |line: &&str| line.contains(" G1 ") && line.contains(" A");
         let line = text.lines().filter(turning).nth(7).expect("a turn");
         let word = line.split(' ').find(|word| word.starts_with('A')).expect("a word");
         let by: f64 = word[1..].parse().expect("a number");
         for wrong in [line.replace(word, &format!("A{:.3}", by + 0.5)), line.replace(&format!(" {word}"), "")] {
-            assert_eq!(agreement(&text.replace(line, &wrong)), Verdict::Stop, "{kind}: {wrong}");
+            assert_eq!(agreement(&text.replace(line, &wrong)), Some(Grade::Stop), "{kind}: {wrong}");
         }
     }
 }

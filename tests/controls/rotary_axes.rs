@@ -14,7 +14,6 @@ use rodete::kinds;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::axis::{Axis, Position};
 use rodete::parameter::Value;
-use rodete::proof::check::Verdict;
 use rodete::proof::rollover;
 
 const MILLED: [&str; 3] = ["blade", "splitter", "impeller"];
@@ -139,10 +138,10 @@ fn positions_are_written_where_the_axes_are_linear_and_it_is_told() {
     assert!(told[0].1.starts_with("the programs are true only where B and C count as linear axes"), "{told:?}");
     let blade = milled(&outcome, "blade");
     assert!(blade.text().contains("TRUE ONLY WHERE B AND C ARE NOT ROLLOVER AXES"));
-    assert_eq!(rollover::check(blade, Rotary::Linear).verdict, Verdict::Note);
+    assert_eq!(rollover::check(blade, Rotary::Linear).grade(), Some(Grade::Note));
     // The same program is none for an axis that is rollover.
     let check = rollover::check(blade, Rotary::Rollover);
-    assert_eq!(check.verdict, Verdict::Stop);
+    assert_eq!(check.grade(), Some(Grade::Stop));
     assert!(check.finding().expect("a finding").what.en.contains("turns otherwise on rollover axes"));
 }
 
@@ -156,14 +155,14 @@ fn every_program_says_which_rotary_axes_it_is_true_for() {
         let outcome = outcome(case, &[("dialect", Value::Choice(dialect))]);
         for key in MILLED {
             let check = rollover::check(milled(&outcome, key), Rotary::Rollover);
-            assert_eq!(check.verdict, Verdict::Passed, "{case} {dialect} {key}");
-            assert!(check.value.en.starts_with(says), "{case} {dialect} {key}: {}", check.value.en);
+            assert_eq!(check.grade(), None, "{case} {dialect} {key}");
+            assert!(check.value().en.starts_with(says), "{case} {dialect} {key}: {}", check.value().en);
         }
         let table = outcome.table("verification").expect("the table");
         assert!(format!("{:?}", table.columns).contains(says), "{case}");
     }
     let linear = outcome("full", &absolute(&[("dialect", Value::Choice("linuxcnc"))]));
-    assert_eq!(rollover::check(milled(&linear, "blade"), Rotary::Linear).value.en, "linear only");
+    assert_eq!(rollover::check(milled(&linear, "blade"), Rotary::Linear).value().en, "linear only");
 }
 
 #[test]

@@ -365,6 +365,7 @@ fn raised(rule: &Rule) -> Option<Vec<Finding>> {
             Some(told(kinds::run(filled.form, filled.values, source), |outcome| outcome.findings))
         }
         Example::Workbook { kind, cells } => Some(read(&changed(kind, cells))),
+        Example::Made { key: "program-beyond-memory", .. } => Some(super::slips::beyond_memory()),
         // Programs are read elsewhere.
         Example::Made { key, .. } if key.starts_with("program-") => None,
         Example::Made { key, .. } => {

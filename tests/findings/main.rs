@@ -12,5 +12,6 @@ mod made;
 mod reference;
 mod refusals;
 mod rules;
+mod slips;
 
 use common::workbook;

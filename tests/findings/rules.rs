@@ -11,12 +11,14 @@ use rodete::gcode::interpreter::{self, DecimalPoint, Files, HolePlane, Interpret
 use rodete::gcode::rules::flow::FollowingErrors;
 use rodete::gcode::rules::lexis::MoreRefusals;
 use rodete::gcode::turning::rules::CornerTwice;
+use rodete::kinds::KINDS;
 use rodete::limits::LISTED_REFUSALS;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
+use rodete::proof::account::drift;
 
 fn rules() -> impl Iterator<Item = &'static Rule> {
-    RULES.iter().copied().flatten().copied()
+    RULES.iter().copied().chain(KINDS.iter().map(|kind| kind.rules())).flatten().copied()
 }
 
 /// Subprograms by the name of their file.
@@ -74,10 +76,13 @@ fn refused_table(given: &[(&'static str, &'static str)]) -> Option<Vec<Finding>>
 /// All that is told of a program.
 fn told(program: &str, setting: Setting) -> Vec<Finding> {
     let mut interpreter = Interpreter::over(program.as_bytes(), setting);
+    let start = interpreter.position().1;
     let mut faults: Vec<_> = interpreter.by_ref().filter_map(Result::err).map(|fault| *fault).collect();
     let total = faults.len();
     faults.truncate(LISTED_REFUSALS);
-    interpreter::findings(faults, total, interpreter.remarks())
+    let mut findings = interpreter::findings(faults, total, interpreter.remarks());
+    findings.extend(drift(&interpreter, &start));
+    findings
 }
 
 /// A place of a program as an example says it.
@@ -123,7 +128,9 @@ fn the_program_of_every_row_raises_it_at_its_place_and_nothing_graver() {
         let graver = !counts && findings.iter().any(|finding| finding.grade > rule.grade);
         let whole = own.is_some_and(|own| {
             assert!(own.data.iter().map(|(name, _)| *name).eq(rule.fields.iter().copied()), "{}", rule.code);
-            own.grade <= rule.grade && (at.is_none() || !place(own).is_empty()) && !own.what.en.contains(['{', '}'])
+            own.grade <= rule.grade
+                && (at.is_none_or(str::is_empty) || !place(own).is_empty())
+                && !own.what.en.contains(['{', '}'])
         });
         if !whole || graver {
             let told: Vec<_> = findings
@@ -169,8 +176,9 @@ fn codes_are_one_rows_alone_and_their_texts_whole() {
         never,
         [
             "C1001", "G0016", "G0018", "G0026", "G0301", "G0319", "G0320", "G0616", "G0618", "G0619", "G0631", "L0141",
-            "P0001", "P0002", "S0101", "S0102", "S0104", "S0105", "S0107", "S0109", "S0111", "S0141", "W0103", "W0111",
-            "W0219", "W0261", "W0262", "X0001", "X0002", "X0003", "X0004", "X0005"
+            "P0001", "P0002", "S0101", "S0102", "S0104", "S0105", "S0107", "S0109", "S0111", "S0141", "V0025", "V0108",
+            "V0110", "V0112", "V0113", "V0114", "V0122", "V0124", "W0103", "W0111", "W0219", "W0261", "W0262", "X0001",
+            "X0002", "X0003", "X0004", "X0005"
         ],
         "what no input raises is counted"
     );

@@ -11,9 +11,9 @@ use rodete::kinds::impeller::programs::Tracks;
 use rodete::kinds::impeller::ribs::ribs;
 use rodete::kinds::impeller::sweep::Sweep;
 use rodete::kinds::impeller::tables::ToolPaths;
+use rodete::kinds::impeller::track::Track;
 use rodete::kinds::impeller::undercut;
 use rodete::parameter::Value;
-use rodete::proof::track::Track;
 
 type Changes = Vec<(&'static str, Value)>;
 

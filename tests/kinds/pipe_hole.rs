@@ -21,7 +21,6 @@ use rodete::kinds::pipe::hole::tables;
 use rodete::number::trig::{hypot, sin_cos};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
-use rodete::proof::check::Verdict;
 use rodete::table::Entry;
 use rodete::text::Language;
 
@@ -361,10 +360,10 @@ fn faults_in_the_text_are_caught() {
     let text = program.text();
     let worst = |text: &str| {
         let mut read = Interpreter::over(text.as_bytes(), program.setting());
-        let (checks, ..) = judge(&design, &way, &program, &mut read);
-        checks.iter().map(|check| (check.key, check.verdict)).collect::<std::collections::BTreeMap<_, _>>()
+        let checks = judge(&design, &way, &program, &mut read).checks;
+        checks.iter().map(|check| (check.key(), check.grade())).collect::<std::collections::BTreeMap<_, _>>()
     };
-    assert!(worst(&text).values().all(|verdict| *verdict <= Verdict::Note));
+    assert!(worst(&text).values().all(|verdict| *verdict <= Some(Grade::Note)));
     let cuts: Vec<usize> = (0..text.lines().count())
         .filter(|&at| text.lines().nth(at).is_some_and(|line| line.contains(" G1 ")))
         .collect();
@@ -383,10 +382,31 @@ fn faults_in_the_text_are_caught() {
         [('A', 2.0, "beam"), ('X', 0.3, "beam"), ('Z', -2.0, "clearance"), ('B', 6.0, "bevel"), ('C', 120.0, "turning")]
     {
         let worst = worst(&change(letter, by));
-        assert_eq!(worst["agreement"], Verdict::Stop, "{letter}");
-        assert!(worst[key] > Verdict::Note, "{letter} {key}");
+        assert_eq!(worst["agreement"], Some(Grade::Stop), "{letter}");
+        assert!(worst[key] > Some(Grade::Note), "{letter} {key}");
     }
-    assert_eq!(worst(&change('F', 200.0))["feed"], Verdict::Stop);
+    assert_eq!(worst(&change('F', 200.0))["feed"], Some(Grade::Stop));
+}
+
+/// What was not cut was not judged: each check that looks at the cut is a stop, and the way back is held against the plan too.
+#[test]
+fn a_text_that_cuts_nothing_passes_no_check_of_the_cut() {
+    let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
+    let way = cut(&design).expect("within the format").expect("a way");
+    let program = outcome(&[]).programs.remove(0).program;
+    let text = program.text();
+    let grades = |text: &str| {
+        let mut read = Interpreter::over(text.as_bytes(), program.setting());
+        let checks = judge(&design, &way, &program, &mut read).checks;
+        checks.iter().map(|check| (check.key(), check.grade())).collect::<std::collections::BTreeMap<_, _>>()
+    };
+    let nothing = grades(&text.replacen("N50 M62 P2", "N50 M30", 1));
+    for key in ["agreement", "beam", "branch", "bevel", "turning", "feed"] {
+        assert_eq!(nothing[key], Some(Grade::Stop), "{key}");
+    }
+    let (before, after) = text.rsplit_once("G0 Z144.150").expect("the way back");
+    let low = grades(&format!("{before}G0 Z100.000{after}"));
+    assert_eq!((low["agreement"], low["beam"]), (Some(Grade::Stop), None));
 }
 
 /// Eight whole turns of C within one motion, and back in the next: at every eighth of them the torch stands as it should.
@@ -403,10 +423,10 @@ fn what_happens_between_the_looks_is_judged() {
     });
     let turned = text.replace(line, &turned.collect::<Vec<_>>().join(" "));
     let mut read = Interpreter::over(turned.as_bytes(), program.setting());
-    let (checks, ..) = judge(&design, &way, &program, &mut read);
+    let checks = judge(&design, &way, &program, &mut read).checks;
     for key in ["beam", "bevel"] {
-        let check = checks.iter().find(|check| check.key == key).expect(key);
-        assert!(check.verdict > Verdict::Note, "{key}: {}", check.value.en);
+        let check = checks.iter().find(|check| check.key() == key).expect(key);
+        assert!(check.grade() > Some(Grade::Note), "{key}: {}", check.value().en);
     }
 }
 
@@ -469,15 +489,15 @@ proptest! {
 #[test]
 fn a_torch_not_lit_for_the_cut_or_not_put_out_after_it_is_caught() {
     use rodete::gcode::program::Part;
-    use rodete::proof::verification::torch;
+    use rodete::proof::torch::check as torch;
     let design = Design::new(&Fields::of(&FORM, values(&[])).unwrap()).expect("a design");
     let program = outcome(&[]).programs.remove(0).program;
     let codes = || Some([&design.torch_on[..], &design.torch_off[..]]);
-    assert_eq!(torch(&program, codes()).verdict, Verdict::Passed);
+    assert_eq!(torch(&program, codes()).grade(), None);
     for code in [&design.torch_on, &design.torch_off] {
         let mut without = program.clone();
         without.parts.retain(|part| !matches!(part, Part::Block(words) if words == code));
         assert_eq!(without.parts.len() + 1, program.parts.len());
-        assert_eq!(torch(&without, codes()).verdict, Verdict::Stop, "{code:?}");
+        assert_eq!(torch(&without, codes()).grade(), Some(Grade::Stop), "{code:?}");
     }
 }

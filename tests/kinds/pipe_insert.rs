@@ -18,7 +18,6 @@ use rodete::kinds::pipe::insert::proof::judge;
 use rodete::kinds::pipe::insert::tables;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
-use rodete::proof::check::Verdict;
 use rodete::table::Entry;
 use rodete::text::Language;
 
@@ -328,11 +327,11 @@ fn faults_in_the_text_are_caught() {
         let text = program.text();
         let worst = |text: &str| {
             let mut read = Interpreter::over(text.as_bytes(), program.setting());
-            let (checks, ..) = judge(&design, Some(&way), &program, &mut read);
-            checks.iter().map(|check| (check.key, check.verdict)).collect::<std::collections::BTreeMap<_, _>>()
+            let checks = judge(&design, Some(&way), &program, &mut read).checks;
+            checks.iter().map(|check| (check.key(), check.grade())).collect::<std::collections::BTreeMap<_, _>>()
         };
         let sound = worst(&text);
-        assert!(sound.values().all(|verdict| *verdict <= Verdict::Note), "{sound:?}");
+        assert!(sound.values().all(|verdict| *verdict <= Some(Grade::Note)), "{sound:?}");
         let cuts: Vec<usize> = (0..text.lines().count())
             .filter(|&at| text.lines().nth(at).is_some_and(|line| line.contains(" G1 ") || line.contains(" G3 ")))
             .collect();
@@ -349,14 +348,14 @@ fn faults_in_the_text_are_caught() {
         };
         for (letter, by) in [('X', 0.001), ('X', -0.5), (if mode == "flat" { 'Y' } else { 'A' }, 0.5)] {
             let worst = worst(&change(letter, by));
-            assert_eq!(worst["agreement"], Verdict::Stop, "{mode} {letter}{by}");
-            assert!(by.abs() < 0.1 || worst["path"] > Verdict::Note, "{mode} {letter}{by}");
+            assert_eq!(worst["agreement"], Some(Grade::Stop), "{mode} {letter}{by}");
+            assert!(by.abs() < 0.1 || worst["path"] > Some(Grade::Note), "{mode} {letter}{by}");
         }
         let dropped: String =
             text.lines().enumerate().filter(|(at, _)| *at != line).map(|(_, line)| format!("{line}\n")).collect();
-        assert_eq!(worst(&dropped)["agreement"], Verdict::Stop, "{mode}");
+        assert_eq!(worst(&dropped)["agreement"], Some(Grade::Stop), "{mode}");
         if mode == "rotary" {
-            assert_eq!(worst(&change('F', 100.0))["feed"], Verdict::Stop);
+            assert_eq!(worst(&change('F', 100.0))["feed"], Some(Grade::Stop));
         }
     }
 }

@@ -26,13 +26,15 @@ use rodete::kinds::impeller::proof::tip_path::{between, deviation};
 use rodete::kinds::impeller::proof::{Geometry, judge};
 use rodete::kinds::impeller::splitter::Splitter;
 use rodete::kinds::impeller::tables::ToolPaths;
+use rodete::kinds::impeller::track::Track;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::grid::Milli;
 use rodete::parameter::Value;
 use rodete::parameter::field::Fields;
-use rodete::proof::check::{Check, Verdict};
+use rodete::proof::agreement::Agreement;
+use rodete::proof::check::Check;
+use rodete::proof::step::{Judge, Plan, Steps};
 use rodete::proof::text::Characters;
-use rodete::proof::track::Track;
 use rodete::table::Entry;
 use rodete::text::Language;
 use tool::Tool;
@@ -137,7 +139,7 @@ fn shipped_programs_pass_but_for_the_published_splitter() {
                     let worst = prepared.verdicts(program, str::to_owned);
                     for (key, verdict) in worst {
                         let known = case == "tfg-2021" && program != "blade" && key == "blades";
-                        assert_eq!(verdict > Verdict::Note, known, "{case} {dialect} {distance} {program}: {key}");
+                        assert_eq!(verdict > Some(Grade::Note), known, "{case} {dialect} {distance} {program}: {key}");
                     }
                 }
             }
@@ -216,9 +218,9 @@ fn a_splitter_whose_sides_fade_by_themselves_leaves_its_neighbours_alone() {
 fn a_splitter_that_cuts_into_a_blade_stops_the_work_where_each_side_fades_by_itself() {
     let aside = |text: &str| with(text, line_of(text, "B47.250 "), 'Y', |value| value + 4.0);
     let wide = real("tol", 10.0);
-    assert_eq!(verdicts("full", std::slice::from_ref(&wide), "splitter", aside)["blades"], Verdict::Stop);
+    assert_eq!(verdicts("full", std::slice::from_ref(&wide), "splitter", aside)["blades"], Some(Grade::Stop));
     let changes = [wide, ("splitter_fade", Value::Choice("published"))];
-    assert_eq!(verdicts("full", &changes, "splitter", aside)["blades"], Verdict::Caution);
+    assert_eq!(verdicts("full", &changes, "splitter", aside)["blades"], Some(Grade::Caution));
 }
 
 /// The distance of the tool from the neighbouring blade on a splitter track's side, at the point i with a fraction of the
@@ -276,7 +278,7 @@ impl Prepared {
     }
 
     /// The worst verdict of each check on a program's text after a change.
-    fn verdicts(&self, key: &str, change: impl Fn(&str) -> String) -> BTreeMap<&'static str, Verdict> {
+    fn verdicts(&self, key: &str, change: impl Fn(&str) -> String) -> BTreeMap<&'static str, Option<Grade>> {
         let geometry = Geometry { design: &self.design, blade: &self.blade, splitter: Some(&self.splitter) };
         let program = self.programs.iter().find(|program| program.key == key).unwrap();
         let text = change(&program.text());
@@ -287,9 +289,9 @@ impl Prepared {
         checks.push(characters.check());
         let mut worst = BTreeMap::new();
         for check in checks {
-            let known = worst.entry(check.key).or_insert(check.verdict);
-            *known = check.verdict.max(*known);
-            if check.verdict > Verdict::Note {
+            let known = worst.entry(check.key()).or_insert(check.grade());
+            *known = check.grade().max(*known);
+            if check.grade() > Some(Grade::Note) {
                 let finding = check.finding().unwrap_or_else(|| panic!("{check:?}"));
                 assert!(!finding.what.es.is_empty() && !finding.remedy.es.is_empty());
             }
@@ -304,7 +306,7 @@ fn verdicts(
     changes: &[(&'static str, Value)],
     key: &str,
     change: impl Fn(&str) -> String,
-) -> BTreeMap<&'static str, Verdict> {
+) -> BTreeMap<&'static str, Option<Grade>> {
     Prepared::new(case, changes).verdicts(key, change)
 }
 
@@ -335,17 +337,37 @@ fn one_wrong_digit_is_caught() {
     for line in [2, 3, 17, 43, 44, 60, 87] {
         for letter in ['X', 'Y', 'Z', 'B', 'C'] {
             let worst = prepared.verdicts("blade", |text| with(text, line, letter, |value| value + 0.001));
-            assert_eq!(worst["agreement"], Verdict::Stop, "{line} {letter}");
-            assert_eq!(worst["closure"], Verdict::Stop, "{line} {letter}");
+            assert_eq!(worst["agreement"], Some(Grade::Stop), "{line} {letter}");
+            assert_eq!(worst["closure"], Some(Grade::Stop), "{line} {letter}");
         }
     }
 }
 
 #[test]
+fn a_full_circle_beyond_the_plan_is_caught_though_it_ends_where_it_begins() {
+    let circle = |text: &str| text.replacen("N970 ", "N965 G2 X0.000 Y0.000 I1.000 J0.000 F300.000\nN970 ", 1);
+    let outcome = common::outcome("full", &[]);
+    let program = &outcome.programs[0];
+    let text = circle(&program.text());
+    assert_ne!(text, program.text());
+    let design =
+        Design::new(&Fields::of(&rodete::kinds::impeller::parameters::FORM, common::values("full", &[])).unwrap())
+            .unwrap();
+    let mut agreement: Box<dyn Judge> = Box::new(Agreement::of_the_tip(design.machine, program));
+    let mut steps = Steps::new(Plan::of(program));
+    let mut read = Interpreter::over(text.as_bytes(), program.setting());
+    while let Some(motion) = read.next() {
+        let step = steps.next(motion.unwrap(), *read.in_force());
+        agreement.see(&step);
+    }
+    assert_eq!(agreement.checks(program).remove(0).grade(), Some(Grade::Stop));
+}
+
+#[test]
 fn a_wrong_sign_is_caught() {
     let worst = verdicts("tfg-2021", &[], "blade", |text| with(text, 20, 'Z', |value| -value));
-    assert_eq!((worst["agreement"], worst["closure"]), (Verdict::Stop, Verdict::Stop));
-    assert!(worst["into-metal"] > Verdict::Note || worst["tip-path"] > Verdict::Note);
+    assert_eq!((worst["agreement"], worst["closure"]), (Some(Grade::Stop), Some(Grade::Stop)));
+    assert!(worst["into-metal"] > Some(Grade::Note) || worst["tip-path"] > Some(Grade::Note));
 }
 
 #[test]
@@ -354,8 +376,8 @@ fn a_dropped_and_a_doubled_block_are_caught() {
         text.lines().enumerate().filter(|(at, _)| *at != 19).map(|(_, line)| line.to_owned() + "\n").collect()
     };
     let worst = verdicts("tfg-2021", &[], "blade", drop);
-    assert_eq!((worst["agreement"], worst["closure"]), (Verdict::Stop, Verdict::Stop));
-    assert_eq!(worst["characters"], Verdict::Stop, "the block numbers have a gap");
+    assert_eq!((worst["agreement"], worst["closure"]), (Some(Grade::Stop), Some(Grade::Stop)));
+    assert_eq!(worst["characters"], Some(Grade::Stop), "the block numbers have a gap");
     let double = |text: &str| {
         text.lines()
             .enumerate()
@@ -363,7 +385,7 @@ fn a_dropped_and_a_doubled_block_are_caught() {
             .collect()
     };
     let worst = verdicts("tfg-2021", &[], "blade", double);
-    assert_eq!((worst["agreement"], worst["closure"]), (Verdict::Stop, Verdict::Stop));
+    assert_eq!((worst["agreement"], worst["closure"]), (Some(Grade::Stop), Some(Grade::Stop)));
 }
 
 #[test]
@@ -373,30 +395,30 @@ fn a_doubled_feed_is_caught() {
         let worst = verdicts("full", &[("dialect", Value::Choice(dialect))], "blade", |text| {
             with(text, line_of(text, "B78.750 "), 'F', faster)
         });
-        assert_eq!((worst["feed-tip"], worst["agreement"]), (Verdict::Stop, Verdict::Stop), "{dialect}");
-        assert_eq!(worst["closure"], Verdict::Passed);
+        assert_eq!((worst["feed-tip"], worst["agreement"]), (Some(Grade::Stop), Some(Grade::Stop)), "{dialect}");
+        assert_eq!(worst["closure"], None);
     }
     // And where the tip may run so fast, the axes may not.
     let worst = verdicts("full", &[real("F_max", 3300.0)], "blade", |text| {
         with(text, line_of(text, "B2.250 "), 'F', |value| value * 2.0)
     });
-    assert_eq!(worst["feed-axis"], Verdict::Stop);
+    assert_eq!(worst["feed-axis"], Some(Grade::Stop));
 }
 
 #[test]
 fn a_jump_of_c_is_caught() {
     let worst =
         verdicts("full", &[], "blade", |text| with(text, line_of(text, "B45.000 "), 'C', |value| value + 360.0));
-    assert_eq!((worst["turning"], worst["agreement"]), (Verdict::Stop, Verdict::Stop));
+    assert_eq!((worst["turning"], worst["agreement"]), (Some(Grade::Stop), Some(Grade::Stop)));
 }
 
 #[test]
 fn a_motion_two_millimetres_lower_is_caught() {
     let lower = |text: &str| with(text, line_of(text, "B45.000 "), 'Z', |value| value - 2.0);
     let worst = verdicts("full", &[], "blade", lower);
-    assert_eq!((worst["agreement"], worst["into-metal"]), (Verdict::Stop, Verdict::Caution));
+    assert_eq!((worst["agreement"], worst["into-metal"]), (Some(Grade::Stop), Some(Grade::Caution)));
     let worst = verdicts("full", &[real("tol", 0.05)], "blade", lower);
-    assert_eq!(worst["tip-path"], Verdict::Stop);
+    assert_eq!(worst["tip-path"], Some(Grade::Stop));
 }
 
 #[test]
@@ -407,20 +429,20 @@ fn a_crossing_move_through_the_stock_is_caught() {
         with(&text, 45, 'X', |value| value + 12.0)
     };
     let worst = verdicts("tfg-2021", &[], "blade", nearer);
-    assert_eq!((worst["safe-points"], worst["clear-moves"]), (Verdict::Stop, Verdict::Stop));
-    assert_eq!(worst["closure"], Verdict::Passed);
+    assert_eq!((worst["safe-points"], worst["clear-moves"]), (Some(Grade::Stop), Some(Grade::Stop)));
+    assert_eq!(worst["closure"], None);
 }
 
 #[test]
 fn an_axis_beyond_its_travel_is_caught_in_the_text() {
     let worst = verdicts("full", &[], "blade", |text| with(text, line_of(text, "B45.000 "), 'B', |_| 101.0));
-    assert_eq!((worst["travel"], worst["agreement"]), (Verdict::Stop, Verdict::Stop));
+    assert_eq!((worst["travel"], worst["agreement"]), (Some(Grade::Stop), Some(Grade::Stop)));
 }
 
 #[test]
 fn a_tool_that_cuts_into_the_next_blade_is_caught() {
     let aside = |text: &str| with(text, line_of(text, "B87.750 "), 'Y', |value| value - 4.0);
-    assert_eq!(verdicts("full", &[], "blade", aside)["blades"], Verdict::Stop);
+    assert_eq!(verdicts("full", &[], "blade", aside)["blades"], Some(Grade::Stop));
 }
 
 #[test]
@@ -445,7 +467,7 @@ fn characters_that_no_control_takes_are_caught() {
         assert_ne!(text, program.text(), "{good} is in the text");
         let mut characters = Characters::new(program);
         text.lines().for_each(|line| characters.line(line));
-        assert_eq!(characters.check().verdict, Verdict::Stop, "{bad}");
+        assert_eq!(characters.check().grade(), Some(Grade::Stop), "{bad}");
     }
 }
 
@@ -481,9 +503,9 @@ proptest! {
         let program = made.programs.iter().find(|program| program.key == "splitter").unwrap();
         let geometry = Geometry { design: &design, blade: &blade, splitter: Some(&splitter) };
         let checks = judge(geometry, program, &mut program.read_back(), &mut Known::new(geometry));
-        let blades = checks.iter().find(|check| check.key == "blades").unwrap();
-        let on_the_way = blades.at.unwrap().point.is_none();
-        prop_assert_eq!(blades.verdict, if on_the_way && blades.value.en.starts_with('-') { Verdict::Stop } else { Verdict::Passed }, "{:?}", blades);
+        let blades = checks.iter().find(|check| check.key() == "blades").unwrap();
+        let on_the_way = blades.at().unwrap().along.is_none();
+        prop_assert_eq!(blades.grade(), if on_the_way && blades.value().en.starts_with('-') { Some(Grade::Stop) } else { None }, "{:?}", blades);
         for track in [Track::Out, Track::Back] {
             let side = splitter.side(track).unwrap();
             prop_assert!(side.m >= 2 && side.m as f64 >= side.crossing && side.fraction[side.m..].iter().all(|&f| f == 1.0));

@@ -7,10 +7,10 @@ use crate::gcode::program::{Feed, Part, Path, Program, Role};
 use crate::gcode::word::{Distance, NumberFormat, Word};
 use crate::gcode::writer::Writer;
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose, Position};
 use crate::machine::tip_way::longest;
 use crate::number::grid::{Milli, OutOfFormat};
-use crate::proof::track::Track;
 use crate::text::Text;
 
 /// How often feeds had to give way.

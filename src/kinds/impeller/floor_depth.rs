@@ -21,10 +21,10 @@ use std::f64::consts::TAU;
 
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::sweep::{Pace, Sweep};
+use crate::kinds::impeller::track::Track;
 use crate::limits::FLOOR_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest};
 use crate::number::trig::{hypot, sin_cos};
-use crate::proof::track::Track;
 
 /// How close the bound is to what is found, mm.
 const CLOSE: f64 = 0.0002;

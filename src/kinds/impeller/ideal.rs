@@ -15,8 +15,8 @@ use crate::geometry::torus::Torus;
 use crate::geometry::villarceau::Villarceau;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::splitter::Splitter;
+use crate::kinds::impeller::track::Track;
 use crate::number::trig::sin_cos;
-use crate::proof::track::Track;
 
 /// What the derivatives of an ideal path by x are at most between two neighbouring points of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

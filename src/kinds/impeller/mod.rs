@@ -38,10 +38,11 @@ mod start;
 pub mod sweep;
 pub mod tables;
 pub mod tool_path;
+pub mod track;
 pub mod undercut;
 
 use crate::figure::Figure;
-use crate::finding::Finding;
+use crate::finding::{Finding, Rule};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
@@ -93,6 +94,7 @@ impl Method for Impeller {
     type Memo = Vec<Curve>;
 
     const FORM: &'static Form = &FORM;
+    const RULES: &'static [&'static Rule] = proof::rules::RULES;
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../report-templates/impeller/labels.typ"),
         method: [

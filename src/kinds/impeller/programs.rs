@@ -15,9 +15,9 @@ use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::header::{blank_header, header};
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
+use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
-use crate::proof::track::Track;
 use crate::text::Text;
 
 /// Passes and safe points of a blade and of its splitter on the output grid, C of the first blade.

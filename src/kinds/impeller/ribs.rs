@@ -30,8 +30,8 @@ use nalgebra::Vector3;
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::part::{HUB, Part, RIM};
 use crate::kinds::impeller::sweep::Sweep;
+use crate::kinds::impeller::track::Track;
 use crate::number::trig::{atan2, sin_cos};
-use crate::proof::track::Track;
 
 /// The steps along the blade, in radii of the tool.
 const STEP: f64 = 0.1;

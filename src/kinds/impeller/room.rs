@@ -38,7 +38,7 @@ use crate::kinds::impeller::clearance::{Stand, Until, WORK, Walls};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::fraction;
 use crate::kinds::impeller::part::Part;
-use crate::proof::track::Track;
+use crate::kinds::impeller::track::Track;
 
 /// The channel that a splitter stands in, with its walls.
 #[derive(Debug)]

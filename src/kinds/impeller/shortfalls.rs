@@ -8,9 +8,9 @@ use crate::kinds::impeller::part::Part;
 use crate::kinds::impeller::programs::Tracks;
 use crate::kinds::impeller::ribs::ribs;
 use crate::kinds::impeller::sweep::Sweep;
+use crate::kinds::impeller::track::Track;
 use crate::kinds::impeller::undercut::{self, Undercut, undercut};
 use crate::number::shown;
-use crate::proof::track::Track;
 use crate::text::Text;
 
 /// Below this nothing is said of a depth, mm: it is what the output grid moves the tool.
@@ -91,7 +91,7 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
     }
     let list = |name: fn(&Text) -> &str, at: &str| {
         let one = |(track, found): &(Track, Undercut)| {
-            format!("{} {} mm ({at} {})", name(&track.name()), at_most(found.most), shown(found.x, 1))
+            format!("{} {} mm ({at} {})", name(track.name()), at_most(found.most), shown(found.x, 1))
         };
         found.iter().map(one).collect::<Vec<_>>().join(", ")
     };

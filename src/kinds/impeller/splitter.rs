@@ -19,8 +19,8 @@ use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::{Fade, fraction};
 use crate::kinds::impeller::room::Room;
 use crate::kinds::impeller::tool_path::{part_path, tapered};
+use crate::kinds::impeller::track::Track;
 use crate::number::trig::sin_cos;
-use crate::proof::track::Track;
 
 /// One side of a splitter.
 #[derive(Clone, Debug)]

@@ -16,9 +16,9 @@ use nalgebra::Vector3;
 
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::programs::Tracks;
+use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
 use crate::machine::rotary::Rotary;
-use crate::proof::track::Track;
 
 /// Most slack of blocks taken as one, mm.
 const SLACK: f64 = 0.0005;

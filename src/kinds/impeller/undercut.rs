@@ -18,9 +18,9 @@
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::part::{Face, Part, Piece};
 use crate::kinds::impeller::sweep::{Pace, Stretch, Sweep};
+use crate::kinds::impeller::track::Track;
 use crate::limits::UNDERCUT_BOXES;
 use crate::number::bisection::{Bounds, Cell, greatest};
-use crate::proof::track::Track;
 
 /// How close the bound is to what is found, mm.
 const CLOSE: f64 = 0.0002;

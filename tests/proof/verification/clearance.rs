@@ -11,10 +11,10 @@ use rodete::kinds::impeller::clearance::{Bounds, CLOSE, Stand, Until, WORK, Wall
 use rodete::kinds::impeller::part::Part;
 use rodete::kinds::impeller::proof::flanks::{Clearance, Clearances, checks};
 use rodete::kinds::impeller::tool_path::tool_path;
+use rodete::kinds::impeller::track::Track;
 use rodete::machine::rotary::Rotary;
 use rodete::parameter::Value;
-use rodete::proof::check::{At, Verdict};
-use rodete::proof::track::Track;
+use rodete::proof::check::At;
 
 use super::{common, published as design, real};
 
@@ -148,17 +148,17 @@ fn a_pass_that_poses_told_to_be_clear_is_stopped() {
 #[test]
 fn a_pass_whose_clearance_is_not_proved_is_not_passed() {
     let program = &common::outcome("full", &[]).programs[0];
-    let at = At { line: 7, n: None, point: None };
+    let at = At::line(7);
     let verdict = |lower: f64, upper: f64| {
         let bounds = Bounds { lower, upper, place: None, work: WORK };
         let blades = Some(Clearance { bounds, other: 3.0, at });
         let known = Clearances { blades, splitters: None };
         let check = checks(&design(40), program, &[(Track::Obverse, known)]).remove(0);
-        (check.verdict, check.finding().map(|finding| finding.what.en.to_string()).unwrap_or_default())
+        (check.grade(), check.finding().map(|finding| finding.what.en.to_string()).unwrap_or_default())
     };
-    assert_eq!(verdict(0.0, 0.1).0, Verdict::Passed);
+    assert_eq!(verdict(0.0, 0.1).0, None);
     let (undecided, what) = verdict(-1e-5, 1e-5);
-    assert_eq!(undecided, Verdict::Stop);
+    assert_eq!(undecided, Some(Grade::Stop));
     assert!(what.starts_with("it is not proved that the tool clears the neighbouring blade (its point 3)"), "{what}");
-    assert_eq!(verdict(-0.2, -0.1).0, Verdict::Stop);
+    assert_eq!(verdict(-0.2, -0.1).0, Some(Grade::Stop));
 }

@@ -5,12 +5,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use rodete::finding::Grade;
 use rodete::geometry::torus::Torus;
 use rodete::kinds::impeller::clearance::Stand;
 use rodete::kinds::impeller::outside::{CLOSE, Outside, WORK};
 use rodete::kinds::impeller::solids::Stock;
 use rodete::number::trig::{hypot, sin_cos};
-use rodete::proof::check::Verdict;
 
 use super::{common, verdicts, with};
 
@@ -96,7 +96,7 @@ fn a_graze_in_the_middle_of_a_long_move_is_found() {
 #[test]
 fn a_rapid_move_nearer_than_the_safety_distance_is_a_caution_and_one_on_it_passes() {
     // Out of the last pass to a safe point that much nearer. A twentieth of d_s used to pass, which is 0.25 mm.
-    for (nearer, verdict) in [(0.0, Verdict::Passed), (0.1, Verdict::Caution)] {
+    for (nearer, verdict) in [(0.0, None), (0.1, Some(Grade::Caution))] {
         let worst = verdicts("tfg-2021", &[], "blade", |text| with(text, 86, 'X', |value| value + nearer));
         assert_eq!((worst["safe-points"], worst["clear-moves"]), (verdict, verdict), "{nearer}");
     }

@@ -10,11 +10,11 @@ use rodete::kinds::impeller::proof::cutting::limits;
 use rodete::kinds::impeller::proof::tip_path::{Along, between, deviation, grid_bound};
 use rodete::kinds::impeller::splitter::Splitter;
 use rodete::kinds::impeller::tables::ToolPaths;
+use rodete::kinds::impeller::track::Track;
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::rotary::Rotary;
 use rodete::number::grid::Milli;
 use rodete::proof::agreement::tip;
-use rodete::proof::track::Track;
 
 use super::{common, published};
 

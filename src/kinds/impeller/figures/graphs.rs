@@ -5,7 +5,7 @@ use crate::figure::{Axes, Figure, Ink};
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::splitter::Splitter;
-use crate::proof::track::Track;
+use crate::kinds::impeller::track::Track;
 use crate::text::Text;
 
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
@@ -49,7 +49,7 @@ pub(super) fn fraction(splitter: &Splitter) -> Figure {
         labels: Vec::new(),
         legend: match splitter.fade {
             Fade::Published => Vec::new(),
-            Fade::EachSide => tracks.iter().map(|&track| (ink(track), track.name())).collect(),
+            Fade::EachSide => tracks.iter().map(|&track| (ink(track), track.name().clone())).collect(),
         },
     }
 }
@@ -78,6 +78,6 @@ pub(super) fn deviation(curves: &[Curve]) -> Figure {
             .map(|curve| line(ink(curve.track), curve.points.iter().map(|&[x, y]| [x, y * 1000.0]).collect()))
             .collect(),
         labels: Vec::new(),
-        legend: curves.iter().map(|curve| (ink(curve.track), curve.track.name())).collect(),
+        legend: curves.iter().map(|curve| (ink(curve.track), curve.track.name().clone())).collect(),
     }
 }

@@ -14,7 +14,7 @@ use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
-use crate::proof::track::Track;
+use crate::kinds::impeller::track::Track;
 use crate::text::Text;
 
 /// Points of a curve that a drawing needs at most: finer is not seen on paper.

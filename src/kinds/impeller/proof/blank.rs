@@ -13,18 +13,23 @@
 //! The thesis, section 4.1: facing, then G85 along the quarter of the torus about (Z 0, X 2 R). What is asked of the part
 //! that is left follows: no metal over face, torus and cylinder, and none missing.
 
-use crate::finding::Grade;
+use crate::finding::{Grade, Raise, Size};
 use crate::gcode::control::FAGOR_8055_T;
 use crate::gcode::in_force::{InForce, Speed, Spindle};
 use crate::gcode::interpreter::{Interpreter, Setting, Start, ToolOffset};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::design::{Design, Style};
+use crate::kinds::impeller::proof::rules::{
+    BlankNotFollowed, CutTooDeep, MetalLeft, MetalMissing, NoSpeedLimit, NoSpeedLimitAsPublished, RapidInMetal,
+    SpeedLimitDiffers, TermsDiffer, TurningAlarm,
+};
 use crate::limits::FOLLOWED_BLANK;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::shown;
-use crate::proof::check::{At, Check, FAULT, Verdict, mm};
-use crate::proof::verification::reading;
+use crate::proof;
+use crate::proof::check::{At, Check, Extreme, Question, mm};
+use crate::proof::step::{Judge, Plan, Step};
 use crate::removal::turning::alarm::{Alarm, Cause, TOUCH};
 use crate::removal::turning::deviation::{Deviation, Profile, Span, deviation};
 use crate::removal::turning::machine::{Chuck, Lathe};
@@ -56,37 +61,38 @@ pub fn setting(design: &Design) -> Setting {
     }
 }
 
-/// Judges the motions that the text of the blank's program gives, read with [`setting`]. A text that the interpreter
-/// refuses is asked nothing else. Of a stock of more than 1 m across the part is not followed: a caution.
+/// The judges of the blank's program, read with [`setting`]. Of a stock of more than 1 m across the part is not followed: a
+/// caution.
+#[must_use]
+pub fn judges<'a>(design: &'a Design) -> Vec<Box<dyn Judge + 'a>> {
+    let over: Box<dyn Judge + 'a> = match Over::new(design) {
+        Some(over) => Box::new(over),
+        None => Box::new(TooLarge(design)),
+    };
+    vec![Box::new(Terms::new(design)), over]
+}
+
+/// Judges a text in the place of the blank's program.
 pub fn judge(design: &Design, program: &Program, text: &mut Interpreter<'_>) -> Vec<Check> {
-    let mut over = Over::new(design);
-    let mut terms = Terms::new(design);
-    let mut fault = None;
-    while let Some(item) = text.next() {
-        match item {
-            Ok(motion) => {
-                let control = *text.in_force();
-                terms.see(&motion, &control);
-                if let Some(over) = &mut over {
-                    over.take(&motion, &control);
-                }
-            }
-            Err(found) => {
-                fault = Some(found);
-                break;
-            }
-        }
+    proof::over(program, text, Plan::of(program), judges(design), due(design)).checks
+}
+
+/// The checks that must be answered for the blank's program.
+#[must_use]
+pub fn due(design: &Design) -> &'static [&'static str] {
+    if Over::new(design).is_none() {
+        return &["blank-terms", "blank-speed-limit", "blank-followed"];
     }
-    let mut checks = vec![reading(program, text, fault.as_deref())];
-    if fault.is_some() {
-        return checks;
-    }
-    checks.extend(terms.checks(program));
-    match over {
-        Some(over) => checks.extend(over.checks(program)),
-        None => checks.push(too_large(design, program)),
-    }
-    checks
+    &[
+        "blank-terms",
+        "blank-speed-limit",
+        "blank-metal-left",
+        "blank-metal-missing",
+        "blank-depth",
+        "blank-rapid",
+        "blank-alarms",
+        "blank-time",
+    ]
 }
 
 /// Under what terms the program cuts: tool, spindle, speed and feed.
@@ -108,7 +114,7 @@ impl<'a> Terms<'a> {
         self.design.blank.S_m.filter(|_| self.design.style == Style::Full).map(f64::from)
     }
 
-    fn see(&mut self, motion: &Motion, control: &InForce) {
+    fn take(&mut self, motion: &Motion, control: &InForce) {
         let (MotionKind::Feed(feed) | MotionKind::Arc(_, feed)) = motion.kind else { return };
         let (at, blank) = (At::motion(motion), &self.design.blank);
         self.feeds += 1;
@@ -134,7 +140,7 @@ impl<'a> Terms<'a> {
         }
     }
 
-    fn checks(self, program: &Program) -> [Check; 2] {
+    fn terms(&self, program: &Program) -> Check {
         let blank = &self.design.blank;
         let name = Text::fixed(
             "Herramienta, giro, velocidad y avance, los de la hoja",
@@ -143,21 +149,11 @@ impl<'a> Terms<'a> {
         let count = self.feeds;
         let value = Text::new(format!("{count} movimientos con avance"), format!("{count} motions at feed"));
         let limit = Text::same(format!("T{} D{}, M4, S{}, F{}", blank.T_b, blank.D_b, blank.S_b, shown(blank.F_b, 3)));
-        let terms = Check::passed("blank-terms", name, program, value, limit.clone());
-        let none = Text::fixed("ningún movimiento con avance", "no motion at feed");
-        let wrong = self.wrong.clone().or_else(|| (count == 0).then_some((At { line: 1, n: None, point: None }, none)));
-        let terms = match wrong {
-            None => terms,
-            Some((at, found)) => terms.at(Some(at)).found(
-                Verdict::Stop,
-                Text::new(
-                    format!("en la {} vale {}, y la hoja pide {}", at.words().es, found.es, limit.es),
-                    format!("at {} there is {} in force; the form asks for {}", at.words().en, found.en, limit.en),
-                ),
-                FAULT,
-            ),
-        };
-        [terms, self.speed_limit(program)]
+        let asked = Question::new("blank-terms", name, program).showing(value, limit.clone()).seen(count);
+        let wrong = self.wrong.clone();
+        asked.at(wrong.as_ref().map(|(at, _)| *at)).unless(
+            wrong.map(|(at, found)| move |place| TermsDiffer { at: at.words(), found, wanted: limit }.at(place)),
+        )
     }
 
     /// The spindle runs up to its greatest speed near the axis where the program does not limit it.
@@ -165,42 +161,31 @@ impl<'a> Terms<'a> {
         let name = Text::fixed("Límite de giro a velocidad constante", "Speed limit under constant surface speed");
         let rpm =
             |speed: Option<f64>| speed.map_or_else(|| "∞ rpm".to_owned(), |speed| format!("{} rpm", shown(speed, 0)));
-        let at = self.limit.map(|(at, _)| at);
-        let found = self.limit.and_then(|(_, found)| found);
+        let (at, found) = self.limit.map_or((None, None), |(at, found)| (Some(at), found));
         let wanted = self.wanted_limit();
         let [shown_found, shown_wanted] = [found, wanted].map(rpm);
         let limit = if wanted.is_some() { shown_wanted.clone() } else { String::new() };
-        let check =
-            Check::passed("blank-speed-limit", name, program, Text::same(shown_found.clone()), Text::same(limit));
+        let asked = Question::new("blank-speed-limit", name, program);
+        let asked = asked.showing(Text::same(shown_found.clone()), Text::same(limit)).at(at).seen(self.feeds);
         if found != wanted {
-            return check.at(at).found(
-                Verdict::Stop,
-                Text::new(
-                    format!("el límite de giro del programa es {shown_found}; el de la hoja, {shown_wanted}"),
-                    format!("the speed limit in the program is {shown_found}; that of the form, {shown_wanted}"),
-                ),
-                FAULT,
-            );
+            return asked
+                .holds(false, |place| SpeedLimitDiffers { found: shown_found, wanted: shown_wanted }.at(place));
         }
-        if found.is_some() {
-            return check.at(at);
-        }
-        let remedy = if self.design.style == Style::Full {
-            Text::fixed("escriba S_m", "fill in S_m")
-        } else {
-            Text::fixed(
-                "limítelo en el control antes de empezar, o style = full con S_m",
-                "set a limit at the control before the start, or style = full with S_m",
-            )
-        };
-        check.of_parameters(vec!["S_m"]).at(at).found(
-            Verdict::Caution,
-            Text::fixed(
-                "el torno trabaja a velocidad de corte constante sin límite de giro: al refrentar se acelera hasta el máximo del husillo",
-                "the lathe runs at constant surface speed without a limit: facing speeds the spindle up to its greatest",
-            ),
-            remedy,
-        )
+        let asked = if found.is_some() { asked } else { asked.of_parameters(vec!["S_m"]) };
+        asked.holds(found.is_some(), |place| match self.design.style {
+            Style::Full => NoSpeedLimit {}.at(place),
+            Style::Annex => NoSpeedLimitAsPublished {}.at(place),
+        })
+    }
+}
+
+impl Judge for Terms<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        self.take(&step.motion, &step.in_force);
+    }
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        vec![self.terms(program), self.speed_limit(program)]
     }
 }
 
@@ -214,6 +199,8 @@ struct Over {
     rapid: Option<Alarm>,
     /// The first of the other alarms, and how many there are.
     other: Option<(Alarm, usize)>,
+    /// How many motions were followed.
+    motions: usize,
 }
 
 impl Over {
@@ -238,10 +225,18 @@ impl Over {
         let quarter = Span::Arc { to: [-torus.r, torus.R], radius: torus.r, clockwise: true };
         let spans = vec![Span::Line([0.0, torus.R - torus.r]), quarter, Span::Line([stock.ends()[0], torus.R])];
         let ways = ways.into_iter().collect::<Option<Vec<_>>>()?;
-        Some(Self { ways, wanted: Profile { start: [0.0, 0.0], spans }, step: blank.C, rapid: None, other: None })
+        Some(Self {
+            ways,
+            wanted: Profile { start: [0.0, 0.0], spans },
+            step: blank.C,
+            rapid: None,
+            other: None,
+            motions: 0,
+        })
     }
 
     fn take(&mut self, motion: &Motion, control: &InForce) {
+        self.motions += 1;
         for (way, simulation) in self.ways.iter_mut().enumerate() {
             for alarm in simulation.take(motion, control).alarms {
                 if matches!(alarm.cause, Cause::RapidInMetal | Cause::RetractionInMetal) {
@@ -254,8 +249,15 @@ impl Over {
             }
         }
     }
+}
 
-    fn checks(mut self, program: &Program) -> Vec<Check> {
+impl Judge for Over {
+    fn see(&mut self, step: &Step<'_>) {
+        self.take(&step.motion, &step.in_force);
+    }
+
+    fn checks(mut self: Box<Self>, program: &Program) -> Vec<Check> {
+        // Nothing is answered by one that followed no way: what is due is then missing.
         let Some(straight) = self.ways.first() else { return Vec::new() };
         straight.lasting().into_iter().for_each(|alarm| count(&mut self.other, alarm));
         // Of a part that is all gone, or was not followed to the end, all is missing.
@@ -263,50 +265,44 @@ impl Over {
         let followed = self.ways.iter().all(|way| !way.is_spent());
         let found = deviation(&straight.contours(), &self.wanted, straight.work_left()).ok();
         let found = found.filter(|_| followed).unwrap_or(gone);
-        let sides = [
-            (
-                "blank-metal-left",
-                Text::fixed("Metal de más sobre cara, toro y cilindro", "Metal left on face, torus and cylinder"),
-                ["sobran", "are left"],
-                found.over,
-            ),
-            (
-                "blank-metal-missing",
-                Text::fixed("Metal de menos en cara, toro y cilindro", "Metal missing from face, torus and cylinder"),
-                ["faltan", "are missing"],
-                found.under,
-            ),
-        ];
-        let mut checks: Vec<Check> = sides
-            .into_iter()
-            .map(|(key, name, [es, en], most)| {
-                let (most, [z, r]) = most.unwrap_or_default();
-                let check = Check::passed(key, name, program, Text::same(mm(most)), Text::same(mm(LIMIT)));
-                if most <= LIMIT {
-                    return check;
-                }
-                let place = format!("X{} Z{}", shown(2.0 * r, 3), shown(z, 3));
-                check.found(
-                    Verdict::Stop,
-                    Text::new(
-                        format!("tras «{}» {es} {} en {place}", program.title.es, mm(most)),
-                        format!("after \"{}\" {} {en} at {place}", program.title.en, mm(most)),
-                    ),
-                    FAULT,
-                )
-            })
-            .collect();
+        let most = |side: Option<(f64, [f64; 2])>| {
+            let (most, [z, r]) = side.unwrap_or_default();
+            let mut extreme = Extreme::nothing();
+            extreme.take(most, None);
+            (extreme, format!("X{} Z{}", shown(2.0 * r, 3), shown(z, 3)))
+        };
+        let asked = |key, name, most: f64| {
+            Question::new(key, name, program).showing(Text::same(mm(most)), Text::same(mm(LIMIT)))
+        };
+        let (left, place_left) = most(found.over);
+        let name = Text::fixed("Metal de más sobre cara, toro y cilindro", "Metal left on face, torus and cylinder");
+        let left = asked("blank-metal-left", name, left.value()).within(&left, LIMIT, |found, place| {
+            MetalLeft { program: program.title.clone(), most: size(found.value()), place: place_left }.at(place)
+        });
+        let (missing, place_missing) = most(found.under);
+        let name =
+            Text::fixed("Metal de menos en cara, toro y cilindro", "Metal missing from face, torus and cylinder");
+        let missing = asked("blank-metal-missing", name, missing.value()).within(&missing, LIMIT, |found, place| {
+            MetalMissing { program: program.title.clone(), most: size(found.value()), place: place_missing }.at(place)
+        });
         let all = &straight.totals().all;
-        checks.push(depth(all.depth, self.step, program));
-        checks.push(rapid(self.rapid, program));
-        checks.push(others(self.other, program));
         let seconds = shown(all.seconds - all.rapid_seconds, 1);
         let name = Text::fixed("Tiempo con avance, sin los rápidos", "Time at feed, without rapid motions");
-        checks.push(
-            Check::passed("blank-time", name, program, Text::same(format!("{seconds} s")), Text::same("")).informing(),
-        );
-        checks
+        let time = Question::new("blank-time", name, program);
+        vec![
+            left,
+            missing,
+            depth(all.depth, self.step, program, self.motions),
+            rapid(self.rapid, program, self.motions),
+            others(self.other, program, self.motions),
+            time.showing(Text::same(format!("{seconds} s")), Text::same("")).informs(),
+        ]
     }
+}
+
+/// A length to a tenth of a micrometre.
+const fn size(value: f64) -> Size {
+    Size { value, unit: "mm", decimals: 4 }
 }
 
 /// Counts an alarm, and keeps the first. Notes are of the coolant, which the material asks for or not, and of pieces that fall
@@ -317,64 +313,52 @@ fn count(first: &mut Option<(Alarm, usize)>, alarm: Alarm) {
     }
 }
 
-fn depth(deepest: f64, step: f64, program: &Program) -> Check {
+fn depth(deepest: f64, step: f64, program: &Program, motions: usize) -> Check {
     let name = Text::fixed("Mayor profundidad de corte", "Greatest depth of cut");
-    let check = Check::passed("blank-depth", name, program, Text::same(mm(deepest)), Text::same(mm(step + LIMIT)));
-    if deepest <= step + LIMIT {
-        return check;
-    }
-    let (deepest, step) = (mm(deepest), mm(step));
-    check.found(
-        Verdict::Stop,
-        Text::new(
-            format!("«{}» corta hasta {deepest} de una vez; el paso C es {step}", program.title.es),
-            format!("\"{}\" cuts up to {deepest} at once; the step C is {step}", program.title.en),
-        ),
-        FAULT,
-    )
+    let asked = Question::new("blank-depth", name, program);
+    let asked = asked.showing(Text::same(mm(deepest)), Text::same(mm(step + LIMIT))).seen(motions);
+    asked.holds(deepest <= step + LIMIT, |place| {
+        CutTooDeep { program: program.title.clone(), depth: size(deepest), step: size(step) }.at(place)
+    })
 }
 
-fn rapid(deepest: Option<Alarm>, program: &Program) -> Check {
+/// Where an alarm was raised.
+const fn raised_at(alarm: &Alarm) -> At {
+    At { line: alarm.line, n: alarm.n, along: None }
+}
+
+fn rapid(deepest: Option<Alarm>, program: &Program, motions: usize) -> Check {
     let name = Text::fixed("Avance rápido a través del material", "Rapid motion through metal");
     let depth = deepest.and_then(|alarm| alarm.depth).unwrap_or(0.0);
-    let check = Check::passed("blank-rapid", name, program, Text::same(mm(depth)), Text::same(mm(TOUCH)));
-    match deepest {
-        None => check,
-        Some(alarm) => check.at(Some(At { line: alarm.line, n: alarm.n, point: None })).found(
-            Verdict::Stop,
-            alarm.finding().what,
-            FAULT,
-        ),
-    }
+    let asked = Question::new("blank-rapid", name, program).showing(Text::same(mm(depth)), Text::same(mm(TOUCH)));
+    asked
+        .seen(motions)
+        .at(deepest.as_ref().map(raised_at))
+        .unless(deepest.map(|alarm| move |place| RapidInMetal { alarm: alarm.finding().what }.at(place)))
 }
 
 /// What else was raised: a person must judge it, as tool and machine are others.
-fn others(first: Option<(Alarm, usize)>, program: &Program) -> Check {
+fn others(first: Option<(Alarm, usize)>, program: &Program, motions: usize) -> Check {
     let name = Text::fixed("Otras alarmas del torneado", "Other alarms of the turning");
     let count = first.map_or(0, |(_, count)| count);
-    let check = Check::passed("blank-alarms", name, program, Text::same(count.to_string()), Text::same("0"));
-    match first {
-        None => check,
-        Some((alarm, _)) => {
-            let at = At { line: alarm.line, n: alarm.n, point: None };
-            check.at(Some(at)).found(Verdict::Caution, alarm.finding().what, alarm.cause.remedy())
-        }
-    }
+    let asked = Question::new("blank-alarms", name, program).showing(Text::same(count.to_string()), Text::same("0"));
+    asked.seen(motions).at(first.as_ref().map(|(alarm, _)| raised_at(alarm))).unless(first.map(|(alarm, _)| {
+        move |place| TurningAlarm { alarm: alarm.finding().what, todo: alarm.cause.remedy() }.at(place)
+    }))
 }
 
-fn too_large(design: &Design, program: &Program) -> Check {
-    let name = Text::fixed("Seguido sobre el bruto", "Followed over the stock");
-    let diameter = Text::same(mm(2.0 * design.torus.R));
-    Check::passed("blank-followed", name, program, diameter, Text::same(mm(FOLLOWED_BLANK)))
-        .of_parameters(vec!["R"])
-        .found(
-            Verdict::Caution,
-            Text::fixed(
-                "el torneado del bruto no se sigue sobre la pieza: su diámetro pasa de lo que se calcula",
-                "the turning of the blank is not followed over the part: its diameter is beyond what is worked out",
-            ),
-            Text::fixed("compruébelo en vacío en el control", "run it in the air at the control first"),
-        )
+/// Answers for a stock that is too large to be followed.
+struct TooLarge<'a>(&'a Design);
+
+impl Judge for TooLarge<'_> {
+    fn see(&mut self, _: &Step<'_>) {}
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let name = Text::fixed("Seguido sobre el bruto", "Followed over the stock");
+        let diameter = Text::same(mm(2.0 * self.0.torus.R));
+        let asked = Question::new("blank-followed", name, program).showing(diameter, Text::same(mm(FOLLOWED_BLANK)));
+        vec![asked.of_parameters(vec!["R"]).seen(1).holds(false, |place| BlankNotFollowed {}.at(place))]
+    }
 }
 
 /// A lathe of which nothing is known: M lies in the zero of the work, and nothing stands about the stock.

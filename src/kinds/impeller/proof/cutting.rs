@@ -3,6 +3,7 @@
 //! A track is measured in the first program that cuts it. Other programs and other turns of C go through the same
 //! positions, which the agreement with the plan shows, and C turns tool and part as one.
 
+use crate::finding::{Finding, Place, Raise, Size};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::figures::Curve;
@@ -11,12 +12,16 @@ use crate::kinds::impeller::proof::Geometry;
 use crate::kinds::impeller::proof::flanks::{self, Clearances, Neighbours, Way};
 use crate::kinds::impeller::proof::floor::rim;
 use crate::kinds::impeller::proof::refinement::needed;
+use crate::kinds::impeller::proof::rules::{
+    PointOffGrid, TipIntoMetal, TipIntoMetalAtAnyN, TipOffAtAnyN, TipOffTolerance,
+};
 use crate::kinds::impeller::proof::stock;
 use crate::kinds::impeller::proof::tip_path::{Along, Peak};
+use crate::kinds::impeller::proof::track_step::TrackStep;
+use crate::kinds::impeller::track::Track;
 use crate::number::grid::Milli;
-use crate::proof::check::{At, Check, FAULT, Verdict, mm, up};
-use crate::proof::step::{Judge, Step, TrackStep};
-use crate::proof::track::Track;
+use crate::proof::check::{At, Check, Extreme, Question, mm, up};
+use crate::proof::step::{Judge, Step};
 use crate::text::Text;
 
 /// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
@@ -54,11 +59,19 @@ impl Measured {
     }
 }
 
+/// What is known of the tracks from the programs that were judged before.
+#[derive(Debug)]
+pub struct KnownTracks {
+    neighbours: Neighbours,
+    tracks: Vec<Measured>,
+}
+
 /// What is known from the programs that were judged before.
 #[derive(Debug)]
 pub struct Known {
-    neighbours: Neighbours,
-    tracks: Vec<Measured>,
+    /// Of the tracks.
+    pub(super) tracks: KnownTracks,
+    /// Of the moves outside the part.
     pub(super) clear_moves: Vec<stock::Known>,
 }
 
@@ -72,7 +85,8 @@ impl Known {
             let (way, clearances) = (Way::default(), Clearances::default());
             Some(Measured { along, way, clearances, done: false, turn: None })
         });
-        Self { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect(), clear_moves: Vec::new() }
+        let tracks = KnownTracks { neighbours: Neighbours::new(design, splitter), tracks: tracks.collect() };
+        Self { tracks, clear_moves: Vec::new() }
     }
 
     /// How far the tip goes into the metal along each track.
@@ -82,7 +96,7 @@ impl Known {
             one.along.curve.sort_by(|one, other| one[0].total_cmp(&other[0]));
             Curve { track: one.along.track(), points: one.along.curve }
         };
-        self.tracks.into_iter().filter(|one| one.done).map(curve).collect()
+        self.tracks.tracks.into_iter().filter(|one| one.done).map(curve).collect()
     }
 }
 
@@ -90,7 +104,7 @@ impl Known {
 #[derive(Debug)]
 pub struct Cutting<'k, 'a> {
     geometry: Geometry<'a>,
-    known: &'k mut Known,
+    known: &'k mut KnownTracks,
     /// Tracks measured in this program.
     here: Vec<Track>,
 }
@@ -98,14 +112,14 @@ pub struct Cutting<'k, 'a> {
 impl<'k, 'a> Cutting<'k, 'a> {
     /// The judge of one program, with what is known from others.
     #[must_use]
-    pub const fn new(geometry: Geometry<'a>, known: &'k mut Known) -> Self {
+    pub const fn new(geometry: Geometry<'a>, known: &'k mut KnownTracks) -> Self {
         Self { geometry, known, here: Vec::new() }
     }
 }
 
 impl Judge for Cutting<'_, '_> {
     fn see(&mut self, step: &Step<'_>) {
-        let Some(TrackStep { track, turn, points }) = step.cut() else { return };
+        let Some(TrackStep { track, turn, points }) = TrackStep::of(step) else { return };
         let design = self.geometry.design;
         let Some(measured) = self.known.tracks.iter_mut().find(|one| one.along.track() == track) else { return };
         if measured.done {
@@ -128,7 +142,7 @@ impl Judge for Cutting<'_, '_> {
         }
     }
 
-    fn checks(&mut self, program: &Program) -> Vec<Check> {
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         // Of a text that ends on the way, what there is of the pass.
         for one in self.known.tracks.iter_mut().filter(|one| self.here.contains(&one.along.track())) {
             one.finish(&self.known.neighbours);
@@ -148,124 +162,87 @@ impl Judge for Cutting<'_, '_> {
 }
 
 fn peak_at(track: Track, peak: &Peak) -> At {
-    At { line: peak.line, n: peak.n, point: Some((track, peak.x)) }
+    At { line: peak.line, n: peak.n, along: Some((track.name(), peak.x)) }
 }
 
 /// The greatest of a value over tracks, with the place where the most of it was seen.
-fn greatest(measured: &[&Measured], value: fn(&Along) -> (f64, &Peak)) -> (f64, Option<At>) {
-    measured.iter().fold((0.0, None), |most, one| {
+fn greatest(measured: &[&Measured], value: fn(&Along) -> (f64, &Peak)) -> Extreme {
+    let mut most = Extreme::nothing();
+    for one in measured {
         let (value, peak) = value(&one.along);
-        if value > most.0 { (value, Some(peak_at(one.along.track(), peak))) } else { most }
-    })
+        most.take(value, peak_at(one.along.track(), peak));
+    }
+    most
+}
+
+/// A length to a tenth of a micrometre.
+const fn size(value: f64) -> Size {
+    Size { value, unit: "mm", decimals: 4 }
 }
 
 impl Cutting<'_, '_> {
     fn tip_path(&self, program: &Program, measured: &[&Measured]) -> Vec<Check> {
         let design = self.geometry.design;
-        let (total, total_at) = greatest(measured, |along| (along.at_most()[0], &along.total));
-        let (metal, metal_at) = greatest(measured, |along| (along.at_most()[1], &along.metal));
-        let at_most = |value: f64| Text::same(format!("≤ {}", mm(up(value))));
-        let tolerance = design.tol.unwrap_or(NAMED);
-        let wanted = (total > tolerance).then(|| needed(design, total, tolerance));
-        let remedy = match wanted {
-            None => Text::fixed("", ""),
-            Some(Some(n)) => Text::new(
-                format!("n de {n} como mínimo: la desviación baja entonces a {}", mm(tolerance)),
-                format!("n of {n} at least: the deviation then falls to {}", mm(tolerance)),
-            ),
-            Some(None) => Text::new(
-                format!(
-                    "ningún n la baja a {}: es lo que deja la resolución de 0.001° con esta longitud de pivote",
-                    mm(tolerance)
-                ),
-                format!(
-                    "no n brings it to {}: it is what a resolution of 0.001° leaves at this pivot length",
-                    mm(tolerance)
-                ),
-            ),
-        };
+        let total = greatest(measured, |along| (along.at_most()[0], &along.total));
+        let metal = greatest(measured, |along| (along.at_most()[1], &along.metal));
+        let at_most = |most: &Extreme| Text::same(format!("≤ {}", mm(up(most.value()))));
+        let told = design.tol.unwrap_or(NAMED);
+        let wanted = (total.value() > told).then(|| needed(design, total.value(), told));
+        let (n, tolerance) = (wanted.flatten(), size(told));
         let name = Text::fixed("Punta entre bloques: mayor desviación", "Tip between blocks: greatest deviation");
         let limit = Text::same(design.tol.map(mm).unwrap_or_default());
-        let path = Check::passed("tip-path", name, program, at_most(total), limit).at(total_at);
+        let path = Question::new("tip-path", name, program).showing(at_most(&total), limit);
         let path = match design.tol {
-            None => path.informing(),
-            Some(tol) if total <= tol => path,
-            Some(tol) => path.of_parameters(vec!["tol", "n"]).found(
-                Verdict::Stop,
-                Text::new(
-                    format!(
-                        "entre bloques la punta se aparta {} de su trayectoria en «{}»; la tolerancia es {}",
-                        mm(up(total)),
-                        program.title.es,
-                        mm(tol)
-                    ),
-                    format!(
-                        "between blocks the tip leaves its path by {} in \"{}\"; the tolerance is {}",
-                        mm(up(total)),
-                        program.title.en,
-                        mm(tol)
-                    ),
-                ),
-                remedy.clone(),
-            ),
+            None => path.of(&total).informs(),
+            Some(tol) => path.of_parameters(vec!["tol", "n"]).within(&total, tol, |found, place| {
+                let (deviation, program) = (size(up(found.value())), program.title.clone());
+                match n {
+                    Some(n) => TipOffTolerance { deviation, program, tolerance, n }.at(place),
+                    None => TipOffAtAnyN { deviation, program, tolerance }.at(place),
+                }
+            }),
         };
         let name = Text::fixed("Punta entre bloques: hacia el metal", "Tip between blocks: into the metal");
         let limit = Text::same(if design.tol.is_none() { mm(INTO_METAL) } else { String::new() });
-        let into = Check::passed("into-metal", name, program, at_most(metal), limit).at(metal_at);
+        let into = Question::new("into-metal", name, program).showing(at_most(&metal), limit);
+        let deep = |found: &Extreme, place: Place| -> Finding {
+            let depth = size(up(found.value()));
+            match n {
+                Some(n) => TipIntoMetal { depth, tolerance, n }.at(place),
+                None => TipIntoMetalAtAnyN { depth, tolerance }.at(place),
+            }
+        };
         let into = if design.tol.is_some() {
-            into.informing()
-        } else if metal <= INTO_METAL {
-            into
+            into.of(&metal).informs()
+        } else if metal.value() <= INTO_METAL {
+            into.within(&metal, INTO_METAL, deep)
         } else {
-            into.of_parameters(vec!["n"]).found(
-                Verdict::Caution,
-                Text::new(
-                    format!("entre bloques la punta entra {} en el metal", mm(up(metal))),
-                    format!("between blocks the tip goes {} into the metal", mm(up(metal))),
-                ),
-                remedy,
-            )
+            into.of_parameters(vec!["n"]).within(&metal, INTO_METAL, deep)
         };
         let mut checks = vec![path, into];
         if let Some(n) = wanted {
             let name = Text::new(
-                format!("n para una desviación de {}", mm(tolerance)),
-                format!("n for a deviation of {}", mm(tolerance)),
+                format!("n para una desviación de {}", mm(told)),
+                format!("n for a deviation of {}", mm(told)),
             );
             let value = n.map_or_else(|| Text::fixed("ninguno", "none"), |n| Text::same(n.to_string()));
-            checks.push(Check::passed("needed-n", name, program, value, Text::same("")).informing());
+            checks.push(Question::new("needed-n", name, program).showing(value, Text::same("")).informs());
         }
         checks
     }
 
     /// What rounding to the grid does to the points.
     fn grid(&self, program: &Program, measured: &[&Measured]) -> Check {
-        let (value, at) = greatest(measured, |along| (along.grid.value, &along.grid));
-        let (past, past_at) = greatest(measured, |along| (along.past_grid.value, &along.past_grid));
+        let moved = greatest(measured, |along| (along.grid.value, &along.grid));
+        let past = greatest(measured, |along| (along.past_grid.value, &along.past_grid));
         let bound = measured.iter().map(|one| one.along.grid_limit).fold(0.0, f64::max);
         let name = Text::fixed("Puntos: lo que los mueve el redondeo a 0.001", "Points: moved by rounding to 0.001");
-        let check = Check::passed("grid", name, program, Text::same(mm(value)), Text::same(mm(bound))).at(at);
+        let asked = Question::new("grid", name, program).showing(Text::same(mm(moved.value())), Text::same(mm(bound)));
         // Each point is held against the limit of its own place.
-        if past <= 0.0 {
-            check
-        } else {
-            check.at(past_at).found(
-                Verdict::Stop,
-                Text::new(
-                    format!(
-                        "un punto de «{}» está a {} de su lugar exacto, más de lo que mueve el redondeo",
-                        program.title.es,
-                        mm(value)
-                    ),
-                    format!(
-                        "a point of \"{}\" is {} from its exact place, more than rounding moves it",
-                        program.title.en,
-                        mm(value)
-                    ),
-                ),
-                FAULT,
-            )
-        }
+        let kept = past.value() <= 0.0;
+        asked
+            .of(if kept { &moved } else { &past })
+            .holds(kept, |place| PointOffGrid { program: program.title.clone(), off: size(moved.value()) }.at(place))
     }
 
     fn floor(&self, program: &Program) -> Check {
@@ -280,6 +257,6 @@ impl Cutting<'_, '_> {
             format!("{}; with r + a_p, {}", mm(rim(r, d_t)), mm(rim(r + design.a_p, d_t))),
         );
         // How deep the rim reaches in all is said by the caution about the plan, with an upper bound.
-        Check::passed("floor-rim", name, program, value, Text::same("")).informing()
+        Question::new("floor-rim", name, program).showing(value, Text::same("")).informs()
     }
 }

@@ -17,17 +17,21 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use crate::finding::{Finding, Place, Raise, Size};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::clearance::{Bounds, CLOSE, Stand, Until, WORK, Walls};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::part::{HUB, Part};
+use crate::kinds::impeller::proof::rules::{
+    PublishedSplitterCutsBlade, PublishedSplitterMayCutBlade, SplitterCutsBlade, SplitterCutsSplitter,
+    SplitterMayCutBlade, SplitterMayCutSplitter, ToolCutsBlade, ToolMayCutBlade,
+};
 use crate::kinds::impeller::splitter::Splitter;
+use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
-use crate::number::shown;
-use crate::proof::check::{At, Check, Verdict, bounded, mm};
-use crate::proof::track::Track;
+use crate::proof::check::{At, Check, Question, bounded, mm};
 use crate::text::Text;
 
 /// What is known of the clearance along a pass.
@@ -83,11 +87,11 @@ impl Way {
     fn at(&self, track: Track, along: f64) -> Option<At> {
         let motion = (along.floor() as usize).min(self.motions.len().checked_sub(1)?);
         let (at, points) = self.motions[motion];
-        let point = points.map(|[from, to]| {
+        let along = points.map(|[from, to]| {
             let (from, to) = (from as f64, to as f64);
-            (track, from + (to - from) * (along - motion as f64))
+            (track.name(), from + (to - from) * (along - motion as f64))
         });
-        Some(At { point, ..at })
+        Some(At { along, ..at })
     }
 }
 
@@ -139,7 +143,7 @@ impl Neighbours {
     }
 }
 
-/// What is asked of the clearances of one program: to the blades, and to the splitters.
+/// What is asked of the clearances of one program: to the blades, and to the splitters, where there are any.
 #[must_use]
 pub fn checks(design: &Design, program: &Program, measured: &[(Track, Clearances)]) -> Vec<Check> {
     let least = |pick: fn(&Clearances) -> Option<Clearance>| {
@@ -147,85 +151,94 @@ pub fn checks(design: &Design, program: &Program, measured: &[(Track, Clearances
         found.min_by(|one, other| one.1.bounds.lower.total_cmp(&other.1.bounds.lower))
     };
     let blades = least(|clearances| clearances.blades).map(|(track, found)| to_blades(design, program, track, &found));
+    let blades = blades.or_else(|| (design.N == 1 && !measured.is_empty()).then(|| no_other_blade(program)));
     let splitters = least(|clearances| clearances.splitters).map(|(track, found)| to_splitters(program, track, &found));
     blades.into_iter().chain(splitters).collect()
 }
 
-/// What a clearance that was not proved comes to, in words: which of what, where, and by how much.
-fn met(program: &Program, found: &Clearance, who: [&str; 2], whom: [&str; 2], point: bool) -> Text {
-    let Clearance { bounds, other, at } = found;
-    let [es, en] = [&program.title.es, &program.title.en];
-    let of = if point {
-        [format!(" (punto {} de éste)", shown(*other, 1)), format!(" (its point {})", shown(*other, 1))]
-    } else {
-        Default::default()
-    };
-    if bounds.upper < 0.0 {
-        let depth = mm(-bounds.upper);
-        Text::new(
-            format!(
-                "{} corta dentro de {}{}, {depth} a lo ancho de la herramienta, en la línea {} de «{es}»",
-                who[0], whom[0], of[0], at.line
-            ),
-            format!(
-                "{} cuts into {}{}, by {depth} across the tool, at line {} of \"{en}\"",
-                who[1], whom[1], of[1], at.line
-            ),
-        )
-    } else {
-        Text::new(
-            format!(
-                "no está demostrado que {} libre {}{}: lo más cerca está en la línea {} de «{es}»",
-                who[0], whom[0], of[0], at.line
-            ),
-            format!(
-                "it is not proved that {} clears {}{}: it is nearest at line {} of \"{en}\"",
-                who[1], whom[1], of[1], at.line
-            ),
-        )
+/// What a clearance that was not proved comes to, in the shape of its rows: of one that is overlapped, and by how much across
+/// the tool, and of one that is not known to be kept.
+struct Met {
+    point: Size,
+    depth: Option<Size>,
+    line: usize,
+    program: Text,
+}
+
+impl Met {
+    fn new(program: &Program, found: &Clearance) -> Self {
+        let upper = found.bounds.upper;
+        Self {
+            point: Size { value: found.other, unit: "", decimals: 1 },
+            depth: (upper < 0.0).then_some(Size { value: -upper, unit: "mm", decimals: 4 }),
+            line: found.at.line,
+            program: program.title.clone(),
+        }
+    }
+
+    fn blade_by_tool(self, place: Place) -> Finding {
+        let Self { point, depth, line, program } = self;
+        match depth {
+            Some(depth) => ToolCutsBlade { point, depth, line, program }.at(place),
+            None => ToolMayCutBlade { point, line, program }.at(place),
+        }
+    }
+
+    fn blade_by_published_splitter(self, place: Place) -> Finding {
+        let Self { point, depth, line, program } = self;
+        match depth {
+            Some(depth) => PublishedSplitterCutsBlade { point, depth, line, program }.at(place),
+            None => PublishedSplitterMayCutBlade { point, line, program }.at(place),
+        }
+    }
+
+    fn blade_by_splitter(self, place: Place) -> Finding {
+        let Self { point, depth, line, program } = self;
+        match depth {
+            Some(depth) => SplitterCutsBlade { point, depth, line, program }.at(place),
+            None => SplitterMayCutBlade { point, line, program }.at(place),
+        }
+    }
+
+    fn splitter_by_splitter(self, place: Place) -> Finding {
+        let Self { depth, line, program, .. } = self;
+        match depth {
+            Some(depth) => SplitterCutsSplitter { depth, line, program }.at(place),
+            None => SplitterMayCutSplitter { line, program }.at(place),
+        }
     }
 }
 
+/// Of a single blade nothing is asked.
+fn no_other_blade(program: &Program) -> Check {
+    let asked = Question::new("blades", TO_BLADES, program);
+    asked.showing(Text::fixed("no hay otro álabe", "no other blade"), Text::same(mm(0.0))).informs()
+}
+
+/// What is asked of the other blades.
+const TO_BLADES: Text = Text::fixed("Holgura a los demás álabes", "Clearance to the other blades");
+
 fn to_blades(design: &Design, program: &Program, track: Track, found: &Clearance) -> Check {
-    let name = Text::fixed("Holgura a los demás álabes", "Clearance to the other blades");
     let Bounds { lower, upper, .. } = found.bounds;
-    let check = Check::passed("blades", name, program, bounded(lower, upper), Text::same(mm(0.0))).at(Some(found.at));
-    if lower >= 0.0 {
-        return check;
-    }
-    let published = track.of_splitter() && design.splitter_fade == Fade::Published;
-    let remedy = match (track.of_splitter(), published) {
-        (true, true) => Text::fixed(
-            "splitter_fade = each-side; o splitters = no, menos álabes, álabes más delgados o una herramienta menor",
-            "splitter_fade = each-side; or splitters = no, fewer blades, thinner blades, or a smaller tool",
-        ),
-        (true, false) => Text::fixed(
-            "splitters = no; o menos álabes, álabes más delgados o una herramienta menor",
-            "splitters = no; or fewer blades, thinner blades, or a smaller tool",
-        ),
-        (false, _) => Text::fixed(
-            "menos álabes, álabes más delgados o una herramienta menor",
-            "fewer blades, thinner blades, or a smaller tool",
-        ),
-    };
-    let who = if track.of_splitter() {
-        ["la pasada del álabe intermedio", "the splitter's pass"]
-    } else {
-        ["la herramienta", "the tool"]
-    };
-    let what = met(program, found, who, ["el álabe vecino", "the neighbouring blade"], true);
-    check.found(if published { Verdict::Caution } else { Verdict::Stop }, what, remedy)
+    let asked = Question::new("blades", TO_BLADES, program).showing(bounded(lower, upper), Text::same(mm(0.0)));
+    asked.at(Some(found.at)).seen(1).holds(lower >= 0.0, |place| {
+        let met = Met::new(program, found);
+        match (track.of_splitter(), design.splitter_fade) {
+            (true, Fade::Published) => met.blade_by_published_splitter(place),
+            (true, Fade::EachSide) => met.blade_by_splitter(place),
+            (false, _) => met.blade_by_tool(place),
+        }
+    })
 }
 
 fn to_splitters(program: &Program, track: Track, found: &Clearance) -> Check {
     let name =
         Text::fixed("Holgura a los intermedios, pasado el cruce", "Clearance to the splitters, past the crossing");
     let Bounds { lower, upper, .. } = found.bounds;
-    let check = Check::passed("splitters", name, program, bounded(lower, upper), Text::same("")).at(Some(found.at));
+    let asked = Question::new("splitters", name, program).showing(bounded(lower, upper), Text::same(""));
+    let asked = asked.at(Some(found.at)).seen(1);
     if lower >= 0.0 || !track.of_splitter() {
-        return check.informing();
+        return asked.informs();
     }
-    let who = ["la pasada de un álabe intermedio", "a splitter's pass"];
-    let what = met(program, found, who, ["otro intermedio", "another splitter"], false);
-    check.found(Verdict::Stop, what, Text::fixed("splitters = no, o menos álabes", "splitters = no, or fewer blades"))
+    asked.holds(false, |place| Met::new(program, found).splitter_by_splitter(place))
 }

@@ -1,32 +1,46 @@
 //! The verification of an impeller: every program read back once, every judge asked.
+//!
+//! | judge | question |
+//! |---|---|
+//! | [`passes`] | is every blade and splitter cut once on both sides |
+//! | [`tip_path`], by [`cutting`] | how far does the tip leave its path between the blocks, and how fine must the steps be |
+//! | [`floor`], by [`cutting`] | how much deeper than the floor does the tool's rim cut |
+//! | [`flanks`], by [`cutting`] | does the tool keep clear of the other blades |
+//! | [`stock`] | does it keep clear of the stock where it does not cut |
+//! | [`blank`] | does the turning program leave the torus, cut at the speeds and feeds asked for, and nowhere at rapid |
 
 pub mod blank;
 pub mod cutting;
 pub mod flanks;
 pub mod floor;
+pub mod passes;
 pub mod refinement;
+pub mod rules;
 pub mod stock;
 pub mod tip_path;
+pub mod track_step;
 
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::figures::Curve;
 use crate::kinds::impeller::proof::cutting::{Cutting, Known};
+use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::number::grid::Milli;
-use crate::proof::agreement::{Agreement, PassCount};
+use crate::proof;
+use crate::proof::agreement::Agreement;
 use crate::proof::arcs::Arcs;
 use crate::proof::check::Check;
 use crate::proof::closure::{Closure, Turn};
 use crate::proof::feed::Feeds;
-use crate::proof::rollover;
-use crate::proof::step::watch;
+use crate::proof::rollover::Rollover;
+use crate::proof::step::{Judge, Plan};
 use crate::proof::travel::Axes;
 use crate::proof::turning::RotarySteps;
-use crate::proof::verification::{Verification, reading};
+use crate::proof::verification::Verification;
 use crate::text::Text;
 
 /// The geometry that programs are held against.
@@ -47,14 +61,9 @@ pub fn verify(geometry: Geometry<'_>, programs: &[Program]) -> (Verification, Ve
     let mut known = Known::new(geometry);
     let mut verification = Verification::default();
     for program in programs {
-        let checks = if program.key == "blank" {
-            blank::judge(geometry.design, program, &mut program.read_back_with(blank::setting(geometry.design)))
-        } else {
-            let mut checks = judge(geometry, program, &mut program.read_back(), &mut known);
-            checks.push(rollover::check(program, geometry.design.counting));
-            checks
-        };
-        verification.add(program, checks);
+        let (setting, due) = (setting(geometry.design, program), due(geometry.design, program));
+        let judges = judges(geometry, &mut known, program);
+        verification.add(program, proof::of(program, setting, Plan::of(program), judges, due));
     }
     (verification, known.curves())
 }
@@ -65,27 +74,71 @@ pub const SOURCE: Text = Text::fixed(
     "Read back from the programs, block by block; tracks are measured in the first program that cuts them",
 );
 
-/// Judges the motions that a program's text gives. A text that the interpreter refuses is asked nothing else.
-pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'_>, known: &mut Known) -> Vec<Check> {
-    let design = geometry.design;
-    let mut agreement = Agreement::new(design.machine, expected(design, program));
-    let mut closure = Closure::new(turn(design, program));
-    let mut axes = Axes::new(&design.travel);
-    let mut turning = RotarySteps::default();
-    let mut feeds = Feeds::new(design.machine, design.F, design.F_max);
-    let mut arcs = Arcs::default();
-    let mut clear_moves = std::mem::take(&mut known.clear_moves);
-    let mut clear = Clear::new(design, &mut clear_moves);
-    let mut cutting = Cutting::new(geometry, known);
-    let mut judges: [&mut dyn crate::proof::step::Judge; 8] =
-        [&mut agreement, &mut closure, &mut axes, &mut turning, &mut feeds, &mut cutting, &mut clear, &mut arcs];
-    let read = watch(program, &mut *text, &mut judges);
-    let mut checks = vec![reading(program, text, read.as_ref().err().map(Box::as_ref))];
-    if read.is_ok() {
-        checks.extend(judges.iter_mut().flat_map(|judge| judge.checks(program)));
+/// What a program is read with.
+#[must_use]
+pub fn setting(design: &Design, program: &Program) -> Setting {
+    if program.key == "blank" { blank::setting(design) } else { program.setting() }
+}
+
+/// What is asked of every program that mills.
+const MILLING: &[&str] =
+    &["agreement", "passes", "closure", "travel", "turning", "feed", "safe-points", "clear-moves", "arcs", "rotary"];
+/// What is asked of the program that is the first to cut a track, beside that.
+const FIRST: &[&str] = &[
+    "agreement",
+    "passes",
+    "closure",
+    "travel",
+    "turning",
+    "feed",
+    "tip-path",
+    "into-metal",
+    "grid",
+    "floor-rim",
+    "blades",
+    "safe-points",
+    "clear-moves",
+    "arcs",
+    "rotary",
+];
+
+/// The checks that must be answered for a program.
+#[must_use]
+pub fn due(design: &Design, program: &Program) -> &'static [&'static str] {
+    match program.key {
+        "blank" => blank::due(design),
+        "blade" | "splitter" => FIRST,
+        // Its tracks were measured in theirs.
+        _ => MILLING,
     }
-    known.clear_moves = clear_moves;
-    checks
+}
+
+/// The judges of a program, with what is known from the programs before it.
+#[must_use]
+pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Program) -> Vec<Box<dyn Judge + 'a>> {
+    let design = geometry.design;
+    if program.key == "blank" {
+        return blank::judges(design);
+    }
+    let Known { tracks, clear_moves } = known;
+    vec![
+        Box::new(Agreement::of_the_tip(design.machine, program)),
+        Box::new(Passes::new(expected(design, program))),
+        Box::new(Closure::new(turn(design, program))),
+        Box::new(Axes::new(&design.travel)),
+        Box::new(RotarySteps::default()),
+        Box::new(Feeds::new(design.machine, design.F, design.F_max)),
+        Box::new(Cutting::new(geometry, tracks)),
+        Box::new(Clear::new(design, clear_moves)),
+        Box::new(Arcs::default()),
+        Box::new(Rollover(design.counting)),
+    ]
+}
+
+/// Judges a text in the place of a program's own.
+pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'_>, known: &mut Known) -> Vec<Check> {
+    let due = due(geometry.design, program);
+    proof::over(program, text, Plan::of(program), judges(geometry, known, program), due).checks
 }
 
 /// How many passes of each track a program should make.

@@ -12,10 +12,10 @@ use crate::kinds::impeller::proof::cutting::limits;
 use crate::kinds::impeller::proof::tip_path::Along;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
+use crate::kinds::impeller::track::Track;
 use crate::limits::TRIED_STEPS;
 use crate::machine::axis::Pose;
 use crate::number::grid::Milli;
-use crate::proof::track::Track;
 
 /// Blocks a track that may be computed in all: a fraction of a second.
 const BLOCKS: usize = 100_000;

@@ -13,13 +13,15 @@
 //! # Units
 //! Millimetres and radians.
 
+use crate::finding::{Raise, Size};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::clearance::Stand;
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::outside::{Bounds, CLOSE, Outside, WORK};
+use crate::kinds::impeller::proof::rules::{ToolInStock, ToolMayBeInStock, ToolMayBeNearStock, ToolNearStock};
+use crate::kinds::impeller::proof::track_step::{TrackStep, clear};
 use crate::machine::axis::{Axis, Pose};
-use crate::number::shown;
-use crate::proof::check::{At, Check, Verdict, bounded, mm};
+use crate::proof::check::{At, Check, Question, bounded, mm};
 use crate::proof::step::{Judge, Step};
 use crate::text::Text;
 
@@ -66,62 +68,27 @@ impl<'a> Clear<'a> {
         bounds
     }
 
-    /// The verdict on the least distance of a program.
-    fn judged(&self, check: Check, program: &Program, bounds: Bounds, line: usize) -> Check {
+    /// The answer on the least distance of a program.
+    fn judged(&self, asked: Question, program: &Program, bounds: Bounds, line: usize) -> Check {
         let Bounds { lower, upper, .. } = bounds;
-        if lower >= self.d_s - self.nearer(0.0005) {
-            return check;
-        }
-        let [es, en] = [&program.title.es, &program.title.en];
-        let down = |length: f64| shown((length * 1000.0 + 1e-6).floor() / 1000.0, 3);
-        let remedy = Text::fixed(
-            "una distancia de seguridad d_s mayor, o un retroceso eps_v menor",
-            "a greater safety distance d_s, or a smaller back-off eps_v",
-        );
-        let (verdict, what) = if upper < 0.0 {
-            let depth = down(-upper);
-            let what = Text::new(
-                format!(
-                    "la herramienta entra al menos {depth} mm en el bruto, fuera de las pasadas, en la línea {line} de «{es}»"
-                ),
-                format!(
-                    "the tool runs at least {depth} mm into the stock, outside the passes, at line {line} of \"{en}\""
-                ),
-            );
-            (Verdict::Stop, what)
-        } else if lower < 0.0 {
-            let what = Text::new(
-                format!("no está demostrado que la herramienta libre el bruto en la línea {line} de «{es}»"),
-                format!("it is not proved that the tool clears the stock at line {line} of \"{en}\""),
-            );
-            (Verdict::Stop, what)
-        } else {
-            let distance = down(lower);
-            let what = if upper - lower <= 2.0 * CLOSE {
-                Text::new(
-                    format!(
-                        "la herramienta pasa a {distance} mm del bruto, menos que d_s, en la línea {line} de «{es}»"
-                    ),
-                    format!("the tool passes the stock at {distance} mm, less than d_s, at line {line} of \"{en}\""),
-                )
+        let program = program.title.clone();
+        let down = |length: f64| Size::mm((length * 1000.0 + 1e-6).floor() / 1000.0);
+        asked.holds(lower >= self.d_s - self.nearer(0.0005), |place| {
+            if upper < 0.0 {
+                ToolInStock { depth: down(-upper), line, program }.at(place)
+            } else if lower.is_nan() || lower < 0.0 {
+                ToolMayBeInStock { line, program }.at(place)
+            } else if upper - lower <= 2.0 * CLOSE {
+                ToolNearStock { distance: down(lower), line, program }.at(place)
             } else {
-                Text::new(
-                    format!(
-                        "solo está demostrado que la herramienta pasa a {distance} mm del bruto o más, menos que d_s, en la línea {line} de «{es}»"
-                    ),
-                    format!(
-                        "it is only proved that the tool passes the stock at {distance} mm or more, less than d_s, at line {line} of \"{en}\""
-                    ),
-                )
-            };
-            (Verdict::Caution, what)
-        };
-        check.found(verdict, what, remedy)
+                ToolMayBeNearStock { distance: down(lower), line, program }.at(place)
+            }
+        })
     }
 }
 
 fn lower(least: &mut Option<(Bounds, At)>, bounds: Bounds, at: At) {
-    if least.is_none_or(|(known, _)| bounds.lower < known.lower) {
+    if least.is_none_or(|(known, _)| bounds.lower < known.lower || bounds.lower.is_nan()) {
         *least = Some((bounds, at));
     }
 }
@@ -129,10 +96,10 @@ fn lower(least: &mut Option<(Bounds, At)>, bounds: Bounds, at: At) {
 impl Judge for Clear<'_> {
     fn see(&mut self, step: &Step<'_>) {
         let (motion, at) = (&step.motion, At::motion(&step.motion));
-        if step.clear() {
+        if clear(step) {
             let distance = self.distance(&motion.from, &motion.to);
             lower(&mut self.moves, distance, at);
-        } else if let Some(cut) = step.cut() {
+        } else if let Some(cut) = TrackStep::of(step) {
             let safe = match cut.points {
                 [None, Some(_)] => &motion.from,
                 [None, None] => &motion.to,
@@ -143,7 +110,7 @@ impl Judge for Clear<'_> {
         }
     }
 
-    fn checks(&mut self, program: &Program) -> Vec<Check> {
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let rows = [
             (
                 "safe-points",
@@ -167,8 +134,8 @@ impl Judge for Clear<'_> {
         let found = rows.into_iter().filter_map(|(key, name, found)| Some((key, name, found?)));
         let judged = |(key, name, (bounds, at)): (_, _, (Bounds, At))| {
             let value = bounded(bounds.lower, bounds.upper);
-            let check = Check::passed(key, name, program, value, limit.clone()).at(Some(at));
-            self.judged(check, program, bounds, at.line)
+            let asked = Question::new(key, name, program).showing(value, limit.clone()).at(Some(at)).seen(1);
+            self.judged(asked, program, bounds, at.line)
         };
         found.map(judged).collect()
     }

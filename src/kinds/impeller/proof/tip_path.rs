@@ -28,12 +28,12 @@
 use nalgebra::Vector3;
 
 use crate::kinds::impeller::ideal::{Ideal, Station};
+use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::rotary::Rotary;
 use crate::number::bound::Enclosure;
 use crate::number::grid::Milli;
 use crate::proof::agreement::tip;
-use crate::proof::track::Track;
 
 /// How far the tip is from its path at one place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -93,7 +93,8 @@ pub struct Peak {
 
 impl Peak {
     fn raise(&mut self, value: f64, x: f64, block: (usize, Option<u32>)) {
-        if value > self.value {
+        // What is no number is beyond every limit, and stays.
+        if value > self.value || (value.is_nan() && !self.value.is_nan()) {
             *self = Self { value, x, line: block.0, n: block.1 };
         }
     }

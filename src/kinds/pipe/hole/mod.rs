@@ -18,7 +18,7 @@ pub mod station;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place, Raise, Said, Size};
+use crate::finding::{Finding, Place, Raise, Rule, Said, Size};
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
@@ -64,6 +64,7 @@ impl Method for Hole {
     type Memo = (Curve, Account);
 
     const FORM: &'static Form = &FORM;
+    const RULES: &'static [&'static Rule] = proof::rules::RULES;
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-hole/labels.typ"),
         method: [

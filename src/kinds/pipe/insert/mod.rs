@@ -29,7 +29,7 @@ pub mod rules;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place};
+use crate::finding::{Finding, Place, Rule};
 use crate::gcode::header::Origin;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::word::Distance;
@@ -67,6 +67,7 @@ impl Method for Insert {
     type Memo = (Curve, Account);
 
     const FORM: &'static Form = &FORM;
+    const RULES: &'static [&'static Rule] = proof::rules::RULES;
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-insert/labels.typ"),
         method: [

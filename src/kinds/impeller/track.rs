@@ -38,12 +38,18 @@ impl Track {
 
     /// What it is called.
     #[must_use]
-    pub const fn name(self) -> Text {
+    pub const fn name(self) -> &'static Text {
+        const NAMES: &[Text; 4] = &[
+            Text::fixed("anverso", "obverse"),
+            Text::fixed("reverso", "reverse"),
+            Text::fixed("intermedio, ida", "splitter, out"),
+            Text::fixed("intermedio, vuelta", "splitter, back"),
+        ];
         match self {
-            Self::Obverse => Text::fixed("anverso", "obverse"),
-            Self::Reverse => Text::fixed("reverso", "reverse"),
-            Self::Out => Text::fixed("intermedio, ida", "splitter, out"),
-            Self::Back => Text::fixed("intermedio, vuelta", "splitter, back"),
+            Self::Obverse => &NAMES[0],
+            Self::Reverse => &NAMES[1],
+            Self::Out => &NAMES[2],
+            Self::Back => &NAMES[3],
         }
     }
 

@@ -1,0 +1,531 @@
+//! The verification of a hole's program: what the torch would do, held against plan, curve, pipes and torch.
+//!
+//! Every motion of the cut is looked at in several poses, put back onto the pipe by the machine's forward kinematics. From
+//! each the nearest place of the exact cut is sought: how far the beam passes from its root is how far the cut is off. Half
+//! a kerf back across the cut face lies the edge that is cut, which is off the branch, grown by its gap, by no more than the beam
+//! is off the root, since the root's own edge lies on it.
+//!
+//! The torch is the convex body about its tip, its shoulder and the end of its body, three discs square to its axis. For any
+//! direction u across the pipe's axis no point of it comes nearer to that axis than the least of u·c − ρ|u × a| over the discs
+//! (middle c, radius ρ), and for one direction that is the distance itself: so the torch keeps clear of the round pipe, not of a
+//! tangent plane or of points on it.
+//!
+//! Between two poses all of these leave what runs evenly from the one to the other by no more than an eighth of their second
+//! derivative, as jets enclose it. Motions are parted until that decides.
+
+pub mod rules;
+
+use std::f64::consts::FRAC_PI_2;
+
+use nalgebra::Vector3;
+
+use crate::finding::{Raise, Size};
+use crate::gcode::interpreter::Interpreter;
+use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::program::Program;
+use crate::gcode::word::Distance;
+use crate::kinds::pipe::hole::cut::{Cut, Follows, Leg, Place, axes, off};
+use crate::kinds::pipe::hole::design::Design;
+use crate::kinds::pipe::hole::program::{AXES, distance};
+use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce, TorchTooNear};
+use crate::kinds::pipe::hole::station::Groove;
+use crate::machine::axis::{Axis, Pose};
+use crate::machine::torch::{TorchAxes, TorchPose};
+use crate::number::grid::Milli;
+use crate::number::jet::{Jet, Vector, bow, cross, difference};
+use crate::number::root::golden;
+use crate::number::shown;
+use crate::number::trig::{asin, atan2, sin_cos};
+use crate::proof;
+use crate::proof::Judged;
+use crate::proof::account::Account;
+use crate::proof::agreement::Agreement;
+use crate::proof::check::{At, Check, Extreme, Question, mm, up};
+use crate::proof::enclosed::{Enclosed, Remedy, bound};
+use crate::proof::feed::{feed_word, timely};
+use crate::proof::rollover::Rollover;
+use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
+use crate::proof::torch::Torch;
+use crate::proof::verification::Verification;
+use crate::text::Text;
+
+/// What rounding to 0.001 mm and 0.001° takes, beside the tolerance: a thousandth of a degree at the pipe's radius.
+fn rounding(design: &Design) -> f64 {
+    0.002 + 0.001_f64.to_radians() * (design.R_o() + design.D_max)
+}
+
+/// By how much the bevel may be off before a person must judge it, degrees: a fifth of what welding procedures allow
+/// for a groove angle (AWS D1.1, −5°).
+const BEVEL: f64 = 1.0;
+
+/// Looks that a program may take at its cut, and at the torch's clearance, beyond the first at each motion.
+const WORK: u32 = 100_000;
+/// What the arithmetic of a look may lose.
+const ARITHMETIC: f64 = 1e-9;
+
+/// How far behind the tip the discs are between which the torch lies, and their radii. The body counts up to a body's width
+/// behind the taper.
+fn discs(design: &Design) -> [[f64; 2]; 3] {
+    let (r_g, R_g, shoulder) = (design.r_g, design.R_g, design.torch().shoulder());
+    [[0.0, r_g], [shoulder, R_g], [shoulder + 2.0 * R_g, R_g]]
+}
+
+/// How far each disc of a torch in a pose is from the pipe's axis, seen along a direction across it, less the pipe's radius.
+fn along(design: &Design, pose: &TorchPose, direction: f64) -> [f64; 3] {
+    let (sin, cos) = sin_cos(direction);
+    let u = Vector3::new(0.0, sin, cos);
+    let (middle, up, aside) = (u.dot(&pose.tip), u.dot(&pose.axis), u.cross(&pose.axis).norm());
+    discs(design).map(|[behind, radius]| middle + behind * up - radius * aside - design.R_o())
+}
+
+fn least(of: [f64; 3]) -> f64 {
+    of[0].min(of[1]).min(of[2])
+}
+
+/// The least distance of a torch in a pose from a pipe of radius R_o about the x axis, and the direction in which it is: none
+/// of its points is nearer.
+fn nearest(design: &Design, pose: &TorchPose) -> (f64, f64) {
+    let over = atan2(pose.tip.y, pose.tip.z);
+    let span = [over - FRAC_PI_2, over + FRAC_PI_2];
+    let (found, direction) = golden(span, 32, |direction| -least(along(design, pose, direction)));
+    (-found, direction)
+}
+
+/// The least distance of a torch in a pose from a pipe of radius R_o about the x axis: tip, taper and body, the body up to a
+/// body's width behind the taper.
+#[must_use]
+pub fn clearance(design: &Design, pose: &TorchPose) -> f64 {
+    nearest(design, pose).0
+}
+
+/// The deviation along the curve, to be drawn: α in degrees and mm.
+pub type Curve = Vec<[f64; 2]>;
+
+fn five(pose: &Pose) -> [f64; 5] {
+    AXES.map(|axis| pose.get(axis))
+}
+
+/// The pose of a place: the axes that the program moves, Y at 0.
+fn pose(place: Place) -> Pose {
+    let mut pose = Pose::default();
+    AXES.into_iter().zip(place).for_each(|(axis, to)| pose.set(axis, to.value()));
+    pose
+}
+
+/// The axes that are held against the plan: Y must not move.
+const HELD: &[Axis] = &[Axis::A, Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
+
+/// Where the torch goes from the end of the cut: up to the safe height and, by increments, back to where A, B and C show 0.
+fn retract(design: &Design, cut: &Cut) -> Vec<Place> {
+    let Ok(safe) = Milli::round(design.R_o() + design.Z_s) else { return Vec::new() };
+    let [A, X, _, B, C] = cut.legs.last().map_or(cut.pierce, |leg| leg.to);
+    let over = [A, X, safe, B, C];
+    let home = [Milli::ZERO, X, safe, Milli::ZERO, Milli::ZERO];
+    let back = distance(design) == Distance::Incremental && home != over;
+    std::iter::once(over).chain(back.then_some(home)).collect()
+}
+
+/// What the program is meant to do, from the pierce on.
+#[must_use]
+pub fn plan(design: &Design, cut: &Cut) -> Plan<'static> {
+    let cuts = cut.legs.iter().map(|leg| (leg.to, Run::Straight));
+    let back = retract(design, cut).into_iter().map(|to| (to, Run::Rapid));
+    let mut from = pose(cut.pierce);
+    let moves: Vec<_> = cuts
+        .chain(back)
+        .enumerate()
+        .map(|(leg, (to, run))| {
+            let to = pose(to);
+            let planned = Planned { from, to, run, time: Time::Free, line: None, leg, path: None };
+            from = to;
+            planned
+        })
+        .collect();
+    Plan::from_the_pierce(moves.into_iter())
+}
+
+/// The leg of the cut to which a motion answers.
+fn leg<'c>(cut: &'c Cut, step: &Step<'_>) -> Option<&'c Leg> {
+    if let Stage::Planned(planned) = &step.stage { cut.legs.get(planned.leg) } else { None }
+}
+
+/// Holds the beam against the cut.
+struct BeamOnRoot<'a> {
+    design: &'a Design,
+    cut: &'a Cut,
+    groove: Groove,
+    /// How far the beam passes from the root, and the chord of the angle by which the torch is off.
+    errors: Enclosed<2>,
+    curve: &'a mut Curve,
+}
+
+impl Judge for BeamOnRoot<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        if let Some(Leg { follows: Follows::Curve(angles), .. }) = leg(self.cut, step) {
+            self.look(&step.motion, *angles);
+        }
+    }
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let tolerance = self.design.arc_tolerance + rounding(self.design);
+        let errors = &self.errors;
+        let off = |key, name, what| {
+            let [value, limit] = bound(errors.at_most(0), tolerance);
+            let asked = Question::new(key, name, program).showing(value, limit);
+            errors.within(asked, 0, tolerance, what, Remedy::Fault)
+        };
+        let beam = off(
+            "beam",
+            Text::fixed("Chorro contra la raíz exacta", "Beam against the exact root"),
+            Text::fixed("el chorro se aparta de la raíz exacta", "the beam leaves the exact root by"),
+        );
+        // No farther than the beam from the root.
+        let branch = off(
+            "branch",
+            Text::fixed(
+                "Borde cortado, sobre el injerto con su holgura",
+                "Edge that is cut, on the branch with its gap",
+            ),
+            Text::fixed(
+                "el borde cortado se aparta del injerto con su holgura",
+                "the edge that is cut is off the branch with its gap by",
+            ),
+        );
+        let name = Text::fixed("Bisel: mayor error de ángulo", "Bevel: greatest error of angle");
+        let most = (degrees(errors.at_most(1)) * 1e3 - 1e-6).ceil() / 1e3;
+        let value = Text::same(format!("≤ {}°", shown(most, 3)));
+        let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
+        let asked = errors.put(asked.of_parameters(vec!["gamma"]), 1);
+        let bevel = asked.holds(errors.at_most(1) <= chord(BEVEL), |place| {
+            BevelOff { angle: Size { value: most, unit: "°", decimals: 2 } }.at(place)
+        });
+        vec![beam, branch, bevel]
+    }
+}
+
+impl BeamOnRoot<'_> {
+    /// Holds the beam along a motion against the cut between two angles.
+    fn look(&mut self, motion: &Motion, [from, to]: [f64; 2]) {
+        let groove = self.groove;
+        let beside = groove.beside;
+        let curve = &mut *self.curve;
+        let mut look = |part: f64, span: [f64; 2], steps: u32| {
+            let pose = axes(place(motion, part)).pose();
+            let beam = |alpha: f64| groove.at(alpha).map_or(f64::INFINITY, |station| off(&pose, &station, beside));
+            let (_, alpha) = golden(span, steps, beam);
+            let station = groove.at(alpha);
+            let [beam, bevel] = station.map_or([f64::INFINITY; 2], |station| {
+                [off(&pose, &station, beside), (pose.axis - station.pose.axis).norm()]
+            });
+            curve.push([alpha.to_degrees(), beam]);
+            Look { part, alpha, beam, bevel }
+        };
+        let margin = 0.5 * (to - from) + 1e-9;
+        let first = [0.0, 0.5, 1.0].map(|part| {
+            let middle = from + (to - from) * part;
+            look(part, [middle - margin, middle + margin], 25)
+        });
+        self.errors.take(
+            At::motion(motion),
+            &first,
+            |look| [look.beam, look.bevel],
+            |one, other| over(&groove, motion, one, other),
+            |one, other| {
+                let (low, high) = (one.alpha.min(other.alpha), one.alpha.max(other.alpha));
+                let wider = 0.25 * (high - low) + 1e-9;
+                look(f64::midpoint(one.part, other.part), [low - wider, high + wider], 20)
+            },
+        );
+    }
+}
+
+/// Holds the torch's way against the pipe.
+struct Clearance<'a> {
+    design: &'a Design,
+    /// The clearance, negative, so that the least is the worst.
+    near: Enclosed<1>,
+    rapids: usize,
+}
+
+impl Judge for Clearance<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        self.rapids += usize::from(matches!(step.stage, Stage::Positioning));
+        // The first two come from where the machine stood, high above the pipe or on the way there.
+        if !matches!(step.stage, Stage::Still) && (step.at_work() || self.rapids > 2) {
+            self.look(&step.motion);
+        }
+    }
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let name = Text::fixed("Distancia de la antorcha al tubo", "Distance of the torch from the pipe");
+        // A distance below the least that could be ruled out is none to count on.
+        let (least, limit) = (-self.near.at_most(0), clear_limit(self.design));
+        let down = -up(-least);
+        let asked = Question::new("clearance", name, program);
+        let asked = asked.showing(Text::same(format!("≥ {}", mm(down))), Text::same(mm(limit)));
+        let asked = self.near.put(asked.of_parameters(vec!["g0", "arc_tolerance"]), 0);
+        vec![asked.holds(least >= limit, |place| {
+            let size = |value: f64| Size { value, unit: "mm", decimals: 4 };
+            TorchTooNear { distance: size(down), g0: size(self.design.g0) }.at(place)
+        })]
+    }
+}
+
+impl Clearance<'_> {
+    /// Holds the torch's way along a motion against the pipe. The pipe is round: only height, tilt and swing count.
+    fn look(&mut self, motion: &Motion) {
+        let design = self.design;
+        self.near.take(
+            At::motion(motion),
+            &[0.0, 1.0].map(|part| Near::at(design, motion, part)),
+            |near| [-near.clear],
+            |one, other| [one.over(design, motion, other)],
+            |one, other| Near::at(design, motion, f64::midpoint(one.part, other.part)),
+        );
+    }
+}
+
+/// Watches how the torch tilts, and how far C turns at once.
+struct Swing<'a> {
+    cut: &'a Cut,
+    tilt: [f64; 2],
+    turn: Extreme,
+}
+
+/// By how much C may turn at once before a person must judge it, degrees.
+const SWING: f64 = 90.0;
+
+impl Judge for Swing<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        if leg(self.cut, step).is_none() {
+            return;
+        }
+        let motion = &step.motion;
+        self.turn.take(motion.to.differences(&motion.from)[Axis::C as usize].abs(), At::motion(motion));
+        let B = motion.to.get(Axis::B);
+        self.tilt = [self.tilt[0].min(B), self.tilt[1].max(B)];
+    }
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let name = Text::fixed("Inclinación B", "Tilt B");
+        let value = Text::same(format!("{} … {}°", shown(self.tilt[0], 3), shown(self.tilt[1], 3)));
+        let tilt = Question::new("tilt", name, program).showing(value, Text::same("")).informs();
+        let name = Text::fixed("Continuidad de C: mayor paso", "Continuity of C: greatest step");
+        let degrees = |value: f64| Text::same(format!("{}°", shown(value, 3)));
+        let asked = Question::new("turning", name, program).showing(degrees(self.turn.value()), degrees(SWING));
+        let turning = asked.within(&self.turn, SWING, |found, place| {
+            SwingsAtOnce { step: Size { value: found.value(), unit: "°", decimals: 3 } }.at(place)
+        });
+        vec![tilt, turning]
+    }
+}
+
+/// Watches the speed of the cut.
+struct CutSpeed<'a> {
+    design: &'a Design,
+    cut: &'a Cut,
+    speed: [f64; 2],
+    off: Option<(f64, At)>,
+    slowed: Option<(f64, At)>,
+    rounded: Extreme,
+    length: f64,
+    seen: usize,
+}
+
+impl Judge for CutSpeed<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        let Some(leg) = leg(self.cut, step) else { return };
+        let (motion, way) = (&step.motion, leg.way);
+        let at = At::motion(motion);
+        self.seen += 1;
+        self.length += way;
+        let Some(seconds) = motion.seconds.filter(|seconds| *seconds > 0.0) else {
+            self.off.get_or_insert((0.0, at));
+            return;
+        };
+        let speed = way * 60.0 / seconds;
+        self.speed = [self.speed[0].min(speed), self.speed[1].max(speed)];
+        let word = if let MotionKind::Feed(feed) = motion.kind { feed.value } else { 0.0 };
+        if !timely(self.design.control.feed.law, motion, word, leg.seconds) {
+            self.off.get_or_insert((speed, at));
+        }
+        self.rounded.take(seconds / leg.seconds - 1.0, at);
+        let wanted = way * 60.0 / self.design.F;
+        if leg.seconds > wanted * 1.01 && self.slowed.is_none_or(|(least, _)| speed < least) {
+            self.slowed = Some((speed, at));
+        }
+    }
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let name = Text::fixed("Longitud del corte en la raíz", "Length of the cut at the root");
+        let length = Question::new("length", name, program).showing(Text::same(mm(self.length)), Text::same(""));
+        vec![length.informs(), self.feed(program), feed_word(program, &self.rounded)]
+    }
+}
+
+impl CutSpeed<'_> {
+    fn feed(&self, program: &Program) -> Check {
+        let name = Text::fixed("Velocidad de corte en la raíz", "Cutting speed at the root");
+        let [least, most] = self.speed.map(|speed| shown(speed, 1));
+        let value = Text::same(format!("{least} … {most} mm/min"));
+        let limit = Text::same(format!("{} mm/min", shown(self.design.F, 3)));
+        let asked = Question::new("feed", name, program).showing(value, limit).seen(self.seen);
+        if let Some((speed, at)) = self.off {
+            let speed = Size { value: speed, unit: "mm/min", decimals: 1 };
+            return asked.at(Some(at)).holds(false, |place| NotItsTime { line: at.line, speed }.at(place));
+        }
+        let Some((speed, at)) = self.slowed else { return asked.passes() };
+        let asked = asked.at(Some(at)).of_parameters(vec!["F_max", "gamma"]);
+        let speed = Size { value: speed, unit: "mm/min", decimals: 0 };
+        asked.holds(false, |place| CutSlows { speed, line: at.line }.at(place))
+    }
+}
+
+/// A look at the torch's clearance.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    /// What part of the motion lies before it.
+    part: f64,
+    /// The torch, over a pipe that is not turned.
+    pose: TorchPose,
+    /// The direction in which it is nearest.
+    direction: f64,
+    /// How near.
+    clear: f64,
+}
+
+impl Near {
+    fn at(design: &Design, motion: &Motion, part: f64) -> Self {
+        // The pipe is round: how it is turned does not count.
+        let pose = TorchAxes { A: 0.0, ..axes(place(motion, part)) }.pose();
+        let (clear, direction) = nearest(design, &pose);
+        Self { part, pose, direction, clear }
+    }
+
+    /// What the clearance, negative, nowhere exceeds between two looks: along one direction the middle of a disc, and the
+    /// torch's axis up to its turns' square, run evenly from the one to the other.
+    fn over(&self, design: &Design, motion: &Motion, other: &Self) -> f64 {
+        let direction = f64::midpoint(self.direction, other.direction);
+        let by = motion.to.differences(&motion.from);
+        let turns = (by[Axis::B as usize].abs() + by[Axis::C as usize].abs()).to_radians() * (other.part - self.part);
+        let bends = turns * turns / 8.0;
+        let (here, there) = (along(design, &self.pose, direction), along(design, &other.pose, direction));
+        let clear: [f64; 3] = std::array::from_fn(|disc| {
+            let [behind, radius] = discs(design)[disc];
+            here[disc].min(there[disc]) - (behind + radius) * bends
+        });
+        ARITHMETIC - least(clear)
+    }
+}
+
+/// A look at the cut.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    /// What part of the motion lies before it.
+    part: f64,
+    /// The angle of the place to which the beam is nearest.
+    alpha: f64,
+    /// How far the beam passes from the root there.
+    beam: f64,
+    /// The chord of the angle between the torch and its true direction.
+    bevel: f64,
+}
+
+/// What the errors nowhere exceed between two looks.
+fn over(groove: &Groove, motion: &Motion, one: &Look, other: &Look) -> [f64; 2] {
+    let (from, to) = (axes(place(motion, one.part)), axes(place(motion, other.part)));
+    let running = |from: f64, to: f64| Jet::running(from, to, [0.0, 1.0]);
+    let (A, B, C) = (running(from.A, to.A), running(from.B, to.B), running(from.C, to.C));
+    let (X, Z) = (running(from.X, to.X), running(from.Z, to.Z));
+    let about = |[x, y, z]: Vector| [x, y * A.cos() - z * A.sin(), y * A.sin() + z * A.cos()];
+    let tip = about([X, Jet::of(0.0), Z]);
+    let axis = about([B.sin() * C.cos(), B.sin() * C.sin(), B.cos()]);
+    let exact = groove.beam(running(one.alpha, other.alpha));
+    let beam = bow(&cross(axis, difference(exact.root, tip)), 1.0);
+    let bevel = bow(&difference(axis, exact.axis), 1.0);
+    [one.beam.max(other.beam) + beam + ARITHMETIC, one.bevel.max(other.bevel) + bevel + ARITHMETIC]
+}
+
+/// The five axes a part of the way along a motion.
+fn place(motion: &Motion, part: f64) -> [f64; 5] {
+    let (from, to) = (five(&motion.from), five(&motion.to));
+    std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part)
+}
+
+/// The chord of an angle in degrees, of a circle of radius 1; and back.
+fn chord(degrees: f64) -> f64 {
+    2.0 * sin_cos(degrees.to_radians() / 2.0).0
+}
+
+fn degrees(chord: f64) -> f64 {
+    2.0 * asin((chord / 2.0).clamp(0.0, 1.0)).to_degrees()
+}
+
+/// What the torch must keep clear by.
+fn clear_limit(design: &Design) -> f64 {
+    design.g0 - design.arc_tolerance - rounding(design)
+}
+
+/// The checks that must be answered.
+pub const CHECKS: &[&str] = &[
+    "agreement",
+    "beam",
+    "branch",
+    "bevel",
+    "clearance",
+    "tilt",
+    "turning",
+    "length",
+    "feed",
+    "feed-word",
+    "torch",
+    "rotary",
+];
+
+/// The judges of the program. `curve` takes the deviation along the curve.
+#[must_use]
+pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec<Box<dyn Judge + 'a>> {
+    let limits = [design.arc_tolerance + rounding(design), chord(BEVEL)];
+    let errors = Enclosed::new([1e-3 * design.arc_tolerance, 1e-5], limits, WORK);
+    let near = Enclosed::new([1e-3], [-clear_limit(design)], WORK);
+    let back = retract(design, cut).len();
+    vec![
+        Box::new(Agreement::of_the_torch(HELD, cut.legs.len() + back, back)),
+        Box::new(BeamOnRoot { design, cut, groove: design.groove(), errors, curve }),
+        Box::new(Clearance { design, near, rapids: 0 }),
+        Box::new(Swing { cut, tilt: [f64::INFINITY, f64::NEG_INFINITY], turn: Extreme::nothing() }),
+        Box::new(CutSpeed {
+            design,
+            cut,
+            speed: [f64::INFINITY, 0.0],
+            off: None,
+            slowed: None,
+            rounded: Extreme::nothing(),
+            length: 0.0,
+            seen: 0,
+        }),
+        Box::new(Torch(Some([&design.torch_on, &design.torch_off]))),
+        Box::new(Rollover(design.control.rotary.delivered)),
+    ]
+}
+
+/// Reads the program of a hole back and judges it. Beside the verification: the deviation along the curve, and
+/// what the program comes to.
+#[must_use]
+pub fn verify(design: &Design, cut: &Cut, program: &Program) -> (Verification, Curve, Account) {
+    let mut curve = Curve::new();
+    let judges = judges(design, cut, &mut curve);
+    let judged = proof::of(program, program.setting(), plan(design, cut), judges, CHECKS);
+    curve.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let mut verification = Verification::default();
+    let account = judged.account.clone();
+    verification.add(program, judged);
+    (verification, curve, account)
+}
+
+/// Judges a text in the place of the program's own.
+#[must_use]
+pub fn judge(design: &Design, cut: &Cut, program: &Program, text: &mut Interpreter<'_>) -> Judged {
+    let mut curve = Curve::new();
+    proof::over(program, text, plan(design, cut), judges(design, cut, &mut curve), CHECKS)
+}

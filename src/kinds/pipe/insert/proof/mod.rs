@@ -1,0 +1,524 @@
+//! The verification of a branch's program: what the torch would do, held against plan, curve and both pipes.
+//!
+//! Every motion of the cut is looked at in some points. From each the nearest point of the exact torch path is sought,
+//! which gives how far the torch leaves it; half a kerf back across the curve lies the edge that is cut, and that edge, put
+//! on the branch's surface, must lie on the header's. Between two looks the error e, taken between points that run evenly from
+//! look to look, is nowhere greater than at them by more than an eighth of its greatest second derivative (as jets enclose it),
+//! nor, where the curve has a corner, than the way between them allows. Motions are parted until that decides.
+
+pub mod rules;
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector2;
+
+use crate::finding::{Grade, Raise, Size};
+use crate::gcode::control::FeedLaw;
+use crate::gcode::feed_word::step as least_step;
+use crate::gcode::interpreter::{Interpreter, Setting};
+use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::program::{Program, Style};
+use crate::geometry::pipe_pair::Side;
+use crate::kinds::pipe::insert::arcs::triples;
+use crate::kinds::pipe::insert::cut::{Cut, Follows};
+use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::insert::outline::Outline;
+use crate::kinds::pipe::insert::program::{approach, template_points};
+use crate::kinds::pipe::insert::proof::rules::CutOffSpeed;
+use crate::machine::axis::{Axis, Pose};
+use crate::number::grid::Milli;
+use crate::number::jet::{Jet, bow};
+use crate::number::root::golden;
+use crate::number::shown;
+use crate::number::trig::{atan2, hypot, sin_cos};
+use crate::proof;
+use crate::proof::Judged;
+use crate::proof::account::Account;
+use crate::proof::agreement::Agreement;
+use crate::proof::check::{At, Check, Extreme, Question, mm};
+use crate::proof::enclosed::{Enclosed, Remedy, bound};
+use crate::proof::feed::{feed_word, timely};
+use crate::proof::rollover::Rollover;
+use crate::proof::rules::CutWithoutFeed;
+use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
+use crate::proof::torch::Torch;
+use crate::proof::verification::Verification;
+use crate::text::Text;
+
+/// What the decimals of the published program leave of a length, mm.
+const SAME: f64 = 1e-6;
+/// What rounding an end and a radius to 0.001 takes, beside the tolerance.
+const ROUNDING: f64 = 0.002;
+
+/// A move of the cut.
+#[derive(Clone, Copy, Debug)]
+pub struct Move {
+    to: [f64; 2],
+    run: Run,
+    follows: Follows,
+}
+
+/// The cut as it is planned: where it pierces, and the moves from there on.
+#[derive(Clone, Debug)]
+pub struct Moves {
+    pierce: [f64; 2],
+    moves: Vec<Move>,
+    /// How many rapid moves there are to the pierce.
+    approach: usize,
+}
+
+impl Moves {
+    /// Those of a cut or, where there is none, of the published program.
+    #[must_use]
+    pub fn new(design: &Design, cut: Option<&Cut>) -> Self {
+        let value = |to: [Milli; 2]| to.map(Milli::value);
+        let run = |bend: Option<(bool, f64)>| {
+            bend.map_or(Run::Straight, |(clockwise, radius)| Run::Arc { clockwise, radius })
+        };
+        if let Some(cut) = cut {
+            let moves = cut.legs.iter().map(|leg| Move {
+                to: value(leg.to),
+                run: run(leg.bend.map(|bend| (bend.clockwise, bend.radius.value()))),
+                follows: leg.follows,
+            });
+            return Self { pierce: value(cut.pierce), moves: moves.collect(), approach: approach(design, cut.pierce) };
+        }
+        let points = template_points(design);
+        let turn = |j: usize| {
+            #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
+            let j = j as f64;
+            TAU * j / f64::from(design.N)
+        };
+        let mut from = 0;
+        let moves = triples(&points, design.arc_tolerance).into_iter().map(|triple| {
+            let follows = Follows::Curve([turn(from), turn(triple.j)]);
+            from = triple.j;
+            let run = run(triple.circle.map(|circle| (!circle.left, circle.radius)));
+            Move { to: triple.to.into(), run, follows }
+        });
+        let moves = moves.collect();
+        Self { pierce: points.first().map_or([0.0; 2], |first| (*first).into()), moves, approach: 1 }
+    }
+
+    /// The plan of the program.
+    #[must_use]
+    pub fn plan(&self, mode: Mode) -> Plan<'_> {
+        let pose = move |to: [f64; 2]| {
+            let mut pose = Pose::default();
+            moved(mode).iter().zip(to).for_each(|(axis, to)| pose.set(*axis, to));
+            pose
+        };
+        let before = std::iter::once(self.pierce).chain(self.moves.iter().map(|one| one.to));
+        let moves = before.zip(&self.moves).enumerate().map(move |(leg, (from, one))| Planned {
+            from: pose(from),
+            to: pose(one.to),
+            run: one.run,
+            time: Time::Free,
+            line: None,
+            leg,
+            path: None,
+        });
+        Plan::from_the_pierce(moves)
+    }
+
+    /// What a motion follows, where it answers to one of these.
+    fn follows(&self, step: &Step<'_>) -> Option<Follows> {
+        let Stage::Planned(planned) = &step.stage else { return None };
+        self.moves.get(planned.leg).map(|one| one.follows)
+    }
+}
+
+/// The deviation along the curve, to be drawn: φ in degrees and mm, positive into the waste.
+pub type Curve = Vec<[f64; 2]>;
+
+/// The axes that the program moves.
+const fn moved(mode: Mode) -> &'static [Axis] {
+    match mode {
+        Mode::Flat => &[Axis::X, Axis::Y],
+        Mode::Rotary => &[Axis::A, Axis::X],
+    }
+}
+
+/// The two coordinates of a pose that the program moves.
+fn axes(mode: Mode, pose: &Pose) -> [f64; 2] {
+    match mode {
+        Mode::Flat => [pose.get(Axis::X), pose.get(Axis::Y)],
+        Mode::Rotary => [pose.get(Axis::A), pose.get(Axis::X)],
+    }
+}
+
+/// The surface that is cut.
+#[derive(Clone, Copy)]
+struct Surface<'a> {
+    design: &'a Design,
+    outline: Outline,
+}
+
+impl Surface<'_> {
+    fn development(&self, [first, second]: [f64; 2]) -> Vector2<f64> {
+        match self.design.mode {
+            Mode::Flat => Vector2::new(first, second),
+            Mode::Rotary => Vector2::new(first.to_radians() * self.outline.radius, second),
+        }
+    }
+
+    /// The way of a motion over the surface that is cut.
+    fn way(&self, motion: &Motion) -> Way {
+        let [from, to] = [&motion.from, &motion.to].map(|pose| axes(self.design.mode, pose));
+        match motion.kind {
+            MotionKind::Arc(arc, _) => {
+                let centre = Vector2::from(arc.centre);
+                let [start, end] = [from, to].map(|place| Vector2::from(place) - centre);
+                let angle = atan2(start.y, start.x);
+                // The radius runs over from that of the start to that of the end.
+                Way::Arc { centre, angle, sweep: arc.sweep, radii: [start.norm(), end.norm()] }
+            }
+            _ => Way::Straight([self.development(from), self.development(to)]),
+        }
+    }
+
+    /// The length of a motion over it, and its way.
+    fn run(&self, motion: &Motion) -> (f64, Way) {
+        let way = self.way(motion);
+        (if let MotionKind::Arc(arc, _) = motion.kind { arc.length(0.0) } else { way.length() }, way)
+    }
+}
+
+/// Holds the torch's path against the curve, and the edge that is cut against the header.
+struct PathOnCurve<'a> {
+    surface: Surface<'a>,
+    moves: &'a Moves,
+    /// How far the torch leaves its path, and the edge that is cut the header.
+    errors: Enclosed<2>,
+    curve: &'a mut Curve,
+}
+
+impl Judge for PathOnCurve<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        let Some(follows) = self.moves.follows(step) else { return };
+        let (at, way, outline) = (At::motion(&step.motion), self.surface.way(&step.motion), self.surface.outline);
+        match follows {
+            Follows::Curve(leg) => self.look_along(&way, leg, at),
+            Follows::Corner(phi) => {
+                let off = way.off_circle(outline.curve(phi), outline.beside);
+                self.errors.take(at, &[off], |off| [*off, 0.0], |one, other| [one.max(*other), 0.0], |one, _| *one);
+            }
+            Follows::WayIn | Follows::Beyond => {}
+        }
+    }
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let design = self.surface.design;
+        let [tolerance, limit] = limits(design);
+        let asked = |key, name, k, limit| {
+            let [value, limit] = bound(self.errors.at_most(k), limit);
+            Question::new(key, name, program).showing(value, limit)
+        };
+        let name = Text::fixed("Trayectoria contra la curva exacta", "Path against the exact curve");
+        let path = asked("path", name, 0, tolerance).of_parameters(vec!["arc_tolerance", "N"]);
+        let remedy = if design.mode == Mode::Flat { Remedy::GreaterN } else { Remedy::Fault };
+        let words = Text::fixed("los arcos se apartan de la curva exacta", "the arcs leave the exact curve by");
+        let path = self.errors.within(path, 0, tolerance, words, remedy);
+        let name = Text::fixed("Borde cortado, sobre el tubo base", "Edge that is cut, on the header");
+        let edge = asked("edge", name, 1, limit);
+        let words =
+            Text::fixed("el borde cortado queda fuera del tubo base por", "the edge that is cut is off the header by");
+        // Of a path that leaves the curve the edge does too: that is said once, and its edge is not passed.
+        let edge = if path.grade() > Some(Grade::Note) {
+            self.errors.put(edge, 1).informs()
+        } else {
+            self.errors.within(edge, 1, limit, words, Remedy::Fault)
+        };
+        vec![path, edge]
+    }
+}
+
+impl PathOnCurve<'_> {
+    /// Holds a motion against the curve between two angles.
+    fn look_along(&mut self, way: &Way, leg: [f64; 2], at: At) {
+        let outline = self.surface.outline;
+        let [from, to] = leg;
+        let inside = f64::midpoint(from, to);
+        let side = |phi: f64| if phi < inside { Side::After } else { Side::Before };
+        let curve = &mut *self.curve;
+        let mut look = |part: f64, span: [f64; 2], steps: u32| {
+            let point = way.at(part);
+            let near = side(f64::midpoint(span[0], span[1]));
+            // Sideways to a small part of the span: the distance, which is square in it, far better.
+            let phi = golden(span, steps, |phi| (outline.torch(phi, near) - point).norm_squared()).1;
+            let across = outline.across(phi, near);
+            let off = point - outline.torch(phi, near);
+            curve.push([phi.to_degrees(), off.dot(&across)]);
+            Look { part, phi, off: off.norm(), edge: off_header(&outline, point - across * outline.beside).abs() }
+        };
+        let margin = (to - from) * 0.5 + 1e-9;
+        let first = [0.0, 0.5, 1.0].map(|part| {
+            let near = from + (to - from) * part;
+            look(part, [(near - margin).max(from), (near + margin).min(to)], 25)
+        });
+        self.errors.take(
+            at,
+            &first,
+            |look| [look.off, look.edge],
+            |one, other| over(&outline, way, inside, one, other),
+            |one, other| {
+                let (low, high) = (one.phi.min(other.phi), one.phi.max(other.phi));
+                let wider = 0.25 * (high - low) + 1e-9;
+                look(f64::midpoint(one.part, other.part), [(low - wider).max(from), (high + wider).min(to)], 20)
+            },
+        );
+    }
+}
+
+/// Watches the speed of the cut.
+struct CutSpeed<'a> {
+    surface: Surface<'a>,
+    moves: &'a Moves,
+    fastest: Extreme,
+    slowest: Option<f64>,
+    off: Option<(f64, At)>,
+    rounded: Extreme,
+    untimed: Option<At>,
+    length: f64,
+    seen: usize,
+}
+
+impl Judge for CutSpeed<'_> {
+    fn see(&mut self, step: &Step<'_>) {
+        if self.moves.follows(step).is_none() {
+            return;
+        }
+        let (motion, design) = (&step.motion, self.surface.design);
+        let ((length, _), at) = (self.surface.run(motion), At::motion(motion));
+        self.seen += 1;
+        self.length += length;
+        let Some(seconds) = motion.seconds.filter(|seconds| *seconds > 0.0) else {
+            self.untimed.get_or_insert(at);
+            return;
+        };
+        let speed = length * 60.0 / seconds;
+        self.fastest.take(speed, at);
+        self.slowest = Some(self.slowest.map_or(speed, |least: f64| least.min(speed)));
+        let word = match motion.kind {
+            MotionKind::Feed(feed) | MotionKind::Arc(_, feed) => feed.value,
+            MotionKind::Rapid | MotionKind::Thread(_) | MotionKind::Dwell(_) => 0.0,
+        };
+        let F = design.F.unwrap_or(speed);
+        let planned = length * 60.0 / F;
+        let good = match design.mode {
+            // F is the speed over the sheet itself; a word within a billionth of a whole step is that step.
+            Mode::Flat => (F - least_step(FeedLaw::Resultant, F)..=F * (1.0 + 1e-9)).contains(&word),
+            Mode::Rotary => timely(design.control.feed.law, motion, word, planned),
+        };
+        if !good || seconds < planned * (1.0 - 1e-6) {
+            self.off.get_or_insert((speed, at));
+        }
+        self.rounded.take(seconds / planned - 1.0, at);
+    }
+
+    fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
+        let name = Text::fixed("Longitud del corte", "Length of the cut");
+        let length = Question::new("length", name, program).showing(Text::same(mm(self.length)), Text::same(""));
+        vec![length.informs(), self.feed(program), feed_word(program, &self.rounded)]
+    }
+}
+
+impl CutSpeed<'_> {
+    fn feed(&self, program: &Program) -> Check {
+        let (name, design) = (Text::fixed("Velocidad de corte", "Cutting speed"), self.surface.design);
+        let asked = Question::new("feed", name, program).seen(self.seen);
+        let Some(F) = design.F.filter(|_| design.style == Style::Full) else {
+            return asked.showing(Text::fixed("sin palabra F", "no F word"), Text::same("")).informs();
+        };
+        let most = self.fastest.value();
+        let show = |speed: f64| shown(speed, 1);
+        let value = Text::same(format!("{} … {} mm/min", show(self.slowest.unwrap_or(most)), show(most)));
+        let asked = asked.showing(value, Text::same(format!("{} mm/min", shown(F, 3)))).at(self.fastest.at());
+        match (self.off, self.untimed) {
+            (None, None) => asked.passes(),
+            (None, Some(at)) => asked
+                .at(Some(at))
+                .holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place)),
+            (Some((speed, at)), _) => asked.at(Some(at)).holds(false, |place| {
+                let (speed, F) =
+                    (Size { value: speed, unit: "mm/min", decimals: 1 }, Size { value: F, unit: "", decimals: 3 });
+                CutOffSpeed { speed, line: at.line, F }.at(place)
+            }),
+        }
+    }
+}
+
+/// What the arithmetic of a look may lose.
+const ARITHMETIC: f64 = 1e-9;
+
+/// Looks that a program may take beyond the first three at each motion.
+const WORK: u32 = 100_000;
+
+/// What path and edge may be off.
+fn limits(design: &Design) -> [f64; 2] {
+    let tolerance = design.arc_tolerance + if design.style == Style::Full { ROUNDING } else { 0.0 };
+    // An error over the development is one of the edge, longer by as much as the branch's curve is than the development.
+    [tolerance, tolerance * (design.r / design.outline().radius).max(1.0) + SAME]
+}
+
+/// A look at a motion.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    /// What part of the motion lies before it.
+    part: f64,
+    /// The angle at which the torch's path is nearest.
+    phi: f64,
+    /// How far that is.
+    off: f64,
+    /// How far the edge that is cut is from the header.
+    edge: f64,
+}
+
+/// The way of a motion over the surface that is cut.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    Straight([Vector2<f64>; 2]),
+    Arc { centre: Vector2<f64>, angle: f64, sweep: f64, radii: [f64; 2] },
+}
+
+impl Way {
+    fn at(&self, part: f64) -> Vector2<f64> {
+        match *self {
+            Self::Straight([from, to]) => from + (to - from) * part,
+            Self::Arc { centre, angle, sweep, radii: [first, last] } => {
+                let (sin, cos) = sin_cos(angle + sweep * part);
+                centre + Vector2::new(cos, sin) * (first + (last - first) * part)
+            }
+        }
+    }
+
+    /// What its length is at most.
+    fn length(&self) -> f64 {
+        match *self {
+            Self::Straight([from, to]) => (to - from).norm(),
+            Self::Arc { sweep, radii: [first, last], .. } => hypot(sweep * first.max(last), last - first),
+        }
+    }
+
+    /// The way between two parts of it, while a parameter runs from 0 to 1.
+    fn jets(&self, [one, other]: [f64; 2]) -> [Jet; 2] {
+        match *self {
+            Self::Straight(_) => {
+                let (from, to) = (self.at(one), self.at(other));
+                [Jet::running(from.x, to.x, [0.0, 1.0]), Jet::running(from.y, to.y, [0.0, 1.0])]
+            }
+            Self::Arc { centre, angle, sweep, radii: [first, last] } => {
+                let running = |from: f64, by: f64| Jet::running(from + by * one, from + by * other, [0.0, 1.0]);
+                let (angle, radius) = (running(angle, sweep), running(first, last - first));
+                [Jet::of(centre.x) + radius * angle.cos(), Jet::of(centre.y) + radius * angle.sin()]
+            }
+        }
+    }
+
+    /// How far the way leaves a circle.
+    fn off_circle(&self, middle: Vector2<f64>, radius: f64) -> f64 {
+        match *self {
+            Self::Straight([from, to]) => {
+                let chord = to - from;
+                let part = ((middle - from).dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+                let nearest = if part.is_nan() { from } else { self.at(part) };
+                let far = [from, to].map(|end| (end - middle).norm() - radius);
+                far[0].abs().max(far[1].abs()).max(radius - (nearest - middle).norm())
+            }
+            Self::Arc { centre, radii, .. } => {
+                (centre - middle).norm() + radii.map(|own| (own - radius).abs()).into_iter().fold(0.0, f64::max)
+            }
+        }
+    }
+}
+
+/// How far a point of the edge that is cut, on the development, is from the header.
+fn off_header(outline: &Outline, edge: Vector2<f64>) -> f64 {
+    outline.pair.off_header(&outline.pair.on_branch(edge.x / outline.radius, edge.y - outline.Z))
+}
+
+/// What the errors nowhere exceed between two looks.
+fn over(outline: &Outline, way: &Way, inside: f64, one: &Look, other: &Look) -> [f64; 2] {
+    let point = way.jets([one.part, other.part]);
+    let phi = Jet::running(one.phi, other.phi, [0.0, 1.0]);
+    let [torch, across] = outline.torch_jets(phi, inside);
+    let bends = bow(&[point[0] - torch[0], point[1] - torch[1]], 1.0);
+    let edge = [0, 1].map(|k| point[k] - across[k] * outline.beside);
+    let place = outline.pair.on_branch_jets(edge[0] * (1.0 / outline.radius), edge[1] - Jet::of(outline.Z));
+    let rises = bow(&[(place[1].square() + place[2].square()).sqrt()], 1.0);
+    // However the curve runs, the torch comes nearer to it or leaves it by no more than it goes.
+    let goes = 0.5 * way.length() * (other.part - one.part);
+    let path = (one.off.max(other.off) + bends).min(f64::midpoint(one.off, other.off) + goes);
+    let longer = if outline.beside > 0.0 { f64::INFINITY } else { (outline.pair.r / outline.radius).max(1.0) };
+    let header = (one.edge.max(other.edge) + rises).min(f64::midpoint(one.edge, other.edge) + longer * goes);
+    [path + ARITHMETIC, header + ARITHMETIC]
+}
+
+/// The checks that must be answered.
+const CHECKS: &[&str] = &["agreement", "path", "edge", "length", "feed", "feed-word", "torch"];
+/// The same where the pipe turns.
+const TURNING_CHECKS: &[&str] = &["agreement", "path", "edge", "length", "feed", "feed-word", "torch", "rotary"];
+
+/// The checks that must be answered for the program of a design.
+#[must_use]
+pub const fn due(design: &Design) -> &'static [&'static str] {
+    match design.mode {
+        Mode::Flat => CHECKS,
+        Mode::Rotary => TURNING_CHECKS,
+    }
+}
+
+/// What the program is read with: as published it is a part of another.
+#[must_use]
+pub fn setting(design: &Design, program: &Program) -> Setting {
+    Setting { part: design.style == Style::Annex, ..program.setting() }
+}
+
+/// The judges of the program. `curve` takes the deviation along the curve.
+#[must_use]
+pub fn judges<'a>(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) -> Vec<Box<dyn Judge + 'a>> {
+    let surface = Surface { design, outline: design.outline() };
+    let errors = Enclosed::new([1e-3 * design.arc_tolerance; 2], limits(design), WORK);
+    let codes = (design.style == Style::Full).then_some([&design.torch_on[..], &design.torch_off[..]]);
+    let agreement = Agreement::of_the_torch(moved(design.mode), moves.moves.len(), 0).approached_by(moves.approach);
+    let mut judges: Vec<Box<dyn Judge + 'a>> = vec![
+        Box::new(agreement),
+        Box::new(PathOnCurve { surface, moves, errors, curve }),
+        Box::new(CutSpeed {
+            surface,
+            moves,
+            fastest: Extreme::nothing(),
+            slowest: None,
+            off: None,
+            rounded: Extreme::nothing(),
+            untimed: None,
+            length: 0.0,
+            seen: 0,
+        }),
+        Box::new(Torch(codes)),
+    ];
+    if design.mode == Mode::Rotary {
+        judges.push(Box::new(Rollover(design.control.rotary.delivered)));
+    }
+    judges
+}
+
+/// Reads the program of a branch back and judges it. Beside the verification: the deviation along the curve, and
+/// what the program comes to.
+#[must_use]
+pub fn verify(design: &Design, cut: Option<&Cut>, program: &Program) -> (Verification, Curve, Account) {
+    let (moves, mut curve) = (Moves::new(design, cut), Curve::new());
+    let judges = judges(design, &moves, &mut curve);
+    let judged = proof::of(program, setting(design, program), moves.plan(design.mode), judges, due(design));
+    let mut verification = Verification::default();
+    let account = judged.account.clone();
+    verification.add(program, judged);
+    (verification, curve, account)
+}
+
+/// Judges a text in the place of the program's own.
+#[must_use]
+pub fn judge(design: &Design, cut: Option<&Cut>, program: &Program, text: &mut Interpreter<'_>) -> Judged {
+    let (moves, mut curve) = (Moves::new(design, cut), Curve::new());
+    proof::over(program, text, moves.plan(design.mode), judges(design, &moves, &mut curve), due(design))
+}

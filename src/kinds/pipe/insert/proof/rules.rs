@@ -1,0 +1,15 @@
+//! What the judges of a branch's program say beside the common rows: V0201 to V0299.
+
+use crate::finding::{Example, Size};
+
+crate::finding::rule::rules! {
+    /// The rows of this room.
+    RULES;
+    "V0201" CutOffSpeed Stop { speed: Size, line: usize, F: Size }
+        es "la velocidad de corte es {speed} en la línea {line}, y F es {F}"
+        en "the cutting speed is {speed} at line {line} where F is {F}"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "A otra velocidad el chorro se inclina o no atraviesa.",
+            "At another speed the jet leans, or does not go through.";
+        example Example::Slip { kind: "pipe-insert", cells: &[], program: "insert", from: "F925.899", to: "F1025.899" };
+}
