@@ -203,7 +203,7 @@ macro_rules! rules {
         )*
     ) => {
         $(
-            #[doc = $en]
+            #[doc = concat!("`` ", $en, " ``")]
             #[derive(Clone, Debug, PartialEq)]
             #[allow(missing_docs, reason = "the sentence says what the fields are")]
             pub struct $name {

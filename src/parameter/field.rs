@@ -111,7 +111,7 @@ impl Typed for String {
 }
 
 /// A type that is chosen from a list: an enum whose variants, keys and labels stand in one place (see
-/// [`choices!`](crate::parameter::field::choices)).
+/// `choices!`).
 pub trait Chosen: Copy + 'static {
     /// The list.
     const CHOICES: &'static [Choice];
