@@ -8,9 +8,12 @@ use super::{Chapters, Chart, Drawing, End, Kind, Outcome, Proved, Provenance, Wa
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Refusal, Rule};
 use crate::gcode::header::Origin;
+use crate::gcode::interpreter::Setting;
 use crate::gcode::program::Program;
 use crate::parameter::Form;
 use crate::parameter::field::Fields;
+use crate::proof;
+use crate::proof::step::{Judge, Plan};
 use crate::proof::verification::Verification;
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table};
@@ -31,7 +34,7 @@ pub trait Method: Send + Sync + 'static {
     type Design: Send + Sync + 'static;
     /// What is worked out of a design before anything is written.
     type Model: Send + Sync + 'static;
-    /// What the proof leaves for derived quantities and figures.
+    /// What one program's proof leaves the next, and figures.
     type Memo: Send + Sync + 'static;
 
     /// What the user fills in.
@@ -64,12 +67,32 @@ pub trait Method: Send + Sync + 'static {
     /// For a position that no program may carry.
     fn programs(design: &Self::Design, model: &Self::Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>>;
 
-    /// Reads the programs back and judges them.
-    fn verify(design: &Self::Design, model: &Self::Model, programs: &[Program]) -> (Verification, Self::Memo);
+    /// What is known before the first program is judged.
+    fn memo(design: &Self::Design, model: &Self::Model) -> Self::Memo;
+
+    /// What a program is read with.
+    fn setting(_: &Self::Design, program: &Program) -> Setting {
+        program.setting()
+    }
+
+    /// What a program is meant to do, move by move: along its own paths, where it was written along any.
+    fn plan<'a>(_: &'a Self::Design, _: &'a Self::Model, program: &'a Program) -> Plan<'a> {
+        Plan::of(program)
+    }
+
+    /// Who judges a program, with what is known from those before it.
+    fn judges<'a>(
+        design: &'a Self::Design,
+        model: &'a Self::Model,
+        memo: &'a mut Self::Memo,
+        program: &'a Program,
+    ) -> Vec<Box<dyn Judge + 'a>>;
+
+    /// The keys of the checks that must be answered for a program; one that nobody answers stops the work.
+    fn due(design: &Self::Design, program: &Program) -> &'static [&'static str];
 
     /// Derived limits, angles and lengths.
-    fn quantities(design: &Self::Design, model: &Self::Model, memo: &Self::Memo, programs: &[Program])
-    -> Vec<Quantity>;
+    fn quantities(design: &Self::Design, model: &Self::Model, programs: &[Proved]) -> Vec<Quantity>;
 
     /// What can be shown of the part, with what cuts it.
     fn part(_: &Self::Design, _: &Self::Model) -> Option<Part> {
@@ -140,9 +163,19 @@ impl<M: Method> Kind for Of<M> {
             language: fields.language(),
         };
         let Written { programs, mut findings } = M::programs(&design, &model, &origin).map_err(refused)?;
-        let (verification, memo) = M::verify(&design, &model, &programs);
+        let (mut memo, mut verification) = (M::memo(&design, &model), Verification::default());
+        let mut accounts = Vec::new();
+        for program in &programs {
+            let (setting, plan) = (M::setting(&design, program), M::plan(&design, &model, program));
+            let judges = M::judges(&design, &model, &mut memo, program);
+            let judged = proof::of(program, setting, plan, judges, M::due(&design, program));
+            accounts.push(judged.account.clone());
+            verification.add(program, judged);
+        }
         tables.push(verification.table(&programs, M::PROVED));
-        let quantities = M::quantities(&design, &model, &memo, &programs);
+        let proved = |(program, account)| Proved { account: Some(account), ..Proved::from(program) };
+        let programs: Vec<Proved> = programs.into_iter().zip(accounts).map(proved).collect();
+        let quantities = M::quantities(&design, &model, &programs);
         findings.extend(verification.findings);
         let mut findings: Vec<Finding> = findings.into_iter().map(|finding| fields.locate(finding)).collect();
         findings.extend(found);
@@ -155,7 +188,7 @@ impl<M: Method> Kind for Of<M> {
             kind: const { &Self::new() },
             quantities,
             tables,
-            programs: programs.into_iter().filter(|_| whole).map(Proved::from).collect(),
+            programs: programs.into_iter().filter(|_| whole).collect(),
             charts: M::charts(&design, &model),
             drawings: M::drawings(&design, &model),
             figures: LazyLock::new(Box::new(move || M::figures(&design, &model, &memo))),

@@ -1,7 +1,7 @@
 //! A part with its programs, as it is shown.
 
 use crate::finding::{Finding, Grade, Place, Refusal};
-use crate::gcode::program::Program;
+use crate::kind::Proved;
 use crate::limits::SHOWN_MOTIONS;
 use crate::machine::chain::Chain;
 use crate::scene::kept::{following, too_many};
@@ -13,7 +13,7 @@ use crate::scene::{Remark, Scene};
 ///
 /// # Errors
 /// Exit 7 for a program with more lines or motions than [`SHOWN_MOTIONS`].
-pub(super) fn scene(part: Option<Part>, programs: &[Program], findings: &[Finding]) -> Result<Scene, Refusal> {
+pub(super) fn scene(part: Option<Part>, programs: &[Proved], findings: &[Finding]) -> Result<Scene, Refusal> {
     let mut scene = Scene::default();
     let most = u64::try_from(SHOWN_MOTIONS).unwrap_or(u64::MAX);
     for program in programs {

@@ -44,19 +44,21 @@ pub mod undercut;
 use crate::figure::Figure;
 use crate::finding::{Finding, Rule};
 use crate::gcode::header::Origin;
+use crate::gcode::interpreter::Setting;
 use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, out_of_format};
+use crate::kind::{Chapters, Chart, Proved, out_of_format};
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::fade::Fade;
-use crate::kinds::impeller::figures::{Curve, figures};
+use crate::kinds::impeller::figures::figures;
 use crate::kinds::impeller::gap::Limits;
 use crate::kinds::impeller::parameters::FORM;
 use crate::kinds::impeller::programs::{Tracks, programs};
-use crate::kinds::impeller::proof::{Geometry, SOURCE, verify};
+use crate::kinds::impeller::proof::cutting::Known;
+use crate::kinds::impeller::proof::{Geometry, SOURCE};
 use crate::kinds::impeller::remarks::{no_calibration, no_splitter, remarks};
 use crate::kinds::impeller::shortfalls::{shortfalls, too_narrow};
 use crate::kinds::impeller::splitter::Splitter;
@@ -66,7 +68,7 @@ use crate::machine::calibration::Axis as Calibrated;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::Form;
 use crate::parameter::field::Fields;
-use crate::proof::verification::Verification;
+use crate::proof::step::Judge;
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::Text;
@@ -88,10 +90,17 @@ pub struct Model {
     tracks: Result<Tracks, OutOfFormat>,
 }
 
+impl Model {
+    /// What programs are held against.
+    const fn geometry<'a>(&'a self, design: &'a Design) -> Geometry<'a> {
+        Geometry { design, blade: &self.blade, splitter: self.splitter.as_ref() }
+    }
+}
+
 impl Method for Impeller {
     type Design = Design;
     type Model = Model;
-    type Memo = Vec<Curve>;
+    type Memo = Known;
 
     const FORM: &'static Form = &FORM;
     const RULES: &'static [&'static Rule] = proof::rules::RULES;
@@ -157,11 +166,28 @@ impl Method for Impeller {
         Ok(Written { programs: made.programs, findings })
     }
 
-    fn verify(design: &Design, model: &Model, programs: &[Program]) -> (Verification, Vec<Curve>) {
-        verify(Geometry { design, blade: &model.blade, splitter: model.splitter.as_ref() }, programs)
+    fn memo(design: &Design, model: &Model) -> Known {
+        Known::new(model.geometry(design))
     }
 
-    fn quantities(design: &Design, model: &Model, _: &Vec<Curve>, programs: &[Program]) -> Vec<Quantity> {
+    fn setting(design: &Design, program: &Program) -> Setting {
+        proof::setting(design, program)
+    }
+
+    fn judges<'a>(
+        design: &'a Design,
+        model: &'a Model,
+        known: &'a mut Known,
+        program: &'a Program,
+    ) -> Vec<Box<dyn Judge + 'a>> {
+        proof::judges(model.geometry(design), known, program)
+    }
+
+    fn due(design: &Design, program: &Program) -> &'static [&'static str] {
+        proof::due(design, program)
+    }
+
+    fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quantity> {
         quantities(design, &model.limits, &model.passes, model.splitter.as_ref(), programs)
     }
 
@@ -173,8 +199,8 @@ impl Method for Impeller {
         charts::charts(model.splitter.is_some())
     }
 
-    fn figures(design: &Design, model: &Model, curves: &Vec<Curve>) -> Vec<Figure> {
-        figures(design, &model.blade, &model.passes, model.splitter.as_ref(), curves)
+    fn figures(design: &Design, model: &Model, known: &Known) -> Vec<Figure> {
+        figures(design, &model.blade, &model.passes, model.splitter.as_ref(), &known.curves())
     }
 }
 
@@ -184,7 +210,7 @@ fn quantities(
     limits: &Limits,
     passes: &ToolPaths,
     splitter: Option<&Splitter>,
-    programs: &[Program],
+    programs: &[Proved],
 ) -> Vec<Quantity> {
     let (torus, a_p, e, d_t) = (design.torus, design.a_p, design.e, design.d_t);
     let mm = Unit::Millimetre;

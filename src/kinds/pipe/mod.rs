@@ -6,3 +6,11 @@ pub mod insert;
 pub mod rules;
 pub mod scene;
 pub mod size;
+
+use crate::kind::Proved;
+use crate::proof::account::Account;
+
+/// What the program of a pipe comes to.
+fn account(programs: &[Proved]) -> Account {
+    programs.last().and_then(|program| program.account.clone()).unwrap_or_default()
+}

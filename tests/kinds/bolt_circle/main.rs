@@ -20,15 +20,16 @@ use rodete::finding::{Finding, Rule};
 use rodete::gcode::header::Origin;
 use rodete::gcode::program::Program;
 use rodete::kind::method::{Method, Of, Written};
-use rodete::kind::{Chapters, out_of_format};
+use rodete::kind::{Chapters, Proved, out_of_format};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Form, t};
-use rodete::proof::verification::Verification;
+use rodete::proof::step::Judge;
 use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
 use rodete::text::Text;
 
 use crate::design::BoltCircle;
 use crate::form::FORM;
+use crate::proof::HolesAtAngles;
 
 /// The kind.
 enum Kind {}
@@ -81,13 +82,17 @@ impl Method for Kind {
         Ok(Written { programs: vec![program], findings: Vec::new() })
     }
 
-    fn verify(circle: &BoltCircle, (): &(), programs: &[Program]) -> (Verification, ()) {
-        let mut verification = Verification::default();
-        programs.iter().for_each(|program| verification.add(program, proof::judge(circle, program)));
-        (verification, ())
+    fn memo(_: &BoltCircle, (): &()) {}
+
+    fn judges<'a>(circle: &'a BoltCircle, (): &(), (): &mut (), _: &Program) -> Vec<Box<dyn Judge + 'a>> {
+        vec![Box::new(HolesAtAngles::of(circle))]
     }
 
-    fn quantities(circle: &BoltCircle, (): &(), (): &(), _: &[Program]) -> Vec<Quantity> {
+    fn due(_: &BoltCircle, _: &Program) -> &'static [&'static str] {
+        &["angles"]
+    }
+
+    fn quantities(circle: &BoltCircle, (): &(), _: &[Proved]) -> Vec<Quantity> {
         let [from, to] = [circle.at(0), circle.at(1)];
         vec![Quantity {
             symbol: "c",

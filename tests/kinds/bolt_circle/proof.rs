@@ -6,8 +6,7 @@ use rodete::gcode::program::Program;
 use rodete::machine::axis::Axis;
 use rodete::parameter::t;
 use rodete::proof::check::{At, Check, Extreme, Question, mm};
-use rodete::proof::step::{Judge, Plan, Step};
-use rodete::proof::{self, Judged};
+use rodete::proof::step::{Judge, Step};
 use rodete::text::Text;
 
 use crate::design::BoltCircle;
@@ -17,12 +16,19 @@ use crate::rules::Astray;
 const MOST: f64 = 0.001;
 
 /// Looks at each motion that drills.
-struct HolesAtAngles<'a> {
+pub struct HolesAtAngles<'a> {
     circle: &'a BoltCircle,
     drilled: u32,
     worst: Extreme,
     /// The hole that is the farthest off.
     hole: u32,
+}
+
+impl<'a> HolesAtAngles<'a> {
+    /// That of a circle, before anything is seen.
+    pub const fn of(circle: &'a BoltCircle) -> Self {
+        Self { circle, drilled: 0, worst: Extreme::nothing(), hole: 0 }
+    }
 }
 
 impl Judge for HolesAtAngles<'_> {
@@ -53,9 +59,4 @@ impl Judge for HolesAtAngles<'_> {
             Astray { hole: self.hole, by: Size::mm(by) }.at(place)
         })]
     }
-}
-
-pub fn judge(circle: &BoltCircle, program: &Program) -> Judged {
-    let holes = HolesAtAngles { circle, drilled: 0, worst: Extreme::nothing(), hole: 0 };
-    proof::of(program, program.setting(), Plan::of(program), vec![Box::new(holes)], &["angles"])
 }

@@ -91,12 +91,13 @@ impl Known {
 
     /// How far the tip goes into the metal along each track.
     #[must_use]
-    pub fn curves(self) -> Vec<Curve> {
-        let curve = |mut one: Measured| {
-            one.along.curve.sort_by(|one, other| one[0].total_cmp(&other[0]));
-            Curve { track: one.along.track(), points: one.along.curve }
+    pub fn curves(&self) -> Vec<Curve> {
+        let curve = |one: &Measured| {
+            let mut points = one.along.curve.clone();
+            points.sort_by(|one, other| one[0].total_cmp(&other[0]));
+            Curve { track: one.along.track(), points }
         };
-        self.tracks.tracks.into_iter().filter(|one| one.done).map(curve).collect()
+        self.tracks.tracks.iter().filter(|one| one.done).map(curve).collect()
     }
 }
 

@@ -24,7 +24,6 @@ use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::program::Program;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::design::{Design, Style};
-use crate::kinds::impeller::figures::Curve;
 use crate::kinds::impeller::proof::cutting::{Cutting, Known};
 use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
@@ -40,7 +39,6 @@ use crate::proof::rollover::Rollover;
 use crate::proof::step::{Judge, Plan};
 use crate::proof::travel::Axes;
 use crate::proof::turning::RotarySteps;
-use crate::proof::verification::Verification;
 use crate::text::Text;
 
 /// The geometry that programs are held against.
@@ -52,20 +50,6 @@ pub struct Geometry<'a> {
     pub blade: &'a Blade,
     /// The splitter, where there is one.
     pub splitter: Option<&'a Splitter>,
-}
-
-/// Reads the programs of an impeller back and judges them. Beside the verification: how far the tip goes into the metal
-/// along each track, for the figure.
-#[must_use]
-pub fn verify(geometry: Geometry<'_>, programs: &[Program]) -> (Verification, Vec<Curve>) {
-    let mut known = Known::new(geometry);
-    let mut verification = Verification::default();
-    for program in programs {
-        let (setting, due) = (setting(geometry.design, program), due(geometry.design, program));
-        let judges = judges(geometry, &mut known, program);
-        verification.add(program, proof::of(program, setting, Plan::of(program), judges, due));
-    }
-    (verification, known.curves())
 }
 
 /// What stands under the title of the table.

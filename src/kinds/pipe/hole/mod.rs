@@ -23,22 +23,22 @@ use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Drawing, Series, out_of_format};
+use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
 use crate::kinds::pipe::hole::bounds::too_high;
 use crate::kinds::pipe::hole::cut::{Cut, TooHigh, cut};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::figures::{figures, template};
 use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA};
 use crate::kinds::pipe::hole::program::{distance, full, hold};
-use crate::kinds::pipe::hole::proof::{Curve, verify};
+use crate::kinds::pipe::hole::proof::Curve;
 use crate::kinds::pipe::hole::rules::{TorchLiesDown, TorchTooHigh};
 use crate::kinds::pipe::hole::station::Station;
-use crate::kinds::pipe::scene;
+use crate::kinds::pipe::{account, scene};
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Form, at};
 use crate::proof::account::Account;
-use crate::proof::verification::Verification;
+use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::{Language, Text};
@@ -61,7 +61,7 @@ pub struct Model {
 impl Method for Hole {
     type Design = Design;
     type Model = Model;
-    type Memo = (Curve, Account);
+    type Memo = Curve;
 
     const FORM: &'static Form = &FORM;
     const RULES: &'static [&'static Rule] = proof::rules::RULES;
@@ -110,19 +110,29 @@ impl Method for Hole {
         Ok(Written { programs: vec![full(design, cut, origin).map_err(no_room)?], findings: remarks(design, held) })
     }
 
-    fn verify(design: &Design, model: &Model, programs: &[Program]) -> (Verification, (Curve, Account)) {
-        let (mut all, mut memo) = (Verification::default(), (Curve::default(), Account::default()));
-        for program in programs {
-            let (verification, curve, account) = verify(design, &model.cut, program);
-            all.checks.extend(verification.checks);
-            all.findings.extend(verification.findings);
-            memo = (curve, account);
-        }
-        (all, memo)
+    fn memo(_: &Design, _: &Model) -> Curve {
+        Curve::new()
     }
 
-    fn quantities(design: &Design, model: &Model, (_, account): &(Curve, Account), _: &[Program]) -> Vec<Quantity> {
-        quantities(design, &model.stations, account)
+    fn plan<'a>(design: &'a Design, model: &'a Model, _: &'a Program) -> Plan<'a> {
+        proof::plan(design, &model.cut)
+    }
+
+    fn judges<'a>(
+        design: &'a Design,
+        model: &'a Model,
+        curve: &'a mut Curve,
+        _: &'a Program,
+    ) -> Vec<Box<dyn Judge + 'a>> {
+        proof::judges(design, &model.cut, curve)
+    }
+
+    fn due(_: &Design, _: &Program) -> &'static [&'static str] {
+        proof::CHECKS
+    }
+
+    fn quantities(design: &Design, model: &Model, programs: &[Proved]) -> Vec<Quantity> {
+        quantities(design, &model.stations, &account(programs))
     }
 
     fn part(design: &Design, _: &Model) -> Option<Part> {
@@ -159,8 +169,10 @@ impl Method for Hole {
         }]
     }
 
-    fn figures(design: &Design, _: &Model, (curve, _): &(Curve, Account)) -> Vec<Figure> {
-        figures(design, curve)
+    fn figures(design: &Design, _: &Model, curve: &Curve) -> Vec<Figure> {
+        let mut along = curve.clone();
+        along.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        figures(design, &along)
     }
 }
 

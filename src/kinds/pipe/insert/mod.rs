@@ -31,23 +31,24 @@ pub mod tables;
 use crate::figure::Figure;
 use crate::finding::{Finding, Place, Rule};
 use crate::gcode::header::Origin;
+use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::word::Distance;
 use crate::kind::method::{Method, Written};
-use crate::kind::{Chapters, Chart, Drawing, Series, out_of_format};
+use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
 use crate::kinds::pipe::insert::cut::{Cut, cut};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::figures::{figures, template};
 use crate::kinds::pipe::insert::parameters::FORM;
 use crate::kinds::pipe::insert::program::{distance, full, published};
-use crate::kinds::pipe::insert::proof::{Curve, verify};
-use crate::kinds::pipe::scene;
+use crate::kinds::pipe::insert::proof::{Curve, Moves};
+use crate::kinds::pipe::{account, scene};
 use crate::number::grid::OutOfFormat;
 use crate::number::shown;
 use crate::parameter::Form;
 use crate::parameter::field::Fields;
 use crate::proof::account::Account;
-use crate::proof::verification::Verification;
+use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
 use crate::text::Text;
@@ -60,11 +61,18 @@ const fn t(es: &'static str, en: &'static str) -> Text {
 #[derive(Debug)]
 pub enum Insert {}
 
+/// The cut, and its moves as they are planned.
+#[derive(Debug)]
+pub struct Model {
+    /// The cut beside the curve; `None` in the published style, which follows the curve itself.
+    cut: Option<Cut>,
+    moves: Moves,
+}
+
 impl Method for Insert {
     type Design = Design;
-    /// The cut beside the curve; `None` in the published style, which follows the curve itself.
-    type Model = Option<Cut>;
-    type Memo = (Curve, Account);
+    type Model = Model;
+    type Memo = Curve;
 
     const FORM: &'static Form = &FORM;
     const RULES: &'static [&'static Rule] = proof::rules::RULES;
@@ -86,19 +94,20 @@ impl Method for Insert {
         Design::new(fields)
     }
 
-    fn model(design: &Design) -> Result<Option<Cut>, Vec<Finding>> {
-        match design.style {
-            Style::Annex => Ok(None),
-            Style::Full => cut(design).map(Some).map_err(no_room),
-        }
+    fn model(design: &Design) -> Result<Model, Vec<Finding>> {
+        let cut = match design.style {
+            Style::Annex => None,
+            Style::Full => Some(cut(design).map_err(no_room)?),
+        };
+        Ok(Model { moves: Moves::new(design, cut.as_ref()), cut })
     }
 
-    fn tables(design: &Design, cut: &Option<Cut>) -> Vec<Table> {
+    fn tables(design: &Design, Model { cut, .. }: &Model) -> Vec<Table> {
         let way = cut.as_ref().map(|cut| tables::way(design, cut));
         [tables::template(design), tables::arcs(design)].into_iter().chain(way).collect()
     }
 
-    fn programs(design: &Design, cut: &Option<Cut>, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
+    fn programs(design: &Design, Model { cut, .. }: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {
         let program = match cut {
             None => published(design),
             Some(cut) => full(design, cut, origin),
@@ -106,26 +115,40 @@ impl Method for Insert {
         Ok(Written { programs: vec![program.map_err(no_room)?], findings: remarks(design) })
     }
 
-    fn verify(design: &Design, cut: &Option<Cut>, programs: &[Program]) -> (Verification, (Curve, Account)) {
-        let (mut all, mut memo) = (Verification::default(), (Curve::default(), Account::default()));
-        for program in programs {
-            let (verification, curve, account) = verify(design, cut.as_ref(), program);
-            all.checks.extend(verification.checks);
-            all.findings.extend(verification.findings);
-            memo = (curve, account);
-        }
-        (all, memo)
+    fn memo(_: &Design, _: &Model) -> Curve {
+        Curve::new()
     }
 
-    fn quantities(design: &Design, _: &Option<Cut>, (_, account): &(Curve, Account), _: &[Program]) -> Vec<Quantity> {
-        quantities(design, account)
+    fn setting(design: &Design, program: &Program) -> Setting {
+        proof::setting(design, program)
     }
 
-    fn part(design: &Design, _: &Option<Cut>) -> Option<Part> {
+    fn plan<'a>(design: &'a Design, model: &'a Model, _: &'a Program) -> Plan<'a> {
+        model.moves.plan(design.mode)
+    }
+
+    fn judges<'a>(
+        design: &'a Design,
+        model: &'a Model,
+        curve: &'a mut Curve,
+        _: &'a Program,
+    ) -> Vec<Box<dyn Judge + 'a>> {
+        proof::judges(design, &model.moves, curve)
+    }
+
+    fn due(design: &Design, _: &Program) -> &'static [&'static str] {
+        proof::due(design)
+    }
+
+    fn quantities(design: &Design, _: &Model, programs: &[Proved]) -> Vec<Quantity> {
+        quantities(design, &account(programs))
+    }
+
+    fn part(design: &Design, _: &Model) -> Option<Part> {
         Some(scene::insert(design))
     }
 
-    fn charts(_: &Design, _: &Option<Cut>) -> Vec<Chart> {
+    fn charts(_: &Design, _: &Model) -> Vec<Chart> {
         vec![Chart {
             table: "template",
             title: t("Plantilla", "Template"),
@@ -135,7 +158,7 @@ impl Method for Insert {
         }]
     }
 
-    fn drawings(design: &Design, _: &Option<Cut>) -> Vec<Drawing> {
+    fn drawings(design: &Design, _: &Model) -> Vec<Drawing> {
         vec![Drawing {
             key: "template",
             title: t("Plantilla del injerto", "Template of the branch"),
@@ -145,7 +168,7 @@ impl Method for Insert {
         }]
     }
 
-    fn figures(design: &Design, cut: &Option<Cut>, (curve, _): &(Curve, Account)) -> Vec<Figure> {
+    fn figures(design: &Design, Model { cut, .. }: &Model, curve: &Curve) -> Vec<Figure> {
         figures(design, cut.as_ref(), curve)
     }
 }

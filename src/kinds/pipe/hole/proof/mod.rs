@@ -38,7 +38,6 @@ use crate::number::shown;
 use crate::number::trig::{asin, atan2, sin_cos};
 use crate::proof;
 use crate::proof::Judged;
-use crate::proof::account::Account;
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::enclosed::{Enclosed, Remedy, bound};
@@ -46,7 +45,6 @@ use crate::proof::feed::{feed_word, timely};
 use crate::proof::rollover::Rollover;
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
-use crate::proof::verification::Verification;
 use crate::text::Text;
 
 /// What rounding to 0.001 mm and 0.001° takes, beside the tolerance: a thousandth of a degree at the pipe's radius.
@@ -127,7 +125,7 @@ fn retract(design: &Design, cut: &Cut) -> Vec<Place> {
 
 /// What the program is meant to do, from the pierce on.
 #[must_use]
-pub fn plan(design: &Design, cut: &Cut) -> Plan<'static> {
+pub fn plan<'a>(design: &Design, cut: &Cut) -> Plan<'a> {
     let cuts = cut.legs.iter().map(|leg| (leg.to, Run::Straight));
     let back = retract(design, cut).into_iter().map(|to| (to, Run::Rapid));
     let mut from = pose(cut.pierce);
@@ -507,20 +505,6 @@ pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec
         Box::new(Torch(Some([&design.torch_on, &design.torch_off]))),
         Box::new(Rollover(design.control.rotary.delivered)),
     ]
-}
-
-/// Reads the program of a hole back and judges it. Beside the verification: the deviation along the curve, and
-/// what the program comes to.
-#[must_use]
-pub fn verify(design: &Design, cut: &Cut, program: &Program) -> (Verification, Curve, Account) {
-    let mut curve = Curve::new();
-    let judges = judges(design, cut, &mut curve);
-    let judged = proof::of(program, program.setting(), plan(design, cut), judges, CHECKS);
-    curve.sort_by(|one, other| one[0].total_cmp(&other[0]));
-    let mut verification = Verification::default();
-    let account = judged.account.clone();
-    verification.add(program, judged);
-    (verification, curve, account)
 }
 
 /// Judges a text in the place of the program's own.

@@ -33,7 +33,6 @@ use crate::number::shown;
 use crate::number::trig::{atan2, hypot, sin_cos};
 use crate::proof;
 use crate::proof::Judged;
-use crate::proof::account::Account;
 use crate::proof::agreement::Agreement;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
 use crate::proof::enclosed::{Enclosed, Remedy, bound};
@@ -42,7 +41,6 @@ use crate::proof::rollover::Rollover;
 use crate::proof::rules::CutWithoutFeed;
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
-use crate::proof::verification::Verification;
 use crate::text::Text;
 
 /// What the decimals of the published program leave of a length, mm.
@@ -501,19 +499,6 @@ pub fn judges<'a>(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) ->
         judges.push(Box::new(Rollover(design.control.rotary.delivered)));
     }
     judges
-}
-
-/// Reads the program of a branch back and judges it. Beside the verification: the deviation along the curve, and
-/// what the program comes to.
-#[must_use]
-pub fn verify(design: &Design, cut: Option<&Cut>, program: &Program) -> (Verification, Curve, Account) {
-    let (moves, mut curve) = (Moves::new(design, cut), Curve::new());
-    let judges = judges(design, &moves, &mut curve);
-    let judged = proof::of(program, setting(design, program), moves.plan(design.mode), judges, due(design));
-    let mut verification = Verification::default();
-    let account = judged.account.clone();
-    verification.add(program, judged);
-    (verification, curve, account)
 }
 
 /// Judges a text in the place of the program's own.
