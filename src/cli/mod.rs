@@ -55,7 +55,14 @@ const OFFSETS: &str = "offsets";
 
 /// Runs a command line, the program's name first, for these kinds of workbooks, and gives the process exit code. The usual
 /// kind stands first; [`KINDS`](crate::kinds::KINDS) are those of `rodete`.
+///
+/// With the typst compiler inside, the command `typst` is that compiler: a report is typeset by a process of the binary itself.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    #[cfg(feature = "embedded-typst")]
+    if arguments.get(1).is_some_and(|first| first == "typst") {
+        return crate::typeset::embedded::compile(&arguments[2..]);
+    }
     fault::note_panics();
     let mut terminal = Terminal::new();
     let mut exit = match fault::guarded(|| command(arguments, kinds, &mut terminal)) {

@@ -4,6 +4,8 @@
 
 pub mod characters;
 pub mod compiler;
+#[cfg(feature = "embedded-typst")]
+pub(crate) mod embedded;
 pub mod failure;
 pub(crate) mod mark;
 pub(crate) mod pen;

@@ -106,7 +106,7 @@ impl Method for Kind {
 
 fn main() -> ExitCode {
     let first = std::env::args().nth(1).unwrap_or_default();
-    if ["new", "check", "build", "view", "verify", "explain", "--version"].contains(&first.as_str()) {
+    if ["new", "check", "build", "view", "verify", "explain", "typst", "--version"].contains(&first.as_str()) {
         return rodete::cli::run(std::env::args_os(), &[&Of::<Kind>::new()]);
     }
     tried::every_command();

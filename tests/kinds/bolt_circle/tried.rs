@@ -53,6 +53,11 @@ pub fn every_command() {
         assert!(verified["head"].to_string().contains("Every hole at its angle"), "{verified}");
         assert!(folder.join("report.typ/kind/setup.typ").exists(), "its chapters stand beside the templates");
     }
+    // The compiler inside is that of any binary that is made so.
+    if cfg!(feature = "embedded-typst") {
+        done(folder, &["build", "flange.xlsx", "-o", "set"]);
+        assert!(fs::read(folder.join("set/flange-report.pdf")).unwrap().starts_with(b"%PDF-"));
+    }
     done(folder, &["view", "flange.xlsx", "-o", "flange.html"]);
     assert!(fs::read_to_string(folder.join("flange.html")).unwrap().contains("flange.xlsx"));
 

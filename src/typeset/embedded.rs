@@ -249,7 +249,7 @@ impl FileLoader for Folder {
 
 #[cfg(test)]
 mod tests {
-    use rodete::typeset::characters::SHOWN;
+    use crate::typeset::characters::SHOWN;
     use typst_kit::fonts::embedded;
 
     #[test]
