@@ -44,16 +44,10 @@ pub struct Text {
 /// A text known when rodete was compiled, in Spanish and English: how every label is written.
 #[must_use]
 pub const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
+    Text { es: Cow::Borrowed(es), en: Cow::Borrowed(en) }
 }
 
 impl Text {
-    /// A text known when rodete was compiled.
-    #[must_use]
-    pub const fn fixed(es: &'static str, en: &'static str) -> Self {
-        Self { es: Cow::Borrowed(es), en: Cow::Borrowed(en) }
-    }
-
     /// A text that carries values.
     #[must_use]
     pub const fn new(es: String, en: String) -> Self {

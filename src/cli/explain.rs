@@ -15,13 +15,13 @@ use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe,
 use crate::kind::{self, Kind};
 use crate::kinds;
 use crate::machine;
-use crate::parameter::{self, t};
+use crate::parameter;
 use crate::proof;
 use crate::removal::turning::rules as alarms;
 use crate::report;
 use crate::scene;
 use crate::store;
-use crate::text::{Language, Text};
+use crate::text::{Language, Text, t};
 use crate::typeset;
 use crate::workbook;
 

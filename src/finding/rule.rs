@@ -217,9 +217,9 @@ macro_rules! rules {
                     ident: stringify!($name),
                     grade: $crate::finding::Grade::$grade,
                     alarm: &[$($(($crate::finding::AlarmFamily::$family, $number)),+)?],
-                    what: $crate::text::Text::fixed($es, $en),
-                    remedy: $crate::text::Text::fixed($remedy_es, $remedy_en),
-                    why: $crate::text::Text::fixed($why_es, $why_en),
+                    what: $crate::text::t($es, $en),
+                    remedy: $crate::text::t($remedy_es, $remedy_en),
+                    why: $crate::text::t($why_es, $why_en),
                     example: $example,
                     fields: &[$(stringify!($field)),*],
                 };
@@ -281,7 +281,7 @@ pub(crate) use {book, rules};
 mod tests {
     use super::{Example, Raise};
     use crate::finding::{Datum, Finding, Grade, Place, Size};
-    use crate::text::Text;
+    use crate::text::{Text, t};
 
     const NONE: Example = Example::Turning { control: "", stock: "", program: "", machine: &[] };
 
@@ -307,17 +307,14 @@ mod tests {
             depth: Size::mm(1.234_56),
             edge: Size::mm(f64::INFINITY),
             tool: 3,
-            body: Text::fixed("la placa", "the insert"),
+            body: t("la placa", "the insert"),
         };
         let Finding { rule, data, grade, what, remedy, .. } = row.at(Place::File);
         assert_eq!(
             what,
-            Text::fixed(
-                "la placa de T3 corta 1.235 mm, y el filo tiene ∞",
-                "the insert of T3 cuts 1.235 mm, and the edge has ∞"
-            )
+            t("la placa de T3 corta 1.235 mm, y el filo tiene ∞", "the insert of T3 cuts 1.235 mm, and the edge has ∞")
         );
-        assert_eq!(remedy, Text::fixed("quite 1.235 mm", "take 1.235 mm off"));
+        assert_eq!(remedy, t("quite 1.235 mm", "take 1.235 mm off"));
         assert_eq!((grade, rule.map(|rule| rule.code)), (Grade::Stop, Some("T0001")));
         assert_eq!(rule.map(super::Rule::name).as_deref(), Some("too-deep"));
         assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm" }));
@@ -327,6 +324,6 @@ mod tests {
             LIST.iter().map(|rule| rule.fields).collect::<Vec<_>>(),
             [&["depth", "edge", "tool", "body"][..], &[]]
         );
-        assert_eq!(Bare {}.what(), Text::fixed("nada", "nothing"));
+        assert_eq!(Bare {}.what(), t("nada", "nothing"));
     }
 }

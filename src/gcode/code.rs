@@ -3,7 +3,7 @@
 use crate::gcode::control::Letters;
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// A modal group: of one group a block may name one code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,21 +49,21 @@ impl Group {
     #[must_use]
     pub const fn name(self) -> Text {
         match self {
-            Self::NonModal => Text::fixed("códigos de un solo bloque", "codes for one block"),
-            Self::Motion => Text::fixed("movimiento", "motion"),
-            Self::Plane => Text::fixed("plano", "plane"),
-            Self::Distance => Text::fixed("cotas absolutas o incrementales", "distance mode"),
-            Self::Centre => Text::fixed("centros absolutos o incrementales", "arc centre mode"),
-            Self::Feed => Text::fixed("modo de avance", "feed mode"),
-            Self::Units => Text::fixed("unidades", "units"),
-            Self::CutterCompensation => Text::fixed("compensación de radio", "cutter radius compensation"),
-            Self::ToolLength => Text::fixed("compensación de longitud", "tool length offset"),
-            Self::Retract => Text::fixed("retirada de los ciclos fijos", "canned cycle return"),
-            Self::WorkOffset => Text::fixed("origen de pieza", "work offset"),
-            Self::Path => Text::fixed("control de la trayectoria", "path control"),
-            Self::Speed => Text::fixed("modo del husillo", "spindle speed mode"),
-            Self::SetPosition => Text::fixed("estado de G92", "G92 state"),
-            Self::Other => Text::fixed("otros códigos", "other codes"),
+            Self::NonModal => t("códigos de un solo bloque", "codes for one block"),
+            Self::Motion => t("movimiento", "motion"),
+            Self::Plane => t("plano", "plane"),
+            Self::Distance => t("cotas absolutas o incrementales", "distance mode"),
+            Self::Centre => t("centros absolutos o incrementales", "arc centre mode"),
+            Self::Feed => t("modo de avance", "feed mode"),
+            Self::Units => t("unidades", "units"),
+            Self::CutterCompensation => t("compensación de radio", "cutter radius compensation"),
+            Self::ToolLength => t("compensación de longitud", "tool length offset"),
+            Self::Retract => t("retirada de los ciclos fijos", "canned cycle return"),
+            Self::WorkOffset => t("origen de pieza", "work offset"),
+            Self::Path => t("control de la trayectoria", "path control"),
+            Self::Speed => t("modo del husillo", "spindle speed mode"),
+            Self::SetPosition => t("estado de G92", "G92 state"),
+            Self::Other => t("otros códigos", "other codes"),
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::finding::{Finding, Place};
 use crate::gcode::code::G;
 use crate::gcode::control::Control;
 use crate::gcode::word::{Number, Word};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What is wrong with the codes of a parameter: one that is no M code, that the control does not know, or that ends the
 /// program where it must not. With `closing` the last one must end it.
@@ -21,7 +21,7 @@ pub fn refused_codes(dialect: &Control, key: &'static str, codes: &[Word], closi
                 &[key, "dialect"],
                 format!("{key} lleva {}{number}: aquí solo valen códigos M", word.letter),
                 format!("{key} holds {}{number}: only M codes may stand here", word.letter),
-                Text::fixed("quite el código G", "take the G code out"),
+                t("quite el código G", "take the G code out"),
             );
         } else if !dialect.knows_machine_code(number) {
             stop(
@@ -48,7 +48,7 @@ pub fn refused_codes(dialect: &Control, key: &'static str, codes: &[Word], closi
             &[key],
             format!("{key} no acaba con M2 ni M30: el programa no tendría fin"),
             format!("{key} does not close with M2 or M30: the program would have no end"),
-            Text::fixed("escriba M30 al final", "put M30 at the end"),
+            t("escriba M30 al final", "put M30 at the end"),
         );
     }
     findings
@@ -77,7 +77,7 @@ pub fn refused_retract(dialect: &Control, words: &[Word]) -> Vec<Finding> {
             stop(
                 format!("retract lleva {letter}{number}: el dialecto {} no lo admite ahí", dialect.name),
                 format!("retract holds {letter}{number}: dialect {} does not take it there", dialect.name),
-                Text::fixed(
+                t(
                     "escriba el bloque con el que su máquina sube Z, o deje la celda vacía y retire la herramienta a mano",
                     "write the block with which your machine raises Z, or leave the cell empty and take the tool away by hand",
                 ),
@@ -90,7 +90,7 @@ pub fn refused_retract(dialect: &Control, words: &[Word]) -> Vec<Finding> {
         stop(
             "retract mueve ejes y no Z: la herramienta no se retira de la pieza".to_owned(),
             "retract moves axes and not Z: the tool is not taken away from the part".to_owned(),
-            Text::fixed("escriba también Z", "write Z as well"),
+            t("escriba también Z", "write Z as well"),
         );
     }
     findings

@@ -13,9 +13,7 @@ use crate::finding::{CellPlace, Finding, Place};
 use crate::parameter::field::{Field, Typed};
 use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
-use crate::text::{Language, Text};
-
-pub use crate::text::t;
+use crate::text::{Language, Text, t};
 
 /// A word of a drop-down list.
 #[derive(Debug)]

@@ -15,7 +15,7 @@ use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
 use crate::proof::rules::NotAsPlanned;
 use crate::proof::step::{Judge, Planned, Run, SAME, Stage, Step, Time};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// How far the tip may be from the plan, mm.
 pub const LIMIT: f64 = 0.001;
@@ -85,7 +85,7 @@ impl Agreement {
     fn difference(&mut self, motion: &Motion, planned: &Planned<'_>) -> Option<Text> {
         let first = self.agreed == 0;
         if first && self.approach.is_some_and(|approach| approach != self.positioned) {
-            return Some(Text::fixed("no va en rápido a la perforación", "it is no rapid move to the pierce"));
+            return Some(t("no va en rápido a la perforación", "it is no rapid move to the pierce"));
         }
         // A motion that begins elsewhere than planned was noticed where the last one ended, but for the first.
         let ends = [(&motion.to, &planned.to), (&motion.from, &planned.from)];
@@ -106,7 +106,7 @@ impl Agreement {
             }
         }
         if !runs(&motion.kind, planned.run) {
-            return Some(Text::fixed(
+            return Some(t(
                 "no va como dice el plan: en rápido, recto o en arco",
                 "it does not run as planned: at rapid, straight or along an arc",
             ));
@@ -167,7 +167,7 @@ impl Judge for Agreement {
             }
             Stage::Planned(planned) => self.difference(&step.motion, planned),
             Stage::Unplanned => {
-                Some(Text::fixed("hay un movimiento que no está en el plan", "there is a motion beyond the plan"))
+                Some(t("hay un movimiento que no está en el plan", "there is a motion beyond the plan"))
             }
         };
         self.different = what.map(|what| (At::motion(&step.motion), what));
@@ -193,15 +193,11 @@ impl Judge for Agreement {
             By::Tip(_) => {
                 let (far, most) = (mm(self.farthest.value()), mm(LIMIT));
                 let value = Text::new(format!("{told} movimientos; {far}"), format!("{told} motions; {far}"));
-                (
-                    Text::fixed("Cada punto, como en el plan", "Every point as planned"),
-                    value,
-                    format!("{wanted}; {most}"),
-                )
+                (t("Cada punto, como en el plan", "Every point as planned"), value, format!("{wanted}; {most}"))
             }
             By::Axes(_) => {
                 let value = Text::new(format!("{told} movimientos"), format!("{told} motions"));
-                (Text::fixed("Cada movimiento, como en el plan", "Every motion as planned"), value, wanted.to_string())
+                (t("Cada movimiento, como en el plan", "Every motion as planned"), value, wanted.to_string())
             }
         };
         let asked = Question::new("agreement", name, program).showing(value, Text::same(limit)).seen(planned);

@@ -10,7 +10,7 @@ use crate::number::trig::hypot;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
 use crate::proof::rules::RadiiDiffer;
 use crate::proof::step::{Judge, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The radii of an arc at its start and at its end, mm.
 #[must_use]
@@ -33,12 +33,12 @@ impl Judge for Arcs {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = Text::fixed("Arcos: diferencia de los radios", "Arcs: difference of the radii");
+        let name = t("Arcos: diferencia de los radios", "Arcs: difference of the radii");
         let most = radii_tolerance(LengthUnit::Millimetre);
         let (asked, limit) = (Question::new("arcs", name, program), Text::same(mm(most)));
         vec![if self.worst.seen() == 0 {
             // A program without arcs is asked nothing.
-            asked.showing(Text::fixed("sin arcos", "no arcs"), limit).informs()
+            asked.showing(t("sin arcos", "no arcs"), limit).informs()
         } else {
             let asked = asked.showing(Text::same(mm(self.worst.value())), limit);
             asked.within(&self.worst, most, |found, place| {

@@ -9,7 +9,7 @@ use crate::gcode::motion::Motion;
 use crate::gcode::program::Program;
 use crate::number::shown;
 use crate::proof::rules::NothingSeen;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Where in a program something is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +124,7 @@ pub struct Question {
     seen: usize,
 }
 
-const NOTHING: Text = Text::fixed("", "");
+const NOTHING: Text = t("", "");
 
 impl Question {
     /// A question by its key, as `closure`, and what is asked.
@@ -270,7 +270,7 @@ impl Check {
     /// The answer in a word.
     #[must_use]
     pub fn word(&self) -> Text {
-        self.grade().map_or(Text::fixed("Cumple", "Passed"), Grade::name)
+        self.grade().map_or(t("Cumple", "Passed"), Grade::name)
     }
 
     /// What there is to say of it beside its row in the table.

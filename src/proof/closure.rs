@@ -8,7 +8,7 @@ use crate::number::shown;
 use crate::proof::check::{Check, Question};
 use crate::proof::rules::NotClosed;
 use crate::proof::step::{Judge, SAME, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What a program leaves of C when it ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,7 +63,7 @@ impl Judge for Closure {
         let value = [Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C]
             .map(|axis| format!("{} {}", axis.letter(), shown(net.get(axis), 3)))
             .join("  ");
-        let name = Text::fixed("Cierre: suma de los incrementos", "Closure: sum of the increments");
+        let name = t("Cierre: suma de los incrementos", "Closure: sum of the increments");
         let limit = format!("X 0  Y 0  Z 0  B 0  {C_limit}");
         let asked = Question::new("closure", name, program).showing(Text::same(value), Text::same(limit));
         let open = |place| NotClosed { program: program.title.clone() }.at(place);

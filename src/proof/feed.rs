@@ -17,7 +17,7 @@ use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question};
 use crate::proof::rules::{AxisTooFast, CutWithoutFeed, DecimalsAssumed, FeedWordSlows, TipTooFast};
 use crate::proof::step::{Judge, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// By what part rounding the F word may slow a motion before a person must judge it.
 const SLOWER: f64 = 0.05;
@@ -26,10 +26,10 @@ const SLOWER: f64 = 0.05;
 /// program without F words.
 #[must_use]
 pub fn feed_word(program: &Program, worst: &Extreme) -> Check {
-    let name = Text::fixed("Palabra F: lo más que frena el redondeo", "F word: the most that rounding slows");
+    let name = t("Palabra F: lo más que frena el redondeo", "F word: the most that rounding slows");
     let asked = Question::new("feed-word", name, program);
     if worst.seen() == 0 {
-        return asked.showing(Text::fixed("sin palabra F", "no F word"), Text::same("")).informs();
+        return asked.showing(t("sin palabra F", "no F word"), Text::same("")).informs();
     }
     let law = program.control.feed.law;
     let part = |part: f64| format!("{} %", shown(part * 100.0, 3));
@@ -117,12 +117,12 @@ impl Judge for Feeds {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let axis_name = Text::fixed("Velocidad del eje más rápido", "Speed of the fastest axis");
-        let tip_name = Text::fixed("Avance de la punta sobre la pieza", "Feed of the tip over the part");
+        let axis_name = t("Velocidad del eje más rápido", "Speed of the fastest axis");
+        let tip_name = t("Avance de la punta sobre la pieza", "Feed of the tip over the part");
         let speed = |speed: f64, unit: &str| Text::same(format!("{} {unit}", shown(speed, 2)));
         let limit = |limit: Option<f64>, unit: &str| limit.map_or_else(|| Text::same(""), |limit| speed(limit, unit));
         let (axis, unit) = (self.fastest, if self.fastest.rotary() { "°/min" } else { "mm/min" });
-        let none = Text::fixed("sin palabra F", "no F word");
+        let none = t("sin palabra F", "no F word");
         if self.tip.seen() == 0 {
             // Of a program without F words nothing is asked.
             let asked = Question::new("feed", tip_name, program).showing(none, Text::same(""));
@@ -149,7 +149,7 @@ impl Judge for Feeds {
         };
         let mut checks = vec![by_axis, tip, feed_word(program, &self.rounded)];
         if let Some(at) = self.without {
-            let name = Text::fixed("Movimiento de corte sin avance", "Cutting motion without feed");
+            let name = t("Movimiento de corte sin avance", "Cutting motion without feed");
             let asked = Question::new("feed", name, program).showing(none, Text::same("")).at(Some(at)).seen(1);
             checks.push(
                 asked.holds(false, |place| CutWithoutFeed { line: at.line, program: program.title.clone() }.at(place)),

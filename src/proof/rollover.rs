@@ -12,7 +12,7 @@ use crate::gcode::program::Program;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::OtherwiseOnRollover;
 use crate::proof::step::{Judge, Step, same};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Reads a program back under both settings. `counting` is what the workbook says, or the control is delivered with.
 #[must_use]
@@ -36,7 +36,7 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
             }
         }
     }
-    let name = Text::fixed("Ejes rotativos: para qué máquina vale", "Rotary axes: which machine it is true for");
+    let name = t("Ejes rotativos: para qué máquina vale", "Rotary axes: which machine it is true for");
     let asked = Question::new("rotary", name, program).at(differs);
     let limit = Text::same(counting.name());
     let Some(at) = differs else {
@@ -46,7 +46,7 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
         );
         return asked.showing(value, limit).seen(motions).passes();
     };
-    let asked = asked.showing(Text::fixed("sólo linear", "linear only"), limit).seen(motions + 1);
+    let asked = asked.showing(t("sólo linear", "linear only"), limit).seen(motions + 1);
     if counting == Rotary::Linear {
         return asked.informs();
     }

@@ -2,7 +2,7 @@
 //! V0200 the branch's, V0300 the hole's, V0400 the blank's.
 
 use crate::finding::{Example, Size};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 crate::finding::rule::rules! {
     /// The rows of this room.
@@ -41,7 +41,7 @@ crate::finding::rule::rules! {
         remedy "ejecútelo desde disco o red, o un n menor", "run it from disk or network, or a smaller n";
         why "Lo que no cabe en la memoria del control se corta o no se carga.",
             "What does not fit into the control's memory is cut off or not loaded.";
-        example Example::Made { key: "program-beyond-memory", how: Text::fixed("un programa de más de 1 MiB para el Fagor 8055: un impulsor con n = 1500", "a program of more than 1 MiB for the Fagor 8055: an impeller with n = 1500") };
+        example Example::Made { key: "program-beyond-memory", how: t("un programa de más de 1 MiB para el Fagor 8055: un impulsor con n = 1500", "a program of more than 1 MiB for the Fagor 8055: an impeller with n = 1500") };
     "V0006" NotAsPlanned Stop { program: Text, at: Text, difference: Text }
         es "«{program}» no es lo planeado en la {at}: {difference}"
         en "\"{program}\" is not what was planned at {at}: {difference}"
@@ -181,5 +181,5 @@ crate::finding::rule::rules! {
         remedy "más arc_tolerance, u otro N", "a greater arc_tolerance, or another N";
         why "Lo que no se demuestra no se da por bueno.",
             "What is not proved is not taken as good.";
-        example Example::Never(Text::fixed("las cotas se juntan antes de que se acabe el trabajo que se les da", "the bounds meet before the work that they are given ends"));
+        example Example::Never(t("las cotas se juntan antes de que se acabe el trabajo que se les da", "the bounds meet before the work that they are given ends"));
 }

@@ -12,7 +12,7 @@ use crate::gcode::program::Program;
 use crate::gcode::word::NumberFormat;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::CharactersRefused;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The most characters of a line: LinuxCNC's limit, the least of the dialects'.
 pub const LONGEST: usize = 255;
@@ -64,7 +64,7 @@ impl<'a> Characters<'a> {
     fn judge(&mut self, line: &str) -> Result<(), Text> {
         let dialect = self.program.control;
         if line.len() > LONGEST {
-            return Err(Text::fixed("la línea es demasiado larga", "the line is too long"));
+            return Err(t("la línea es demasiado larga", "the line is too long"));
         }
         if let Some(wrong) = line.chars().find(|letter| !matches!(letter, ' '..='~')) {
             return Err(quoted("carácter", "character", &wrong.escape_default().to_string()));
@@ -112,7 +112,7 @@ impl<'a> Characters<'a> {
     /// The answer, when all lines are read.
     #[must_use]
     pub fn check(self) -> Check {
-        let name = Text::fixed("Caracteres y números", "Characters and numbers");
+        let name = t("Caracteres y números", "Characters and numbers");
         let Self { lines, longest, program, .. } = self;
         let value = Text::new(
             format!("{lines} líneas de hasta {longest} caracteres"),

@@ -6,7 +6,7 @@ use crate::gcode::word::Word;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::TorchNotAsDue;
 use crate::proof::step::{Judge, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Asks whether the torch burns in the cut only, by the codes that turn it on and off.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ impl Judge for Torch<'_> {
 /// and off, as the published one, the moves are only counted.
 #[must_use]
 pub fn check(program: &Program, codes: Option<[&[Word]; 2]>) -> Check {
-    let name = Text::fixed("Antorcha: encendida solo en el corte", "Torch: on in the cut only");
+    let name = t("Antorcha: encendida solo en el corte", "Torch: on in the cut only");
     let written = |codes: &[Word]| {
         let mut block = String::new();
         codes.iter().for_each(|word| word.write(program.format, &mut block));

@@ -10,7 +10,7 @@ use crate::number::shown;
 use crate::proof::check::{At, Check, Extreme, Question};
 use crate::proof::rules::TurnJumps;
 use crate::proof::step::{Judge, SAME, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The greatest step of C while a linear axis moves, degrees.
 pub const LIMIT: f64 = 180.0;
@@ -33,7 +33,7 @@ impl Judge for RotarySteps {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = Text::fixed("Continuidad de C: mayor paso", "Continuity of C: greatest step");
+        let name = t("Continuidad de C: mayor paso", "Continuity of C: greatest step");
         let degrees = |value: f64, decimals| Text::same(format!("{}°", shown(value, decimals)));
         let asked =
             Question::new("turning", name, program).showing(degrees(self.greatest.value(), 3), degrees(LIMIT, 0));

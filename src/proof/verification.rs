@@ -8,7 +8,7 @@ use crate::proof::Judged;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::{ChecksPassed, MemoryExceeded, ReadWithRemark, TextRefused};
 use crate::table::{Column, Index, Print, Table};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What came of the verification.
 #[derive(Debug, Default)]
@@ -23,7 +23,7 @@ pub struct Verification {
 #[must_use]
 pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>) -> Check {
     let lines = text.lines();
-    let name = Text::fixed("Leído de nuevo por el intérprete", "Read back by the interpreter");
+    let name = t("Leído de nuevo por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
     let asked = Question::new("reading", name, program).showing(value, Text::same(program.control.name));
     let title = || program.title.clone();
@@ -87,20 +87,18 @@ impl Verification {
         };
         Table {
             key: "verification",
-            name: Text::fixed("Verificación", "Verification"),
-            title: Text::fixed("Verificación de los programas", "Verification of the programs"),
+            name: t("Verificación", "Verification"),
+            title: t("Verificación de los programas", "Verification of the programs"),
             source,
             print: Print::Whole,
             index: Index::None,
             columns: vec![
-                column(Text::fixed("Programa", "Program"), &title),
-                column(Text::fixed("Comprobación", "Check"), &|check| check.name().clone()),
-                column(Text::fixed("Valor", "Value"), &|check| check.value().clone()),
-                column(Text::fixed("Límite", "Limit"), &|check| check.limit().clone()),
-                column(Text::fixed("Lugar", "Place"), &|check| {
-                    check.at().map_or_else(|| Text::same(""), |at| at.words())
-                }),
-                column(Text::fixed("Resultado", "Verdict"), &Check::word),
+                column(t("Programa", "Program"), &title),
+                column(t("Comprobación", "Check"), &|check| check.name().clone()),
+                column(t("Valor", "Value"), &|check| check.value().clone()),
+                column(t("Límite", "Limit"), &|check| check.limit().clone()),
+                column(t("Lugar", "Place"), &|check| check.at().map_or_else(|| Text::same(""), |at| at.words())),
+                column(t("Resultado", "Verdict"), &Check::word),
             ],
         }
     }

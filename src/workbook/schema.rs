@@ -11,8 +11,8 @@ use crate::escape::excerpt;
 use crate::finding::{CellPlace, Exit, Finding, Grade, Place, Raise, Refusal};
 use crate::number::decimal;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values, t};
-use crate::text::{Language, Text};
+use crate::parameter::{Earlier, FieldKind, Form, Parameter, Sheet, Value, Values};
+use crate::text::{Language, Text, t};
 
 use super::address;
 use super::book::Book;

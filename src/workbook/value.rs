@@ -3,8 +3,8 @@
 use crate::escape::excerpt;
 use crate::finding::{Finding, Place, Raise, Typed};
 use crate::number::decimal;
-use crate::parameter::{Choice, FieldKind, Parameter, Value, t};
-use crate::text::Text;
+use crate::parameter::{Choice, FieldKind, Parameter, Value};
+use crate::text::{Text, t};
 
 use super::address::{self, Position};
 use super::limits;

@@ -9,7 +9,7 @@ use rodete::number::trig::sin_cos;
 use rodete::scene::program::Program;
 use rodete::scene::turning::{Contour, Fixture, ShownTurning};
 use rodete::scene::{Remark, Scene, Shape, ShownTool};
-use rodete::text::{Language, Text};
+use rodete::text::{Language, t};
 
 /// Bar of 50 mm, turned down in passes to 30 mm over 40 mm and 20 mm over 18 mm, a round shoulder, a groove, parted off.
 pub const PROGRAM: &str = "\
@@ -80,7 +80,7 @@ fn outlines() -> Vec<Vec<Contour>> {
 
 /// The scene of a program, each of whose cutting motions leaves the next outlines; `repeat`: the program so many times over.
 pub fn scene(repeat: usize) -> Scene {
-    let mut shown = Program::new(Text::fixed("Torneado", "Turning"), &FANUC_LATHE_A, Chain::Turning, PROGRAM);
+    let mut shown = Program::new(t("Torneado", "Turning"), &FANUC_LATHE_A, Chain::Turning, PROGRAM);
     let mut turning = ShownTurning::new(vec![bar(&[[0.0, 25.0]])]);
     for _ in 0..repeat {
         let mut after = outlines().into_iter();
@@ -96,10 +96,8 @@ pub fn scene(repeat: usize) -> Scene {
     }
     let jaw = vec![[-90.0, 25.0], [-70.0, 25.0], [-70.0, 40.0], [-82.0, 40.0], [-82.0, 62.0], [-90.0, 62.0]];
     let body = vec![[-130.0, 0.0], [-90.0, 0.0], [-90.0, 70.0], [-130.0, 70.0]];
-    turning.fixtures = vec![
-        Fixture { name: Text::fixed("Garras", "Jaws"), outline: jaw },
-        Fixture { name: Text::fixed("Plato", "Chuck"), outline: body },
-    ];
+    turning.fixtures =
+        vec![Fixture { name: t("Garras", "Jaws"), outline: jaw }, Fixture { name: t("Plato", "Chuck"), outline: body }];
     if repeat == 1 {
         let last = outlines().pop().unwrap_or_default();
         turning.part_off(PARTED, last.into_iter().take(1).collect());
@@ -107,7 +105,7 @@ pub fn scene(repeat: usize) -> Scene {
     shown.turning = Some(turning);
     shown.tools = vec![ShownTool {
         number: 0,
-        name: Text::fixed("cuchilla", "turning tool"),
+        name: t("cuchilla", "turning tool"),
         shape: Shape::Flat {
             cutting: vec![vec![[0.0, 0.0], [9.0, 1.5], [10.5, 10.0], [1.5, 9.0]]],
             holder: vec![vec![[1.5, 8.0], [8.0, 1.5], [22.0, 8.0], [22.0, 60.0], [2.0, 60.0]]],
@@ -117,10 +115,10 @@ pub fn scene(repeat: usize) -> Scene {
     shown.remarks = vec![Remark {
         grade: rodete::finding::Grade::Stop,
         number: Some(2101),
-        what: Text::fixed("la herramienta choca con la garra", "the tool meets the jaw"),
+        what: t("la herramienta choca con la garra", "the tool meets the jaw"),
         value: "1.5 mm".to_owned(),
         limit: "0 mm".to_owned(),
-        remedy: Text::fixed("acorte el movimiento", "shorten the motion"),
+        remedy: t("acorte el movimiento", "shorten the motion"),
         line: Some(20),
         motion: None,
         at: None,

@@ -12,7 +12,7 @@ use rodete::figure::{Arc, Figure, Ink, Label, Paper, Stroke};
 use rodete::finding::Grade;
 use rodete::kind::Provenance;
 use rodete::number::trig::cos;
-use rodete::text::{Language, Text};
+use rodete::text::{Language, Text, t};
 use rodete::typeset::compiler::Typst;
 
 /// What a coordinate of a print may be off, in mm.
@@ -37,7 +37,7 @@ fn development(length: f64, height: f64) -> Figure {
     Figure {
         key: "wrap",
         height: Figure::HEIGHT,
-        caption: Text::fixed("Desarrollo", "Development"),
+        caption: t("Desarrollo", "Development"),
         axes: None,
         strokes: vec![
             stroke(Ink::Thin, vec![[0.0, 0.0], [length, 0.0]]),
@@ -46,10 +46,10 @@ fn development(length: f64, height: f64) -> Figure {
             stroke(Ink::Centre, vec![[length / 2.0, 0.0], [length / 2.0, height]]),
             stroke(Ink::Cut, curve(length, height)),
         ],
-        labels: vec![Label { at: [length / 4.0, 6.0], text: Text::fixed("90° año 管", "90° side") }],
+        labels: vec![Label { at: [length / 4.0, 6.0], text: t("90° año 管", "90° side") }],
         legend: vec![
-            (Ink::Cut, Text::fixed("línea de corte", "line to cut")),
-            (Ink::Seam, Text::fixed("unión de los extremos", "seam of the wrap")),
+            (Ink::Cut, t("línea de corte", "line to cut")),
+            (Ink::Seam, t("unión de los extremos", "seam of the wrap")),
         ],
     }
 }
@@ -58,7 +58,7 @@ fn source() -> Provenance {
     Provenance { workbook: "tubo & co.xlsx".to_owned(), sha256: "0123456789abcdef".repeat(4), version: "0.1.0" }
 }
 
-static TITLE: Text = Text::fixed("Plantilla del injerto", "Template of the branch");
+static TITLE: Text = t("Plantilla del injerto", "Template of the branch");
 
 fn drawing<'a>(figure: &'a Figure, source: &'a Provenance) -> Drawing<'a> {
     Drawing { figure, arcs: &[], title: &TITLE, part: "P-17 <año>", source, language: Language::Es }

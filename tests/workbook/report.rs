@@ -19,7 +19,7 @@ use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
 use rodete::report::{Attachment, Content, Role};
 use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
-use rodete::text::{Language, Text};
+use rodete::text::{Language, Text, t};
 use rodete::typeset::compiler::Typst;
 use rodete::typeset::failure::ReportFailure;
 
@@ -42,16 +42,16 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         end: End::Whole,
         quantities: vec![Quantity {
             symbol: "L",
-            meaning: Text::fixed("Longitud de pivote", "Pivot length"),
+            meaning: t("Longitud de pivote", "Pivot length"),
             value: 242.9,
             unit: Unit::Millimetre,
-            source: Text::fixed("R_B + H", "R_B + H"),
+            source: t("R_B + H", "R_B + H"),
         }],
         tables: vec![Table {
             key: "annex-1",
-            name: Text::fixed("Anexo 1", "Annex 1"),
-            title: Text::fixed("Discretización", "Discretisation"),
-            source: Text::fixed("Anexo 1", "Annex 1"),
+            name: t("Anexo 1", "Annex 1"),
+            title: t("Discretización", "Discretisation"),
+            source: t("Anexo 1", "Annex 1"),
             index: Index::Point,
             print: Print::Short,
             columns: vec![Column::numbers("v", Unit::Radian, "v", steps)],
@@ -62,11 +62,11 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             vec![Figure {
                 key: "angles",
                 height: Figure::HEIGHT,
-                caption: Text::fixed("Ángulos", "Angles"),
-                axes: Some(Axes { x: Text::fixed("i", "i"), y: Text::fixed("v (rad)", "v (rad)") }),
+                caption: t("Ángulos", "Angles"),
+                axes: Some(Axes { x: t("i", "i"), y: t("v (rad)", "v (rad)") }),
                 strokes: vec![Stroke { ink: Ink::Safe, points: line, filled: false, arrow: true }],
                 labels: Vec::new(),
-                legend: vec![(Ink::Safe, Text::fixed("v", "v"))],
+                legend: vec![(Ink::Safe, t("v", "v"))],
             }]
         })),
         drawings: Vec::new(),
@@ -173,7 +173,7 @@ mod embedded {
             name: "impeller & co.xlsx".to_owned(),
             role: Role::Input,
             mime: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
-            description: Text::fixed("Libro de datos", "Workbook"),
+            description: t("Libro de datos", "Workbook"),
             content: Content::Bytes(b"PK not really a workbook"),
         }
     }

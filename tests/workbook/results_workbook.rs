@@ -11,7 +11,7 @@ use rodete::kind::{Outcome, checks};
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::table::{Column, Entry, Index, Print, Table, Unit};
-use rodete::text::{Language, Text};
+use rodete::text::{Language, Text, t};
 use rodete::workbook::error::WriteError;
 use rodete::workbook::program_sheet::ProgramSheet;
 use rodete::workbook::results;
@@ -234,12 +234,8 @@ fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
     let mut outcome = common::outcome("full", &[]);
     outcome.findings.insert(
         0,
-        Finding::stop(
-            Place::Parameters(vec!["F"]),
-            Text::fixed("=el avance es alto", "=feed is high"),
-            Text::same("F"),
-        )
-        .with("7000 mm/min", "6000 mm/min"),
+        Finding::stop(Place::Parameters(vec!["F"]), t("=el avance es alto", "=feed is high"), Text::same("F"))
+            .with("7000 mm/min", "6000 mm/min"),
     );
     outcome.programs.clear();
     let mut workbook = opened(written(&outcome, Language::Es));

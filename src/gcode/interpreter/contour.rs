@@ -32,7 +32,7 @@ use crate::gcode::turning::rules::{
 };
 use crate::limits::CONTOUR_BLOCKS;
 use crate::machine::axis::Axis;
-use crate::text::Text;
+use crate::text::t;
 
 /// Letters that a block of a contour may have.
 const LETTERS: Letters = Letters::of("FIKRSTUWXZ");
@@ -249,7 +249,7 @@ impl Interpreter<'_> {
 
     /// A contour that begins with neither G0 nor G1.
     fn contour_begins(&self, cycle: u8, (es, en): (&'static str, &'static str)) -> Box<Fault> {
-        Fault::of(&ContourBegins { part: Text::fixed(es, en), cycle }, &[]).as_alarm_of(self.alarms())
+        Fault::of(&ContourBegins { part: t(es, en), cycle }, &[]).as_alarm_of(self.alarms())
     }
 
     /// The letter of the time of a dwell in a contour, one bit; a dwell stands without a motion.
@@ -277,7 +277,7 @@ impl Interpreter<'_> {
     /// Refuses what may not stand in a contour.
     fn contour_refuses(&self, cycle: u8, first: bool) -> Outcome<()> {
         let refuse = |column: usize, (es, en): (&'static str, &'static str)| {
-            Err(Fault::of(&NotInContour { code: Text::fixed(es, en), cycle }, &[column]).as_alarm_of(self.alarms()))
+            Err(Fault::of(&NotInContour { code: t(es, en), cycle }, &[column]).as_alarm_of(self.alarms()))
         };
         let block = &self.block;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {

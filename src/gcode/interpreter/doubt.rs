@@ -13,7 +13,7 @@ use crate::gcode::interpreter::cursor::comments;
 use crate::gcode::interpreter::fault::{Fault, place};
 use crate::gcode::rules::flow::FollowingErrors;
 use crate::machine::axis::Axis;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Parts of what is in force, one bit each: the nine axes first.
 pub(super) type State = u32;
@@ -210,7 +210,7 @@ impl Interpreter<'_> {
         let (es, en): (Vec<_>, Vec<_>) = names.into_iter().unzip();
         let unknown = Text::new(es.join(", "), en.join(", "));
         let errors = match left_out {
-            1 => Text::fixed("1 error que sigue", "1 error that follows"),
+            1 => t("1 error que sigue", "1 error that follows"),
             many => Text::new(format!("{many} errores que siguen"), format!("{many} errors that follow")),
         };
         let told = FollowingErrors { count: *left_out, errors, unknown };

@@ -4,7 +4,7 @@ use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rul
 use crate::gcode::rules::geometry::HalfTurn;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::REMARKS;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// A refusal with its place. The block is not executed.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,8 +97,8 @@ impl Fault {
         let Some(((file, last), lines)) = self.others.split_last() else { return self.what.clone() };
         let lines = lines.iter().map(|(_, line)| line.to_string()).collect::<Vec<_>>().join(", ");
         let of = match file {
-            _ if *file == self.file => Text::fixed("", ""),
-            None => Text::fixed(" del programa", " of the program"),
+            _ if *file == self.file => t("", ""),
+            None => t(" del programa", " of the program"),
             Some(file) => Text::new(format!(" de «{file}»"), format!(" of '{file}'")),
         };
         let Text { es, en } = &self.what;
@@ -228,7 +228,7 @@ impl Turns {
     fn finding(&self) -> Finding {
         let (axis, degrees, line) = self.greatest;
         let more = match self.count {
-            1 => Text::fixed("", ""),
+            1 => t("", ""),
             count => Text::new(
                 format!("; {count} bloques así, este es el mayor, en la línea {line}"),
                 format!("; {count} such blocks, this the greatest, in line {line}"),

@@ -16,7 +16,7 @@ use crate::gcode::rules::words::{
     DimensionsWithoutPoint, DwellsWithoutPoint, PointMissing, PointMissingInFeed, PointNotTaken,
 };
 use crate::machine::length_unit::LengthUnit;
-use crate::text::Text;
+use crate::text::t;
 
 /// Addresses whose number may be scaled where it has no decimal point.
 const SCALED: Letters = Letters::of("FIKRUWXZ");
@@ -72,10 +72,7 @@ impl Interpreter<'_> {
                     true => ("pulgadas o diezmilésimas", "inches or ten-thousandths"),
                     false => ("mm o µm", "mm or µm"),
                 };
-                return Err(Fault::of(
-                    &PointMissing { word: word.to_owned(), reading: Text::fixed(es, en) },
-                    &[column],
-                ));
+                return Err(Fault::of(&PointMissing { word: word.to_owned(), reading: t(es, en) }, &[column]));
             }
             Some(DecimalPoint::Calculator) => 1.0,
             Some(DecimalPoint::Micrometre) if feed => {
@@ -102,9 +99,9 @@ impl Interpreter<'_> {
             }
         };
         if dwell {
-            self.remarks.row(&DwellsWithoutPoint { reading: Text::fixed(es, en) }, line, Some(column));
+            self.remarks.row(&DwellsWithoutPoint { reading: t(es, en) }, line, Some(column));
         } else {
-            self.remarks.row(&DimensionsWithoutPoint { reading: Text::fixed(es, en) }, line, Some(column));
+            self.remarks.row(&DimensionsWithoutPoint { reading: t(es, en) }, line, Some(column));
         }
         Ok(by)
     }

@@ -15,7 +15,7 @@ use crate::gcode::rules::words::{
 };
 use crate::limits::COUNT;
 use crate::number::grid::LIMIT;
-use crate::text::Text;
+use crate::text::t;
 
 /// Addresses whose numbers are lengths or angles on the part.
 const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
@@ -117,7 +117,7 @@ impl Interpreter<'_> {
         let found = tenths.and_then(|tenths| self.control.codes.get(tenths));
         match found {
             Some(G::Refused(_, name)) => {
-                Err(Fault::of(&CodeNotSupported { code: value, reason: Text::fixed(name.0, name.1) }, &[column]))
+                Err(Fault::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
             }
             Some(g) => self.block.put_g(g, column).map_err(|first| {
                 let group = g.group().name();
@@ -134,10 +134,9 @@ impl Interpreter<'_> {
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
         let found = number.and_then(|number| Some((number, (self.control.machine_code)(number)?)));
         match found {
-            Some((number, M::Refused(name))) => Err(Fault::of(
-                &MachineCodeNotSupported { code: number, reason: Text::fixed(name.0, name.1) },
-                &[column],
-            )),
+            Some((number, M::Refused(name))) => {
+                Err(Fault::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
+            }
             Some((number, m)) => {
                 if m == M::User {
                     let line = self.line;

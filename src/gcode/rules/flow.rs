@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of this file.
@@ -14,7 +14,7 @@ rules! {
         remedy "divida el programa", "split the program";
         why "Cada número se guarda para poder ir a su bloque; más no caben.",
             "Each number is kept so that its block can be found; more are not held.";
-        example Example::Never(Text::fixed("haría falta un millón de bloques, cada uno con su número", "it would take a million blocks, each with a number of its own"));
+        example Example::Never(t("haría falta un millón de bloques, cada uno con su número", "it would take a million blocks, each with a number of its own"));
     "G0302" BlockMissing Stop alarm Fanuc 78 { number: u32 }
         es "no hay bloque N{number}"
         en "there is no block N{number}"
@@ -140,14 +140,14 @@ rules! {
         remedy "compruebe el archivo", "check the file";
         why "Sin él no se sabe qué hace el programa.",
             "Without it nobody knows what the program does.";
-        example Example::Never(Text::fixed("falla el disco mientras se lee, no el texto", "a disk fails while it is read, not the text"));
+        example Example::Never(t("falla el disco mientras se lee, no el texto", "a disk fails while it is read, not the text"));
     "G0320" SubprogramTooLarge Stop { name: String }
         es "el subprograma «{name}» tiene más de 16 MiB"
         en "subprogram '{name}' has more than 16 MiB"
         remedy "divídalo", "split it";
         why "Un subprograma se lee entero a la memoria.",
             "A subprogram is read into memory whole.";
-        example Example::Never(Text::fixed("haría falta un archivo de 16 MiB", "it would take a file of 16 MiB"));
+        example Example::Never(t("haría falta un archivo de 16 MiB", "it would take a file of 16 MiB"));
     "G0321" NotCalled Stop { label: String }
         es "{label} no ha sido llamado con CALL"
         en "{label} was not called by CALL"

@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::t;
 
 rules! {
     /// The rows of this file.
@@ -119,7 +119,7 @@ rules! {
         remedy "compruebe el archivo y el disco", "check the file and the disk";
         why "Lo que falta del programa no se puede comprobar.",
             "What is missing of the program cannot be verified.";
-        example Example::Never(Text::fixed("falla el disco mientras se lee, no el texto", "a disk fails while it is read, not the text"));
+        example Example::Never(t("falla el disco mientras se lee, no el texto", "a disk fails while it is read, not the text"));
     "G0017" LineEndless Stop { most: usize }
         es "la línea tiene más de {most} caracteres"
         en "the line has more than {most} characters"
@@ -133,7 +133,7 @@ rules! {
         remedy "divida el programa", "split the program";
         why "Más de eso no lo lee rodete, para que un archivo equivocado no llene la memoria.",
             "rodete reads no more than that, lest a wrong file fill the memory.";
-        example Example::Never(Text::fixed("haría falta un archivo de 900 MB", "it would take a file of 900 MB"));
+        example Example::Never(t("haría falta un archivo de 900 MB", "it would take a file of 900 MB"));
     "G0019" LineTooLong Stop { most: usize }
         es "la línea tiene más de {most} caracteres"
         en "the line has more than {most} characters"
@@ -189,7 +189,7 @@ rules! {
         remedy "guárdelo como texto ASCII o UTF-8", "save it as ASCII or UTF-8 text";
         why "Ningún control lee ese texto: entre cada dos letras ve un carácter nulo.",
             "No control reads such a text: between any two letters it sees a null character.";
-        example Example::Never(Text::fixed("son bytes que no son texto", "it is bytes that are no text"));
+        example Example::Never(t("son bytes que no son texto", "it is bytes that are no text"));
     "G0027" MoreRefusals Note { count: usize }
         es "y {count} errores más"
         en "and {count} more errors"

@@ -12,7 +12,7 @@ use crate::kinds::impeller::parameters as form;
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::parameter::field::Fields;
-use crate::text::Text;
+use crate::text::t;
 
 /// How the blank is turned. Lengths in mm; those named "on the diameter" are programmed so.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,7 +116,7 @@ impl BlankTurning {
         parts.push(block(vec![Word::whole('M', 30)]));
         Ok(Program {
             key: "blank",
-            title: Text::fixed("Torneado del bruto", "Turning of the blank"),
+            title: t("Torneado del bruto", "Turning of the blank"),
             control: &FAGOR_8055_T,
             format,
             block_step: Some(block_step),

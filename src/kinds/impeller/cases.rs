@@ -1,8 +1,8 @@
 //! The cases that a new impeller workbook can start from.
 
 use crate::kinds::impeller::parameters::SCHEMA;
-use crate::parameter::{Case, Value, t, unlisted};
-use crate::text::Language;
+use crate::parameter::{Case, Value, unlisted};
+use crate::text::{Language, t};
 
 /// The cases that a new workbook can start from, the usual one first.
 pub static CASES: [Case; 2] = [

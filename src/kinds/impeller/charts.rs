@@ -1,11 +1,7 @@
 //! The charts of the results workbook, where people would rather look than read.
 
 use crate::kind::{Chart, Series};
-use crate::text::Text;
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
+use crate::text::{Text, t};
 
 fn series(name: Text, x: (&'static str, &'static str), y: (&'static str, &'static str)) -> Series {
     Series { name, x, y }

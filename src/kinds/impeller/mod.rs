@@ -71,7 +71,7 @@ use crate::parameter::field::Fields;
 use crate::proof::step::Judge;
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The kind.
 #[derive(Debug)]
@@ -352,7 +352,7 @@ fn quantity(
     unit: Unit,
     source: [&'static str; 2],
 ) -> Quantity {
-    Quantity { symbol, meaning: Text::fixed(es, en), value, unit, source: Text::fixed(source[0], source[1]) }
+    Quantity { symbol, meaning: t(es, en), value, unit, source: t(source[0], source[1]) }
 }
 
 /// Where a splitter's paths cross its neighbours', and from where on its offset is full.

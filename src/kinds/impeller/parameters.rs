@@ -11,9 +11,9 @@ use crate::gcode::word::Distance;
 use crate::kinds::impeller::cases::CASES;
 use crate::kinds::impeller::fade::Fade;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
-use crate::parameter::{DIALECTS, Earlier, FieldKind, Form, Parameter, Section, Sheet, t};
+use crate::parameter::{DIALECTS, Earlier, FieldKind, Form, Parameter, Section, Sheet};
 use crate::table::Unit;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-impeller 2";

@@ -18,7 +18,7 @@ use crate::kinds::impeller::tables::ToolPaths;
 use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
-use crate::text::Text;
+use crate::text::t;
 
 /// Passes and safe points of a blade and of its splitter on the output grid, C of the first blade.
 #[derive(Clone, Debug)]
@@ -172,7 +172,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
         let mut assembly = Assembly::new(design, tracks.entry_obverse)?;
         cuts.blade(tracks, &mut assembly, Milli::ZERO);
         assembly.turn_on(part_of_turn(1, design.N)?);
-        assembly.finish("blade", Text::fixed("Un álabe", "One blade"))
+        assembly.finish("blade", t("Un álabe", "One blade"))
     };
     let mut milled = vec![blade];
     if cuts.splitter.is_some() {
@@ -181,7 +181,7 @@ pub fn programs(design: &Design, tracks: &Tracks, origin: &Origin<'_>) -> Result
         let mut assembly = Assembly::new(design, tracks.entry_reverse.moved(Axis::C, half))?;
         cuts.splitter(tracks, &mut assembly, half);
         assembly.turn_on(half + part_of_turn(1, design.N)?);
-        milled.push(assembly.finish("splitter", Text::fixed("Un álabe intermedio", "One splitter blade")));
+        milled.push(assembly.finish("splitter", t("Un álabe intermedio", "One splitter blade")));
     }
     milled.push(impeller(design, tracks, &cuts)?);
 
@@ -227,7 +227,7 @@ fn impeller(design: &Design, tracks: &Tracks, cuts: &Cuts) -> Result<Program, Ou
         assembly.turn_to(tracks.entry_reverse, turn + turn);
         assembly.cross(tracks.entry_obverse.moved(Axis::C, turn + turn), &[Axis::Y]);
     }
-    Ok(assembly.finish("impeller", Text::fixed("El rodete completo", "The whole impeller")))
+    Ok(assembly.finish("impeller", t("El rodete completo", "The whole impeller")))
 }
 
 fn blank(design: &Design, origin: &Origin<'_>) -> Result<Program, OutOfFormat> {

@@ -7,29 +7,29 @@ use crate::kinds::impeller::splitter::NoSplitter;
 use crate::kinds::impeller::start::start;
 use crate::machine::calibration::Axis as Calibrated;
 use crate::number::shown;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 pub(super) fn no_splitter(why: NoSplitter) -> Finding {
     let what = match why {
-        NoSplitter::NoCrossing => Text::fixed(
+        NoSplitter::NoCrossing => t(
             "no hay sitio que limite el álabe intermedio: su trayectoria no corta a la del álabe vecino",
             "nothing limits the splitter blade: its path does not cross that of the neighbouring blade",
         ),
-        NoSplitter::AtFirstPoint => Text::fixed(
+        NoSplitter::AtFirstPoint => t(
             "no queda álabe intermedio: su trayectoria corta a la del álabe vecino en el primer punto",
             "no splitter blade is left: its path crosses that of the neighbouring blade at the first point",
         ),
-        NoSplitter::NoRoom => Text::fixed(
+        NoSplitter::NoRoom => t(
             "no cabe un álabe intermedio: por mucho que se afine, la herramienta cortaría el álabe vecino",
             "no splitter blade fits: however it fades out, the tool would cut into the neighbouring blade",
         ),
     };
     let remedy = match why {
-        NoSplitter::NoCrossing => Text::fixed(
+        NoSplitter::NoCrossing => t(
             "splitters = no; o más álabes, álabes más gruesos o una herramienta mayor",
             "splitters = no; or more blades, thicker blades, or a larger tool",
         ),
-        NoSplitter::AtFirstPoint | NoSplitter::NoRoom => Text::fixed(
+        NoSplitter::AtFirstPoint | NoSplitter::NoRoom => t(
             "splitters = no; o menos álabes, álabes más delgados, una herramienta menor o un n mayor",
             "splitters = no; or fewer blades, thinner blades, a smaller tool, or a larger n",
         ),
@@ -40,11 +40,11 @@ pub(super) fn no_splitter(why: NoSplitter) -> Finding {
 pub(super) fn no_calibration() -> Finding {
     Finding::stop(
         Place::Parameters(vec!["calibration/x0", "calibration/z0", "calibration/H"]),
-        Text::fixed(
+        t(
             "la calibración no tiene solución real: las ranuras no son de una misma máquina",
             "the calibration has no real solution: the slots cannot come from one machine",
         ),
-        Text::fixed("compruebe x0, z0 y las medidas de las ranuras", "check x0, z0 and the measures of the slots"),
+        t("compruebe x0, z0 y las medidas de las ranuras", "check x0, z0 and the measures of the slots"),
     )
 }
 
@@ -55,22 +55,22 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     if design.style == Style::Annex {
         findings.push(Finding::caution(
             at(&["style", "F", "S"]),
-            Text::fixed(
+            t(
                 "el estilo annex no lleva avance F ni velocidad S, como los programas publicados",
                 "style annex carries no feed F and no speed S, like the published programs",
             ),
-            Text::fixed(
+            t(
                 "fíjelos en el control antes de empezar, o style = full",
                 "set them at the control before the start, or style = full",
             ),
         ));
         findings.push(Finding::caution(
             at(&["style"]),
-            Text::fixed(
+            t(
                 "el programa incremental empieza donde esté la máquina: llévela antes al punto de seguridad de entrada, con B y C del Anexo 6",
                 "the incremental program starts wherever the machine stands: bring it to the safe entry point first, with B and C of Annex 6",
             ),
-            Text::fixed("style = full busca el inicio por sí mismo", "style = full finds the start itself"),
+            t("style = full busca el inicio por sí mismo", "style = full finds the start itself"),
         ));
         let half = shown(180.0 / f64::from(design.N), 3);
         if design.splitters {
@@ -80,7 +80,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
                     format!("los programas de un álabe y de un intermedio se ejecutan {} veces cada uno; antes del primer intermedio, gire C {half}°", design.N),
                     format!("the programs of one blade and of one splitter are run {} times each; before the first splitter, turn C by {half}°", design.N),
                 ),
-                Text::fixed("el programa del rodete completo lo hace todo de una vez", "the program of the whole impeller does it all in one run"),
+                t("el programa del rodete completo lo hace todo de una vez", "the program of the whole impeller does it all in one run"),
             ));
         }
     }
@@ -103,7 +103,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     if design.F_max.is_none() {
         findings.push(Finding::note(
             at(&["F_max"]),
-            Text::fixed(
+            t(
                 "F_max está vacío: la velocidad de los ejes no se comprueba",
                 "F_max is empty: the speed of the axes is not checked",
             ),
@@ -141,7 +141,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
                         made.limited.by_format
                     ),
                 ),
-                Text::fixed("un n menor u otro avance", "a smaller n or another feed"),
+                t("un n menor u otro avance", "a smaller n or another feed"),
             )
             .with(made.limited.by_format.to_string(), "0.0001 … 99999.999"),
         );
@@ -157,7 +157,7 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
     }
     findings.push(Finding::note(
         Place::Block { program: "blank", line: 1 },
-        Text::fixed(
+        t(
             "el programa del bruto es para un torno con Fagor 8055 T, sea cual sea el dialecto de la fresadora",
             "the program of the blank is for a lathe with Fagor 8055 T, whatever the dialect of the mill",
         ),

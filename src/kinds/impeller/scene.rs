@@ -14,7 +14,7 @@ use crate::number::trig::sin_cos;
 use crate::scene::mesh::{Mesh, Paint};
 use crate::scene::part::Part;
 use crate::scene::{Shape, ShownTool};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Steps of the net about the hub, along its meridian, and along a blade.
 const ABOUT: u16 = 180;
@@ -24,8 +24,8 @@ const ALONG: u16 = 56;
 /// The impeller of a design.
 #[must_use]
 pub fn part(design: &Design, blade: &Blade, splitter: Option<&Splitter>) -> Part {
-    let mut blades = Mesh::new(Text::fixed("Álabes", "Blades"), Paint::Blade);
-    let mut splitters = Mesh::new(Text::fixed("Álabes intermedios", "Splitter blades"), Paint::Splitter);
+    let mut blades = Mesh::new(t("Álabes", "Blades"), Paint::Blade);
+    let mut splitters = Mesh::new(t("Álabes intermedios", "Splitter blades"), Paint::Splitter);
     for number in 0..design.N {
         let turn = TAU * f64::from(number) / f64::from(design.N);
         wall(&mut blades, &sections(design, blade, turn, ALONG, |_| blade_halves(design)));
@@ -71,7 +71,7 @@ fn hub(design: &Design) -> Mesh {
         outline.iter().map(|[rho, z]| Vector3::new(rho * cos, rho * sin, *z)).collect()
     };
     let rows: Vec<_> = steps(0.0, TAU, ABOUT).take(usize::from(ABOUT)).map(row).collect();
-    let mut mesh = Mesh::new(Text::fixed("Cubo", "Hub"), Paint::Metal);
+    let mut mesh = Mesh::new(t("Cubo", "Hub"), Paint::Metal);
     mesh.net(&rows, true);
     mesh
 }

@@ -11,7 +11,7 @@ use crate::kinds::impeller::sweep::Sweep;
 use crate::kinds::impeller::track::Track;
 use crate::kinds::impeller::undercut::{self, Undercut, undercut};
 use crate::number::shown;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Below this nothing is said of a depth, mm: it is what the output grid moves the tool.
 const UNSAID: f64 = 0.01;
@@ -47,7 +47,7 @@ fn left_standing(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Findi
             "ribs stay uncut in the channels: up to {most} % of the turned surface between two blades is touched by no pass (upper bound), from {from} % of the way from the hub to the rim on; at the rim the widest measures up to {width} mm along the edge ({across} mm across)"
         ),
     );
-    let remedy = Text::fixed(
+    let remedy = t(
         "vacíe los canales con un programa propio, o más álabes o una herramienta mayor si la separación real lo permite: el plan solo corta a los lados de cada álabe",
         "clear the channels with a program of your own; or more blades or a larger tool, if the true gap allows: the plan cuts beside each blade only",
     );
@@ -74,7 +74,7 @@ fn too_deep(design: &Design, sweeps: &[Sweep]) -> Option<Finding> {
             track.en
         ),
     );
-    let remedy = Text::fixed(
+    let remedy = t(
         "una herramienta menor; o cuente con ese fondo más hondo, en el cubo y donde la pieza es delgada",
         "a smaller tool; or reckon with the deeper floor, at the hub and where the part is thin",
     );
@@ -105,7 +105,7 @@ fn into_faces(design: &Design, part: &Part, sweeps: &[Sweep]) -> Option<Finding>
             "the passes cut up to {most} mm into the blade's own faces, which leaves it thinner: {en} (upper bounds, block by block; the law a·(1 − cos θ) at the hub, which leaves out thickness and blocks, gives {law} mm)"
         ),
     );
-    let remedy = Text::fixed(
+    let remedy = t(
         "una a_p menor o una herramienta menor; un n mayor quita lo que añaden los bloques; o un e mayor, que cuente con ello",
         "a smaller a_p or a smaller tool; a larger n takes away what the blocks add; or a larger e that reckons with it",
     );
@@ -142,10 +142,9 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
             format!("N_max real = {N} (publicado: {})", published(design)),
             format!("true N_max = {N} (published: {})", published(design)),
         ),
-        None => Text::fixed(
-            "N_max real: ninguno, ni un solo álabe deja sitio",
-            "true N_max: none, not even one blade leaves room",
-        ),
+        None => {
+            t("N_max real: ninguno, ni un solo álabe deja sitio", "true N_max: none, not even one blade leaves room")
+        }
     };
     let thickness = match limits.e_max {
         Some(e) => Text::new(
@@ -167,7 +166,7 @@ pub(super) fn too_narrow(design: &Design, limits: &Limits) -> Option<Finding> {
             narrow.en, blades.en, thickness.en
         ),
     );
-    let remedy = Text::fixed(
+    let remedy = t(
         "menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden por el paralelo, donde la herramienta no pasa",
         "fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not how the tool passes",
     );

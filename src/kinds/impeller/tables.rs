@@ -12,7 +12,7 @@ use crate::kinds::impeller::splitter::{Side, Splitter};
 use crate::kinds::impeller::tool_path::tool_path;
 use crate::machine::calibration::{Axis, Slots, nearest};
 use crate::table::{Column, Index, Print, Table, Unit};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 const MM: Unit = Unit::Millimetre;
 const RAD: Unit = Unit::Radian;
@@ -45,10 +45,6 @@ impl ToolPaths {
 
 fn annex(key: &'static str, name: Text, title: Text, source: Text, columns: Vec<Column>) -> Table {
     Table { key, name, title, source, index: Index::Point, print: Print::Short, columns }
-}
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
 }
 
 /// Annexes 1 to 8, in order.
@@ -286,7 +282,7 @@ pub fn blank(design: &Design) -> Table {
         index: Index::None,
         print: Print::Short,
         columns: vec![
-            Column::texts(t("parámetro", "parameter"), "", rows.iter().map(|row| Text::fixed(row.0, row.0)).collect()),
+            Column::texts(t("parámetro", "parameter"), "", rows.iter().map(|row| t(row.0, row.0)).collect()),
             Column::texts(t("significado", "meaning"), "", rows.iter().map(|row| row.1.clone()).collect()),
             Column::numbers("value", MM, "", rows.iter().map(|row| row.2).collect::<Vec<_>>())
                 .named(t("valor", "value")),

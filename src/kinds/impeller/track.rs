@@ -1,6 +1,6 @@
 //! The tracks that the tool cuts along: both sides of a blade, and the way out and back along a splitter.
 
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// A track.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,10 +40,10 @@ impl Track {
     #[must_use]
     pub const fn name(self) -> &'static Text {
         const NAMES: &[Text; 4] = &[
-            Text::fixed("anverso", "obverse"),
-            Text::fixed("reverso", "reverse"),
-            Text::fixed("intermedio, ida", "splitter, out"),
-            Text::fixed("intermedio, vuelta", "splitter, back"),
+            t("anverso", "obverse"),
+            t("reverso", "reverse"),
+            t("intermedio, ida", "splitter, out"),
+            t("intermedio, vuelta", "splitter, back"),
         ];
         match self {
             Self::Obverse => &NAMES[0],

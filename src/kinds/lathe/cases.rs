@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::kinds::lathe::catalogue;
 use crate::kinds::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, SCHEMA, TOOLS_KEY};
 use crate::parameter::list::{Row, Rows};
-use crate::parameter::{Case, Value, t};
-use crate::text::Language;
+use crate::parameter::{Case, Value};
+use crate::text::{Language, t};
 
 /// The cases that a new workbook can start from, the usual one first.
 pub static CASES: [Case; 2] = [

@@ -2,8 +2,8 @@
 
 use super::part_view::cover;
 use crate::figure::{Figure, Ink, Label, Stroke};
-use crate::parameter::t;
 use crate::text::Text;
+use crate::text::t;
 
 /// A closed contour in the half section, `[z, r]` from the work zero W1, mm; the last point is joined to the first.
 pub type Contour = Vec<[f64; 2]>;

@@ -8,11 +8,10 @@ use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::setup::Given;
 use crate::limits::{FOLLOWED_MOTIONS, PROGRAM_FINDINGS};
 use crate::machine::axis::Axis;
-use crate::parameter::t;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::spindle::revolutions;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// A line of the program, or of the file of a subprogram.
 pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {
@@ -199,7 +198,7 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
 pub(super) fn not_repeated(apart: f64) -> Finding {
     Finding::fault(
         Place::File,
-        Text::fixed(
+        t(
             "otra biblioteca de polígonos deja otro contorno: el cálculo no es de fiar, no use los archivos",
             "another library of polygons leaves another contour: the result cannot be trusted, do not use the files",
         ),

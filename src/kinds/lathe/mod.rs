@@ -37,8 +37,8 @@ use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
+use crate::parameter::Form;
 use crate::parameter::field::Fields;
-use crate::parameter::{Form, t};
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::deviation::Profile;
@@ -47,7 +47,7 @@ use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::simulation::{Setup, Simulation};
 use crate::removal::turning::step::Step;
 use crate::table::{Quantity, Unit};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// How far the facets of the solid may be from the round part, mm.
 const TOLERANCE: f64 = 0.01;

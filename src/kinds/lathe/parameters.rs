@@ -11,10 +11,10 @@ pub use crate::kinds::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::limits::SHEET_BLOCKS;
 use crate::parameter::field::{Field, Optional, Required, Usual, choices};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, Form, Parameter, Section, Sheet, t};
+use crate::parameter::{Choice, Form, Parameter, Section, Sheet};
 use crate::removal::turning::stock::Support;
 use crate::table::Unit;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-lathe 1";

@@ -15,7 +15,7 @@ use super::figures::Contour;
 use crate::figure::{Figure, Ink, Stroke};
 use crate::geometry::scene::{Camera, Scene};
 use crate::number::trig::{atan2, cos, hypot, sin_cos};
-use crate::parameter::t;
+use crate::text::t;
 
 /// Sectors of the part; the quarter that is cut out is a whole number of them.
 const SECTORS: u16 = 72;

@@ -5,11 +5,11 @@ use crate::geometry::exact::region::Ring;
 use crate::kinds::lathe::parameters::{Element, PROFILE_G, PROFILE_KEY, PROFILE_R, PROFILE_X, PROFILE_Z};
 use crate::number::shown;
 use crate::number::trig::hypot;
+use crate::parameter::Parameter;
 use crate::parameter::field::{Entry, Fields};
-use crate::parameter::{Parameter, t};
 use crate::removal::turning::deviation::{Profile, Span, Unmeasured, deviation};
 use crate::table::{Quantity, Unit};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The wanted profile of the sheet; `None` where there is none.
 ///

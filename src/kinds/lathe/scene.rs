@@ -18,7 +18,7 @@ use crate::removal::turning::stock::Fixture as Standing;
 use crate::scene::program::Program;
 use crate::scene::turning::{Fixture, ShownTurning};
 use crate::scene::{Remark, Scene, Shape, ShownTool};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What has been seen of a lathe's programs.
 #[derive(Debug, Default)]
@@ -56,7 +56,7 @@ impl Watching {
                         && let Some(piece) = simulation.parted()
                     {
                         turning.part_off(motion, piece);
-                        program.notes.push(Text::fixed(
+                        program.notes.push(t(
                             "El último corte tronza la pieza: desde entonces se ve transparente, y los resultados son los \
                              suyos; en el plato queda el resto de la barra",
                             "The last cut parts the piece off: from then on it is shown see-through, and the results are \
@@ -178,9 +178,9 @@ fn remark(alarm: &Alarm, line: usize, index: usize) -> Remark {
 
 fn name(fixture: Standing) -> Text {
     match fixture {
-        Standing::Chuck => Text::fixed("plato", "chuck"),
-        Standing::Jaws => Text::fixed("garras", "jaws"),
-        Standing::Tailstock => Text::fixed("contrapunto", "tailstock"),
+        Standing::Chuck => t("plato", "chuck"),
+        Standing::Jaws => t("garras", "jaws"),
+        Standing::Tailstock => t("contrapunto", "tailstock"),
     }
 }
 

@@ -21,7 +21,7 @@ use crate::removal::turning::simulation::Setup;
 use crate::removal::turning::stock::Stock;
 use crate::removal::turning::tool::{Cutter, Hand, Holder, Shape, TurningTool};
 use crate::removal::turning::turret::Turret;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Z′ and X′ of the source: how far the longest tools stand off the stock at the reference point, mm.
 const MARGIN: f64 = 30.0;
@@ -88,7 +88,7 @@ impl Given {
                     format!("L4 es {} mm y debe ser menor que L = {} mm", shown(L4, 3), shown(L, 3)),
                     format!("L4 is {} mm, must be less than L = {} mm", shown(L4, 3), shown(L, 3)),
                 ),
-                Text::fixed("sujete menos, o un bruto más largo", "hold less, or take a longer stock"),
+                t("sujete menos, o un bruto más largo", "hold less, or take a longer stock"),
             );
         }
         if L4 < L && L5 >= L - L4 {
@@ -98,7 +98,7 @@ impl Given {
                     format!("L5 es {} mm y debe ser menor que el voladizo de {} mm", shown(L5, 3), shown(L - L4, 3)),
                     format!("L5 is {} mm, must be less than the overhang of {} mm", shown(L5, 3), shown(L - L4, 3)),
                 ),
-                Text::fixed("un refrentado menor", "a smaller facing allowance"),
+                t("un refrentado menor", "a smaller facing allowance"),
             );
         }
         let bore = fields.get(&form::STOCK_BORE_D);
@@ -109,11 +109,11 @@ impl Given {
                     format!("el agujero d es {} mm y debe ser menor que D = {} mm", shown(d, 3), shown(D, 3)),
                     format!("the bore d is {} mm, must be less than D = {} mm", shown(d, 3), shown(D, 3)),
                 ),
-                Text::fixed("corrija d o D", "correct d or D"),
+                t("corrija d o D", "correct d or D"),
             );
         }
-        let travel = Text::fixed("corrija el recorrido", "correct the travel");
-        let sizes = Text::fixed("corrija el cuerpo de la torreta", "correct the turret's body");
+        let travel = t("corrija el recorrido", "correct the travel");
+        let sizes = t("corrija el cuerpo de la torreta", "correct the turret's body");
         let travels: [[Length; 2]; 2] = [[&form::X_MIN, &form::X_MAX], [&form::Z_MIN, &form::Z_MAX]];
         for (pair, remedy) in [(travels[0], &travel), (travels[1], &travel), (BODY[0], &sizes), (BODY[1], &sizes)] {
             if let [Some(least), Some(greatest)] = pair.map(|one| fields.get(one))
@@ -152,7 +152,7 @@ impl Given {
                     format!("el cuerpo de la torreta se da con sus cuatro medidas; faltan: {lost}"),
                     format!("the turret's body is given by all four of its sizes; empty: {lost}"),
                 ),
-                Text::fixed(
+                t(
                     "rellene las cuatro, o vacíelas todas para no vigilar el cuerpo",
                     "fill in all four, or empty all of them not to watch the body",
                 ),
@@ -162,11 +162,11 @@ impl Given {
         if given_reference.iter().flatten().count() == 1 {
             stop(
                 &[form::R_X.key(), form::R_Z.key()],
-                Text::fixed(
+                t(
                     "el punto de referencia se da con X y Z, y solo hay una",
                     "the reference point is given by X and Z, and only one of them is",
                 ),
-                Text::fixed("rellene R_X y R_Z, o vacíe las dos", "fill in R_X and R_Z, or empty both"),
+                t("rellene R_X y R_Z, o vacíe las dos", "fill in R_X and R_Z, or empty both"),
             );
         }
         let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
@@ -354,11 +354,11 @@ pub fn without_rule(fields: &Fields) -> Option<Finding> {
     (point.is_none() && control.lexis.point.by_setting()).then(|| {
         fields.locate(Finding::stop(
             Place::Parameters(vec![form::POINT.key()]),
-            Text::fixed(
+            t(
                 "falta decir qué es una cota sin punto decimal: depende de un parámetro del control",
                 "it must be said what a dimension without a decimal point is: a setting of the control decides",
             ),
-            Text::fixed(
+            t(
                 "escriba calculadora o micras, según el parámetro DPI de su control",
                 "write calculator or micrometre, by the parameter DPI of your control",
             ),
@@ -384,7 +384,7 @@ fn turret(
                     format!("el puesto {T} de la torreta está dos veces"),
                     format!("place {T} of the turret is given twice"),
                 ),
-                Text::fixed("una herramienta por puesto", "one tool for each place"),
+                t("una herramienta por puesto", "one tool for each place"),
             ));
             continue;
         }
@@ -400,7 +400,7 @@ fn turret(
             findings.push(Finding::stop(
                 Place::Cells(cells(&row, &sizes(&tool))),
                 Text::new(format!("herramienta {T}: {}", why.es), format!("tool {T}: {}", why.en)),
-                Text::fixed("compruebe las medidas de la herramienta", "check the sizes of the tool"),
+                t("compruebe las medidas de la herramienta", "check the sizes of the tool"),
             ));
             continue;
         }
@@ -412,7 +412,7 @@ fn turret(
             findings.push(Finding::stop(
                 Place::Cells([row.cell(&tools::D.row), row.cell(&tools::T.row)].concat()),
                 Text::new(format!("el corrector {D} está dos veces"), format!("offset {D} is given twice")),
-                Text::fixed("un corrector por herramienta", "one offset for each tool"),
+                t("un corrector por herramienta", "one offset for each tool"),
             ));
         }
         tools.insert(T, tool);
@@ -456,9 +456,9 @@ fn lost(row: &Entry<'_>, column: &'static Parameter) -> Box<Finding> {
         return Box::new(Finding::stop(Place::Cells(row.cell(&tools::T.row)), what, remedy));
     }
     let remedy = if column.key == tools::SHAPE.key() {
-        Text::fixed("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832")
+        t("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832")
     } else {
-        Text::fixed("rellene la celda", "fill the cell in")
+        t("rellene la celda", "fill the cell in")
     };
     Box::new(Finding::stop(Place::Cells(cell), what, remedy))
 }

@@ -7,12 +7,12 @@ use crate::kind::checks;
 use crate::kinds::lathe::Raised;
 use crate::kinds::lathe::text::Lines;
 use crate::machine::axis::Axis;
-use crate::parameter::t;
 use crate::removal::turning::alarm::Alarm;
 use crate::removal::turning::step::{Step, Total, Totals};
 use crate::removal::turning::turret::Turret;
 use crate::table::{Column, Index, Print, Table, Unit};
 use crate::text::Text;
+use crate::text::t;
 
 /// One row for each motion of a program.
 #[derive(Debug, Default)]

@@ -7,6 +7,7 @@ use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting, line_feeds};
 use crate::gcode::program::Part;
 use crate::kinds::lathe::parameters::{BLOCK, SUBPROGRAM_KEY};
 use crate::parameter::field::{Entry, Fields};
+use crate::text::t;
 
 /// Lines of a program, each with the cell it stands in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -167,7 +168,7 @@ pub fn twice(fields: &Fields) -> Vec<Finding> {
                 format!("el subprograma O{number:04} está dos veces: en las hojas \"{first}\" y \"{last}\""),
                 format!("subprogram O{number:04} is given twice: on the sheets \"{first}\" and \"{last}\""),
             ),
-            crate::text::Text::fixed("deje una de las dos hojas", "leave one of the two sheets"),
+            t("deje una de las dos hojas", "leave one of the two sheets"),
         ))
     };
     sheets.into_iter().filter_map(of_one).collect()

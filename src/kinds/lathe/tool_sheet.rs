@@ -4,12 +4,12 @@
 //! machine needs beside them is added here.
 
 use crate::gcode::in_force::Spindle;
+use crate::parameter::Parameter;
 use crate::parameter::field::{Field, Optional, Required, Usual, choices};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Parameter, t};
 use crate::removal::turning::tool::{Hand, Shape};
 use crate::table::Unit;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The list of tools.
 pub const KEY: &str = "tools";

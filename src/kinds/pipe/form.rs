@@ -5,8 +5,9 @@ use crate::gcode::chosen::Codes;
 use crate::gcode::control::Written;
 use crate::kinds::pipe::size::{NPS, SCHEDULES, Schedule, Size};
 use crate::parameter::field::{Field, Optional, Required, Usual};
-use crate::parameter::{DIALECTS, FieldKind, Parameter, t};
+use crate::parameter::{DIALECTS, FieldKind, Parameter};
 use crate::table::Unit;
+use crate::text::t;
 
 const MM: Unit = Unit::Millimetre;
 const DIAMETER: [f64; 2] = [5.0, 3000.0];

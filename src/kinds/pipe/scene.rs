@@ -13,7 +13,7 @@ use crate::number::trig::sin_cos;
 use crate::scene::mesh::{Mesh, Paint};
 use crate::scene::part::Part;
 use crate::scene::{Curve, Shape, ShownTool};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Steps once round a pipe, and rows along one.
 const ROUND: u16 = 180;
@@ -22,9 +22,9 @@ fn angles() -> impl Iterator<Item = f64> {
     (0..=ROUND).map(|at| TAU * f64::from(at) / f64::from(ROUND))
 }
 
-const KEPT: Text = Text::fixed("Pieza", "Part");
-const WASTE: Text = Text::fixed("Sobrante", "Waste");
-const CURVE: Text = Text::fixed("Curva exacta", "Exact curve");
+const KEPT: Text = t("Pieza", "Part");
+const WASTE: Text = t("Sobrante", "Waste");
+const CURVE: Text = t("Curva exacta", "Exact curve");
 
 fn torch(name: Text, outline: Vec<[f64; 2]>) -> ShownTool {
     ShownTool { number: 0, name, shape: Shape::Revolved(outline) }
@@ -71,7 +71,7 @@ pub fn insert(design: &Insert) -> Part {
     body(&mut kept, &|_| 0.0, &curve);
     body(&mut waste, &curve, &|_| far);
     let points = angles().map(|phi| at(phi, curve(phi), false).into()).collect();
-    let name = Text::fixed("antorcha (forma indicativa)", "torch (form indicative)");
+    let name = t("antorcha (forma indicativa)", "torch (form indicative)");
     Part {
         meshes: vec![kept, waste],
         curves: vec![Curve { name: CURVE, paint: Paint::Line, points }],
@@ -88,7 +88,7 @@ pub fn hole(design: &Hole) -> Part {
     let roots: Vec<Vector3<f64>> = stations.iter().map(|station| station.root).collect();
     let faces: Vec<Vector3<f64>> = stations.iter().map(|station| station.face).collect();
     let reach = faces.iter().fold(design.R_o(), |most, face| most.max(face.x.abs() + 0.6 * design.R_o()));
-    let mut header = Mesh::new(Text::fixed("Tubo base", "Header"), Paint::Ghost);
+    let mut header = Mesh::new(t("Tubo base", "Header"), Paint::Ghost);
     let ring = |radius: f64| -> Vec<[Vector3<f64>; 2]> {
         let at = |phi: f64, x: f64| {
             let (sin, cos) = sin_cos(phi);
@@ -97,7 +97,7 @@ pub fn hole(design: &Hole) -> Part {
         angles().take(usize::from(ROUND)).map(|phi| [at(phi, reach), at(phi, -reach)]).collect()
     };
     shell(&mut header, &ring(design.R_o()), &ring(design.R_i()), true);
-    let mut bevel = Mesh::new(Text::fixed("Bisel", "Bevel"), Paint::Metal);
+    let mut bevel = Mesh::new(t("Bisel", "Bevel"), Paint::Metal);
     bevel.net(&roots.iter().zip(&faces).map(|(root, face)| vec![*root, *face]).collect::<Vec<_>>(), false);
     let curve = |name: Text, points: &[Vector3<f64>]| Curve {
         name,
@@ -107,14 +107,8 @@ pub fn hole(design: &Hole) -> Part {
     let (r_g, R_g, shoulder) = (design.r_g, design.R_g, torch_form.shoulder());
     Part {
         meshes: vec![bevel, header],
-        curves: vec![
-            curve(Text::fixed("Raíz exacta", "Exact root"), &roots),
-            curve(Text::fixed("Borde exterior", "Outer edge"), &faces),
-        ],
-        tool: torch(
-            Text::fixed("antorcha", "torch"),
-            vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]],
-        ),
+        curves: vec![curve(t("Raíz exacta", "Exact root"), &roots), curve(t("Borde exterior", "Outer edge"), &faces)],
+        tool: torch(t("antorcha", "torch"), vec![[0.0, 0.0], [r_g, 0.0], [R_g, shoulder], [R_g, shoulder + 4.0 * R_g]]),
         frame: Chain::Torch,
     }
 }

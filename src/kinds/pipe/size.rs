@@ -17,8 +17,8 @@ use crate::kinds::pipe::form::{D_BRANCH, D_HEADER, T_BRANCH, T_HEADER};
 use crate::kinds::pipe::insert::design::Pipe;
 use crate::kinds::pipe::rules::WallBeyondRadius;
 use crate::parameter::field::Typed;
-use crate::parameter::{Choice, Value, at, t};
-use crate::text::Text;
+use crate::parameter::{Choice, Value, at};
+use crate::text::{Text, t};
 
 /// A nominal size.
 #[derive(Clone, Copy, Debug, PartialEq)]

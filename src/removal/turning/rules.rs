@@ -5,7 +5,7 @@
 
 use crate::finding::rule::rules;
 use crate::finding::{Example, Size};
-use crate::text::Text;
+use crate::text::t;
 
 /// A program for the bar of D 50 and the turret of the example workbook, its blocks joined with `|`.
 macro_rules! program {
@@ -175,7 +175,7 @@ rules! {
         remedy "Escriba el paso con F", "Write the lead with F";
         why "Con paso 0 el carro no avanza: la herramienta hace un surco.",
             "With a lead of 0 the slide does not go on: the tool cuts a groove.";
-        example Example::Never(Text::fixed("el intérprete rechaza antes una rosca sin F", "the interpreter refuses a thread without F before it is followed"));
+        example Example::Never(t("el intérprete rechaza antes una rosca sin F", "the interpreter refuses a thread without F before it is followed"));
     "L0142" LeadNotOfInsert Caution alarm Lathe 142 { lead: Size, least: Size, most: Size }
         es "El paso no es de los de la placa de roscar"
         en "The lead is none of the threading insert's"

@@ -26,7 +26,7 @@ use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::region::{Labelled, Ring};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::hypot;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
 /// grid, and past it no tool reaches the blank.
@@ -107,7 +107,7 @@ impl Simulation {
             faults.push(Finding::stop(Place::File, Text::new(es, en), remedy));
         };
         if !(1e-5..=0.1).contains(&setup.tolerance) {
-            let remedy = Text::fixed("elija una entre 0.00001 y 0.1 mm", "choose one between 0.00001 and 0.1 mm");
+            let remedy = t("elija una entre 0.00001 y 0.1 mm", "choose one between 0.00001 and 0.1 mm");
             stop(
                 "la tolerancia de los arcos no es posible".into(),
                 "the tolerance of arcs is not possible".into(),
@@ -117,7 +117,7 @@ impl Simulation {
         let tolerance = setup.tolerance.clamp(1e-5, 0.1);
         let mut tools = BTreeMap::new();
         for (&place, tool) in &setup.turret.tools {
-            let remedy = || Text::fixed("corrija la herramienta", "correct the tool");
+            let remedy = || t("corrija la herramienta", "correct the tool");
             match tool.outline(tolerance, setup.lathe.turret_behind) {
                 Ok(outline) => {
                     let bodies = setup.turret.bodies(tool);
@@ -135,7 +135,7 @@ impl Simulation {
         };
         let part = grid(setup.part.as_deref().unwrap_or(&[setup.stock.contour()]));
         if part.is_none() {
-            let remedy = Text::fixed("use una pieza menor de 1 m", "use a part of less than 1 m");
+            let remedy = t("use una pieza menor de 1 m", "use a part of less than 1 m");
             stop(
                 "la pieza no cabe en el espacio de cálculo".into(),
                 "the part is too large to work out".into(),

@@ -9,7 +9,7 @@ use crate::geometry::exact::region::Ring;
 use crate::limits::STOCK_SIZE;
 use crate::number::shown;
 use crate::number::trig::tan;
-use crate::text::Text;
+use crate::text::t;
 
 /// Whether the tailstock supports the blank.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,7 +51,6 @@ impl Stock {
     #[must_use]
     pub fn faults(&self) -> Vec<Finding> {
         let Self { diameter, length, bore, overhang, facing, .. } = *self;
-        let t = Text::fixed;
         let within = |value: f64, low: f64, high: f64| value > low && value <= high;
         let upto = |high: f64| format!("0 – {} mm", shown(high, 3));
         [

@@ -2,9 +2,9 @@
 
 use rodete::gcode::control::Written;
 use rodete::parameter::field::{Field, Required};
-use rodete::parameter::{Case, DIALECTS, Form, Parameter, Section, Sheet, Value, t, unlisted};
+use rodete::parameter::{Case, DIALECTS, Form, Parameter, Section, Sheet, Value, unlisted};
 use rodete::table::Unit;
-use rodete::text::{Language, Text};
+use rodete::text::{Language, Text, t};
 
 const SCHEMA: &str = "bolt-circle 1";
 const MM: Unit = Unit::Millimetre;

@@ -21,11 +21,11 @@ use rodete::gcode::header::Origin;
 use rodete::gcode::program::Program;
 use rodete::kind::method::{Method, Of, Written};
 use rodete::kind::{Chapters, Proved, out_of_format};
+use rodete::parameter::Form;
 use rodete::parameter::field::Fields;
-use rodete::parameter::{Form, t};
 use rodete::proof::step::Judge;
 use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
-use rodete::text::Text;
+use rodete::text::{Text, t};
 
 use crate::design::BoltCircle;
 use crate::form::FORM;

@@ -7,7 +7,7 @@ use rodete::gcode::word::{NumberFormat, Word};
 use rodete::gcode::writer::Writer;
 use rodete::machine::axis::Position;
 use rodete::number::grid::{Milli, OutOfFormat};
-use rodete::parameter::t;
+use rodete::text::t;
 
 use crate::design::BoltCircle;
 

@@ -4,10 +4,10 @@ use rodete::finding::{Raise, Size};
 use rodete::gcode::motion::MotionKind;
 use rodete::gcode::program::Program;
 use rodete::machine::axis::Axis;
-use rodete::parameter::t;
 use rodete::proof::check::{At, Check, Extreme, Question, mm};
 use rodete::proof::step::{Judge, Step};
 use rodete::text::Text;
+use rodete::text::t;
 
 use crate::design::BoltCircle;
 use crate::rules::Astray;

@@ -1,6 +1,7 @@
 //! What a bolt circle may be told, a row each.
 
 use rodete::finding::{Example, Size};
+use rodete::text::t;
 
 rodete::rules! {
     /// All rows.
@@ -22,5 +23,5 @@ rodete::rules! {
         en "hole {hole} stands {by} from its place"
         remedy "es un fallo del programa que lo escribe", "it is a fault of what writes the program";
         why "El agujero no coincidiría con el de la otra brida.", "The hole would not meet that of the other flange.";
-        example Example::Never(rodete::text::Text::fixed("el programa se escribe de los mismos ángulos", "the program is written from the same angles"));
+        example Example::Never(t("el programa se escribe de los mismos ángulos", "the program is written from the same angles"));
 }

@@ -25,7 +25,7 @@ use crate::gcode::turning::rules::{
 };
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::Axis;
-use crate::text::Text;
+use crate::text::t;
 
 impl Interpreter<'_> {
     /// The lead of a thread: F of this block, or of an earlier block of a thread; mm.
@@ -130,7 +130,7 @@ impl Interpreter<'_> {
         };
         if let Some((es, en)) = missing.and_then(|missing| missing.split_once('|')) {
             return Err(Fault::of(
-                &PassEndMissing { words: Text::fixed(es, en), cycle: number },
+                &PassEndMissing { words: t(es, en), cycle: number },
                 &[self.block.g_column(Group::Motion)],
             )
             .hanging_on(doubt::MOTION));

@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of this file.
@@ -39,7 +39,7 @@ rules! {
         remedy "compruebe P y Q", "check P and Q";
         why "Los controles admiten muchos menos; más son un P o un Q equivocado.",
             "Controls take far fewer; more come of a wrong P or Q.";
-        example Example::Made { key: "program-long-contour", how: Text::fixed("un contorno de más de 10 000 bloques entre N10 y N20", "a contour of more than 10,000 blocks between N10 and N20") };
+        example Example::Made { key: "program-long-contour", how: t("un contorno de más de 10 000 bloques entre N10 y N20", "a contour of more than 10,000 blocks between N10 and N20") };
     "G0705" ContourEndsWithCorner Stop alarm Fanuc 326 { cycle: u8, word: &'static str }
         es "el contorno de G{cycle} acaba con «{word}», sin la recta que la sigue"
         en "the contour of G{cycle} ends with '{word}', without the line that follows it"

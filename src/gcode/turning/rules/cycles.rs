@@ -2,7 +2,7 @@
 
 use crate::finding::rule::rules;
 use crate::finding::{Example, Size};
-use crate::text::Text;
+use crate::text::t;
 
 rules! {
     /// The rows of this file.
@@ -19,7 +19,7 @@ rules! {
         en "the block of the contour that P or Q names is not found"
         remedy "numere los bloques del contorno; Q va detrás de P", "number the blocks of the contour; Q comes after P";
         why "Sin contorno el ciclo no sabe qué dejar.", "Without a contour the cycle does not know what to leave.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "un contorno sin bloques se rehúsa al leerlo",
             "a contour without blocks is refused as it is read",
         ));
@@ -36,7 +36,7 @@ rules! {
         remedy "lleve la herramienta al contorno con G0 o G1", "lead the tool to the contour with G0 or G1";
         why "El primer bloque solo lleva la herramienta al contorno.",
             "The first block does no more than lead the tool to the contour.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "el contorno que empieza con un arco se rehúsa al leerlo",
             "a contour that begins with an arc is refused as it is read",
         ));
@@ -45,7 +45,7 @@ rules! {
         en "the lead of the thread is zero or negative"
         remedy "dé el paso con F", "give the lead with F";
         why "Sin paso la herramienta no avanza.", "Without a lead the tool does not advance.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "un paso que no es positivo se rehúsa al leer F",
             "a lead that is not positive is refused as F is read",
         ));
@@ -124,7 +124,7 @@ rules! {
         en "a parameter of the cycle is not a finite number"
         remedy "dé números que el control admita", "give numbers that the control takes";
         why "Un número así no es ninguna cota.", "Such a number is no dimension.";
-        example Example::Never(Text::fixed(
+        example Example::Never(t(
             "toda cota leída es finita y cabe en la retícula",
             "every dimension that is read is finite and within the grid",
         ));

@@ -15,7 +15,7 @@ use crate::kinds::impeller::design::Design;
 use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::kinds::impeller::track::Track;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Points of a curve that a drawing needs at most: finer is not seen on paper.
 const FINE: usize = 240;
@@ -56,10 +56,6 @@ pub fn figures(
         figures.push(graphs::fraction(splitter));
     }
     figures
-}
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
 }
 
 fn line(ink: Ink, points: Vec<[f64; 2]>) -> Stroke {

@@ -37,7 +37,7 @@ use crate::removal::turning::simulation::{Setup, Simulation};
 use crate::removal::turning::stock::{Stock, Support};
 use crate::removal::turning::tool::{Cutter, Hand, Holder, Shape, Tip, TurningTool};
 use crate::removal::turning::turret::Turret;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// How far what is left may be from the torus, mm: what three decimals of the program's words make of it.
 pub const LIMIT: f64 = 0.001;
@@ -142,10 +142,8 @@ impl<'a> Terms<'a> {
 
     fn terms(&self, program: &Program) -> Check {
         let blank = &self.design.blank;
-        let name = Text::fixed(
-            "Herramienta, giro, velocidad y avance, los de la hoja",
-            "Tool, spindle, speed and feed as in the form",
-        );
+        let name =
+            t("Herramienta, giro, velocidad y avance, los de la hoja", "Tool, spindle, speed and feed as in the form");
         let count = self.feeds;
         let value = Text::new(format!("{count} movimientos con avance"), format!("{count} motions at feed"));
         let limit = Text::same(format!("T{} D{}, M4, S{}, F{}", blank.T_b, blank.D_b, blank.S_b, shown(blank.F_b, 3)));
@@ -158,7 +156,7 @@ impl<'a> Terms<'a> {
 
     /// The spindle runs up to its greatest speed near the axis where the program does not limit it.
     fn speed_limit(&self, program: &Program) -> Check {
-        let name = Text::fixed("Límite de giro a velocidad constante", "Speed limit under constant surface speed");
+        let name = t("Límite de giro a velocidad constante", "Speed limit under constant surface speed");
         let rpm =
             |speed: Option<f64>| speed.map_or_else(|| "∞ rpm".to_owned(), |speed| format!("{} rpm", shown(speed, 0)));
         let (at, found) = self.limit.map_or((None, None), |(at, found)| (Some(at), found));
@@ -275,19 +273,18 @@ impl Judge for Over {
             Question::new(key, name, program).showing(Text::same(mm(most)), Text::same(mm(LIMIT)))
         };
         let (left, place_left) = most(found.over);
-        let name = Text::fixed("Metal de más sobre cara, toro y cilindro", "Metal left on face, torus and cylinder");
+        let name = t("Metal de más sobre cara, toro y cilindro", "Metal left on face, torus and cylinder");
         let left = asked("blank-metal-left", name, left.value()).within(&left, LIMIT, |found, place| {
             MetalLeft { program: program.title.clone(), most: size(found.value()), place: place_left }.at(place)
         });
         let (missing, place_missing) = most(found.under);
-        let name =
-            Text::fixed("Metal de menos en cara, toro y cilindro", "Metal missing from face, torus and cylinder");
+        let name = t("Metal de menos en cara, toro y cilindro", "Metal missing from face, torus and cylinder");
         let missing = asked("blank-metal-missing", name, missing.value()).within(&missing, LIMIT, |found, place| {
             MetalMissing { program: program.title.clone(), most: size(found.value()), place: place_missing }.at(place)
         });
         let all = &straight.totals().all;
         let seconds = shown(all.seconds - all.rapid_seconds, 1);
-        let name = Text::fixed("Tiempo con avance, sin los rápidos", "Time at feed, without rapid motions");
+        let name = t("Tiempo con avance, sin los rápidos", "Time at feed, without rapid motions");
         let time = Question::new("blank-time", name, program);
         vec![
             left,
@@ -314,7 +311,7 @@ fn count(first: &mut Option<(Alarm, usize)>, alarm: Alarm) {
 }
 
 fn depth(deepest: f64, step: f64, program: &Program, motions: usize) -> Check {
-    let name = Text::fixed("Mayor profundidad de corte", "Greatest depth of cut");
+    let name = t("Mayor profundidad de corte", "Greatest depth of cut");
     let asked = Question::new("blank-depth", name, program);
     let asked = asked.showing(Text::same(mm(deepest)), Text::same(mm(step + LIMIT))).seen(motions);
     asked.holds(deepest <= step + LIMIT, |place| {
@@ -328,7 +325,7 @@ const fn raised_at(alarm: &Alarm) -> At {
 }
 
 fn rapid(deepest: Option<Alarm>, program: &Program, motions: usize) -> Check {
-    let name = Text::fixed("Avance rápido a través del material", "Rapid motion through metal");
+    let name = t("Avance rápido a través del material", "Rapid motion through metal");
     let depth = deepest.and_then(|alarm| alarm.depth).unwrap_or(0.0);
     let asked = Question::new("blank-rapid", name, program).showing(Text::same(mm(depth)), Text::same(mm(TOUCH)));
     asked
@@ -339,7 +336,7 @@ fn rapid(deepest: Option<Alarm>, program: &Program, motions: usize) -> Check {
 
 /// What else was raised: a person must judge it, as tool and machine are others.
 fn others(first: Option<(Alarm, usize)>, program: &Program, motions: usize) -> Check {
-    let name = Text::fixed("Otras alarmas del torneado", "Other alarms of the turning");
+    let name = t("Otras alarmas del torneado", "Other alarms of the turning");
     let count = first.map_or(0, |(_, count)| count);
     let asked = Question::new("blank-alarms", name, program).showing(Text::same(count.to_string()), Text::same("0"));
     asked.seen(motions).at(first.as_ref().map(|(alarm, _)| raised_at(alarm))).unless(first.map(|(alarm, _)| {
@@ -354,7 +351,7 @@ impl Judge for TooLarge<'_> {
     fn see(&mut self, _: &Step<'_>) {}
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = Text::fixed("Seguido sobre el bruto", "Followed over the stock");
+        let name = t("Seguido sobre el bruto", "Followed over the stock");
         let diameter = Text::same(mm(2.0 * self.0.torus.R));
         let asked = Question::new("blank-followed", name, program).showing(diameter, Text::same(mm(FOLLOWED_BLANK)));
         vec![asked.of_parameters(vec!["R"]).seen(1).holds(false, |place| BlankNotFollowed {}.at(place))]
@@ -377,7 +374,7 @@ fn lathe(stock: &Stock) -> Lathe {
 /// A sharp tool whose edges and shank are longer than what any pass asks for: a step is 20 mm at most.
 fn tool() -> TurningTool {
     TurningTool {
-        name: Text::fixed("Herramienta exterior de punta viva", "Sharp external tool"),
+        name: t("Herramienta exterior de punta viva", "Sharp external tool"),
         cutter: Cutter::Insert { shape: Shape::C, circle: 60.0, main: 100.0, auxiliary: 0.0, nose: 0.0 },
         hand: Hand::Left,
         tip: Tip::OutsideLeft,

@@ -22,7 +22,7 @@ use crate::kinds::impeller::track::Track;
 use crate::number::grid::Milli;
 use crate::proof::check::{At, Check, Extreme, Question, mm, up};
 use crate::proof::step::{Judge, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// How far the tip may go into the metal before a person must judge it where the workbook states no tolerance, mm: the
 /// fine class of ISO 2768-1 for lengths up to 6 mm.
@@ -190,7 +190,7 @@ impl Cutting<'_, '_> {
         let told = design.tol.unwrap_or(NAMED);
         let wanted = (total.value() > told).then(|| needed(design, total.value(), told));
         let (n, tolerance) = (wanted.flatten(), size(told));
-        let name = Text::fixed("Punta entre bloques: mayor desviación", "Tip between blocks: greatest deviation");
+        let name = t("Punta entre bloques: mayor desviación", "Tip between blocks: greatest deviation");
         let limit = Text::same(design.tol.map(mm).unwrap_or_default());
         let path = Question::new("tip-path", name, program).showing(at_most(&total), limit);
         let path = match design.tol {
@@ -203,7 +203,7 @@ impl Cutting<'_, '_> {
                 }
             }),
         };
-        let name = Text::fixed("Punta entre bloques: hacia el metal", "Tip between blocks: into the metal");
+        let name = t("Punta entre bloques: hacia el metal", "Tip between blocks: into the metal");
         let limit = Text::same(if design.tol.is_none() { mm(INTO_METAL) } else { String::new() });
         let into = Question::new("into-metal", name, program).showing(at_most(&metal), limit);
         let deep = |found: &Extreme, place: Place| -> Finding {
@@ -226,7 +226,7 @@ impl Cutting<'_, '_> {
                 format!("n para una desviación de {}", mm(told)),
                 format!("n for a deviation of {}", mm(told)),
             );
-            let value = n.map_or_else(|| Text::fixed("ninguno", "none"), |n| Text::same(n.to_string()));
+            let value = n.map_or_else(|| t("ninguno", "none"), |n| Text::same(n.to_string()));
             checks.push(Question::new("needed-n", name, program).showing(value, Text::same("")).informs());
         }
         checks
@@ -237,7 +237,7 @@ impl Cutting<'_, '_> {
         let moved = greatest(measured, |along| (along.grid.value, &along.grid));
         let past = greatest(measured, |along| (along.past_grid.value, &along.past_grid));
         let bound = measured.iter().map(|one| one.along.grid_limit).fold(0.0, f64::max);
-        let name = Text::fixed("Puntos: lo que los mueve el redondeo a 0.001", "Points: moved by rounding to 0.001");
+        let name = t("Puntos: lo que los mueve el redondeo a 0.001", "Points: moved by rounding to 0.001");
         let asked = Question::new("grid", name, program).showing(Text::same(mm(moved.value())), Text::same(mm(bound)));
         // Each point is held against the limit of its own place.
         let kept = past.value() <= 0.0;
@@ -249,10 +249,8 @@ impl Cutting<'_, '_> {
     fn floor(&self, program: &Program) -> Check {
         let design = self.geometry.design;
         let (d_t, r) = (design.d_t, design.torus.r);
-        let name = Text::fixed(
-            "Fondo: el borde de la fresa bajo el meridiano r",
-            "Floor: the rim of the tool below the meridian r",
-        );
+        let name =
+            t("Fondo: el borde de la fresa bajo el meridiano r", "Floor: the rim of the tool below the meridian r");
         let value = Text::new(
             format!("{}; con r + a_p, {}", mm(rim(r, d_t)), mm(rim(r + design.a_p, d_t))),
             format!("{}; with r + a_p, {}", mm(rim(r, d_t)), mm(rim(r + design.a_p, d_t))),

@@ -32,7 +32,7 @@ use crate::kinds::impeller::track::Track;
 use crate::machine::axis::{Axis, Pose};
 use crate::number::grid::Milli;
 use crate::proof::check::{At, Check, Question, bounded, mm};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What is known of the clearance along a pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -212,11 +212,11 @@ impl Met {
 /// Of a single blade nothing is asked.
 fn no_other_blade(program: &Program) -> Check {
     let asked = Question::new("blades", TO_BLADES, program);
-    asked.showing(Text::fixed("no hay otro álabe", "no other blade"), Text::same(mm(0.0))).informs()
+    asked.showing(t("no hay otro álabe", "no other blade"), Text::same(mm(0.0))).informs()
 }
 
 /// What is asked of the other blades.
-const TO_BLADES: Text = Text::fixed("Holgura a los demás álabes", "Clearance to the other blades");
+const TO_BLADES: Text = t("Holgura a los demás álabes", "Clearance to the other blades");
 
 fn to_blades(design: &Design, program: &Program, track: Track, found: &Clearance) -> Check {
     let Bounds { lower, upper, .. } = found.bounds;
@@ -232,8 +232,7 @@ fn to_blades(design: &Design, program: &Program, track: Track, found: &Clearance
 }
 
 fn to_splitters(program: &Program, track: Track, found: &Clearance) -> Check {
-    let name =
-        Text::fixed("Holgura a los intermedios, pasado el cruce", "Clearance to the splitters, past the crossing");
+    let name = t("Holgura a los intermedios, pasado el cruce", "Clearance to the splitters, past the crossing");
     let Bounds { lower, upper, .. } = found.bounds;
     let asked = Question::new("splitters", name, program).showing(bounded(lower, upper), Text::same(""));
     let asked = asked.at(Some(found.at)).seen(1);

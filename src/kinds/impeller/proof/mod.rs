@@ -39,7 +39,7 @@ use crate::proof::rollover::Rollover;
 use crate::proof::step::{Judge, Plan};
 use crate::proof::travel::Axes;
 use crate::proof::turning::RotarySteps;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The geometry that programs are held against.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,7 @@ pub struct Geometry<'a> {
 }
 
 /// What stands under the title of the table.
-pub const SOURCE: Text = Text::fixed(
+pub const SOURCE: Text = t(
     "Leída de los programas, bloque a bloque; las pistas se miden en el primer programa que las recorre",
     "Read back from the programs, block by block; tracks are measured in the first program that cuts them",
 );

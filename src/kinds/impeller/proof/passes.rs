@@ -7,7 +7,7 @@ use crate::kinds::impeller::proof::track_step::TrackStep;
 use crate::kinds::impeller::track::Track;
 use crate::proof::check::{Check, Question};
 use crate::proof::step::{Judge, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// How many passes of each track there are.
 pub type PassCount = [usize; 4];
@@ -40,7 +40,7 @@ impl Judge for Passes {
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
         let Self { due, made } = *self;
         let list = |passes: PassCount| passes.map(|count| count.to_string()).join(" + ");
-        let name = Text::fixed(
+        let name = t(
             "Pasadas: anverso + reverso + intermedio, ida + vuelta",
             "Passes: obverse + reverse + splitter, out + back",
         );

@@ -1,7 +1,7 @@
 //! What the judges of an impeller say beside the common rows: V0101 to V0199 of the milling, V0401 to V0499 of the turned blank.
 
 use crate::finding::{Example, Size};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 crate::finding::rule::rules! {
     /// The rows of this room.
@@ -61,7 +61,7 @@ crate::finding::rule::rules! {
         remedy "menos álabes, álabes más delgados o una herramienta menor", "fewer blades, thinner blades, or a smaller tool";
         why "Sólo se da por libre lo que la cota inferior demuestra.",
             "Only what the lower bound proves is taken as clear.";
-        example Example::Never(Text::fixed("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
+        example Example::Never(t("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
     "V0109" PublishedSplitterCutsBlade Caution { point: Size, depth: Size, line: usize, program: Text }
         es "la pasada del álabe intermedio corta dentro de el álabe vecino (punto {point} de éste), {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the splitter's pass cuts into the neighbouring blade (its point {point}), by {depth} across the tool, at line {line} of \"{program}\""
@@ -75,7 +75,7 @@ crate::finding::rule::rules! {
         remedy "splitter_fade = each-side; o splitters = no, menos álabes, álabes más delgados o una herramienta menor", "splitter_fade = each-side; or splitters = no, fewer blades, thinner blades, or a smaller tool";
         why "Sólo se da por libre lo que la cota inferior demuestra.",
             "Only what the lower bound proves is taken as clear.";
-        example Example::Never(Text::fixed("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
+        example Example::Never(t("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
     "V0111" SplitterCutsBlade Stop { point: Size, depth: Size, line: usize, program: Text }
         es "la pasada del álabe intermedio corta dentro de el álabe vecino (punto {point} de éste), {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the splitter's pass cuts into the neighbouring blade (its point {point}), by {depth} across the tool, at line {line} of \"{program}\""
@@ -89,21 +89,21 @@ crate::finding::rule::rules! {
         remedy "splitters = no; o menos álabes, álabes más delgados o una herramienta menor", "splitters = no; or fewer blades, thinner blades, or a smaller tool";
         why "Sólo se da por libre lo que la cota inferior demuestra.",
             "Only what the lower bound proves is taken as clear.";
-        example Example::Never(Text::fixed("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
+        example Example::Never(t("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
     "V0113" SplitterCutsSplitter Stop { depth: Size, line: usize, program: Text }
         es "la pasada de un álabe intermedio corta dentro de otro intermedio, {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "a splitter's pass cuts into another splitter, by {depth} across the tool, at line {line} of \"{program}\""
         remedy "splitters = no, o menos álabes", "splitters = no, or fewer blades";
         why "Lo que la herramienta corta de otro álabe ya no se repone.",
             "What the tool cuts from another blade is gone.";
-        example Example::Never(Text::fixed("entre dos intermedios hay un álabe: la pasada que llega al siguiente corta antes el álabe, y ningún texto corto lo muestra", "a blade stands between two splitters: a pass that reaches the next one cuts the blade first, and no short text shows it"));
+        example Example::Never(t("entre dos intermedios hay un álabe: la pasada que llega al siguiente corta antes el álabe, y ningún texto corto lo muestra", "a blade stands between two splitters: a pass that reaches the next one cuts the blade first, and no short text shows it"));
     "V0114" SplitterMayCutSplitter Stop { line: usize, program: Text }
         es "no está demostrado que la pasada de un álabe intermedio libre otro intermedio: lo más cerca está en la línea {line} de «{program}»"
         en "it is not proved that a splitter's pass clears another splitter: it is nearest at line {line} of \"{program}\""
         remedy "splitters = no, o menos álabes", "splitters = no, or fewer blades";
         why "Sólo se da por libre lo que la cota inferior demuestra.",
             "Only what the lower bound proves is taken as clear.";
-        example Example::Never(Text::fixed("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
+        example Example::Never(t("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
     "V0121" ToolInStock Stop { depth: Size, line: usize, program: Text }
         es "la herramienta entra al menos {depth} en el bruto, fuera de las pasadas, en la línea {line} de «{program}»"
         en "the tool runs at least {depth} into the stock, outside the passes, at line {line} of \"{program}\""
@@ -117,7 +117,7 @@ crate::finding::rule::rules! {
         remedy "una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "a greater safety distance d_s, or a smaller back-off eps_v";
         why "Sólo se da por libre lo que la cota inferior demuestra.",
             "Only what the lower bound proves is taken as clear.";
-        example Example::Never(Text::fixed("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
+        example Example::Never(t("las cotas se juntan a la milésima: ningún ejemplo queda entre ellas", "the bounds are brought together to the thousandth: no example lies between them"));
     "V0123" ToolNearStock Caution { distance: Size, line: usize, program: Text }
         es "la herramienta pasa a {distance} del bruto, menos que d_s, en la línea {line} de «{program}»"
         en "the tool passes the stock at {distance}, less than d_s, at line {line} of \"{program}\""
@@ -131,7 +131,7 @@ crate::finding::rule::rules! {
         remedy "una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "a greater safety distance d_s, or a smaller back-off eps_v";
         why "Donde el trabajo se acaba antes de que las cotas se junten se cuenta con la inferior.",
             "Where the work ends before the bounds meet, the lower one counts.";
-        example Example::Never(Text::fixed("las cotas se juntan antes de que se acabe el trabajo que se les da", "the bounds meet before the work that they are given ends"));
+        example Example::Never(t("las cotas se juntan antes de que se acabe el trabajo que se les da", "the bounds meet before the work that they are given ends"));
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} vale {found}, y la hoja pide {wanted}"
         en "at {at} there is {found} in force; the form asks for {wanted}"

@@ -23,7 +23,7 @@ use crate::kinds::impeller::proof::track_step::{TrackStep, clear};
 use crate::machine::axis::{Axis, Pose};
 use crate::proof::check::{At, Check, Question, bounded, mm};
 use crate::proof::step::{Judge, Step};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// Moves are judged as one whose axes stand this close, mm or degrees: above what sums of increments lose, far below the grid.
 const ALIKE: f64 = 1e-6;
@@ -114,15 +114,12 @@ impl Judge for Clear<'_> {
         let rows = [
             (
                 "safe-points",
-                Text::fixed("Holgura al bruto en los puntos de seguridad", "Clearance to the stock at the safe points"),
+                t("Holgura al bruto en los puntos de seguridad", "Clearance to the stock at the safe points"),
                 self.safe,
             ),
             (
                 "clear-moves",
-                Text::fixed(
-                    "Holgura al bruto al cruzar y en rápido",
-                    "Clearance to the stock in crossing and rapid moves",
-                ),
+                t("Holgura al bruto al cruzar y en rápido", "Clearance to the stock in crossing and rapid moves"),
                 self.moves,
             ),
         ];

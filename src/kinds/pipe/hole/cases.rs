@@ -1,8 +1,8 @@
 //! The cases that a new pipe-hole workbook can start from.
 
 use crate::kinds::pipe::hole::parameters::SCHEMA;
-use crate::parameter::{Case, Value, t, unlisted};
-use crate::text::Language;
+use crate::parameter::{Case, Value, unlisted};
+use crate::text::{Language, t};
 
 /// The cases, the usual one first.
 pub static CASES: [Case; 1] = [Case {

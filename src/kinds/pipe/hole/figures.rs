@@ -10,11 +10,7 @@ use crate::geometry::scene::{Camera, Scene};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::station::Station;
 use crate::number::trig::{atan2, sin_cos};
-use crate::text::Text;
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
+use crate::text::{Text, t};
 
 /// Places round the hole that are drawn.
 const FINE: u16 = 360;

@@ -41,11 +41,7 @@ use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
-use crate::text::{Language, Text};
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
+use crate::text::{Language, Text, t};
 
 /// The kind.
 #[derive(Debug)]

@@ -9,8 +9,9 @@ use crate::kinds::pipe::form::{
 };
 use crate::kinds::pipe::hole::cases::CASES;
 use crate::parameter::field::{Field, Optional, Required};
-use crate::parameter::{FieldKind, Form, Parameter, Section, Sheet, t};
+use crate::parameter::{FieldKind, Form, Parameter, Section, Sheet};
 use crate::table::Unit;
+use crate::text::t;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-pipe-hole 1";

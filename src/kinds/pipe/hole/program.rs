@@ -12,10 +12,10 @@ use crate::kinds::pipe::insert::program::TRUE_FOR_BOTH;
 use crate::machine::axis::{Axis, Position};
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What the program is called.
-pub const TITLE: Text = Text::fixed("Agujero biselado", "Bevelled hole");
+pub const TITLE: Text = t("Agujero biselado", "Bevelled hole");
 
 /// The axes that the program moves, in the order of a [`Place`].
 pub const AXES: [Axis; 5] = [Axis::A, Axis::X, Axis::Z, Axis::B, Axis::C];
@@ -193,7 +193,7 @@ fn comments(design: &Design, header: &mut Header) {
 #[must_use]
 pub const fn follows(follows: Follows) -> Text {
     match follows {
-        Follows::WayIn => Text::fixed("entrada", "lead-in"),
-        Follows::Curve(_) => Text::fixed("curva", "curve"),
+        Follows::WayIn => t("entrada", "lead-in"),
+        Follows::Curve(_) => t("curva", "curve"),
     }
 }

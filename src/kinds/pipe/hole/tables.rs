@@ -11,14 +11,10 @@ use crate::kinds::pipe::hole::program::{AXES, follows};
 use crate::kinds::pipe::hole::station::Station;
 use crate::machine::torch::TorchAxes;
 use crate::table::{Column, Index, Print, Table, Unit};
-use crate::text::Text;
+use crate::text::{Text, t};
 
 const MM: Unit = Unit::Millimetre;
 const DEGREE: Unit = Unit::Degree;
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
 
 /// The places of the tables: N, once round; those where the torch's axis does not leave the header are left out.
 #[must_use]

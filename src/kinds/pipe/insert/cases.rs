@@ -1,8 +1,8 @@
 //! The cases that a new pipe-insert workbook can start from.
 
 use crate::kinds::pipe::insert::parameters::SCHEMA;
-use crate::parameter::{Case, Value, t, unlisted};
-use crate::text::Language;
+use crate::parameter::{Case, Value, unlisted};
+use crate::text::{Language, t};
 
 /// The cases, the usual one first.
 pub static CASES: [Case; 2] = [

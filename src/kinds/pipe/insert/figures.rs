@@ -10,11 +10,7 @@ use crate::geometry::scene::{Camera, Scene};
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::number::trig::sin_cos;
-use crate::text::Text;
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
+use crate::text::{Text, t};
 
 /// Faces about a pipe.
 const ABOUT: u16 = 96;

@@ -10,8 +10,9 @@ use crate::kinds::pipe::form::{
 };
 use crate::kinds::pipe::insert::cases::CASES;
 use crate::parameter::field::{Field, Optional, Required, choices};
-use crate::parameter::{Form, Parameter, Section, Sheet, t};
+use crate::parameter::{Form, Parameter, Section, Sheet};
 use crate::table::Unit;
+use crate::text::t;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "rodete-pipe-insert 1";

@@ -12,7 +12,7 @@ use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// The points of the template: j = 0 … N.
 #[must_use]
@@ -60,7 +60,7 @@ fn published_line(triple: &Triple) -> String {
 }
 
 /// What the program is called.
-pub const TITLE: Text = Text::fixed("Corte del injerto", "Cut of the branch");
+pub const TITLE: Text = t("Corte del injerto", "Cut of the branch");
 
 /// The letters of the two axes.
 #[must_use]

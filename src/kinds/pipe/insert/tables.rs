@@ -7,13 +7,9 @@ use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::program::template_points;
 use crate::table::{Column, Index, Print, Table, Unit};
-use crate::text::Text;
+use crate::text::t;
 
 const MM: Unit = Unit::Millimetre;
-
-const fn t(es: &'static str, en: &'static str) -> Text {
-    Text::fixed(es, en)
-}
 
 /// The template: a point for every division.
 #[must_use]
@@ -76,7 +72,7 @@ pub fn arcs(design: &Design) -> Table {
             Column::texts(
                 t("código", "code"),
                 "",
-                triples.iter().map(|triple| Text::fixed(triple.code(), triple.code())).collect(),
+                triples.iter().map(|triple| t(triple.code(), triple.code())).collect(),
             ),
             numbers("D/2", MM, "", &|triple| triple.D_E()[0] / 2.0).named(t("D impresa", "D as printed")),
             numbers("E/2", MM, "", &|triple| triple.D_E()[1] / 2.0).named(t("E impresa", "E as printed")),

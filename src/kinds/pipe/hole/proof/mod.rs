@@ -45,7 +45,7 @@ use crate::proof::feed::{feed_word, timely};
 use crate::proof::rollover::Rollover;
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What rounding to 0.001 mm and 0.001° takes, beside the tolerance: a thousandth of a degree at the pipe's radius.
 fn rounding(design: &Design) -> f64 {
@@ -174,22 +174,19 @@ impl Judge for BeamOnRoot<'_> {
         };
         let beam = off(
             "beam",
-            Text::fixed("Chorro contra la raíz exacta", "Beam against the exact root"),
-            Text::fixed("el chorro se aparta de la raíz exacta", "the beam leaves the exact root by"),
+            t("Chorro contra la raíz exacta", "Beam against the exact root"),
+            t("el chorro se aparta de la raíz exacta", "the beam leaves the exact root by"),
         );
         // No farther than the beam from the root.
         let branch = off(
             "branch",
-            Text::fixed(
-                "Borde cortado, sobre el injerto con su holgura",
-                "Edge that is cut, on the branch with its gap",
-            ),
-            Text::fixed(
+            t("Borde cortado, sobre el injerto con su holgura", "Edge that is cut, on the branch with its gap"),
+            t(
                 "el borde cortado se aparta del injerto con su holgura",
                 "the edge that is cut is off the branch with its gap by",
             ),
         );
-        let name = Text::fixed("Bisel: mayor error de ángulo", "Bevel: greatest error of angle");
+        let name = t("Bisel: mayor error de ángulo", "Bevel: greatest error of angle");
         let most = (degrees(errors.at_most(1)) * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
@@ -255,7 +252,7 @@ impl Judge for Clearance<'_> {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = Text::fixed("Distancia de la antorcha al tubo", "Distance of the torch from the pipe");
+        let name = t("Distancia de la antorcha al tubo", "Distance of the torch from the pipe");
         // A distance below the least that could be ruled out is none to count on.
         let (least, limit) = (-self.near.at_most(0), clear_limit(self.design));
         let down = -up(-least);
@@ -305,10 +302,10 @@ impl Judge for Swing<'_> {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = Text::fixed("Inclinación B", "Tilt B");
+        let name = t("Inclinación B", "Tilt B");
         let value = Text::same(format!("{} … {}°", shown(self.tilt[0], 3), shown(self.tilt[1], 3)));
         let tilt = Question::new("tilt", name, program).showing(value, Text::same("")).informs();
-        let name = Text::fixed("Continuidad de C: mayor paso", "Continuity of C: greatest step");
+        let name = t("Continuidad de C: mayor paso", "Continuity of C: greatest step");
         let degrees = |value: f64| Text::same(format!("{}°", shown(value, 3)));
         let asked = Question::new("turning", name, program).showing(degrees(self.turn.value()), degrees(SWING));
         let turning = asked.within(&self.turn, SWING, |found, place| {
@@ -355,7 +352,7 @@ impl Judge for CutSpeed<'_> {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = Text::fixed("Longitud del corte en la raíz", "Length of the cut at the root");
+        let name = t("Longitud del corte en la raíz", "Length of the cut at the root");
         let length = Question::new("length", name, program).showing(Text::same(mm(self.length)), Text::same(""));
         vec![length.informs(), self.feed(program), feed_word(program, &self.rounded)]
     }
@@ -363,7 +360,7 @@ impl Judge for CutSpeed<'_> {
 
 impl CutSpeed<'_> {
     fn feed(&self, program: &Program) -> Check {
-        let name = Text::fixed("Velocidad de corte en la raíz", "Cutting speed at the root");
+        let name = t("Velocidad de corte en la raíz", "Cutting speed at the root");
         let [least, most] = self.speed.map(|speed| shown(speed, 1));
         let value = Text::same(format!("{least} … {most} mm/min"));
         let limit = Text::same(format!("{} mm/min", shown(self.design.F, 3)));

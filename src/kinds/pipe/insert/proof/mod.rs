@@ -41,7 +41,7 @@ use crate::proof::rollover::Rollover;
 use crate::proof::rules::CutWithoutFeed;
 use crate::proof::step::{Judge, Plan, Planned, Run, Stage, Step, Time};
 use crate::proof::torch::Torch;
-use crate::text::Text;
+use crate::text::{Text, t};
 
 /// What the decimals of the published program leave of a length, mm.
 const SAME: f64 = 1e-6;
@@ -212,15 +212,14 @@ impl Judge for PathOnCurve<'_> {
             let [value, limit] = bound(self.errors.at_most(k), limit);
             Question::new(key, name, program).showing(value, limit)
         };
-        let name = Text::fixed("Trayectoria contra la curva exacta", "Path against the exact curve");
+        let name = t("Trayectoria contra la curva exacta", "Path against the exact curve");
         let path = asked("path", name, 0, tolerance).of_parameters(vec!["arc_tolerance", "N"]);
         let remedy = if design.mode == Mode::Flat { Remedy::GreaterN } else { Remedy::Fault };
-        let words = Text::fixed("los arcos se apartan de la curva exacta", "the arcs leave the exact curve by");
+        let words = t("los arcos se apartan de la curva exacta", "the arcs leave the exact curve by");
         let path = self.errors.within(path, 0, tolerance, words, remedy);
-        let name = Text::fixed("Borde cortado, sobre el tubo base", "Edge that is cut, on the header");
+        let name = t("Borde cortado, sobre el tubo base", "Edge that is cut, on the header");
         let edge = asked("edge", name, 1, limit);
-        let words =
-            Text::fixed("el borde cortado queda fuera del tubo base por", "the edge that is cut is off the header by");
+        let words = t("el borde cortado queda fuera del tubo base por", "the edge that is cut is off the header by");
         // Of a path that leaves the curve the edge does too: that is said once, and its edge is not passed.
         let edge = if path.grade() > Some(Grade::Note) {
             self.errors.put(edge, 1).informs()
@@ -315,7 +314,7 @@ impl Judge for CutSpeed<'_> {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = Text::fixed("Longitud del corte", "Length of the cut");
+        let name = t("Longitud del corte", "Length of the cut");
         let length = Question::new("length", name, program).showing(Text::same(mm(self.length)), Text::same(""));
         vec![length.informs(), self.feed(program), feed_word(program, &self.rounded)]
     }
@@ -323,10 +322,10 @@ impl Judge for CutSpeed<'_> {
 
 impl CutSpeed<'_> {
     fn feed(&self, program: &Program) -> Check {
-        let (name, design) = (Text::fixed("Velocidad de corte", "Cutting speed"), self.surface.design);
+        let (name, design) = (t("Velocidad de corte", "Cutting speed"), self.surface.design);
         let asked = Question::new("feed", name, program).seen(self.seen);
         let Some(F) = design.F.filter(|_| design.style == Style::Full) else {
-            return asked.showing(Text::fixed("sin palabra F", "no F word"), Text::same("")).informs();
+            return asked.showing(t("sin palabra F", "no F word"), Text::same("")).informs();
         };
         let most = self.fastest.value();
         let show = |speed: f64| shown(speed, 1);
