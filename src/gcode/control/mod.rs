@@ -25,7 +25,7 @@ mod writing;
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments};
 pub use self::codes::{Codes, Letters, code_name};
 pub use self::dwell::DwellWord;
-pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070};
+pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070, WRITTEN_8055_T};
 pub use self::fanuc::FANUC_LATHE_A;
 pub use self::feed::{FeedChange, FeedCodes, FeedLaw, FeedPath, FeedRule, MissingFeed};
 pub use self::lexis::{BlockDelete, BuilderCodes, Comments, DimensionPoint, Language, Lexis, Percent};
