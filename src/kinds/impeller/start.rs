@@ -21,8 +21,9 @@ fn at(keys: &[&'static str]) -> Place {
 pub(super) fn start(design: &Design) -> Vec<Finding> {
     let mut findings = vec![rotary_axes(design)];
     // Of the clamps of other machines nothing was published.
-    if design.control.rotary.delivered == Rotary::Rollover {
-        findings.push(clamps(design));
+    match design.control.rotary.delivered {
+        Rotary::Rollover => findings.push(clamps(design)),
+        Rotary::Linear => {}
     }
     if design.coolant.is_empty() {
         findings.push(Finding::note(
@@ -72,17 +73,17 @@ fn rotary_axes(design: &Design) -> Finding {
             ),
         );
     }
-    if design.control.rotary.delivered == Rotary::Rollover {
-        return Finding::caution(
+    match design.control.rotary.delivered {
+        Rotary::Rollover => Finding::caution(
             place,
             what,
             t(
                 "compruebe en la máquina que a G90 C-90 desde 0 gira 90° y no 270°; o distance = G91",
                 "check on the machine that from 0 G90 C-90 turns 90° and not 270°; or distance = G91",
             ),
-        );
+        ),
+        Rotary::Linear => Finding::note(place, what),
     }
-    Finding::note(place, what)
 }
 
 fn clamps(design: &Design) -> Finding {
@@ -134,7 +135,11 @@ fn retract(design: &Design) -> Option<Finding> {
     }
     let by_machine_zero = holds(&design.retract, 'G', 53);
     let heights = design.retract.iter().filter(|word| matches!(word.number, Number::Size(_))).count();
-    (design.control.rotary.delivered == Rotary::Rollover && by_machine_zero && heights > 0).then(|| {
+    let assumed = match design.control.rotary.delivered {
+        Rotary::Rollover => by_machine_zero && heights > 0,
+        Rotary::Linear => false,
+    };
+    assumed.then(|| {
         Finding::caution(
             at(&["retract"]),
             t(
