@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::args::Explain;
+use super::controls;
 use super::locale::spoken;
 use super::refused;
 use super::rules::{self, NoSuchCode};
@@ -72,6 +73,10 @@ fn all(kinds: &[&dyn Kind]) -> impl Iterator<Item = &'static Rule> + Clone {
 
 pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
+    if arguments.controls {
+        terminal.out(&if arguments.markdown { controls::controls(language) } else { controls::told(language) });
+        return Exit::Done;
+    }
     if arguments.all {
         let told: String = if arguments.markdown {
             reference(kinds, language)
@@ -163,7 +168,7 @@ fn room_of(letter: &str) -> Text {
 }
 
 /// Text in which nothing is Markdown.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for one in printable(text).chars() {
         if matches!(one, '*' | '_' | '<' | '>' | '`' | '[' | ']' | '|' | '\\' | '#') {

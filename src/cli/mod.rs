@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod controls;
 mod delivery;
 mod drawings;
 mod explain;
@@ -38,6 +39,7 @@ use std::process::ExitCode;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
+pub use self::controls::controls;
 pub use self::explain::{RULES, reference};
 use self::locale::spoken;
 use self::terminal::Terminal;
