@@ -7,6 +7,7 @@ use super::locale::spoken;
 use super::refused;
 use super::rules::{self, NoSuchCode};
 use super::terminal::Terminal;
+use super::{fault, pages};
 use crate::drawing;
 use crate::escape::printable;
 use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
@@ -72,6 +73,19 @@ fn all(kinds: &[&dyn Kind]) -> impl Iterator<Item = &'static Rule> + Clone {
 
 pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
+    if arguments.exit_codes {
+        terminal.out(&pages::exit_codes(language));
+        return Exit::Done;
+    }
+    if arguments.parameters {
+        return match pages::parameters(kinds, language) {
+            Ok(page) => {
+                terminal.out(&page);
+                Exit::Done
+            }
+            Err(error) => refused(&fault::refusal(&error.to_string()), language, terminal),
+        };
+    }
     if arguments.all {
         let told: String = if arguments.markdown {
             reference(kinds, language)
@@ -163,7 +177,7 @@ fn room_of(letter: &str) -> Text {
 }
 
 /// Text in which nothing is Markdown.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for one in printable(text).chars() {
         if matches!(one, '*' | '_' | '<' | '>' | '`' | '[' | ']' | '|' | '\\' | '#') {

@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod completions;
 mod delivery;
 mod drawings;
 mod explain;
@@ -16,6 +17,8 @@ mod locale;
 mod new;
 mod offsets;
 mod offsets_view;
+mod opened;
+mod pages;
 mod plan;
 mod program;
 mod quantity;
@@ -40,6 +43,7 @@ use clap::error::{Error, ErrorKind};
 use self::args::{Arguments, Check, Command};
 pub use self::explain::{RULES, reference};
 use self::locale::spoken;
+pub use self::pages::{exit_codes, parameters};
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
@@ -47,6 +51,8 @@ use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::Kind;
 use crate::parameter::FieldKind;
 use crate::text::Language;
+#[cfg(not(feature = "embedded-typst"))]
+use crate::typeset::failure::TYPST_VERSION;
 
 /// The commands' names in JSON.
 const CHECK: &str = "check";
@@ -95,6 +101,8 @@ fn command(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind], t
         Command::View(arguments) => view::run(&arguments, kinds, terminal),
         Command::Offsets(arguments) => offsets::run(&arguments, terminal),
         Command::Explain(arguments) => explain::run(&arguments, kinds, terminal),
+        Command::Completions(arguments) => completions::completions(&arguments, kinds, terminal),
+        Command::Man(arguments) => completions::man(&arguments, kinds, terminal),
     }
 }
 
@@ -114,9 +122,13 @@ fn misunderstood(error: &Error, kinds: &[&dyn Kind], terminal: &mut Terminal) ->
     Exit::Done
 }
 
-/// What `--version` says: the version, the forms that can be read, the controls that can be written.
+/// What `--version` says: the version, what sets the reports, the forms that can be read, the controls that can be written.
 fn version(kinds: &[&dyn Kind]) -> String {
     let mut text = format!("rodete {}\n", env!("CARGO_PKG_VERSION"));
+    #[cfg(feature = "embedded-typst")]
+    text.push_str(&format!("features: embedded-typst (typst {})\n", crate::typeset::embedded::version()));
+    #[cfg(not(feature = "embedded-typst"))]
+    text.push_str(&format!("features: none (an installed typst {} sets the reports)\n", TYPST_VERSION));
     for form in kinds.iter().map(|kind| kind.form()) {
         text.push_str(&format!("workbook {}: schema {}\n", form.kind, form.schema));
         if let Some(FieldKind::Choice(choices)) = form.parameter("dialect").map(|parameter| &parameter.kind) {
