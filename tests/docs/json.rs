@@ -69,10 +69,10 @@ fn every_key_of_every_document_stands_on_the_page() {
     let place = |name: &str| folder.path().join(name);
     let taken = [
         ("workbooks/impeller.xlsx", "impeller.xlsx"),
-        ("tests/gcode/good/g92-from-file.var", "a.var"),
+        ("tests/controls/linuxcnc/good/g92-from-file.var", "a.var"),
         ("tests/lathe/alarms/depth-of-cut.nc", "deep.nc"),
         ("tests/golden/annex-09-blade-as-printed.nc", "blade.nc"),
-        ("tests/gcode/tools.tbl", "tools.tbl"),
+        ("tests/controls/linuxcnc/tools.tbl", "tools.tbl"),
     ];
     for (path, name) in taken {
         fs::copy(root().join(path), place(name)).unwrap();
