@@ -67,12 +67,8 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     });
     let exit = sink.end(terminal);
     to_open.dedup();
-    let told: String = to_open
-        .iter()
-        .filter_map(|path| opened::open(path))
-        .map(|one| finding::general(&one, language, terminal.width))
-        .collect();
-    terminal.err(&told);
+    let told: Vec<Finding> = to_open.iter().filter_map(|path| opened::open(path)).collect();
+    finding::general(&told, language, terminal);
     exit
 }
 

@@ -24,10 +24,11 @@ pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, termin
         terminal.out(&format!("{bold}{workbook}{bold:#}  {schema}  SHA-256 {sha256}\n"));
         terminal.out(&quantity::table(&verdict.quantities, language, width));
     }
-    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, &workbook, language, width));
-    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, &workbook, language, width));
+    finding::faults(&verdict.findings, &workbook, language, terminal);
+    finding::notes(&verdict.findings, &workbook, language, terminal);
     terminal.out(&files(verdict));
-    let closing = closing(verdict, writes, &workbook, language) + &next(verdict, writes, &workbook, language);
+    let closing = closing(verdict, writes, &workbook, language);
+    terminal.next(|| next(verdict, writes, &workbook, language));
     if matches!(verdict.exit, Exit::Done | Exit::ReportFailed) {
         terminal.out(&closing)
     } else {
@@ -90,7 +91,7 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
     format!("{style}{workbook}{style:#}: {}{found}\n", end.get(language))
 }
 
-/// What to do now, as the last line.
+/// What to do now.
 fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> String {
     let written = |ending: &str| {
         let file = verdict.files.iter().find(|file| file.name.to_string_lossy().ends_with(ending));

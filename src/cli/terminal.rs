@@ -7,6 +7,8 @@ use std::io::{self, ErrorKind, IsTerminal, Write};
 use anstream::AutoStream;
 use terminal_size::terminal_size_of;
 
+use crate::text::Language;
+
 /// Widest text: longer lines are hard to read.
 const WIDEST: usize = 110;
 /// Narrowest text that lines are broken for.
@@ -19,6 +21,10 @@ pub(super) struct Terminal {
     err: AutoStream<io::Stderr>,
     /// Columns for text; `None` where standard output is no terminal: lines are not broken.
     pub(super) width: Option<usize>,
+    /// The first code of what needs attention that was printed, and the language that it was told in.
+    pub(super) told: Option<(&'static str, Language)>,
+    /// What to do next, of one workbook.
+    next: Option<String>,
     closed: bool,
     fault: Option<io::Error>,
 }
@@ -35,6 +41,8 @@ impl Terminal {
             out: AutoStream::auto(io::stdout()),
             err: AutoStream::auto(io::stderr()),
             width,
+            told: None,
+            next: None,
             closed: false,
             fault: None,
         }
@@ -51,6 +59,17 @@ impl Terminal {
                 self.fault = Some(error);
             }
         }
+    }
+
+    /// Keeps what to do next for the end; of several workbooks nothing is said.
+    pub(super) fn next(&mut self, text: impl FnOnce() -> String) {
+        self.next = Some(if self.next.is_some() { String::new() } else { text() });
+    }
+
+    /// Prints as the last line what to do next, where that is known: with the results, or with what needs attention.
+    pub(super) fn end(&mut self, done: bool) {
+        let text = self.next.take().unwrap_or_default();
+        if done { self.out(&text) } else { self.err(&text) }
     }
 
     /// Prints to standard error, as far as it can be written to.

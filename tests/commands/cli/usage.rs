@@ -74,7 +74,7 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
         .assert()
         .code(2)
         .stdout("")
-        .stderr("error: Q9999 is no code of rodete\nhint: rodete explain without a code lists them\n");
+        .stderr("error U0141: Q9999 is no code of rodete\nhint: rodete explain without a code lists them\nrodete explain U0141 says what it means, with an example\n");
 }
 
 #[test]
@@ -158,8 +158,8 @@ fn one_workbook_twice_is_refused_before_anything_is_done() {
 fn outputs_that_would_bear_one_name_are_refused() {
     let folder = folder();
     rodete(&folder).args(["build", "a/rotor.xlsx", "b/Rotor.xlsx", "-o", "out"]).assert().code(2).stderr(
-        "error: the outputs of a/rotor.xlsx and b/Rotor.xlsx would have the same names\nhint: rename one of the \
-                 workbooks or build them into different folders\n",
+        "error U0113: the outputs of a/rotor.xlsx and b/Rotor.xlsx would have the same names\nhint: rename one of the \
+                 workbooks or build them into different folders\nrodete explain U0113 says what it means, with an example\n",
     );
     assert!(names(&folder).is_empty());
 }
