@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::args::Explain;
+use super::controls;
 use super::locale::spoken;
 use super::refused;
 use super::rules::{self, NoSuchCode};
@@ -85,6 +86,10 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
             }
             Err(error) => refused(&fault::refusal(&error.to_string()), language, terminal),
         };
+    }
+    if arguments.controls {
+        terminal.out(&if arguments.markdown { controls::controls(language) } else { controls::told(language) });
+        return Exit::Done;
     }
     if arguments.all {
         let told: String = if arguments.markdown {

@@ -6,6 +6,7 @@
 mod args;
 mod build;
 mod completions;
+mod controls;
 mod delivery;
 mod drawings;
 mod explain;
@@ -41,6 +42,7 @@ use std::process::ExitCode;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
+pub use self::controls::controls;
 pub use self::explain::{RULES, reference};
 use self::locale::spoken;
 pub use self::pages::{exit_codes, parameters};

@@ -78,6 +78,23 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
 }
 
 #[test]
+fn the_controls_are_told_in_text_and_as_a_page() {
+    let folder = folder();
+    let text = |arguments: &[&str]| {
+        let assert = rodete(&folder).args(["explain", "--controls"]).args(arguments).assert().code(0).stderr("");
+        String::from_utf8(assert.get_output().stdout.clone()).expect("text")
+    };
+    let told = text(&["--lang", "es"]);
+    assert!(told.contains("\n  G10\n    linuxcnc: orígenes o tabla de herramientas por programa\n"), "{told}");
+    assert!(told.contains("    fagor-8055, fagor-8070, fagor-8055-t: se rechaza: imagen espejo"), "{told}");
+    let page = text(&["--markdown", "--lang", "en"]);
+    assert!(page.starts_with("# The controls\n") && page.contains("\n| G0 | rapid move |"), "{page}");
+    for refused in [["--controls", "--all"], ["--controls", "L0131"], ["--markdown", "L0131"]] {
+        rodete(&folder).arg("explain").args(refused).assert().code(2).stdout("");
+    }
+}
+
+#[test]
 fn help_and_version_end_with_0() {
     let folder = folder();
     for flag in ["--version", "-V"] {
