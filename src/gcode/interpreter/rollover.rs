@@ -10,7 +10,7 @@ use crate::finding::Raise;
 use crate::gcode::code::{G, Group};
 use crate::gcode::control::Letters;
 use crate::gcode::control::Rotary;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::MotionKind;
@@ -28,15 +28,15 @@ const SAME: f64 = 0.000_05;
 /// What the sum of increments may lose, degrees.
 const ROUNDING: f64 = 1e-6;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Refuses absolute words of rollover axes that the control refuses, before the block is executed.
     pub(super) fn rotary_words(&self) -> Outcome<()> {
-        if self.setting.rotary == Rotary::Linear || self.block.present & WORDS == 0 {
+        if self.memory.setting.rotary == Rotary::Linear || self.block.present & WORDS == 0 {
             return Ok(());
         }
         let incremental = match self.block.g(Group::Distance) {
             Some(code) => code == G::Incremental,
-            None => self.modal.incremental,
+            None => self.state.modal.incremental,
         };
         let preset = match self.block.g(Group::NonModal) {
             None | Some(G::MachineCoordinates | G::Reference(_)) if incremental => return Ok(()),
@@ -48,14 +48,16 @@ impl Interpreter<'_> {
             let Some(word) = self.block.get(index) else { continue };
             let name = axis.letter();
             let column = self.block.column(index);
-            if preset && !self.control.rotary.rollover.wrapped() && !(0.0..360.0).contains(&word) {
+            if preset && !self.memory.control.rotary.rollover.wrapped() && !(0.0..360.0).contains(&word) {
                 return Err(Fault::of(&RolloverPreset { axis: name, angle: word }, &[column]));
             }
-            if self.control.rotary.rollover.wrapped() && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) {
+            if self.memory.control.rotary.rollover.wrapped()
+                && self.block.g(Group::NonModal) == Some(G::MachineCoordinates)
+            {
                 return Err(Fault::of(&WrappedInMachine { axis: name }, &[column]));
             }
             if word.abs() >= 360.0 {
-                let number = if self.control.rotary.rollover.wrapped() { "" } else { "0168: " };
+                let number = if self.memory.control.rotary.rollover.wrapped() { "" } else { "0168: " };
                 return Err(Fault::of(&RolloverBeyondTurn { alarm: number, axis: name, angle: word }, &[column]));
             }
         }
@@ -87,10 +89,10 @@ impl Interpreter<'_> {
 
     /// Cautions that the control's manuals do not say what a word of a rollover axis does; LinuxCNC's program does.
     fn unclear(&mut self, letter: usize, row: &dyn Raise) {
-        if self.control.rotary.rollover.wrapped() {
+        if self.memory.control.rotary.rollover.wrapped() {
             return;
         }
-        self.remarks.row(row, self.line, Some(self.block.column(letter)));
+        self.memory.remarks.row(row, self.block.spot, Some(self.block.column(letter)));
     }
 
     /// Points out a motion at feed that turns a rotary axis by more than half a turn.
@@ -99,9 +101,9 @@ impl Interpreter<'_> {
             return;
         }
         for (axis, _) in ROTARY {
-            let by = to.get(axis) - self.current.get(axis);
+            let by = to.get(axis) - self.state.at.get(axis);
             if by.abs() > 180.0 + ROUNDING {
-                self.remarks.turned(self.line, axis.letter(), by);
+                self.memory.remarks.turned(self.block.spot, axis.letter(), by);
             }
         }
     }
