@@ -97,9 +97,9 @@ fn of_code(number: f64, codes: &Codes) -> State {
 
 impl Reader<'_, '_> {
     /// What a line that was refused would have put into force, by its letters: more rather than less.
-    fn doubt_line(&mut self, refused: usize) {
-        let mut line = self.memory.buffer.to_ascii_uppercase();
-        if let Ok(comments) = comments(&self.memory.buffer, self.memory.control.lexis.comments) {
+    fn doubt_line(&mut self, text: &[u8], refused: usize) {
+        let mut line = text.to_ascii_uppercase();
+        if let Ok(comments) = comments(text, self.memory.control.lexis.comments) {
             for (column, text) in comments {
                 line.iter_mut().skip(column).take(text.len() + 2).for_each(|byte| *byte = b' ');
             }
@@ -138,14 +138,14 @@ impl Reader<'_, '_> {
 
     /// True where a refusal follows from what is in doubt: it is counted and not told. What its block would have put into
     /// force is in doubt in any case.
-    pub(super) fn follows(&mut self, fault: &Fault) -> bool {
+    pub(super) fn follows(&mut self, fault: &Fault, line: &[u8]) -> bool {
         // What a control does not make of a cycle changes the part: that is told.
         let follows = self.memory.doubts.state & fault.hangs != 0 && !fault.fatal && !fault.uncut;
         if follows {
             self.memory.doubts.left_out += 1;
             self.memory.doubts.because |= self.memory.doubts.state & fault.hangs;
         }
-        self.doubt_line(if fault.line == 0 { self.block.spot.line } else { fault.line });
+        self.doubt_line(line, if fault.line == 0 { self.block.spot.line } else { fault.line });
         follows
     }
 

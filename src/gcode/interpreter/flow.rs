@@ -30,8 +30,8 @@ type Loops = Vec<(usize, i64)>;
 pub(super) struct Call {
     label: String,
     back: Mark,
-    /// The caller's #1 to #30; `None` for M98, which shares them.
-    saved: Option<Vec<(f64, bool)>>,
+    /// It has #1 to #30 of its own; M98 shares the caller's.
+    own: bool,
     /// How often M98 still runs it, and where it begins.
     again: i64,
     start: Mark,
@@ -44,7 +44,7 @@ pub(super) struct Call {
 impl Call {
     /// A call that shares its parameters with the caller and runs some times.
     pub(super) fn of(label: String, back: Mark, times: i64, start: Mark) -> Self {
-        Self { label, back, saved: None, again: times - 1, start, loops: Vec::new(), context: Context::default() }
+        Self { label, back, own: false, again: times - 1, start, loops: Vec::new(), context: Context::default() }
     }
 
     /// Where it begins once more, if it does; that is counted.
@@ -315,15 +315,13 @@ impl Reader<'_, '_> {
         self.enter(Call {
             label: name.to_owned(),
             back,
-            saved: Some(Vec::new()),
+            own: true,
             again: 0,
             start,
             loops: Vec::new(),
             context: Context::default(),
         })?;
-        if let Some(call) = self.memory.flow.frames.last_mut() {
-            call.saved = Some(self.memory.parameters.enter(&arguments));
-        }
+        self.memory.parameters.enter(&arguments);
         self.open(start);
         Ok(())
     }
@@ -373,7 +371,7 @@ impl Reader<'_, '_> {
     fn give_back(&mut self, cursor: &mut Cursor<'_>, name: &str) -> Outcome<()> {
         let value = if cursor.peek() == b'[' { Some(self.expression(cursor)?) } else { None };
         self.nothing_more(cursor)?;
-        let fits = self.memory.flow.frames.last().is_some_and(|call| call.saved.is_some() && call.label == name);
+        let fits = self.memory.flow.frames.last().is_some_and(|call| call.own && call.label == name);
         if !fits {
             return Err(Fault::of(&NotCalled { label: shown(name) }, &[]));
         }
@@ -385,8 +383,8 @@ impl Reader<'_, '_> {
 
     pub(super) fn leave(&mut self) {
         let Some(call) = self.memory.flow.frames.pop() else { return };
-        if let Some(saved) = &call.saved {
-            self.memory.parameters.leave(saved);
+        if call.own {
+            self.memory.parameters.leave();
         }
         self.open(call.back);
         self.leave_context(&call.context);
@@ -439,7 +437,7 @@ impl Reader<'_, '_> {
     fn return_from_program(&mut self) -> Outcome<()> {
         match self.memory.flow.frames.last_mut() {
             None => Err(Fault::ended(&MainReturns {})),
-            Some(call) if call.saved.is_some() => Err(Fault::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
+            Some(call) if call.own => Err(Fault::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
             Some(call) => match call.repeat() {
                 Some(start) => {
                     // Each round keeps its own state.

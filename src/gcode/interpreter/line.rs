@@ -76,7 +76,7 @@ impl Reader<'_, '_> {
             };
         }
         self.read_words(&mut cursor)?;
-        for (parameter, value) in std::mem::take(&mut self.block.settings) {
+        for (parameter, value) in self.block.settings.drain(..) {
             match parameter {
                 Parameter::Number(number) => self.memory.parameters.set(number, value),
                 Parameter::Name(name) => self.memory.parameters.set_named(name, value),

@@ -3,6 +3,11 @@
 //! Text → words → blocks → modal state → canonical motions, one after another with flat memory: only the block in hand, the
 //! motions it makes and, where a program loops or calls, the places of its O-words are kept.
 //!
+//! # Who holds what
+//! A reader has a block in hand and obeys it on a state: what blocks have left in force, and where the program stands. The memory is
+//! all else, and there is one of it. A place in a text is a value; whoever reads ahead, as a contour is read, or makes motions of
+//! another block, as at a corner that was held back, does so as a reader of its own, and nothing is saved and put back.
+//!
 //! # Units
 //! Motions are in millimetres, degrees and seconds, whatever the program's unit.
 //!
@@ -122,7 +127,6 @@ struct Memory<'a> {
     control: &'static Control,
     setting: Setting,
     library: Library<'a>,
-    buffer: Vec<u8>,
     parameters: Parameters,
     tools: Tools,
     /// Motions with what was in force, and their numbers among those that the program has made.
@@ -168,6 +172,8 @@ struct Reader<'r, 'a> {
 /// A program being read; an iterator over its canonical motions.
 pub struct Interpreter<'a> {
     memory: Memory<'a>,
+    /// The line in hand, and its block.
+    line: Vec<u8>,
     block: Block,
     state: State,
     /// What was in force when the motion last handed out was made.
@@ -221,7 +227,6 @@ impl<'a> Interpreter<'a> {
         let memory = Memory {
             control,
             library: Library::new(bytes),
-            buffer: Vec::new(),
             parameters,
             tools,
             queue: VecDeque::new(),
@@ -246,12 +251,7 @@ impl<'a> Interpreter<'a> {
         };
         let at = frame.to_program(&memory.setting.start.machine);
         let (block, in_force) = (Block::at(Spot::default()), InForce::default());
-        Self { memory, block, state: State { modal, frame, at }, in_force }
-    }
-
-    /// The block in hand, on the state of the program.
-    const fn reader(&mut self) -> Reader<'_, 'a> {
-        Reader { memory: &mut self.memory, block: &mut self.block, state: &mut self.state }
+        Self { memory, line: Vec::new(), block, state: State { modal, frame, at }, in_force }
     }
 
     /// What is worth saying about the program as far as it has been read.
@@ -312,10 +312,8 @@ impl<'a> Interpreter<'a> {
 
 impl Reader<'_, '_> {
     /// Reads and executes one line.
-    fn step(&mut self) -> Outcome<()> {
-        let mut line = std::mem::take(&mut self.memory.buffer);
-        let result = self.next_line(&mut line);
-        self.memory.buffer = line;
+    fn step(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
+        let result = self.next_line(line);
         if result.is_err() {
             self.leave_corner();
         }
@@ -436,7 +434,8 @@ impl Iterator for Interpreter<'_> {
                     motion
                 }));
             }
-            let mut reader = self.reader();
+            let Self { memory, line, block, state, .. } = self;
+            let mut reader = Reader { memory, block, state };
             let result = if reader.memory.run.is_some() {
                 let made = reader.made();
                 let result = reader.go_on();
@@ -450,9 +449,9 @@ impl Iterator for Interpreter<'_> {
                 }
                 continue;
             } else {
-                reader.step()
+                reader.step(line)
             };
-            if let Some(fault) = result.err().and_then(|fault| reader.told_once(fault)) {
+            if let Some(fault) = result.err().and_then(|fault| reader.told_once(fault, line)) {
                 // Behind the refusals that its block has handed out already.
                 let queue = &mut reader.memory.queue;
                 if !queue.iter().any(Result::is_err) {

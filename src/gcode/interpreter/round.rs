@@ -22,12 +22,12 @@ pub(super) struct Rounds {
 
 impl Reader<'_, '_> {
     /// A refusal as it is to be told: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
-    pub(super) fn told_once(&mut self, fault: Box<Fault>) -> Option<Box<Fault>> {
+    pub(super) fn told_once(&mut self, fault: Box<Fault>, line: &[u8]) -> Option<Box<Fault>> {
         let key = (self.block.spot.text, fault.line);
         if fault.fatal {
             return Some(fault);
         }
-        let follows = self.follows(&fault);
+        let follows = self.follows(&fault, line);
         if self.memory.rounds.refusals.len() >= REFUSED_LINES && !self.memory.rounds.refusals.contains_key(&key) {
             return (!follows).then_some(fault);
         }
