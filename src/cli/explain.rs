@@ -11,7 +11,7 @@ use super::terminal::Terminal;
 use crate::drawing;
 use crate::escape::printable;
 use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
-use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
+use crate::gcode::rules::{codes, expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::kind::{self, Kind};
 use crate::kinds;
@@ -34,6 +34,7 @@ pub const RULES: &[&[&Rule]] = &[
     kinds::pipe::rules::RULES,
     kinds::pipe::insert::rules::RULES,
     kinds::pipe::hole::rules::RULES,
+    kinds::lathe::rules::RULES,
     alarms::RULES,
     corner::RULES,
     cycles::RULES,
@@ -64,6 +65,7 @@ pub const RULES: &[&[&Rule]] = &[
     geometry::RULES,
     modes::RULES,
     words::RULES,
+    codes::RULES,
 ];
 
 /// All rows: those of the rooms below the kinds, and those of the kinds.
@@ -244,7 +246,8 @@ fn shown(text: &mut String, rule: &Rule, language: Language) {
         Example::Workbook { kind, cells } => {
             let given: Vec<String> = cells.iter().map(|cell| typed(*cell, language)).collect();
             let (head, book) = (t("ejemplo", "example"), t("el libro de rodete new", "the workbook of rodete new"));
-            let _ = writeln!(text, "  {}: {} {kind} ({})", head.get(language), book.get(language), given.join(", "));
+            let given = if given.is_empty() { String::new() } else { format!(" ({})", given.join(", ")) };
+            let _ = writeln!(text, "  {}: {} {kind}{given}", head.get(language), book.get(language));
         }
         Example::Command { files, words } => {
             let quoted = |word: &&str| if word.contains(' ') { format!("\"{word}\"") } else { (*word).to_owned() };
