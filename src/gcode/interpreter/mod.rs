@@ -427,12 +427,14 @@ impl Iterator for Interpreter<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            if let Some(item) = self.memory.queue.pop_front() {
-                return Some(item.map(|(motion, control, number)| {
+            match self.memory.queue.pop_front() {
+                Some(Ok((motion, control, number))) => {
                     self.in_force = control;
                     self.memory.standing.handed_out(Some((&motion, number)));
-                    motion
-                }));
+                    return Some(Ok(motion));
+                }
+                Some(Err(fault)) => return Some(Err(fault)),
+                None => {}
             }
             let Self { memory, line, block, state, .. } = self;
             let mut reader = Reader { memory, block, state };

@@ -87,6 +87,9 @@ impl Interpreter<'_> {
 impl Standing {
     /// A motion of this number was handed out; `None`: there are no more.
     pub(super) fn handed_out(&mut self, item: Option<(&Motion, u64)>) {
+        if !self.kept {
+            return;
+        }
         let ends = &mut self.ends;
         *ends = [item.map(|(motion, _)| motion.machine).or(ends[0]), ends[0]];
         self.given = item.map_or(u64::MAX, |(_, number)| number);
