@@ -42,7 +42,7 @@ fn shipped_workbooks_are_what_the_template_writes() {
         assert!(
             shipped == written(form, case, language),
             "workbooks/{file} differs from the template: write it again with \
-             `cargo test --test workbooks -- --ignored`"
+             `cargo test --test workbook workbooks -- --ignored`"
         );
     }
 }

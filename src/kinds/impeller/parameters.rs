@@ -151,8 +151,8 @@ pub(super) static H: Field<f64, Required> = Field::real(
         "Height of the turned face, the torus centre plane, over the work spindle's nose",
     ),
     t(
-        "L = R_B + H; no es la longitud de la herramienta, que solo entra en el cero o el corrector de Z",
-        "L = R_B + H; no tool length, which enters the zero or the length offset of Z alone",
+        "L = R_B + H; no es la longitud de la herramienta, que va solo en el cero de Z",
+        "L = R_B + H; no tool length, which goes into the zero of Z alone",
     ),
 );
 pub(super) static ROTARY: Field<Rotary, Optional> = Field::choice(
