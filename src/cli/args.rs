@@ -11,7 +11,7 @@ use clap_complete::aot::Shell;
 use super::stock::Stock;
 use super::verdict::{ENDS, code, meaning};
 use crate::finding::Exit;
-use crate::gcode::control::ALL;
+use crate::gcode::control::{ALL, TURNING};
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Rotary};
 use crate::kind::Kind;
 use crate::machine::work_offset::System;
@@ -331,7 +331,7 @@ pub(super) struct Simulate {
     /// Turning program
     pub(super) program: PathBuf,
     /// Dialect of the program [default: told from the program]
-    #[arg(long, value_parser = PossibleValuesParser::new(["fanuc-lathe-a", "fagor-8055-t"]))]
+    #[arg(long, value_parser = PossibleValuesParser::new(TURNING.map(|dialect| dialect.name)))]
     pub(super) dialect: Option<String>,
     /// Diameter, length and bore of the stock, in mm: D50xL100, D50xL100xd20 [default: the workbook's, or what encloses the path]
     #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]

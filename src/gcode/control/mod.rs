@@ -132,6 +132,9 @@ pub static ALL: [&Control; 5] = [&LINUXCNC, &FAGOR_8055, &FAGOR_8070, &FAGOR_805
 /// The milling controls.
 pub static MILLING: [&Control; 3] = [&FAGOR_8055, &FAGOR_8070, &LINUXCNC];
 
+/// The lathes whose programs are followed over their stock.
+pub static TURNING: [&Control; 2] = [&FANUC_LATHE_A, &FAGOR_8055_T];
+
 impl Control {
     /// True for a lathe, whose part turns and whose X is a diameter.
     #[must_use]

@@ -13,7 +13,7 @@ use crate::gcode::control::Across;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
     AbsoluteCentreHalf, ArcOfNoRadius, ArcTwoForms, ArcWithoutCentre, CentreWordForeign, CentreWordOfOtherPlane,
@@ -46,27 +46,27 @@ fn name(letter: usize) -> char {
     char::from(b'A' + u8::try_from(letter).unwrap_or(0))
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// An arc of the block in hand.
     pub(super) fn arc(&mut self, clockwise: bool) -> Outcome<()> {
-        let plane = self.modal.plane;
+        let plane = self.state.modal.plane;
         self.arc_form()?;
         let feed = self.feed()?;
         self.arc_letters()?;
         let turns = self.turns()?;
-        self.modal.motion = G::Arc(clockwise);
+        self.state.modal.motion = G::Arc(clockwise);
         let (centre, to) = self.arc_centre(clockwise)?;
         let [a, b, c] = plane.axes();
         let turns = if clockwise { -turns } else { turns };
-        let [x, y] = [self.current.get(a) - centre[0], self.current.get(b) - centre[1]];
+        let [x, y] = [self.state.at.get(a) - centre[0], self.state.at.get(b) - centre[1]];
         let [to_x, to_y] = [to.get(a) - centre[0], to.get(b) - centre[1]];
         let between = trig::atan2(x * to_y - y * to_x, x * to_x + y * to_y);
-        let (radius, rotation) = ((x * x + y * y).sqrt(), self.frame.work.rotation);
+        let (radius, rotation) = ((x * x + y * y).sqrt(), self.state.frame.work.rotation);
         let arc = Arc { plane, centre, turns, radius, sweep: sweep(turns, between), rotation };
         let seconds = if self.by_revolution(feed) {
             self.turned_arc_seconds(&arc, feed)
         } else {
-            self.seconds(arc.length(to.get(c) - self.current.get(c)), feed)
+            self.seconds(arc.length(to.get(c) - self.state.at.get(c)), feed)
         };
         self.emit(MotionKind::Arc(arc, feed), to, seconds);
         Ok(())
@@ -81,7 +81,7 @@ impl Interpreter<'_> {
 
     /// Refuses an arc with neither a centre nor a radius, or with both.
     fn arc_form(&self) -> Outcome<()> {
-        let centred = self.modal.plane.centre_letters().into_iter().any(|letter| self.block.has(letter));
+        let centred = self.state.modal.plane.centre_letters().into_iter().any(|letter| self.block.has(letter));
         match (self.block.has(letter::R), centred) {
             (false, false) => Err(Fault::of(&ArcWithoutCentre {}, &[])),
             (true, true) => Err(Fault::of(&ArcTwoForms {}, &[self.block.column(letter::R)])),
@@ -91,21 +91,21 @@ impl Interpreter<'_> {
 
     /// Refuses a centre word of another plane, but for a 0 that comes to nothing whatever it means.
     fn arc_letters(&mut self) -> Outcome<()> {
-        let plane = self.modal.plane;
+        let plane = self.state.modal.plane;
         let [first, second, across] = plane.centre_letters();
         let Some(value) = self.block.get(across) else { return Ok(()) };
         let column = self.block.column(across);
         let (word, name) = (name(across), plane.name());
         let [_, _, axis] = plane.axes();
-        let planar = self.end_point().get(axis) == self.current.get(axis);
-        match self.control.arcs.across {
+        let planar = self.end_point().get(axis) == self.state.at.get(axis);
+        match self.memory.control.arcs.across {
             Across::Pitch if value > 0.0 => {
                 Err(Fault::of(&HelixPitch { word, plane: name, axis: axis.letter() }, &[column]))
             }
             Across::Pitch => Err(Fault::of(&HelixPitchNotPositive { word, value, plane: name }, &[column])),
             Across::Unknown if value == 0.0 && planar => {
-                let line = self.line;
-                self.remarks.row(&CentreWordOfOtherPlane { word, plane: name }, line, Some(column));
+                let spot = self.block.spot;
+                self.memory.remarks.row(&CentreWordOfOtherPlane { word, plane: name }, spot, Some(column));
                 Ok(())
             }
             Across::Foreign | Across::Unknown => Err(Fault::of(
@@ -116,25 +116,25 @@ impl Interpreter<'_> {
     }
 
     fn arc_centre(&mut self, clockwise: bool) -> Outcome<([f64; 2], Pose)> {
-        let plane = self.modal.plane;
+        let plane = self.state.modal.plane;
         let to = self.end_point();
         let [a, b, _] = plane.axes();
         let [first, second, _] = plane.centre_letters();
-        let start = [self.current.get(a), self.current.get(b)];
+        let start = [self.state.at.get(a), self.state.at.get(b)];
         let end = [to.get(a), to.get(b)];
         let centre = match self.block.get(letter::R) {
             Some(R) => {
                 let named = [a, b].into_iter().any(|axis| self.block.has(AXES[axis as usize]));
                 // U and W of a lathe stand for X and Z.
                 let incremental =
-                    self.control.axes.by_letters() && (self.block.has(letter::U) || self.block.has(letter::W));
+                    self.memory.control.axes.by_letters() && (self.block.has(letter::U) || self.block.has(letter::W));
                 if !named && !incremental {
                     return Err(Fault::of(
                         &RadiusWithoutEnd { first: a.letter(), second: b.letter() },
                         &[self.block.column(letter::R)],
                     ));
                 }
-                self.centre_by_radius(start, end, self.modal.unit.to_mm(R), clockwise)
+                self.centre_by_radius(start, end, self.state.modal.unit.to_mm(R), clockwise)
             }
             None => self.centre_by_offsets(start, end, [first, second]),
         };
@@ -152,10 +152,10 @@ impl Interpreter<'_> {
     }
 
     fn centre_by_offsets(&self, start: [f64; 2], end: [f64; 2], letters: [usize; 2]) -> Outcome<[f64; 2]> {
-        let unit = self.modal.unit;
+        let unit = self.state.modal.unit;
         let mut centre = [0.0; 2];
         for (along, letter) in letters.into_iter().enumerate() {
-            centre[along] = match (self.block.get(letter), self.modal.centre_absolute) {
+            centre[along] = match (self.block.get(letter), self.state.modal.centre_absolute) {
                 (Some(word), true) => unit.to_mm(word),
                 (Some(word), false) => start[along] + unit.to_mm(word),
                 (None, false) => start[along],
@@ -173,7 +173,7 @@ impl Interpreter<'_> {
         let chord = [end[0] - start[0], end[1] - start[1]];
         let half = (chord[0] * chord[0] + chord[1] * chord[1]).sqrt() / 2.0;
         let column = self.block.column(letter::R);
-        let unit = self.modal.unit;
+        let unit = self.state.modal.unit;
         let radius = R.abs();
         if half == 0.0 {
             return Err(Fault::of(&RadiusOfFullCircle {}, &[column]));

@@ -1,6 +1,8 @@
 //! What stands in one block.
 
 use crate::gcode::code::{G, GROUPS, Group, M};
+use crate::gcode::in_force::Compensation;
+use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::polar::Polar;
 use crate::gcode::turning::edge::Square;
 
@@ -70,8 +72,10 @@ pub(super) struct EdgeWord {
 /// One block: its words and codes. Reused from line to line.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
-    /// The block number.
-    pub(super) n: Option<u32>,
+    /// Where it stands.
+    pub(super) spot: Spot,
+    /// On which side the move of a cycle that it makes is compensated, whatever is in force.
+    pub(super) side: Option<Compensation>,
     /// One bit for each letter that stands in the block.
     pub(super) present: u32,
     /// One bit for each letter whose number has no decimal point although a control may scale it for that.
@@ -101,9 +105,11 @@ const fn short(column: usize) -> u16 {
 }
 
 impl Block {
-    pub(super) const fn new() -> Self {
+    /// An empty block at a place.
+    pub(super) const fn at(spot: Spot) -> Self {
         Self {
-            n: None,
+            spot,
+            side: None,
             present: 0,
             pointless: 0,
             edge: None,
@@ -121,9 +127,14 @@ impl Block {
         }
     }
 
-    /// Empties the block.
+    /// The same block, the move of a cycle that it makes compensated on a side.
+    pub(super) fn of_cycle(&self, side: Compensation) -> Self {
+        Self { side: Some(side), ..self.clone() }
+    }
+
+    /// Empties the block, which stays at its line.
     pub(super) fn clear(&mut self) {
-        self.n = None;
+        self.spot.n = None;
         self.present = 0;
         self.pointless = 0;
         self.edge = None;

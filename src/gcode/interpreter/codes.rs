@@ -4,7 +4,7 @@ use crate::finding::Grade;
 use crate::gcode::code::{G, Group, M, TurningCycle};
 use crate::gcode::control::{FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{FeedMode, MotionKind};
@@ -15,30 +15,31 @@ use crate::gcode::turning::pace::Pace;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     pub(super) fn set_speed_mode(&mut self) -> Outcome<()> {
         match self.block.g(Group::Speed) {
             Some(G::ConstantSurfaceSpeed) => {
                 if !self.block.has(letter::S) {
                     self.surface_speed_missing()?;
                 }
-                self.modal.constant_surface_speed = true;
-                match self.control.spindle.limit {
-                    SpeedLimit::Word => self.modal.greatest_speed = self.block.get(letter::D),
+                self.state.modal.constant_surface_speed = true;
+                match self.memory.control.spindle.limit {
+                    SpeedLimit::Word => self.state.modal.greatest_speed = self.block.get(letter::D),
                     SpeedLimit::Code => {}
                 }
-                if self.modal.greatest_speed.is_none() {
-                    let line = self.line;
-                    self.remarks.row(&NoSpeedLimit {}, line, Some(self.block.g_column(Group::Speed)));
+                if self.state.modal.greatest_speed.is_none() {
+                    let spot = self.block.spot;
+                    self.memory.remarks.row(&NoSpeedLimit {}, spot, Some(self.block.g_column(Group::Speed)));
                 }
             }
             Some(G::Rpm) => {
-                if self.control.spindle.turns.part() && self.modal.constant_surface_speed {
+                if self.memory.control.spindle.turns.part() && self.state.modal.constant_surface_speed {
                     // Without S the spindle keeps the speed that it has.
-                    let pace = Pace::of(&InForce { spindle: Spindle::Clockwise, ..self.modal.in_force() });
-                    self.modal.speed = pace.and_then(|pace| pace.speed(self.current.get(Axis::X))).unwrap_or(0.0);
+                    let pace = Pace::of(&InForce { spindle: Spindle::Clockwise, ..self.state.modal.in_force() });
+                    self.state.modal.speed =
+                        pace.and_then(|pace| pace.speed(self.state.at.get(Axis::X))).unwrap_or(0.0);
                 }
-                self.modal.constant_surface_speed = false;
+                self.state.modal.constant_surface_speed = false;
             }
             _ => {}
         }
@@ -48,13 +49,13 @@ impl Interpreter<'_> {
     /// G96 without S: a lathe takes the S that follows.
     fn surface_speed_missing(&mut self) -> Outcome<()> {
         let column = self.block.g_column(Group::Speed);
-        if !self.control.spindle.turns.part() {
+        if !self.memory.control.spindle.turns.part() {
             return Err(Fault::of(&SurfaceSpeedMissing {}, &[column]));
         }
-        if !self.modal.constant_surface_speed {
-            self.modal.speed = 0.0;
-            let line = self.line;
-            self.remarks.row_as(Grade::Caution, &SurfaceSpeedMissing {}, line, Some(column));
+        if !self.state.modal.constant_surface_speed {
+            self.state.modal.speed = 0.0;
+            let spot = self.block.spot;
+            self.memory.remarks.row_as(Grade::Caution, &SurfaceSpeedMissing {}, spot, Some(column));
         }
         Ok(())
     }
@@ -65,17 +66,17 @@ impl Interpreter<'_> {
             return Ok(());
         }
         if let Some(F) = self.block.get(letter::F) {
-            self.modal.feed = match self.modal.feed_mode {
-                FeedMode::PerMinute | FeedMode::PerRevolution => self.modal.unit.to_mm(F),
+            self.state.modal.feed = match self.state.modal.feed_mode {
+                FeedMode::PerMinute | FeedMode::PerRevolution => self.state.modal.unit.to_mm(F),
                 FeedMode::InverseTime | FeedMode::Seconds => F,
             };
-            self.modal.feed_word = F;
-            self.modal.feed_stale = false;
+            self.state.modal.feed_word = F;
+            self.state.modal.feed_stale = false;
         }
         if let Some(S) = self.block.get(letter::S) {
             let limit = matches!(self.block.g(Group::NonModal), Some(G::SetPositionOrSpeed));
             if !limit {
-                self.modal.speed = self.surface(S);
+                self.state.modal.speed = self.surface(S);
             }
         }
         Ok(())
@@ -83,22 +84,22 @@ impl Interpreter<'_> {
 
     /// An S word in m/min or rpm: under constant surface speed feet a minute where the unit is the inch.
     pub(super) fn surface(&self, S: f64) -> f64 {
-        let by_surface = self.control.spindle.turns.part() && self.modal.constant_surface_speed;
-        let feet = by_surface && self.modal.unit == LengthUnit::Inch;
+        let by_surface = self.memory.control.spindle.turns.part() && self.state.modal.constant_surface_speed;
+        let feet = by_surface && self.state.modal.unit == LengthUnit::Inch;
         if feet { S * 0.3048 } else { S }
     }
 
     /// G94 and G95, G98 and G99 of a lathe: what F means.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn set_feed_mode(&mut self, mode: FeedMode) {
-        let changes = mode != self.modal.feed_mode;
-        self.modal.feed_mode = mode;
-        match self.control.feed.change {
+        let changes = mode != self.state.modal.feed_mode;
+        self.state.modal.feed_mode = mode;
+        match self.memory.control.feed.change {
             FeedChange::Forgets if mode != FeedMode::InverseTime => {
-                (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
+                (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);
             }
             FeedChange::Forgets | FeedChange::Keeps => {}
-            FeedChange::KeepsStale => self.modal.feed_stale |= changes && self.modal.feed > 0.0,
+            FeedChange::KeepsStale => self.state.modal.feed_stale |= changes && self.state.modal.feed > 0.0,
         }
     }
 
@@ -108,16 +109,18 @@ impl Interpreter<'_> {
             self.change_tool(code)?;
         }
         match self.block.m(7) {
-            Some((M::Spindle(true), _)) => self.modal.spindle = Spindle::Clockwise,
-            Some((M::Spindle(false), _)) => self.modal.spindle = Spindle::CounterClockwise,
-            Some((M::SpindleOff, _)) if !self.control.order.off_last() => self.modal.spindle = Spindle::Stopped,
+            Some((M::Spindle(true), _)) => self.state.modal.spindle = Spindle::Clockwise,
+            Some((M::Spindle(false), _)) => self.state.modal.spindle = Spindle::CounterClockwise,
+            Some((M::SpindleOff, _)) if !self.memory.control.order.off_last() => {
+                self.state.modal.spindle = Spindle::Stopped
+            }
             Some((code @ (M::SaveState(_) | M::ForgetState | M::RestoreState), _)) => self.context_code(code)?,
             _ => {}
         }
         if let Some((M::Coolant(on), _)) = self.block.m(8)
-            && (on || !self.control.order.off_last())
+            && (on || !self.memory.control.order.off_last())
         {
-            self.modal.coolant = on;
+            self.state.modal.coolant = on;
         }
         Ok(())
     }
@@ -128,31 +131,32 @@ impl Interpreter<'_> {
         let dry = matches!(self.block.m(8), Some((M::Coolant(false), _)));
         if off || dry {
             self.finish_run()?;
-            self.modal.spindle = if off { Spindle::Stopped } else { self.modal.spindle };
-            self.modal.coolant &= !dry;
+            self.state.modal.spindle = if off { Spindle::Stopped } else { self.state.modal.spindle };
+            self.state.modal.coolant &= !dry;
         }
         Ok(())
     }
 
     pub(super) fn dwell(&mut self) -> Outcome<()> {
         let (letter, seconds) = self.dwell_time()?;
-        if letter != super::block::letter::P || self.control.lexis.dwell.len() > 1 {
+        if letter != super::block::letter::P || self.memory.control.lexis.dwell.len() > 1 {
             self.block.take(letter);
         }
-        self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds));
+        self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds));
         Ok(())
     }
 
     /// The letter of a dwell's time, and the time in seconds.
     pub(super) fn dwell_time(&self) -> Outcome<(usize, f64)> {
         let found = self
+            .memory
             .control
             .lexis
             .dwell
             .iter()
             .find_map(|dwell| Some((dwell.index(), dwell.seconds(self.block.get(dwell.index())?))));
         let column = self.block.g_column(Group::NonModal);
-        let times = self.control.lexis.dwell.iter().filter(|dwell| self.block.has(dwell.index())).count();
+        let times = self.memory.control.lexis.dwell.iter().filter(|dwell| self.block.has(dwell.index())).count();
         if times > 1 {
             return Err(Fault::of(&DwellTwice {}, &[column]));
         }
@@ -164,11 +168,11 @@ impl Interpreter<'_> {
     }
 
     pub(super) fn set_unit(&mut self, unit: LengthUnit) {
-        if unit != self.modal.unit && self.unit_said {
-            let line = self.line;
-            self.remarks.row(&UnitsChange {}, line, Some(self.block.g_column(Group::Units)));
+        if unit != self.state.modal.unit && self.memory.unit_said {
+            let spot = self.block.spot;
+            self.memory.remarks.row(&UnitsChange {}, spot, Some(self.block.g_column(Group::Units)));
         }
-        self.unit_said = true;
-        self.modal.unit = unit;
+        self.memory.unit_said = true;
+        self.state.modal.unit = unit;
     }
 }

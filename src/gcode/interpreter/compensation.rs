@@ -9,7 +9,7 @@
 //!
 //! # What is compensated
 //! G0, G1, G2 and G3 of the program, and the contour that G70 follows. The passes of other turning cycles and of drilling cycles
-//! are made as they are, those of G90 and G94 with the cone shifted ([`Interpreter::pass_aside`]); so are moves to a reference
+//! are made as they are, those of G90 and G94 with the cone shifted ([`Reader::pass_aside`]); so are moves to a reference
 //! point and to machine coordinates. The compensation ends before them and starts up again behind them; on a Fagor G53 ends it
 //! for good.
 //!
@@ -23,9 +23,10 @@ use crate::finding::Size;
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::control::{NoseCorner, RadiusRule};
 use crate::gcode::in_force::{Compensation, InForce};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::library::Spot;
 use crate::gcode::motion::{Arc, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::turning::nose::{Element, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
 use crate::gcode::turning::pace::Pace;
@@ -45,9 +46,14 @@ const FAGOR_STRAIGHT: f64 = PI * 2.0 / 3.0;
 struct Carried {
     motion: Motion,
     control: InForce,
-    file: Option<String>,
     /// Its number among the motions that the program has made.
     number: u64,
+}
+
+impl Carried {
+    fn spot(&self) -> Spot {
+        Spot { text: self.control.file, line: self.motion.line, n: self.motion.n }
+    }
 }
 
 /// The compensation of an interpreter.
@@ -58,8 +64,6 @@ pub(super) struct Compensator {
     aside: Point,
     /// The compensation in force has been refused.
     refused: bool,
-    /// On which side the move of a cycle is made, whatever is in force.
-    pub(super) cycle: Option<Compensation>,
 }
 
 impl Compensator {
@@ -70,7 +74,7 @@ impl Compensator {
             RadiusRule::Nose(NoseCorner::StraightTo120) => FAGOR_STRAIGHT,
             RadiusRule::Nose(NoseCorner::Straight) | RadiusRule::Cutter | RadiusRule::None => STRAIGHT,
         };
-        Self { stage: Stage::new(straight), straight, aside: [0.0; 2], refused: false, cycle: None }
+        Self { stage: Stage::new(straight), straight, aside: [0.0; 2], refused: false }
     }
 
     /// Motions pass as they are programmed.
@@ -96,20 +100,20 @@ fn place(pose: &mut Pose, [z, x]: Point) {
     pose.set(Axis::X, x);
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// G40, G41 and G42.
     pub(super) fn set_compensation(&mut self, side: Compensation) -> Outcome<()> {
-        if side != Compensation::Off && self.modal.plane != Plane::ZX {
+        if side != Compensation::Off && self.state.modal.plane != Plane::ZX {
             return Err(Fault::of(
-                &CompensationPlane { plane: self.modal.plane.name() },
+                &CompensationPlane { plane: self.state.modal.plane.name() },
                 &[self.block.g_column(Group::CutterCompensation)],
             ));
         }
-        if side != Compensation::Off && self.modal.offset == 0 {
-            let (line, column) = (self.line, self.block.g_column(Group::CutterCompensation));
-            self.remarks.row(&CompensationWithoutOffset {}, line, Some(column));
+        if side != Compensation::Off && self.state.modal.offset == 0 {
+            let (spot, column) = (self.block.spot, self.block.g_column(Group::CutterCompensation));
+            self.memory.remarks.row(&CompensationWithoutOffset {}, spot, Some(column));
         }
-        self.modal.compensation = side;
+        self.state.modal.compensation = side;
         Ok(())
     }
 
@@ -126,7 +130,10 @@ impl Interpreter<'_> {
     /// # Errors
     /// For a tip that lies neither before nor behind the cut, and without a nose in the table.
     pub(super) fn pass_aside(&mut self, pass: SinglePassCycle, slope: f64) -> Outcome<f64> {
-        if self.modal.compensation == Compensation::Off || self.modal.offset == 0 || pass == SinglePassCycle::Thread {
+        if self.state.modal.compensation == Compensation::Off
+            || self.state.modal.offset == 0
+            || pass == SinglePassCycle::Thread
+        {
             return Ok(0.0);
         }
         let nose = self.known_nose()?;
@@ -142,42 +149,42 @@ impl Interpreter<'_> {
 
     /// Says that the passes of a cycle are made as they are, where its block or its contour asks for compensation.
     pub(super) fn remark_uncompensated(&mut self, blocks: &[ContourBlock]) {
-        let pass = matches!(self.modal.motion, G::Pass(SinglePassCycle::Axial | SinglePassCycle::Radial));
+        let pass = matches!(self.state.modal.motion, G::Pass(SinglePassCycle::Axial | SinglePassCycle::Radial));
         let asked = blocks.iter().any(|block| block.side != Compensation::Off);
-        if (self.modal.compensation == Compensation::Off && !asked) || pass {
+        if (self.state.modal.compensation == Compensation::Off && !asked) || pass {
             return;
         }
-        let line = self.line;
-        self.remarks.row(&PassesNotCompensated {}, line, None);
+        let spot = self.block.spot;
+        self.memory.remarks.row(&PassesNotCompensated {}, spot, None);
     }
 
     /// Hands a motion out, by way of the stage where a compensation is in force.
     pub(super) fn hand_out(&mut self, motion: Motion) {
-        let mut control = InForce { file: self.library.at(), ..self.modal.in_force() };
+        let mut control = InForce { file: self.block.spot.text, ..self.state.modal.in_force() };
         let number = self.made();
         let side = self.side(&motion);
         control.compensation = side;
         if side == Compensation::Off {
-            self.compensator.refused = false;
-            if self.compensator.stage.idle() {
-                self.queue.push_back(Ok((motion, control, number)));
+            self.memory.compensator.refused = false;
+            if self.memory.compensator.stage.idle() {
+                self.memory.queue.push_back(Ok((motion, control, number)));
                 return;
             }
         }
-        if self.compensator.refused {
-            self.queue.push_back(Ok((motion, control, number)));
+        if self.memory.compensator.refused {
+            self.memory.queue.push_back(Ok((motion, control, number)));
             return;
         }
         let nose = match self.nose(side, &motion) {
             Ok(nose) => nose,
             Err(mut fault) => {
                 self.flush();
-                self.compensator.refused = true;
-                self.compensator.stage = Stage::new(self.compensator.straight);
+                self.memory.compensator.refused = true;
+                self.memory.compensator.stage = Stage::new(self.memory.compensator.straight);
                 fault.line = motion.line;
-                fault.file.clone_from(&self.source().file);
-                self.queue.push_back(Err(fault));
-                self.queue.push_back(Ok((motion, control, number)));
+                fault.file = self.memory.library.file(control.file).cloned();
+                self.memory.queue.push_back(Err(fault));
+                self.memory.queue.push_back(Ok((motion, control, number)));
                 return;
             }
         };
@@ -191,18 +198,18 @@ impl Interpreter<'_> {
             }
             _ => Path::Line,
         };
-        let tag = Carried { motion, control, file: self.source().file.clone(), number };
+        let tag = Carried { motion, control, number };
         let rapid = motion.kind == MotionKind::Rapid;
         let mut placed = Vec::new();
         let step = Step { element: Element { from, to, path }, side, nose, rapid, tag };
-        let result = self.compensator.stage.push(step, &mut placed);
+        let result = self.memory.compensator.stage.push(step, &mut placed);
         self.take_placed(placed, result);
     }
 
     /// Hands out what the stage still holds: the program has ended, or goes on without it.
     pub(super) fn flush(&mut self) {
         let mut placed = Vec::new();
-        let result = self.compensator.stage.finish(&mut placed);
+        let result = self.memory.compensator.stage.finish(&mut placed);
         self.take_placed(placed, result);
     }
 
@@ -211,14 +218,18 @@ impl Interpreter<'_> {
         let at_once = self.block.groups & (1 << Group::NonModal as u16) != 0
             && matches!(self.block.g(Group::NonModal), Some(G::Reference(_) | G::MachineCoordinates));
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
-        if at_once && !dwell && !self.control.machine_move.by_itself() && self.modal.compensation != Compensation::Off {
-            self.modal.compensation = Compensation::Off;
-            self.remarks.row(&MachineMoveCancelsNose {}, motion.line, None);
+        if at_once
+            && !dwell
+            && !self.memory.control.machine_move.by_itself()
+            && self.state.modal.compensation != Compensation::Off
+        {
+            self.state.modal.compensation = Compensation::Off;
+            self.memory.remarks.row(&MachineMoveCancelsNose {}, self.block.spot, None);
         }
-        if (at_once && !dwell) || self.modal.offset == 0 {
+        if (at_once && !dwell) || self.state.modal.offset == 0 {
             return Compensation::Off;
         }
-        self.compensator.cycle.unwrap_or(self.modal.compensation)
+        self.block.side.unwrap_or(self.state.modal.compensation)
     }
 
     /// The nose of the offset in force, for a motion on a side.
@@ -234,17 +245,17 @@ impl Interpreter<'_> {
         }
         let nose = self.known_nose()?;
         if nose.radius == 0.0 {
-            let offset = self.modal.offset;
-            self.remarks.row(&SharpNose { offset }, motion.line, None);
+            let offset = self.state.modal.offset;
+            self.memory.remarks.row(&SharpNose { offset }, self.block.spot, None);
         }
         Ok(nose)
     }
 
     /// The nose that the table gives the offset in force.
     fn known_nose(&self) -> Outcome<Nose> {
-        let offset = self.modal.offset;
-        self.tools.get(&offset).and_then(|tool| tool.nose).ok_or_else(|| {
-            if self.setting.tools.is_some() {
+        let offset = self.state.modal.offset;
+        self.memory.tools.get(&offset).and_then(|tool| tool.nose).ok_or_else(|| {
+            if self.memory.setting.tools.is_some() {
                 Fault::of(&NoseNotInTable { offset }, &[])
             } else {
                 Fault::of(&NoseWithoutTable { offset }, &[])
@@ -256,26 +267,25 @@ impl Interpreter<'_> {
         let mut last = 0;
         for (element, carried) in placed {
             let first = std::mem::replace(&mut last, carried.number) != carried.number;
-            self.compensator.aside = [0, 1].map(|axis| element.to[axis] - point(&carried.motion.machine)[axis]);
+            self.memory.compensator.aside = [0, 1].map(|axis| element.to[axis] - point(&carried.motion.machine)[axis]);
             let motion = self.placed(&element, &carried, first);
-            self.queue.push_back(Ok((motion, carried.control, carried.number)));
+            self.memory.queue.push_back(Ok((motion, carried.control, carried.number)));
         }
-        for cut in self.compensator.stage.cuts() {
-            self.remarks.turn_to(cut.along.file.as_ref());
-            self.remarks.row(
+        for cut in self.memory.compensator.stage.cuts() {
+            self.memory.remarks.row(
                 &NoseCutsContour {
                     radius: Size::plain(cut.radius, 4),
                     depth: Size::mm(cut.depth),
                     into: cut.into.motion.line,
                 },
-                cut.along.motion.line,
+                cut.along.spot(),
                 None,
             );
         }
         if let Err((misfit, carried)) = result {
             let mut fault = refusal(&misfit);
-            (fault.line, fault.file) = (carried.motion.line, carried.file);
-            self.queue.push_back(Err(fault));
+            (fault.line, fault.file) = (carried.motion.line, self.memory.library.file(carried.control.file).cloned());
+            self.memory.queue.push_back(Err(fault));
         }
     }
 

@@ -7,7 +7,7 @@
 use crate::finding::Raise;
 use crate::gcode::code::{G, M};
 use crate::gcode::in_force::Spindle;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::gcode::rules::modes::{RestoreOfLength, RestoreRounds, RestoreWithWords, RestoreWithoutSave};
@@ -17,7 +17,7 @@ use crate::machine::work_offset::ActiveOffsets;
 
 /// The modal state as it was kept.
 #[derive(Clone, Debug)]
-struct State {
+struct Kept {
     plane: Plane,
     unit: LengthUnit,
     incremental: bool,
@@ -38,7 +38,7 @@ struct State {
 #[derive(Debug, Default)]
 pub(super) struct Context {
     /// The state, until M71 takes it back.
-    state: Option<State>,
+    state: Option<Kept>,
     /// The end of the call gives it back.
     at_return: bool,
 }
@@ -48,26 +48,26 @@ fn written(number: f64, decimals: usize) -> f64 {
     format!("{number:.decimals$}").parse().unwrap_or(number)
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// M70 to M73.
     pub(super) fn context_code(&mut self, code: M) -> Outcome<()> {
         match code {
             M::SaveState(at_return) => {
-                let state = self.state();
-                let inside = !self.flow.frames.is_empty();
-                let context = self.flow.context();
+                let state = self.kept();
+                let inside = !self.memory.flow.frames.is_empty();
+                let context = self.memory.flow.context();
                 context.state = Some(state);
                 context.at_return |= at_return && inside;
                 Ok(())
             }
             M::ForgetState => {
-                self.flow.context().state = None;
+                self.memory.flow.context().state = None;
                 Ok(())
             }
             _ if self.block.present != 0 || self.block.groups != 0 || self.block.machine_codes > 1 => {
                 Err(Fault::of(&RestoreWithWords {}, &[self.block.m_column(7)]))
             }
-            _ => match self.flow.context().state.clone() {
+            _ => match self.memory.flow.context().state.clone() {
                 Some(state) => {
                     self.give_state_back(&state);
                     Ok(())
@@ -84,9 +84,9 @@ impl Interpreter<'_> {
         }
     }
 
-    fn state(&self) -> State {
-        let modal = &self.modal;
-        State {
+    fn kept(&self) -> Kept {
+        let modal = &self.state.modal;
+        Kept {
             plane: modal.plane,
             unit: modal.unit,
             incremental: modal.incremental,
@@ -97,68 +97,67 @@ impl Interpreter<'_> {
             constant_surface_speed: modal.constant_surface_speed,
             return_initial: self.returns_initial(),
             system: modal.system,
-            tool: self.frame.tool,
+            tool: self.state.frame.tool,
             g92_on: self.g92_registers().0,
             spindle: modal.spindle,
             coolant: modal.coolant,
         }
     }
 
-    fn give_state_back(&mut self, state: &State) {
-        self.modal.unit = state.unit;
-        if state.feed_mode != self.modal.feed_mode {
+    fn give_state_back(&mut self, state: &Kept) {
+        self.state.modal.unit = state.unit;
+        if state.feed_mode != self.state.modal.feed_mode {
             self.set_feed_mode(state.feed_mode);
         }
         let (F, S) = (written(state.feed_word, 1), written(state.speed, 0));
-        self.modal.feed_word = F;
-        self.modal.feed = match state.feed_mode {
+        self.state.modal.feed_word = F;
+        self.state.modal.feed = match state.feed_mode {
             FeedMode::PerMinute | FeedMode::PerRevolution => state.unit.to_mm(F),
             FeedMode::InverseTime | FeedMode::Seconds => F,
         };
-        self.modal.speed = S;
+        self.state.modal.speed = S;
         for (letter, was, is) in [('F', state.feed_word, F), ('S', state.speed, S)] {
             if was != is {
                 self.remark_context(&RestoreRounds { letter, was, back: is });
             }
         }
-        if state.constant_surface_speed && !self.modal.constant_surface_speed {
+        if state.constant_surface_speed && !self.state.modal.constant_surface_speed {
             // G96 comes back without its D.
-            self.modal.greatest_speed = None;
+            self.state.modal.greatest_speed = None;
         }
-        self.modal.constant_surface_speed = state.constant_surface_speed;
-        self.modal.plane = state.plane;
-        let (none, now) = (Pose::default(), self.frame.tool);
+        self.state.modal.constant_surface_speed = state.constant_surface_speed;
+        self.state.modal.plane = state.plane;
+        let (none, now) = (Pose::default(), self.state.frame.tool);
         if (state.tool == none) != (now == none) {
-            let tool = if state.tool == none { none } else { self.offset_of(self.modal.tool) };
-            self.reframe(ActiveOffsets { tool, ..self.frame });
+            let tool = if state.tool == none { none } else { self.offset_of(self.state.modal.tool) };
+            self.reframe(ActiveOffsets { tool, ..self.state.frame });
         }
-        if self.frame.tool != state.tool {
+        if self.state.frame.tool != state.tool {
             self.remark_context(&RestoreOfLength {});
         }
         self.select_system(state.system);
-        self.modal.incremental = state.incremental;
-        self.modal.centre_absolute = state.centre_absolute;
+        self.state.modal.incremental = state.incremental;
+        self.state.modal.centre_absolute = state.centre_absolute;
         if state.return_initial != self.returns_initial() {
-            self.modal.return_initial = Some(state.return_initial);
+            self.state.modal.return_initial = Some(state.return_initial);
         }
         if state.g92_on != self.g92_registers().0 {
             self.change_position(if state.g92_on { G::RestorePosition } else { G::SuspendPosition });
         }
-        self.modal.spindle = state.spindle;
-        self.modal.coolant = state.coolant;
+        self.state.modal.spindle = state.spindle;
+        self.state.modal.coolant = state.coolant;
     }
 
     fn remark_context(&mut self, row: &dyn Raise) {
-        self.remarks.row(row, self.line, None);
+        self.memory.remarks.row(row, self.block.spot, None);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::finding::Grade;
     use crate::gcode::control::LINUXCNC;
-    use crate::gcode::interpreter::{Setting, ToolOffset, Tools};
+    use crate::gcode::interpreter::{Interpreter, Setting, ToolOffset, Tools};
     use crate::machine::axis::Axis;
 
     fn cautions(program: &str) -> Vec<String> {

@@ -16,11 +16,12 @@ use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::in_force::Compensation;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::numbers::Numbered;
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::rules::flow::ContourBlockMissing;
@@ -41,12 +42,17 @@ const MOVES: Letters = Letters::of("IKRUWXZ");
 /// A block of a contour.
 #[derive(Clone, Debug)]
 pub(super) struct ContourBlock {
-    /// Its line, counted from 1.
-    pub(super) line: usize,
-    /// Its words.
+    /// Its words, where they stand.
     pub(super) words: Block,
     /// The compensation in force in it.
     pub(super) side: Compensation,
+}
+
+impl ContourBlock {
+    /// Its line, counted from 1.
+    pub(super) const fn line(&self) -> usize {
+        self.words.spot.line
+    }
 }
 
 /// A contour as its blocks say.
@@ -81,7 +87,7 @@ impl Ends {
     }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// The blocks that two words of the block in hand name, P and Q of Fanuc's cycles, S and E of Fagor's.
     pub(super) fn contour_ends(&mut self, cycle: u8, letters: [usize; 2]) -> Outcome<Ends> {
         let mut numbers = [0; 2];
@@ -116,25 +122,18 @@ impl Interpreter<'_> {
             .ok_or_else(|| Fault::of(&NoBlockNumber { letter: name, value }, &[self.block.column(letter)]))
     }
 
-    /// Reads the contour of a cycle from where the tool stands. The program stays where it is.
+    /// Reads the contour of a cycle from where the tool stands, on a state of its own. The program stays where it is.
     pub(super) fn contour(&mut self, cycle: u8, ends: Ends) -> Outcome<Contour> {
-        let back = self.source().position();
-        let (line, current) = (self.line, self.current);
-        // Of the codes that stay in force, those that say how the words of the blocks behind are read.
-        let (motion, feed_mode) = (self.modal.motion, self.modal.feed_mode);
-        let block = std::mem::replace(&mut self.block, Block::new());
-        let read = self.read_contour(cycle, ends);
-        self.block = block;
-        (self.modal.motion, self.modal.feed_mode, self.current) = (motion, feed_mode, current);
-        if read.is_ok() {
-            self.line = line;
-        }
-        self.source().go_to(back)?;
-        read
+        let (mut block, mut probe) = (Block::at(self.block.spot), self.state.clone());
+        let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut probe };
+        reader.read_contour(cycle, ends).map_err(|mut fault| {
+            fault.line = if fault.line == 0 { block.spot.line } else { fault.line };
+            fault
+        })
     }
 
     fn read_contour(&mut self, cycle: u8, ends: Ends) -> Outcome<Contour> {
-        let start = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        let start = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         let mut contour = Contour {
             profile: Profile { start, elements: Vec::new() },
             blocks: Vec::new(),
@@ -144,12 +143,11 @@ impl Interpreter<'_> {
             behind: ends.last.at,
         };
         let mut line = Vec::new();
-        self.source().go_to(ends.first.at)?;
-        while self.source().position().lines < ends.last.line() {
-            if !self.source().next_line(&mut line)? {
-                break;
-            }
-            self.count_line()?;
+        let mut next = Mark { line: ends.first.at, ..self.memory.flow.next };
+        while next.line.lines < ends.last.line() {
+            let Some(behind) = self.memory.library.line(next, &mut line)? else { break };
+            next = behind;
+            self.count_line(behind)?;
             let Some(mut cursor) = self.open_line(&line)? else { continue };
             if matches!(cursor.peek(), b'%' | b'o') {
                 return Err(Fault::of(&ContourWithoutEnd { cycle }, &[cursor.column()]));
@@ -160,7 +158,7 @@ impl Interpreter<'_> {
                 return Err(Fault::of(&ContourTooLong { cycle, most: CONTOUR_BLOCKS }, &[]));
             }
         }
-        contour.behind = self.source().position();
+        contour.behind = next.line;
         if let Some((word, line)) = contour.edge {
             return Err(word.refusal(line, &ContourEndsWithCorner { cycle, word: word.name }));
         }
@@ -177,18 +175,18 @@ impl Interpreter<'_> {
         self.contour_refuses(cycle, first)?;
         let dwell = self.contour_dwell()?;
         self.one_word_an_axis()?;
-        let before = contour.blocks.last().map_or(self.modal.compensation, |block| block.side);
+        let before = contour.blocks.last().map_or(self.state.modal.compensation, |block| block.side);
         let side = match self.block.g(Group::CutterCompensation) {
             Some(G::Compensation(side)) => side,
             _ => before,
         };
         let ns = contour.blocks.is_empty();
-        contour.blocks.push(ContourBlock { line: self.line, words: self.block.clone(), side });
+        contour.blocks.push(ContourBlock { words: self.block.clone(), side });
         if let Some(motion) = self.block.g(Group::Motion) {
-            self.modal.motion = motion;
+            self.state.modal.motion = motion;
         }
         if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
-            self.modal.feed_mode = mode;
+            self.state.modal.feed_mode = mode;
         }
         if self.block.present & MOVES.mask() & !dwell == 0 {
             self.edge_fits(None)?;
@@ -202,7 +200,7 @@ impl Interpreter<'_> {
                 Ok(())
             };
         }
-        let motion = self.modal.motion;
+        let motion = self.state.modal.motion;
         self.take_square_edge(Some(motion))?;
         self.edge_fits(Some(motion))?;
         if first {
@@ -215,7 +213,7 @@ impl Interpreter<'_> {
         let arc = match motion {
             G::Arc(clockwise) => {
                 let (centre, to) = self.arc_geometry(clockwise)?;
-                self.current = to;
+                self.state.at = to;
                 Some(([centre[1], centre[0]], clockwise))
             }
             _ => {
@@ -224,26 +222,26 @@ impl Interpreter<'_> {
                 {
                     return Err(self.unused(1 << letter));
                 }
-                self.current = self.end_point();
+                self.state.at = self.end_point();
                 None
             }
         };
-        let to = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        let to = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         if let Some((word, line)) = contour.edge.take() {
             if motion != G::Linear {
                 return Err(word.alone(line, true));
             }
             contour
                 .profile
-                .break_edge(to, word.edge(self.modal.unit), word.square)
+                .break_edge(to, word.edge(self.state.modal.unit), word.square)
                 .map_err(|trouble| word.trouble(line, &trouble))?;
         }
-        contour.edge = self.block.edge.map(|word| (word, self.line));
+        contour.edge = self.block.edge.map(|word| (word, self.block.spot.line));
         if let Some(word) = self.block.edge.filter(|word| word.square.is_none()) {
-            let line = self.line;
-            self.remarks.row(&CornerInContour {}, line, Some(word.column));
+            let spot = self.block.spot;
+            self.memory.remarks.row(&CornerInContour {}, spot, Some(word.column));
         }
-        contour.profile.elements.push(Element { to, arc, rapid: motion == G::Rapid, line: self.line });
+        contour.profile.elements.push(Element { to, arc, rapid: motion == G::Rapid, line: self.block.spot.line });
         Ok(())
     }
 
@@ -270,8 +268,8 @@ impl Interpreter<'_> {
         let says = |block: &ContourBlock| {
             block.words.machine_codes > 0 || block.words.groups & other != 0 || block.words.has(letter::T)
         };
-        let Some(line) = contour.blocks.iter().find(|block| says(block)).map(|block| block.line) else { return };
-        self.remarks.row(&ContourWordsPassedOver { cycle }, line, None);
+        let Some(block) = contour.blocks.iter().find(|block| says(block)) else { return };
+        self.memory.remarks.row(&ContourWordsPassedOver { cycle }, block.words.spot, None);
     }
 
     /// Refuses what may not stand in a contour.
@@ -308,43 +306,46 @@ impl Interpreter<'_> {
     /// Goes on behind a contour that stands behind its cycle; a contour that has been read before stays where it is, as
     /// going on behind it would repeat the program without end.
     pub(super) fn go_behind(&mut self, cycle: u8, contour: &Contour) -> Outcome<()> {
-        if contour.last <= self.line {
+        if contour.last <= self.block.spot.line {
             return Ok(());
         }
-        let first = contour.blocks.first().map_or(contour.last, |block| block.line);
+        let first = contour.blocks.first().map_or(contour.last, ContourBlock::line);
         let mut line = Vec::new();
         let mut skipped = 0;
-        while self.source().position().lines + 1 < first && self.source().next_line(&mut line)? {
-            let comments = self.control.lexis.comments;
+        let mut next = self.memory.flow.next;
+        while next.line.lines + 1 < first
+            && let Some(behind) = self.memory.library.line(next, &mut line)?
+        {
+            let comments = self.memory.control.lexis.comments;
             skipped += usize::from(Cursor::new(&line, comments).peek() != 0);
+            next = behind;
         }
         if skipped > 0 {
-            let at = self.line;
-            self.remarks.row(&BlocksBeforeContour { blocks: skipped, cycle }, at, None);
+            self.memory.remarks.row(&BlocksBeforeContour { blocks: skipped, cycle }, self.block.spot, None);
         }
-        self.source().go_to(contour.behind)
+        self.go_to(contour.behind);
+        Ok(())
     }
 
     /// Goes on behind the contour of a cycle that was refused: its blocks are none of the program's own motions.
     pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Outcome<()> {
         // Where the blocks are not found there is no contour to pass over, and the cycle was refused for that.
         let Ok(ends) = self.contour_ends(cycle, [letter::P, letter::Q]) else { return Ok(()) };
-        let contour = (self.library.at(), ends.first_line());
-        if !self.modal.refused.contains(&contour) {
-            self.modal.refused.push(contour);
+        let next = self.memory.flow.next;
+        let contour = (next.text, ends.first_line());
+        if !self.state.modal.refused.contains(&contour) {
+            self.state.modal.refused.push(contour);
         }
-        let here = self.source().position();
-        if ends.last.line() <= here.lines {
-            return Ok(());
+        if ends.last.line() > next.line.lines {
+            let last = Mark { line: ends.last.at, ..next };
+            self.memory.flow.next = self.memory.library.line(last, &mut Vec::new())?.unwrap_or(last);
         }
-        self.source().go_to(ends.last.at)?;
-        self.source().next_line(&mut Vec::new())?;
         Ok(())
     }
 
     /// Whose alarms the control raises; none where its numbers are not known.
     pub(super) fn alarms(&self) -> Option<AlarmFamily> {
-        self.control.alarms
+        self.memory.control.alarms
     }
 
     /// True where the block has an axis word.

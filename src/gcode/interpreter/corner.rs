@@ -14,10 +14,11 @@
 use crate::finding::{AlarmFamily, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{Block, EdgeWord, letter};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::modal::Modal;
+use crate::gcode::interpreter::{Reader, State};
 use crate::gcode::motion::Feed;
 use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
 use crate::gcode::turning::rules::{CornerBeforeNoMotion, CornerBeforeOtherMotion, CornerTwice, CornerWithoutLine};
@@ -35,10 +36,8 @@ const AXES: u32 = Letters::of("UWXZ").mask();
 pub(super) struct Corner {
     word: EdgeWord,
     edge: Edge,
-    line: usize,
-    n: Option<u32>,
-    /// The text that its block stands in.
-    text: usize,
+    /// Its block.
+    spot: Spot,
     from: Pose,
     feed: Feed,
     /// What was in force in its block.
@@ -84,7 +83,7 @@ impl Block {
     }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Refuses `,C` and `,R` of the block in hand beside anything but a line at feed.
     pub(super) fn edge_fits(&self, motion: Option<G>) -> Outcome<()> {
         let Some(word) = self.block.edge else { return Ok(()) };
@@ -98,7 +97,7 @@ impl Interpreter<'_> {
     /// I, K or R of a line at feed in hand becomes its edge.
     pub(super) fn take_square_edge(&mut self, motion: Option<G>) -> Outcome<()> {
         let line = motion == Some(G::Linear) && self.block.present & AXES != 0;
-        if !self.control.corners.by_words() || !line || self.block.g(Group::NonModal).is_some() {
+        if !self.memory.control.corners.by_words() || !line || self.block.g(Group::NonModal).is_some() {
             return Ok(());
         }
         for (letter, name, axis) in [(letter::I, "I", Some(0)), (letter::K, "K", Some(1)), (letter::R, "R", None)] {
@@ -117,14 +116,14 @@ impl Interpreter<'_> {
     /// Refuses the corner where the block in hand does not go on from it with a line at feed; the block itself is executed.
     pub(super) fn corner_goes_on(&mut self) {
         let block = &self.block;
-        if self.corner.is_none() || block.says_nothing() {
+        if self.memory.corner.is_none() || block.says_nothing() {
             return;
         }
         let allowed = [Group::Motion, Group::CutterCompensation, Group::Speed, Group::Feed];
         let other = block.groups & !allowed.into_iter().fold(0, |groups, group| groups | 1 << group as u16);
         let moves = other == 0 && block.present & AXES != 0;
         let goes_on = moves
-            && block.g(Group::Motion).unwrap_or(self.modal.motion) == G::Linear
+            && block.g(Group::Motion).unwrap_or(self.state.modal.motion) == G::Linear
             && !block.has(letter::T)
             && matches!(block.m(4), None | Some((M::Pause, _)));
         if !goes_on {
@@ -134,62 +133,58 @@ impl Interpreter<'_> {
 
     /// The program does not go on from a corner: its line is made whole, and the corner refused.
     pub(super) fn lose_corner(&mut self, motion: bool) {
-        if let Some(corner) = self.corner.take() {
-            let fault = corner.word.alone(corner.line, motion);
+        if let Some(corner) = self.memory.corner.take() {
+            let fault = corner.word.alone(corner.spot.line, motion);
             self.refuse_corner(corner, fault);
         }
     }
 
     /// Hands out the refusal of a corner, and its line, which is made whole. The program goes on.
     fn refuse_corner(&mut self, corner: Corner, mut fault: Box<Fault>) {
-        fault.file = self.library.file(corner.text).cloned();
-        self.queue.push_back(Err(fault));
+        fault.file = self.memory.library.file(corner.spot.text).cloned();
+        self.memory.queue.push_back(Err(fault));
         self.make_corner(corner, None);
     }
 
     /// The line of a corner is made whole, as what should follow it is refused.
     pub(super) fn leave_corner(&mut self) {
-        if let Some(corner) = self.corner.take() {
+        if let Some(corner) = self.memory.corner.take() {
             self.make_corner(corner, None);
         }
     }
 
     /// A line at feed, behind a corner and before one.
     pub(super) fn line_at_feed(&mut self, to: Pose, feed: Feed) -> Outcome<()> {
-        if let Some(corner) = self.corner.take() {
-            let points = [corner.from, self.current, to].map(|pose| point(&pose));
+        if let Some(corner) = self.memory.corner.take() {
+            let points = [corner.from, self.state.at, to].map(|pose| point(&pose));
             match broken(points, corner.edge, corner.word.square) {
                 Ok(broken) => self.make_corner(corner, broken),
                 Err(trouble) => {
-                    let fault = corner.word.trouble(corner.line, &trouble);
+                    let fault = corner.word.trouble(corner.spot.line, &trouble);
                     self.refuse_corner(corner, fault);
                 }
             }
         }
         let way = Move { way: Way::Feed(None), to: point(&to), line: None };
         let Some(word) = self.block.edge else { return self.make_way(&way, Some(feed)) };
-        self.corner = Some(Corner {
+        self.memory.corner = Some(Corner {
             word,
-            edge: word.edge(self.modal.unit),
-            line: self.line,
-            n: self.block.n,
-            text: self.library.at(),
-            from: self.current,
+            edge: word.edge(self.state.modal.unit),
+            spot: self.block.spot,
+            from: self.state.at,
             feed,
-            modal: self.modal.clone(),
+            modal: self.state.modal.clone(),
         });
-        self.current = to;
+        self.state.at = to;
         Ok(())
     }
 
-    /// Makes the line up to a corner that was held back, and its edge, as in its own block.
+    /// Makes the line up to a corner that was held back, and its edge, as in its own block and with what was in force there.
     fn make_corner(&mut self, corner: Corner, broken: Option<Broken>) {
-        let whole = point(&self.current);
-        let (line, n) = (self.line, self.block.n);
-        let modal = std::mem::replace(&mut self.modal, corner.modal);
-        let text = self.library.turn_to(corner.text);
-        self.turn_remarks();
-        (self.line, self.block.n, self.current) = (corner.line, corner.n, corner.from);
+        let whole = point(&self.state.at);
+        let mut block = Block::at(corner.spot);
+        let mut state = State { modal: corner.modal, frame: self.state.frame, at: corner.from };
+        let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut state };
         let straight = |to| Move { way: Way::Feed(None), to, line: None };
         let end = broken.map_or(whole, |broken| broken.from);
         let edge = broken.map(|Broken { to, arc, .. }| match arc {
@@ -199,12 +194,9 @@ impl Interpreter<'_> {
         let line_before = (end != point(&corner.from)).then(|| straight(end));
         for way in line_before.into_iter().chain(edge) {
             // A motion at a feed that is given is never refused.
-            let _ = self.make_way(&way, Some(corner.feed));
+            let _ = reader.make_way(&way, Some(corner.feed));
         }
-        self.modal = modal;
-        self.library.turn_to(text);
-        self.turn_remarks();
-        (self.line, self.block.n) = (line, n);
+        self.state.at = state.at;
     }
 }
 

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::finding::{Finding, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Codes;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::AXES;
 use crate::gcode::interpreter::block::letter::{F, S, T, U, W};
 use crate::gcode::interpreter::cursor::comments;
@@ -95,15 +95,15 @@ fn of_code(number: f64, codes: &Codes) -> State {
     }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// What a line that was refused would have put into force, by its letters: more rather than less.
-    fn doubt_line(&mut self) {
-        let mut line = self.buffer.to_ascii_uppercase();
-        if let Ok(comments) = comments(&self.buffer, self.control.lexis.comments) {
+    fn doubt_line(&mut self, text: &[u8], refused: usize) {
+        let mut line = text.to_ascii_uppercase();
+        if let Ok(comments) = comments(text, self.memory.control.lexis.comments) {
             for (column, text) in comments {
                 line.iter_mut().skip(column).take(text.len() + 2).for_each(|byte| *byte = b' ');
             }
-        } else if self.control.lexis.comments.in_parentheses() {
+        } else if self.memory.control.lexis.comments.in_parentheses() {
             line.truncate(line.iter().position(|byte| *byte == b'(').unwrap_or(line.len()));
         }
         line.retain(|byte| !byte.is_ascii_whitespace());
@@ -111,12 +111,12 @@ impl Interpreter<'_> {
         for (at, &byte) in line.iter().enumerate() {
             let index = usize::from(byte.wrapping_sub(b'A'));
             state |= match byte {
-                b'U' if self.control.axes.by_letters() => axis(Axis::X),
-                b'W' if self.control.axes.by_letters() => axis(Axis::Z),
+                b'U' if self.memory.control.axes.by_letters() => axis(Axis::X),
+                b'W' if self.memory.control.axes.by_letters() => axis(Axis::Z),
                 b'F' => FEED,
                 b'S' => SPEED,
                 b'T' | b'D' | b'H' => TOOL,
-                b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.control.codes)),
+                b'G' => number(&line, at + 1).map_or(MOTION, |code| of_code(code, self.memory.control.codes)),
                 b'M' => match number(&line, at + 1) {
                     Some(code) if code == 6.0 || code == 61.0 => TOOL,
                     _ => SPINDLE,
@@ -125,33 +125,33 @@ impl Interpreter<'_> {
                 b'#' => {
                     let name = line.get(at + 1..).unwrap_or_default().split(|byte| *byte == b'=').next();
                     let name = String::from_utf8_lossy(name.unwrap_or_default()).to_ascii_lowercase();
-                    self.doubts.parameters.insert(name);
+                    self.memory.doubts.parameters.insert(name);
                     PARAMETERS
                 }
                 _ => AXES.iter().position(|&one| one == index).map_or(0, |axis| 1 << axis),
             };
         }
-        self.doubts.state |= state;
-        let file = self.source().file.clone();
-        self.doubts.since.get_or_insert((file, self.line));
+        self.memory.doubts.state |= state;
+        let file = self.memory.library.file(self.block.spot.text).cloned();
+        self.memory.doubts.since.get_or_insert((file, refused));
     }
 
     /// True where a refusal follows from what is in doubt: it is counted and not told. What its block would have put into
     /// force is in doubt in any case.
-    pub(super) fn follows(&mut self, fault: &Fault) -> bool {
+    pub(super) fn follows(&mut self, fault: &Fault, line: &[u8]) -> bool {
         // What a control does not make of a cycle changes the part: that is told.
-        let follows = self.doubts.state & fault.hangs != 0 && !fault.fatal && !fault.uncut;
+        let follows = self.memory.doubts.state & fault.hangs != 0 && !fault.fatal && !fault.uncut;
         if follows {
-            self.doubts.left_out += 1;
-            self.doubts.because |= self.doubts.state & fault.hangs;
+            self.memory.doubts.left_out += 1;
+            self.memory.doubts.because |= self.memory.doubts.state & fault.hangs;
         }
-        self.doubt_line();
+        self.doubt_line(line, if fault.line == 0 { self.block.spot.line } else { fault.line });
         follows
     }
 
     /// A block was executed: what it put into force is certain again.
     pub(super) fn certain(&mut self) {
-        if self.doubts.state == 0 {
+        if self.memory.doubts.state == 0 {
             return;
         }
         let block = &self.block;
@@ -167,25 +167,27 @@ impl Interpreter<'_> {
         if matches!(block.m(7), Some((M::Spindle(_) | M::SpindleOff, _))) {
             known |= SPINDLE;
         }
-        let state = self.doubts.state & !known;
+        let state = self.memory.doubts.state & !known;
         let moved = matches!(block.g(Group::NonModal), None | Some(G::MachineCoordinates));
-        if moved && !self.modal.incremental && state & (UNIT | DISTANCE) == 0 {
+        if moved && !self.state.modal.incremental && state & (UNIT | DISTANCE) == 0 {
             for (index, &letter) in AXES.iter().enumerate() {
-                let increment = self.control.axes.by_letters() && (letter == U || letter == W);
+                let increment = self.memory.control.axes.by_letters() && (letter == U || letter == W);
                 known |= if block.has(letter) && !increment { 1 << index } else { 0 };
             }
         }
-        self.doubts.state &= !known;
+        self.memory.doubts.state &= !known;
     }
 
     /// What a parameter that is not defined hangs on.
     pub(super) fn doubt_of(&self, name: &str) -> State {
-        if self.doubts.parameters.contains(name) { PARAMETERS } else { 0 }
+        if self.memory.doubts.parameters.contains(name) { PARAMETERS } else { 0 }
     }
+}
 
+impl Doubts {
     /// The sentence about the refusals that were left out.
     pub(super) fn left_out(&self) -> Option<Finding> {
-        let Doubts { left_out, because, since, .. } = &self.doubts;
+        let Self { left_out, because, since, .. } = self;
         let (file, line) = since.as_ref().filter(|_| *left_out > 0)?;
         let mut names: Vec<(String, String)> = Axis::ALL
             .into_iter()

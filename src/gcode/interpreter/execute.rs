@@ -11,7 +11,7 @@ use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
     AxesClaimedTwice, AxesWithCancel, AxesWithoutMotion, CycleWithoutAxes, FeedMissing, InverseTimeWithoutF,
@@ -32,14 +32,14 @@ struct Plan {
     used: u32,
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Executes the block in hand.
     pub(super) fn execute(&mut self) -> Outcome<()> {
         self.corner_goes_on();
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
         }
-        if self.control.axes.by_letters() {
+        if self.memory.control.axes.by_letters() {
             self.one_word_an_axis()?;
             self.no_increments()?;
         }
@@ -47,12 +47,12 @@ impl Interpreter<'_> {
         self.rotary_words()?;
         self.take_square_edge(plan.motion)?;
         self.edge_fits(plan.motion)?;
-        let idle = self.block.present & !plan.used & !self.control.lexis.free.mask();
+        let idle = self.block.present & !plan.used & !self.memory.control.lexis.free.mask();
         if idle != 0 {
             return Err(self.unused(idle));
         }
         let compensated = self.block.g(Group::CutterCompensation).is_some();
-        if self.control.radius.cutter() && (compensated || self.modal.compensation != Compensation::Off) {
+        if self.memory.control.radius.cutter() && (compensated || self.state.modal.compensation != Compensation::Off) {
             self.beside_cutter(plan.motion)?;
         }
         if self.block.groups & !(1 << Group::Motion as u16) != 0 || self.block.has_machine_codes() {
@@ -65,20 +65,20 @@ impl Interpreter<'_> {
     }
 
     fn execute_codes(&mut self, motion: Option<G>) -> Outcome<()> {
-        let unit_first = self.control.order.unit_first();
+        let unit_first = self.memory.control.order.unit_first();
         if unit_first {
             self.take_unit();
         }
         self.begin_codes()?;
         let at_once = self.block.g(Group::NonModal);
         if let Some(G::Plane(plane)) = self.block.g(Group::Plane) {
-            self.modal.plane = plane;
+            self.state.modal.plane = plane;
         }
         if !unit_first {
             self.take_unit();
         }
         match self.block.g(Group::CutterCompensation) {
-            Some(code) if self.control.radius.cutter() => self.cutter_compensation(code)?,
+            Some(code) if self.memory.control.radius.cutter() => self.cutter_compensation(code)?,
             Some(G::Compensation(side)) => self.set_compensation(side)?,
             _ => {}
         }
@@ -93,18 +93,18 @@ impl Interpreter<'_> {
             }
         }
         match self.block.g(Group::Distance) {
-            Some(G::Absolute) => self.modal.incremental = false,
-            Some(G::Incremental) => self.modal.incremental = !self.control.axes.by_letters(),
+            Some(G::Absolute) => self.state.modal.incremental = false,
+            Some(G::Incremental) => self.state.modal.incremental = !self.memory.control.axes.by_letters(),
             _ => {}
         }
         match self.block.g(Group::Centre) {
-            Some(G::CentreAbsolute) => self.modal.centre_absolute = true,
-            Some(G::CentreIncremental) => self.modal.centre_absolute = false,
+            Some(G::CentreAbsolute) => self.state.modal.centre_absolute = true,
+            Some(G::CentreIncremental) => self.state.modal.centre_absolute = false,
             _ => {}
         }
         match self.block.g(Group::Retract) {
-            Some(G::ReturnInitial) => self.modal.return_initial = Some(true),
-            Some(G::ReturnR) => self.modal.return_initial = Some(false),
+            Some(G::ReturnInitial) => self.state.modal.return_initial = Some(true),
+            Some(G::ReturnR) => self.state.modal.return_initial = Some(false),
             _ => {}
         }
         match at_once {
@@ -115,7 +115,7 @@ impl Interpreter<'_> {
             Some(G::SetPosition) => self.set_position(),
             Some(G::SetPositionOrSpeed) => self.set_position_or_speed()?,
             Some(G::Turning(cycle)) => self.turning(cycle)?,
-            Some(G::MachineCoordinates) if self.modal.incremental => {
+            Some(G::MachineCoordinates) if self.state.modal.incremental => {
                 return Err(Fault::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]));
             }
             _ => {}
@@ -123,19 +123,19 @@ impl Interpreter<'_> {
         if let Some(code) = self.block.g(Group::SetPosition) {
             self.change_position(code);
         }
-        if self.control.order.motion_beside()
+        if self.memory.control.order.motion_beside()
             && let Some(code) = at_once.filter(|code| *code != G::Dwell)
         {
-            self.modal.pass = None;
+            self.state.modal.pass = None;
             if let Some(under) = self.block.g(Group::Motion).filter(|_| one_shot(code)) {
                 self.lathe_motion(under);
-                self.modal.motion = under;
+                self.state.modal.motion = under;
             }
         }
         if let Some(motion) = motion {
             self.make_motion(motion)?;
         }
-        if self.control.order.off_last() {
+        if self.memory.control.order.off_last() {
             self.machine_codes_after()?;
         }
         match self.block.m(4) {
@@ -178,7 +178,7 @@ impl Interpreter<'_> {
         let given = matches!(length, Some(G::ToolLengthGiven | G::ToolLengthAdded));
         // A dwell may carry its time on an axis letter.
         let dwell: u32 = if at_once == Some(G::Dwell) {
-            self.control.lexis.dwell.iter().map(|dwell| 1 << dwell.index()).sum::<u32>() & block.present
+            self.memory.control.lexis.dwell.iter().map(|dwell| 1 << dwell.index()).sum::<u32>() & block.present
         } else {
             0
         };
@@ -187,8 +187,8 @@ impl Interpreter<'_> {
         let takes_axes = takes_axes || shifts;
         let motion = match explicit {
             // G80 ends a cycle; the motion code that was in force before it is so again.
-            Some(G::Cancel) if self.control.cancel.restores() && axes != 0 && !takes_axes => {
-                Some(self.modal.under_cycle())
+            Some(G::Cancel) if self.memory.control.cancel.restores() && axes != 0 && !takes_axes => {
+                Some(self.state.modal.under_cycle())
             }
             Some(G::Cancel) if axes != 0 && !takes_axes => {
                 return Err(self.axes_without_use(&AxesWithCancel {}));
@@ -196,7 +196,7 @@ impl Interpreter<'_> {
             Some(G::Cancel) => Some(G::Cancel),
             // The axis words are the one-shot code's; the motion code is in force from here on.
             Some(G::Rapid | G::Linear | G::Arc(_))
-                if self.control.order.motion_beside() && at_once.is_some_and(one_shot) =>
+                if self.memory.control.order.motion_beside() && at_once.is_some_and(one_shot) =>
             {
                 None
             }
@@ -211,23 +211,23 @@ impl Interpreter<'_> {
             }
             Some(motion) => Some(motion),
             None if takes_axes || (given && axes != 0) => None,
-            None if axes != 0 && self.modal.motion == G::Cancel && at_once != Some(G::MachineCoordinates) => {
+            None if axes != 0 && self.state.modal.motion == G::Cancel && at_once != Some(G::MachineCoordinates) => {
                 return Err(self.axes_without_use(&AxesWithoutMotion {}));
             }
-            None if axes != 0 => Some(self.modal.motion),
-            None if block.has(letter::R) && matches!(self.modal.motion, G::Pass(_)) && at_once.is_none() => {
-                Some(self.modal.motion)
+            None if axes != 0 => Some(self.state.modal.motion),
+            None if block.has(letter::R) && matches!(self.state.modal.motion, G::Pass(_)) && at_once.is_none() => {
+                Some(self.state.modal.motion)
             }
-            None if block.present & !dwell & CENTRE_WORDS != 0 && matches!(self.modal.motion, G::Arc(_)) => {
-                Some(self.modal.motion)
+            None if block.present & !dwell & CENTRE_WORDS != 0 && matches!(self.state.modal.motion, G::Arc(_)) => {
+                Some(self.state.modal.motion)
             }
             None => None,
         };
         if axes == 0 && matches!(at_once, Some(G::LocalOffset | G::SetPosition)) {
             return Err(Fault::of(&SetPositionWithoutAxes {}, &[block.g_column(Group::NonModal)]));
         }
-        let by_rapid =
-            self.control.machine_move.by_itself() && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
+        let by_rapid = self.memory.control.machine_move.by_itself()
+            && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
         if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
             return Err(
                 Fault::of(&MachineMoveWithoutMotion {}, &[block.g_column(Group::NonModal)]).hanging_on(doubt::MOTION)
@@ -242,8 +242,8 @@ impl Interpreter<'_> {
             used |= AXIS_WORDS;
         }
         used |= match motion {
-            Some(G::Arc(_)) => self.control.arcs.letters.mask(),
-            Some(G::Cycle(cycle)) => self.control.drilling.letters(cycle).mask(),
+            Some(G::Arc(_)) => self.memory.control.arcs.letters.mask(),
+            Some(G::Cycle(cycle)) => self.memory.control.drilling.letters(cycle).mask(),
             Some(G::Pass(SinglePassCycle::Thread)) => Letters::of("QR").mask(),
             Some(G::Pass(_)) => Letters::of("R").mask(),
             Some(G::Thread(false)) => Letters::of("Q").mask(),
@@ -261,14 +261,14 @@ impl Interpreter<'_> {
         let mut used = match at_once {
             Some(G::SetOffsets) => Letters::of("LPRQIJ").mask(),
             Some(G::Turning(cycle)) => cycle.letters().mask(),
-            Some(G::Reference(true)) => self.control.reference.letters().mask(),
+            Some(G::Reference(true)) => self.memory.control.reference.letters().mask(),
             _ => 0,
         };
         if matches!(length, Some(G::ToolLength | G::ToolLengthAdded)) {
             used |= Letters::of("H").mask();
         }
         used |= match self.block.g(Group::CutterCompensation) {
-            Some(G::Compensation(side)) if self.control.radius.cutter() && side != Compensation::Off => {
+            Some(G::Compensation(side)) if self.memory.control.radius.cutter() && side != Compensation::Off => {
                 Letters::of("D").mask()
             }
             Some(G::CompensationGiven(_)) => Letters::of("DL").mask(),
@@ -300,7 +300,7 @@ impl Interpreter<'_> {
         }
         match self.block.m(4) {
             Some((M::Call | M::CallBlock, _)) => used |= Letters::of("PL").mask(),
-            Some((M::Return, _)) if self.control.calls.by.beside_motion() => used |= Letters::of("P").mask(),
+            Some((M::Return, _)) if self.memory.control.calls.by.beside_motion() => used |= Letters::of("P").mask(),
             _ => {}
         }
         used
@@ -314,9 +314,9 @@ impl Interpreter<'_> {
     pub(super) fn unused(&self, idle: u32) -> Box<Fault> {
         let index = idle.trailing_zeros() as usize;
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
-        let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
+        let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
         let meant = match (motion, name) {
-            (G::Linear, 'I' | 'K' | 'R') if self.control.corners.by_words() => {
+            (G::Linear, 'I' | 'K' | 'R') if self.memory.control.corners.by_words() => {
                 Some(without_line(&name.to_string(), self.block.column(index)))
             }
             (G::Thread(_), 'Q') => Some(Fault::of(&ThreadStartAngle {}, &[self.block.column(index)])),
@@ -330,19 +330,19 @@ impl Interpreter<'_> {
 
     fn make_motion(&mut self, motion: G) -> Outcome<()> {
         let moves = motion != G::Cancel && self.block.present & AXIS_WORDS != 0;
-        self.distances[usize::from(self.modal.incremental)] |= moves;
+        self.memory.distances[usize::from(self.state.modal.incremental)] |= moves;
         if !matches!(motion, G::Cycle(_)) {
-            self.modal.sticky.initial = None;
+            self.state.modal.sticky.initial = None;
         }
-        if self.control.cancel.restores() {
+        if self.memory.control.cancel.restores() {
             self.lathe_motion(motion);
         }
         match motion {
-            _ if self.control.machine_move.by_itself()
+            _ if self.memory.control.machine_move.by_itself()
                 && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) =>
             {
                 // Fanuc's G53 moves at rapid whatever is in force, which is so again afterwards.
-                self.modal.motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
+                self.state.modal.motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
                 if self.block.present & AXIS_WORDS != 0 {
                     let to = self.end_point();
                     self.emit(MotionKind::Rapid, to, None);
@@ -351,14 +351,14 @@ impl Interpreter<'_> {
             }
             G::Rapid | G::Linear => {
                 let feed = if motion == G::Linear { Some(self.feed()?) } else { None };
-                self.modal.motion = motion;
+                self.state.modal.motion = motion;
                 if self.block.present & AXIS_WORDS == 0 {
                     return Ok(());
                 }
                 let to = self.end_point();
                 match feed {
                     None => self.emit(MotionKind::Rapid, to, None),
-                    Some(feed) if self.control.corners.by_words() => return self.line_at_feed(to, feed),
+                    Some(feed) if self.memory.control.corners.by_words() => return self.line_at_feed(to, feed),
                     Some(feed) => {
                         let seconds = self.straight_seconds(&to, feed);
                         self.emit(MotionKind::Feed(feed), to, seconds);
@@ -370,12 +370,12 @@ impl Interpreter<'_> {
             G::Cycle(cycle) => self.drill(cycle),
             G::Thread(changing) => self.thread(changing),
             G::Pass(pass) => self.pass(pass),
-            G::Cancel if self.control.cancel.restores() => {
-                self.modal.motion = self.modal.under_cycle();
+            G::Cancel if self.memory.control.cancel.restores() => {
+                self.state.modal.motion = self.state.modal.under_cycle();
                 Ok(())
             }
             _ => {
-                self.modal.motion = G::Cancel;
+                self.state.modal.motion = G::Cancel;
                 Ok(())
             }
         }
@@ -383,7 +383,7 @@ impl Interpreter<'_> {
 
     /// The feed in force, for a motion at feed.
     pub(super) fn feed(&mut self) -> Outcome<Feed> {
-        let mode = self.modal.feed_mode;
+        let mode = self.state.modal.feed_mode;
         match mode {
             FeedMode::InverseTime | FeedMode::Seconds if self.block.get(letter::F).is_none_or(|F| F <= 0.0) => {
                 let fault = if self.block.has(letter::F) {
@@ -393,40 +393,40 @@ impl Interpreter<'_> {
                 };
                 return Err(fault.hanging_on(doubt::FEED));
             }
-            FeedMode::PerMinute | FeedMode::PerRevolution if self.modal.feed <= 0.0 => {
-                if self.control.feed.missing.refused() || self.block.has(letter::F) {
+            FeedMode::PerMinute | FeedMode::PerRevolution if self.state.modal.feed <= 0.0 => {
+                if self.memory.control.feed.missing.refused() || self.block.has(letter::F) {
                     return Err(Fault::of(&FeedMissing {}, &[]).hanging_on(doubt::FEED));
                 }
-                let line = self.line;
-                self.remarks.row(&NoFeed {}, line, None);
+                let spot = self.block.spot;
+                self.memory.remarks.row(&NoFeed {}, spot, None);
             }
-            FeedMode::PerRevolution if self.modal.speed <= 0.0 && self.control.feed.missing.refused() => {
+            FeedMode::PerRevolution if self.state.modal.speed <= 0.0 && self.memory.control.feed.missing.refused() => {
                 return Err(Fault::of(&SpindleStill {}, &[]).hanging_on(doubt::SPEED));
             }
             _ => {}
         }
-        if self.modal.feed_stale {
+        if self.state.modal.feed_stale {
             self.remark_stale_feed();
         }
-        Ok(Feed { mode, value: self.modal.feed })
+        Ok(Feed { mode, value: self.state.modal.feed })
     }
 
     /// Where the axis words of the block lead, in program coordinates.
     pub(super) fn end_point(&mut self) -> Pose {
-        let unit = self.modal.unit;
+        let unit = self.state.modal.unit;
         let machine = self.block.groups & (1 << Group::NonModal as u16) != 0
             && self.block.g(Group::NonModal) == Some(G::MachineCoordinates);
-        let mut to = if machine { self.frame.to_machine(&self.current) } else { self.current };
+        let mut to = if machine { self.state.frame.to_machine(&self.state.at) } else { self.state.at };
         for (letter, axis) in AXES.into_iter().zip(Axis::ALL) {
             if let Some(word) = self.block.get(letter) {
                 let value = if axis.rotary() { word } else { unit.to_mm(word) };
-                let value = self.control.axes.coordinate(axis, value);
-                if let Some(onto) = self.control.axes.increment(axis) {
-                    to.set(onto, self.current.get(onto) + self.control.axes.coordinate(onto, value));
-                } else if self.modal.incremental && !machine {
-                    to.set(axis, self.current.get(axis) + value);
+                let value = self.memory.control.axes.coordinate(axis, value);
+                if let Some(onto) = self.memory.control.axes.increment(axis) {
+                    to.set(onto, self.state.at.get(onto) + self.memory.control.axes.coordinate(onto, value));
+                } else if self.state.modal.incremental && !machine {
+                    to.set(axis, self.state.at.get(axis) + value);
                 } else if axis.rotary() {
-                    let at = match self.setting.rotary {
+                    let at = match self.memory.setting.rotary {
                         Rotary::Linear => value,
                         Rotary::Rollover => self.rolled(axis, value, to.get(axis)),
                     };
@@ -436,10 +436,10 @@ impl Interpreter<'_> {
                 }
             }
         }
-        if self.control.turns() && !machine && to.get(Axis::X) < 0.0 {
+        if self.memory.control.turns() && !machine && to.get(Axis::X) < 0.0 {
             self.remark_beyond_axis(&to);
         }
-        if machine { self.frame.to_program(&to) } else { to }
+        if machine { self.state.frame.to_program(&to) } else { to }
     }
 
     /// The time of a straight motion at feed.
@@ -447,7 +447,7 @@ impl Interpreter<'_> {
         if self.by_revolution(feed) {
             return self.turned_seconds(to, feed);
         }
-        let length = self.control.feed.path.length(&to.differences(&self.current), self.modal.unit);
+        let length = self.memory.control.feed.path.length(&to.differences(&self.state.at), self.state.modal.unit);
         self.seconds(length, feed)
     }
 
@@ -458,8 +458,8 @@ impl Interpreter<'_> {
             FeedMode::PerMinute => length * 60.0 / value,
             FeedMode::InverseTime => 60.0 / value,
             FeedMode::Seconds => value,
-            FeedMode::PerRevolution if self.modal.constant_surface_speed => return None,
-            FeedMode::PerRevolution => length * 60.0 / (value * self.modal.speed),
+            FeedMode::PerRevolution if self.state.modal.constant_surface_speed => return None,
+            FeedMode::PerRevolution => length * 60.0 / (value * self.state.modal.speed),
         };
         seconds.is_finite().then_some(seconds)
     }
@@ -469,21 +469,21 @@ impl Interpreter<'_> {
     pub(super) fn emit(&mut self, kind: MotionKind, to: Pose, seconds: Option<f64>) {
         self.see_turn(kind, &to);
         let motion = Motion {
-            line: self.line,
-            n: self.block.n,
+            line: self.block.spot.line,
+            n: self.block.spot.n,
             kind,
-            from: self.current,
+            from: self.state.at,
             to,
-            machine: self.frame.to_machine(&to),
+            machine: self.state.frame.to_machine(&to),
             seconds,
         };
-        self.current = to;
+        self.state.at = to;
         self.moved();
-        match self.control.radius {
+        match self.memory.control.radius {
             RadiusRule::Nose(_) => self.hand_out(motion),
-            RadiusRule::Cutter if !self.milling.idle() => self.mill(motion),
+            RadiusRule::Cutter if !self.memory.milling.idle() => self.mill(motion),
             RadiusRule::Cutter | RadiusRule::None => {
-                self.queue.push_back(Ok((motion, self.modal.in_force(), self.made())));
+                self.memory.queue.push_back(Ok((motion, self.state.modal.in_force(), self.made())));
             }
         }
     }

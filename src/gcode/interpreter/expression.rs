@@ -4,7 +4,7 @@
 //! LinuxCNC, G-code overview: expressions, binary operators with their precedence, functions; angles in degrees.
 
 use crate::finding::Exit;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, no_number};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -101,7 +101,7 @@ impl Operator {
     }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// The number after a letter: decimal, expression, parameter or function, with its sign.
     pub(super) fn value(&mut self, cursor: &mut Cursor<'_>) -> Outcome<Decimal> {
         cursor.no_comment()?;
@@ -116,12 +116,12 @@ impl Interpreter<'_> {
                     b'-' | b'+' => {
                         return Err(Fault::of(&TwoSigns {}, &[column, cursor.column()]));
                     }
-                    _ if self.control.lexis.language.computes() => self.computed(cursor)?,
+                    _ if self.memory.control.lexis.language.computes() => self.computed(cursor)?,
                     _ => return Err(no_value(cursor)),
                 };
                 Ok(if sign == b'-' { Decimal { value: -number.value, ..number } } else { number })
             }
-            _ if self.control.lexis.language.computes() => self.computed(cursor),
+            _ if self.memory.control.lexis.language.computes() => self.computed(cursor),
             _ => Err(no_value(cursor)),
         }
     }
@@ -235,7 +235,7 @@ impl Interpreter<'_> {
         }
         let found = if cursor.peek() == b'<' {
             let name = cursor.name()?;
-            self.parameters.named(&name).is_some() || self.system_name(&name).is_some()
+            self.memory.parameters.named(&name).is_some() || self.system_name(&name).is_some()
         } else {
             (1..COUNT).contains(&self.parameter_number(cursor)?)
         };
@@ -260,7 +260,7 @@ impl Interpreter<'_> {
             if axis.is_some_and(|axis| matches!(axis.as_bytes(), [b'a'..=b'c' | b'u'..=b'z'])) {
                 self.position_is_known(column)?;
             }
-            return self.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
+            return self.memory.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
                 let doubt = self.doubt_of(&format!("<{name}>"));
                 Fault::of(&NameUnset { name }, &[column]).hanging_on(doubt)
             });
@@ -279,11 +279,11 @@ impl Interpreter<'_> {
         if self.is_input(number) {
             return Err(Fault::of(&InputUsed { number }, &[column]));
         }
-        if !self.parameters.known(number) {
-            let line = self.line;
-            self.remarks.row(&ParameterUnset { number }, line, Some(column));
+        if !self.memory.parameters.known(number) {
+            let spot = self.block.spot;
+            self.memory.remarks.row(&ParameterUnset { number }, spot, Some(column));
         }
-        Ok(self.parameters.get(number))
+        Ok(self.memory.parameters.get(number))
     }
 
     /// A parameter that is set: the cursor stands on `#`. The value takes effect after the block is read.

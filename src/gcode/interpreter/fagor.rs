@@ -7,7 +7,7 @@
 
 use crate::gcode::code::Group;
 use crate::gcode::control::Letters;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::turning::Move;
@@ -35,7 +35,7 @@ const fn letters(number: u8) -> (Letters, Letters) {
     }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// A cycle of the block in hand.
     pub(super) fn fagor(&mut self, number: u8) -> Outcome<()> {
         self.fagor_letters(number)?;
@@ -82,7 +82,7 @@ impl Interpreter<'_> {
     }
 
     fn length_given(&self, letter: usize) -> Option<f64> {
-        self.block.get(letter).map(|word| self.modal.unit.to_mm(word))
+        self.block.get(letter).map(|word| self.state.modal.unit.to_mm(word))
     }
 
     /// The initial point (X, Z), X the radius.
@@ -93,7 +93,7 @@ impl Interpreter<'_> {
     /// The final point (Q, R), Q a diameter as X is.
     fn last_point(&self) -> [f64; 2] {
         let Q = self.length(letter::Q);
-        [self.control.axes.x.coordinate(Q), self.length(letter::R)]
+        [self.memory.control.axes.x.coordinate(Q), self.length(letter::R)]
     }
 
     fn hundredths(&self, letter: usize) -> f64 {
@@ -170,8 +170,8 @@ impl Interpreter<'_> {
             dwell: self.hundredths(letter::K),
         };
         let moves = self.told(groove(self.here(), along, &parameters))?;
-        let (line, column) = (self.line, self.block.g_column(Group::NonModal));
-        self.remarks.row(&FagorGroovePoint { number }, line, Some(column));
+        let (spot, column) = (self.block.spot, self.block.g_column(Group::NonModal));
+        self.memory.remarks.row(&FagorGroovePoint { number }, spot, Some(column));
         Ok(moves)
     }
 }

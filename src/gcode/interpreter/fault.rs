@@ -1,6 +1,7 @@
 //! What the interpreter refuses, and what it remarks.
 
 use crate::finding::{AlarmFamily, Datum, Exit, Finding, Grade, Place, Raise, Rule, Size};
+use crate::gcode::interpreter::library::{Library, Spot};
 use crate::gcode::rules::geometry::HalfTurn;
 use crate::gcode::turning::trouble::Trouble;
 use crate::limits::REMARKS;
@@ -145,9 +146,8 @@ pub(super) type Outcome<T> = Result<T, Box<Fault>>;
 /// often it was seen.
 #[derive(Debug, Default)]
 pub(super) struct Remarks {
-    list: Vec<(u64, Finding)>,
-    /// The subprogram's own file that the line in hand stands in.
-    file: Option<String>,
+    /// How often each was seen, and the text that its line stands in.
+    list: Vec<(u64, usize, Finding)>,
     turns: Option<Turns>,
 }
 
@@ -155,50 +155,42 @@ pub(super) struct Remarks {
 #[derive(Debug)]
 struct Turns {
     count: u64,
-    first: Place,
+    first: Spot,
     /// Letter, degrees and line of the greatest.
     greatest: (char, f64, usize),
 }
 
 impl Remarks {
-    /// Says which file the lines to come stand in.
-    pub(super) fn turn_to(&mut self, file: Option<&String>) {
-        if self.file.as_ref() != file {
-            self.file = file.cloned();
-        }
-    }
-
-    /// Remarks a row at a line and column (counted from 0). Row and values tell one thing from another.
-    pub(super) fn row(&mut self, row: &dyn Raise, line: usize, column: Option<usize>) {
-        self.row_as(row.rule().grade, row, line, column);
+    /// Remarks a row at a place and column (counted from 0). Row and values tell one thing from another.
+    pub(super) fn row(&mut self, row: &dyn Raise, spot: Spot, column: Option<usize>) {
+        self.row_as(row.rule().grade, row, spot, column);
     }
 
     /// The same, less grave than the row is at its gravest.
-    pub(super) fn row_as(&mut self, grade: Grade, row: &dyn Raise, line: usize, column: Option<usize>) {
+    pub(super) fn row_as(&mut self, grade: Grade, row: &dyn Raise, spot: Spot, column: Option<usize>) {
         let (rule, data) = (row.rule(), row.carries());
         let same = |finding: &Finding| finding.is(rule) && finding.data == data;
-        if let Some((count, _)) = self.list.iter_mut().find(|(_, finding)| same(finding)) {
+        if let Some((count, ..)) = self.list.iter_mut().find(|(.., finding)| same(finding)) {
             *count += 1;
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, Finding { grade, ..row.at(place(self.file.as_deref(), line, columns)) }));
+            self.list.push((1, spot.text, Finding { grade, ..row.at(place(None, spot.line, columns)) }));
         }
     }
 
     /// Remarks what was found before the first line.
     pub(super) fn found(&mut self, finding: Finding) {
-        if let Some((count, _)) = self.list.iter_mut().find(|(_, other)| other.what == finding.what) {
+        if let Some((count, ..)) = self.list.iter_mut().find(|(.., other)| other.what == finding.what) {
             *count += 1;
         } else if self.list.len() < REMARKS {
-            self.list.push((1, Finding { place: place(None, 1, Vec::new()), ..finding }));
+            self.list.push((1, 0, Finding { place: place(None, 1, Vec::new()), ..finding }));
         }
     }
 
     /// Remarks a motion at feed that turns an axis by more than half a turn.
-    pub(super) fn turned(&mut self, line: usize, axis: char, degrees: f64) {
-        let first = || place(self.file.as_deref(), line, Vec::new());
-        let turns =
-            self.turns.get_or_insert_with(|| Turns { count: 0, first: first(), greatest: (axis, degrees, line) });
+    pub(super) fn turned(&mut self, spot: Spot, axis: char, degrees: f64) {
+        let line = spot.line;
+        let turns = self.turns.get_or_insert(Turns { count: 0, first: spot, greatest: (axis, degrees, line) });
         turns.count += 1;
         if degrees.abs() > turns.greatest.1.abs() {
             turns.greatest = (axis, degrees, line);
@@ -206,26 +198,30 @@ impl Remarks {
     }
 
     /// The remarks as findings, gravest first, with how often each was seen.
-    pub(super) fn findings(&self) -> Vec<Finding> {
+    pub(super) fn findings(&self, library: &Library<'_>) -> Vec<Finding> {
+        let file = |text: usize| library.file(text).map(String::as_str);
         let mut findings: Vec<Finding> = self
             .list
             .iter()
-            .map(|(count, finding)| {
+            .map(|(count, text, finding)| {
                 let mut finding = finding.clone();
+                if let Place::Line { line, columns } = finding.place {
+                    finding.place = place(file(*text), line, columns);
+                }
                 if *count > 1 {
                     finding.value = format!("{count} ×");
                 }
                 finding
             })
             .collect();
-        findings.extend(self.turns.as_ref().map(Turns::finding));
+        findings.extend(self.turns.as_ref().map(|turns| turns.finding(file(turns.first.text))));
         findings.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
         findings
     }
 }
 
 impl Turns {
-    fn finding(&self) -> Finding {
+    fn finding(&self, file: Option<&str>) -> Finding {
         let (axis, degrees, line) = self.greatest;
         let more = match self.count {
             1 => t("", ""),
@@ -235,6 +231,6 @@ impl Turns {
             ),
         };
         let degrees = Size::number(degrees, 3);
-        HalfTurn { axis, degrees, count: self.count, line, more }.at(self.first.clone())
+        HalfTurn { axis, degrees, count: self.count, line, more }.at(place(file, self.first.line, Vec::new()))
     }
 }

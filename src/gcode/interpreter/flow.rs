@@ -2,7 +2,7 @@
 
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::CallBy;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::context::Context;
 use crate::gcode::interpreter::cursor::Cursor;
@@ -22,18 +22,21 @@ use crate::limits::CALL_REPEATS;
 /// Most bytes of a subprogram's own file.
 pub(super) const LARGEST_FILE: usize = 16 << 20;
 
+/// REPEAT loops in hand: the O-word and how many rounds are left.
+type Loops = Vec<(usize, i64)>;
+
 /// A call that has not returned.
 #[derive(Debug)]
 pub(super) struct Call {
     label: String,
     back: Mark,
-    /// The caller's #1 to #30; `None` for M98, which shares them.
-    saved: Option<Vec<(f64, bool)>>,
+    /// It has #1 to #30 of its own; M98 shares the caller's.
+    own: bool,
     /// How often M98 still runs it, and where it begins.
     again: i64,
     start: Mark,
-    /// The loops that were open in the caller.
-    loops: Vec<(usize, i64)>,
+    /// The loops in it.
+    loops: Loops,
     /// What M70 or M73 has kept in it.
     context: Context,
 }
@@ -41,7 +44,7 @@ pub(super) struct Call {
 impl Call {
     /// A call that shares its parameters with the caller and runs some times.
     pub(super) fn of(label: String, back: Mark, times: i64, start: Mark) -> Self {
-        Self { label, back, saved: None, again: times - 1, start, loops: Vec::new(), context: Context::default() }
+        Self { label, back, own: false, again: times - 1, start, loops: Vec::new(), context: Context::default() }
     }
 
     /// Where it begins once more, if it does; that is counted.
@@ -54,9 +57,11 @@ impl Call {
 /// Where the program is in its subprograms and loops.
 #[derive(Debug, Default)]
 pub(super) struct Flow {
+    /// Where the next line begins.
+    pub(super) next: Mark,
     pub(super) frames: Vec<Call>,
-    /// REPEAT loops in hand: the O-word and how many rounds are left.
-    loops: Vec<(usize, i64)>,
+    /// The loops outside of all calls.
+    loops: Loops,
     /// The line in hand was reached as the next clause of an IF.
     clause: bool,
     /// What M70 or M73 has kept outside of all calls.
@@ -64,17 +69,22 @@ pub(super) struct Flow {
 }
 
 impl Flow {
+    /// The loops of the call in hand, or of the program where there is none.
+    fn loops(&mut self) -> &mut Loops {
+        self.frames.last_mut().map_or(&mut self.loops, |call| &mut call.loops)
+    }
+
     /// What the call in hand has kept, or the program where there is none.
     pub(super) fn context(&mut self) -> &mut Context {
         self.frames.last_mut().map_or(&mut self.main, |call| &mut call.context)
     }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// The O-words of the file in hand.
     fn structure(&mut self) -> Outcome<&Structure> {
-        let at = self.library.at();
-        self.library.structure(at, &self.control.lexis)
+        let at = self.memory.flow.next.text;
+        self.memory.library.structure(at, &self.memory.control.lexis)
     }
 
     fn mark(&mut self, index: Option<usize>) -> Outcome<OWord> {
@@ -86,14 +96,13 @@ impl Interpreter<'_> {
     }
 
     /// Goes on with a line of the text in hand.
-    pub(super) fn go_to(&mut self, position: Position) -> Outcome<()> {
-        self.source().go_to(position)
+    pub(super) const fn go_to(&mut self, position: Position) {
+        self.memory.flow.next.line = position;
     }
 
     /// Goes on with a line of any text.
-    pub(super) fn open(&mut self, mark: Mark) -> Outcome<()> {
-        self.library.turn_to(mark.text);
-        self.go_to(mark.line)
+    pub(super) const fn open(&mut self, mark: Mark) {
+        self.memory.flow.next = mark;
     }
 
     /// An O-word line; the cursor stands on O.
@@ -104,7 +113,7 @@ impl Interpreter<'_> {
     }
 
     fn steer(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
-        let clause = std::mem::take(&mut self.flow.clause);
+        let clause = std::mem::take(&mut self.memory.flow.clause);
         let column = cursor.column();
         cursor.pass();
         let name = match label(cursor)? {
@@ -121,14 +130,15 @@ impl Interpreter<'_> {
         if kind == Word::Call {
             return self.call(cursor, &name);
         }
-        let line = self.line;
+        let line = self.block.spot.line;
         let index = self.structure()?.on_line(line);
         let mark = self.mark(index)?;
         match kind {
             Word::Sub => {
                 let end = self.mark(mark.next)?;
                 self.nothing_more(cursor)?;
-                self.go_to(end.after)
+                self.go_to(end.after);
+                Ok(())
             }
             Word::EndSub => self.give_back(cursor, &name),
             Word::Return => {
@@ -156,12 +166,14 @@ impl Interpreter<'_> {
                     (Some(opens), true) => {
                         self.round_again()?;
                         let start = self.mark(Some(opens))?;
-                        self.go_to(start.after)
+                        self.go_to(start.after);
+                        Ok(())
                     }
                     (Some(_), false) | (None, true) => Ok(()),
                     (None, false) => {
                         let end = self.mark(mark.next)?;
-                        self.go_to(end.after)
+                        self.go_to(end.after);
+                        Ok(())
                     }
                 }
             }
@@ -169,20 +181,22 @@ impl Interpreter<'_> {
                 self.nothing_more(cursor)?;
                 self.round_again()?;
                 let start = self.mark(mark.opens)?;
-                self.go_to(start.at)
+                self.go_to(start.at);
+                Ok(())
             }
             Word::Repeat => self.repeat(cursor, &mark, index),
             Word::EndRepeat => {
                 self.nothing_more(cursor)?;
                 let opens = mark.opens;
-                match self.flow.loops.last_mut() {
+                match self.memory.flow.loops().last_mut() {
                     Some((open, left)) if Some(*open) == opens && *left > 1 => {
                         *left -= 1;
                         let start = self.mark(opens)?;
-                        self.go_to(start.after)
+                        self.go_to(start.after);
+                        Ok(())
                     }
                     _ => {
-                        self.flow.loops.pop();
+                        self.memory.flow.loops().pop();
                         Ok(())
                     }
                 }
@@ -212,10 +226,12 @@ impl Interpreter<'_> {
     fn next_clause(&mut self, mark: &OWord) -> Outcome<()> {
         let next = self.mark(mark.next)?;
         if next.word == Word::EndIf {
-            self.go_to(next.after)
+            self.go_to(next.after);
+            Ok(())
         } else {
-            self.flow.clause = true;
-            self.go_to(next.at)
+            self.memory.flow.clause = true;
+            self.go_to(next.at);
+            Ok(())
         }
     }
 
@@ -223,7 +239,8 @@ impl Interpreter<'_> {
         let structure = self.structure()?;
         let end = index.and_then(|index| structure.end_of_clauses(index));
         let end = self.mark(end)?;
-        self.go_to(end.after)
+        self.go_to(end.after);
+        Ok(())
     }
 
     fn repeat(&mut self, cursor: &mut Cursor<'_>, mark: &OWord, index: Option<usize>) -> Outcome<()> {
@@ -233,10 +250,11 @@ impl Interpreter<'_> {
         let rounds = value.round().clamp(0.0, 1e12) as i64;
         if rounds == 0 {
             let end = self.mark(mark.next)?;
-            return self.go_to(end.after);
+            self.go_to(end.after);
+            return Ok(());
         }
         if let Some(index) = index {
-            self.flow.loops.push((index, rounds));
+            self.memory.flow.loops().push((index, rounds));
         }
         Ok(())
     }
@@ -249,18 +267,32 @@ impl Interpreter<'_> {
         let structure = self.structure()?;
         let inside: Vec<bool> = {
             let loops: Vec<usize> = structure.words.iter().map(|mark| mark.at.lines).collect();
-            self.flow.loops.iter().map(|(index, _)| loops.get(*index).is_some_and(|&line| line > start)).collect()
+            self.memory
+                .flow
+                .loops()
+                .iter()
+                .map(|(index, _)| loops.get(*index).is_some_and(|&line| line > start))
+                .collect()
         };
         let keep = inside.iter().position(|&inside| inside).unwrap_or(inside.len());
-        self.flow.loops.truncate(keep);
+        self.memory.flow.loops().truncate(keep);
         if !leave && opens.word != Word::Do {
             self.round_again()?;
         }
         match (leave, opens.word) {
-            (true, _) => self.go_to(closes.after),
+            (true, _) => {
+                self.go_to(closes.after);
+                Ok(())
+            }
             // The condition of a DO stands at its end, that of a WHILE at its beginning.
-            (false, Word::Do) => self.go_to(closes.at),
-            (false, _) => self.go_to(opens.at),
+            (false, Word::Do) => {
+                self.go_to(closes.at);
+                Ok(())
+            }
+            (false, _) => {
+                self.go_to(opens.at);
+                Ok(())
+            }
         }
     }
 
@@ -274,7 +306,7 @@ impl Interpreter<'_> {
             arguments.push(value);
         }
         self.nothing_more(cursor)?;
-        let back = self.library.mark();
+        let back = self.memory.flow.next;
         let found = self.structure()?.sub(name);
         let start = match found {
             Some(index) => Mark { line: self.mark(Some(index))?.after, ..back },
@@ -283,28 +315,26 @@ impl Interpreter<'_> {
         self.enter(Call {
             label: name.to_owned(),
             back,
-            saved: Some(Vec::new()),
+            own: true,
             again: 0,
             start,
             loops: Vec::new(),
             context: Context::default(),
         })?;
-        if let Some(call) = self.flow.frames.last_mut() {
-            call.saved = Some(self.parameters.enter(&arguments));
-        }
-        self.open(start)
+        self.memory.parameters.enter(&arguments);
+        self.open(start);
+        Ok(())
     }
 
-    pub(super) fn enter(&mut self, mut call: Call) -> Outcome<()> {
-        let most = self.setting.budget.call_depth.min(self.control.calls.depth);
-        if self.flow.frames.len() >= most {
-            let mut stack: Vec<String> = self.flow.frames.iter().map(|call| shown(&call.label)).collect();
+    pub(super) fn enter(&mut self, call: Call) -> Outcome<()> {
+        let most = self.memory.setting.budget.call_depth.min(self.memory.control.calls.depth);
+        if self.memory.flow.frames.len() >= most {
+            let mut stack: Vec<String> = self.memory.flow.frames.iter().map(|call| shown(&call.label)).collect();
             stack.push(shown(&call.label));
             let stack = stack.join(" → ");
             return Err(Fault::ended(&CallsTooDeep { most, stack }));
         }
-        call.loops = std::mem::take(&mut self.flow.loops);
-        self.flow.frames.push(call);
+        self.memory.flow.frames.push(call);
         Ok(())
     }
 
@@ -316,23 +346,23 @@ impl Interpreter<'_> {
         if !plain {
             return Err(Fault::of(&SubprogramOutside { name: name.to_owned() }, &[]));
         }
-        let known = self.library.find(|file| file == name);
-        let text = match known {
-            Some(text) => text,
-            None => {
-                let bytes = self
-                    .setting
-                    .files
-                    .find(name)
-                    .map_err(|reason| Fault::of(&SubprogramUnreadable { name: name.to_owned(), reason }, &[]))?;
-                let bytes = bytes.ok_or_else(unknown)?;
-                if bytes.len() > LARGEST_FILE {
-                    return Err(Fault::ended(&SubprogramTooLarge { name: name.to_owned() }));
+        let known = self.memory.library.find(|file| file == name);
+        let text =
+            match known {
+                Some(text) => text,
+                None => {
+                    let bytes =
+                        self.memory.setting.files.find(name).map_err(|reason| {
+                            Fault::of(&SubprogramUnreadable { name: name.to_owned(), reason }, &[])
+                        })?;
+                    let bytes = bytes.ok_or_else(unknown)?;
+                    if bytes.len() > LARGEST_FILE {
+                        return Err(Fault::ended(&SubprogramTooLarge { name: name.to_owned() }));
+                    }
+                    self.memory.library.add(bytes, name.to_owned())
                 }
-                self.library.add(bytes, name.to_owned())
-            }
-        };
-        let structure = self.library.structure(text, &self.control.lexis)?;
+            };
+        let structure = self.memory.library.structure(text, &self.memory.control.lexis)?;
         let sub = structure.sub(name).and_then(|sub| structure.o_word(sub));
         sub.map(|sub| Mark { text, line: sub.after }).ok_or_else(unknown)
     }
@@ -341,31 +371,29 @@ impl Interpreter<'_> {
     fn give_back(&mut self, cursor: &mut Cursor<'_>, name: &str) -> Outcome<()> {
         let value = if cursor.peek() == b'[' { Some(self.expression(cursor)?) } else { None };
         self.nothing_more(cursor)?;
-        let fits = self.flow.frames.last().is_some_and(|call| call.saved.is_some() && call.label == name);
+        let fits = self.memory.flow.frames.last().is_some_and(|call| call.own && call.label == name);
         if !fits {
             return Err(Fault::of(&NotCalled { label: shown(name) }, &[]));
         }
-        self.leave()?;
-        self.parameters.set_named("_value".to_owned(), value.unwrap_or(0.0));
-        self.parameters.set_named("_value_returned".to_owned(), if value.is_some() { 1.0 } else { 0.0 });
+        self.leave();
+        self.memory.parameters.set_named("_value".to_owned(), value.unwrap_or(0.0));
+        self.memory.parameters.set_named("_value_returned".to_owned(), if value.is_some() { 1.0 } else { 0.0 });
         Ok(())
     }
 
-    pub(super) fn leave(&mut self) -> Outcome<()> {
-        let Some(call) = self.flow.frames.pop() else { return Ok(()) };
-        if let Some(saved) = &call.saved {
-            self.parameters.leave(saved);
+    pub(super) fn leave(&mut self) {
+        let Some(call) = self.memory.flow.frames.pop() else { return };
+        if call.own {
+            self.memory.parameters.leave();
         }
-        self.flow.loops = call.loops;
-        self.library.turn_to(call.back.text);
+        self.open(call.back);
         self.leave_context(&call.context);
-        self.open(call.back)
     }
 
     /// M98 and M99 of the block in hand.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn call_or_return(&mut self) -> Outcome<()> {
-        let result = match self.control.calls.by {
+        let result = match self.memory.control.calls.by {
             CallBy::Number => self.call_by_number(),
             CallBy::Label => match self.block.m(4) {
                 Some((M::Call, _)) => self.call_program(),
@@ -395,28 +423,33 @@ impl Interpreter<'_> {
         if repeats == 0 {
             return Ok(());
         }
-        let back = self.library.mark();
+        let back = self.memory.flow.next;
         let found = self.structure()?.program(&name);
         let Some(index) = found else {
             return Err(Fault::of(&ProgramMissing { number: name }, &[self.block.column(letter::P)]));
         };
         let start = Mark { line: self.mark(Some(index))?.after, ..back };
         self.enter(Call::of(name, back, repeats, start))?;
-        self.open(start)
+        self.open(start);
+        Ok(())
     }
 
     fn return_from_program(&mut self) -> Outcome<()> {
-        match self.flow.frames.last_mut() {
+        match self.memory.flow.frames.last_mut() {
             None => Err(Fault::ended(&MainReturns {})),
-            Some(call) if call.saved.is_some() => Err(Fault::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
+            Some(call) if call.own => Err(Fault::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
             Some(call) => match call.repeat() {
                 Some(start) => {
                     // Each round keeps its own state.
                     let context = std::mem::take(&mut call.context);
                     self.leave_context(&context);
-                    self.open(start)
+                    self.open(start);
+                    Ok(())
                 }
-                None => self.leave(),
+                None => {
+                    self.leave();
+                    Ok(())
+                }
             },
         }
     }
@@ -428,8 +461,8 @@ impl Interpreter<'_> {
             return Ok(());
         }
         // A lathe makes a plain motion of the block before it.
-        let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
-        if self.control.calls.by.beside_motion()
+        let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
+        if self.memory.control.calls.by.beside_motion()
             && matches!(motion, G::Rapid | G::Linear | G::Arc(_))
             && self.block.g(Group::NonModal).is_none()
         {

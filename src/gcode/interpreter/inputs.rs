@@ -4,7 +4,7 @@
 //! LinuxCNC, M-code reference, M62 to M68. What an input reads is not in the program: it is refused where a block uses it.
 
 use crate::gcode::code::M;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -16,7 +16,7 @@ use crate::gcode::rules::expressions::{
 /// The parameter that M66 leaves its input in.
 pub(super) const INPUT: usize = 5399;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// M62 to M68.
     pub(super) fn inputs_and_outputs(&mut self) -> Outcome<()> {
         match self.block.m(5) {
@@ -51,19 +51,19 @@ impl Interpreter<'_> {
         if wait != Some(0) && self.block.get(letter::Q).is_none_or(|seconds| seconds <= 0.0) {
             return Err(Fault::of(&InputWithoutTime {}, &[self.block.m_column(5)]));
         }
-        self.parameters.forget(INPUT);
-        self.input_read = true;
+        self.memory.parameters.forget(INPUT);
+        self.memory.input_read = true;
         let column = Some(self.block.m_column(5));
         if wait == Some(0) {
-            self.remarks.row(&InputRead {}, self.line, column);
+            self.memory.remarks.row(&InputRead {}, self.block.spot, column);
         } else {
-            self.remarks.row(&InputWaited {}, self.line, column);
+            self.memory.remarks.row(&InputWaited {}, self.block.spot, column);
         }
         Ok(())
     }
 
     /// True where a parameter holds what M66 has read.
     pub(super) fn is_input(&self, number: usize) -> bool {
-        number == INPUT && self.input_read && !self.parameters.known(INPUT)
+        number == INPUT && self.memory.input_read && !self.memory.parameters.known(INPUT)
     }
 }

@@ -11,7 +11,7 @@
 use crate::finding::Grade;
 use crate::gcode::code::{G, Group};
 use crate::gcode::control::Letters;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
@@ -30,7 +30,7 @@ const WORDS: [(Axis, usize, usize); 2] = [(Axis::X, letter::X, letter::U), (Axis
 /// How far beyond the axis facing may end, mm on the diameter.
 const FACING: f64 = 6.0;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Refuses X with U and Z with W, and increments in machine coordinates.
     pub(super) fn one_word_an_axis(&self) -> Outcome<()> {
         let at_once = self.block.g(Group::NonModal);
@@ -59,7 +59,7 @@ impl Interpreter<'_> {
         if self.has_axes() {
             return Err(self.unknown('G', 91.0, column));
         }
-        self.remarks.row(&G91InSystemA {}, self.line, Some(column));
+        self.memory.remarks.row(&G91InSystemA {}, self.block.spot, Some(column));
         Ok(())
     }
 
@@ -75,16 +75,16 @@ impl Interpreter<'_> {
     /// What a lathe keeps in mind when a motion begins.
     pub(super) fn lathe_motion(&mut self, motion: G) {
         if !matches!(motion, G::Pass(_) | G::Cancel) {
-            self.modal.pass = None;
+            self.state.modal.pass = None;
         }
-        if matches!(motion, G::Cycle(_)) && !matches!(self.modal.motion, G::Cycle(_)) {
-            self.modal.under = self.modal.motion;
+        if matches!(motion, G::Cycle(_)) && !matches!(self.state.modal.motion, G::Cycle(_)) {
+            self.state.modal.under = self.state.modal.motion;
         }
     }
 
     /// True where the block shifts a coordinate system: G54 to G59 with X or Z and no motion code.
     pub(super) fn shifts_system(&self) -> bool {
-        self.control.offsets.shifts()
+        self.memory.control.offsets.shifts()
             && self.block.g(Group::WorkOffset).is_some()
             && self.block.g(Group::Motion).is_none()
             && self.block.g(Group::NonModal).is_none()
@@ -97,23 +97,23 @@ impl Interpreter<'_> {
         for axis in [Axis::X, Axis::Z] {
             origin.set(axis, origin.get(axis) + self.axis_word(axis).unwrap_or(0.0));
         }
-        let line = self.line;
-        self.remarks.row(&SystemShifted {}, line, Some(self.block.g_column(Group::WorkOffset)));
-        self.modal.system = system;
-        self.modal.shifted = true;
-        self.parameters.set(ACTIVE as usize, f64::from(system));
-        self.reframe(ActiveOffsets { work: WorkOffset { origin, rotation: 0.0 }, ..self.frame });
+        let spot = self.block.spot;
+        self.memory.remarks.row(&SystemShifted {}, spot, Some(self.block.g_column(Group::WorkOffset)));
+        self.state.modal.system = system;
+        self.state.modal.shifted = true;
+        self.memory.parameters.set(ACTIVE as usize, f64::from(system));
+        self.reframe(ActiveOffsets { work: WorkOffset { origin, rotation: 0.0 }, ..self.state.frame });
     }
 
     /// G50 with axis words: this position gets the coordinates X and Z, or its own and U and W more.
     pub(super) fn set_lathe_position(&mut self) {
         let to = self.end_point();
-        let mut g92 = self.frame.g92;
+        let mut g92 = self.state.frame.g92;
         for axis in [Axis::X, Axis::Z] {
-            g92.set(axis, self.current.get(axis) + g92.get(axis) - to.get(axis));
+            g92.set(axis, self.state.at.get(axis) + g92.get(axis) - to.get(axis));
         }
-        self.current = to;
-        self.frame.g92 = g92;
+        self.state.at = to;
+        self.state.frame.g92 = g92;
         self.keep_g92(true, Some(g92));
     }
 
@@ -133,16 +133,20 @@ impl Interpreter<'_> {
             return Err(Fault::of(&ReferenceWithoutAxes { code: number }, &[column]));
         }
         let first = if second { G30_FIRST } else { G28_FIRST };
-        if !self.setting.var_file.iter().any(|(parameter, _)| (first..first + 3).contains(&parameter)) {
-            let line = self.line;
-            self.remarks.row(&ReferencePointNotKnown { code: number, first, last: first + 2 }, line, Some(column));
+        if !self.memory.setting.var_file.iter().any(|(parameter, _)| (first..first + 3).contains(&parameter)) {
+            let spot = self.block.spot;
+            self.memory.remarks.row(
+                &ReferencePointNotKnown { code: number, first, last: first + 2 },
+                spot,
+                Some(column),
+            );
         }
         let over = self.end_point();
-        if over != self.current {
+        if over != self.state.at {
             self.emit(MotionKind::Rapid, over, None);
         }
-        let reference = self.frame.to_program(&self.pose_of(first));
-        let mut to = self.current;
+        let reference = self.state.frame.to_program(&self.pose_of(first));
+        let mut to = self.state.at;
         for axis in named {
             to.set(axis, reference.get(axis));
         }
@@ -152,45 +156,45 @@ impl Interpreter<'_> {
 
     /// The program has gone on with a feed from before F changed its meaning.
     pub(super) fn remark_stale_feed(&mut self) {
-        let line = self.line;
-        self.remarks.row(&StaleFeed {}, line, None);
+        let spot = self.block.spot;
+        self.memory.remarks.row(&StaleFeed {}, spot, None);
     }
 
     /// X has been given below the axis. Facing ends a little beyond it, by the nose of the tool; farther is a slip of the
     /// sign.
     pub(super) fn remark_beyond_axis(&mut self, to: &Pose) {
-        let line = self.line;
+        let spot = self.block.spot;
         let Some(word) = [letter::X, letter::U].into_iter().find(|&word| self.block.has(word)) else { return };
         let facing = 2.0 * to.get(Axis::X) >= -FACING;
         let grade = if facing { Grade::Note } else { Grade::Caution };
-        self.remarks.row_as(grade, &BeyondAxis {}, line, Some(self.block.column(word)));
+        self.memory.remarks.row_as(grade, &BeyondAxis {}, spot, Some(self.block.column(word)));
     }
 
     /// True for a feed per revolution of a lathe, whose spindle's speed may change along the motion.
     pub(super) fn by_revolution(&self, feed: Feed) -> bool {
-        self.control.spindle.turns.part() && feed.mode == FeedMode::PerRevolution
+        self.memory.control.spindle.turns.part() && feed.mode == FeedMode::PerRevolution
     }
 
     fn pace(&self) -> Option<Pace> {
-        Pace::of(&self.modal.in_force())
+        Pace::of(&self.state.modal.in_force())
     }
 
     /// The time of a straight motion at a feed per revolution.
     pub(super) fn turned_seconds(&self, to: &Pose, feed: Feed) -> Option<f64> {
-        let by = to.differences(&self.current);
+        let by = to.differences(&self.state.at);
         let length = by.iter().map(|by| by * by).sum::<f64>().sqrt();
-        self.pace()?.straight([self.current.get(Axis::X), to.get(Axis::X)], length, feed.value)
+        self.pace()?.straight([self.state.at.get(Axis::X), to.get(Axis::X)], length, feed.value)
     }
 
     /// The time of an arc from here at a feed per revolution.
     pub(super) fn turned_arc_seconds(&self, arc: &Arc, feed: Feed) -> Option<f64> {
-        self.pace()?.arc(arc, [self.current.get(Axis::X), self.current.get(Axis::Z)], feed.value)
+        self.pace()?.arc(arc, [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)], feed.value)
     }
 
     /// The time of a thread.
     pub(super) fn thread_seconds(&self, to: &Pose, thread: &Thread) -> Option<f64> {
-        let by = |axis: Axis| (to.get(axis) - self.current.get(axis)).abs();
+        let by = |axis: Axis| (to.get(axis) - self.state.at.get(axis)).abs();
         let distance = by(Axis::X).max(by(Axis::Z));
-        self.pace()?.thread([self.current.get(Axis::X), to.get(Axis::X)], distance, thread)
+        self.pace()?.thread([self.state.at.get(Axis::X), to.get(Axis::X)], distance, thread)
     }
 }

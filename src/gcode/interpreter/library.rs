@@ -8,12 +8,20 @@ use crate::gcode::interpreter::source::{Bytes, Position, SourceText};
 use crate::gcode::interpreter::structure::Structure;
 
 /// Where a line begins, in one of the texts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Mark {
     /// The text, 0 for the program's own.
     pub(super) text: usize,
     /// The line in it.
     pub(super) line: Position,
+}
+
+/// The place of a block: its text, 0 for the program's own, its line, counted from 1, and its number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Spot {
+    pub(super) text: usize,
+    pub(super) line: usize,
+    pub(super) n: Option<u32>,
 }
 
 /// A text with its indices, each made when it is first asked for.
@@ -29,26 +37,15 @@ impl<'a> Indexed<'a> {
     }
 }
 
-/// The texts, one of them in hand.
+/// The texts.
 pub(super) struct Library<'a> {
     texts: Vec<Indexed<'a>>,
-    at: usize,
 }
 
 impl<'a> Library<'a> {
-    /// The program's own text, in hand.
+    /// The program's own text.
     pub(super) fn new(bytes: Box<dyn Bytes + 'a>) -> Self {
-        Self { texts: vec![Indexed::new(SourceText::new(bytes, None))], at: 0 }
-    }
-
-    /// The text in hand, 0 for the program's own.
-    pub(super) const fn at(&self) -> usize {
-        self.at
-    }
-
-    /// Takes a text in hand; returns the one that was.
-    pub(super) const fn turn_to(&mut self, text: usize) -> usize {
-        std::mem::replace(&mut self.at, text)
+        Self { texts: vec![Indexed::new(SourceText::new(bytes, None))] }
     }
 
     /// A text. There is always the program's own, and no number is handed out for one that is not there.
@@ -73,10 +70,9 @@ impl<'a> Library<'a> {
         self.texts.len() - 1
     }
 
-    /// Where the next line begins.
-    pub(super) fn mark(&mut self) -> Mark {
-        let at = self.at;
-        Mark { text: at, line: self.text(at).position() }
+    /// Reads the line at a mark into `line`, without its end; gives the mark behind it, `None` where there is none.
+    pub(super) fn line(&mut self, at: Mark, line: &mut Vec<u8>) -> Outcome<Option<Mark>> {
+        Ok(self.text(at.text).line(at.line, line)?.map(|behind| Mark { line: behind, ..at }))
     }
 
     /// The O-words of a text.

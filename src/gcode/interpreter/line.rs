@@ -4,9 +4,9 @@ use crate::escape::excerpt;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::source::Position;
+use crate::gcode::interpreter::library::{Mark, Spot};
 use crate::gcode::interpreter::tape::has_code;
-use crate::gcode::interpreter::{Interpreter, Stage, block_number, without_end};
+use crate::gcode::interpreter::{Reader, Stage, block_number, without_end};
 use crate::gcode::rules::lexis::{
     Aborts, ActiveComment, BeforePercent, EndsWithoutCode, LineTooLong, Percent, ProgramNumber,
 };
@@ -16,20 +16,19 @@ const SHOWN: usize = 250;
 /// Most lines that are looked through for the first `%`.
 const LONGEST_LEADER: usize = 1_000;
 
-impl Interpreter<'_> {
-    /// Counts the line that has just been read.
-    pub(super) fn count_line(&mut self) -> Outcome<()> {
-        let source = self.source();
-        let number = source.position().lines;
-        let again = !source.first_time(number);
-        self.line = number;
+impl Reader<'_, '_> {
+    /// Counts the line that has just been read, behind which a mark lies; it is the block in hand.
+    pub(super) fn count_line(&mut self, behind: Mark) -> Outcome<()> {
+        let number = behind.line.lines;
+        let again = !self.memory.library.text(behind.text).first_time(number);
+        (self.block.spot.text, self.block.spot.line) = (behind.text, number);
         if again {
-            self.repeated += 1;
-            if self.repeated > self.setting.budget.repeated_blocks {
+            self.memory.repeated += 1;
+            if self.memory.repeated > self.memory.setting.budget.repeated_blocks {
                 return Err(self.endless());
             }
         } else {
-            self.lines += 1;
+            self.memory.lines += 1;
         }
         Ok(())
     }
@@ -37,50 +36,50 @@ impl Interpreter<'_> {
     /// The beginning of a line's words, its block number read; at `%` where the line begins with it. `None` where there is
     /// nothing to execute.
     pub(super) fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
-        if line.len() > self.control.lexis.longest_line {
-            let most = self.control.lexis.longest_line;
+        if line.len() > self.memory.control.lexis.longest_line {
+            let most = self.memory.control.lexis.longest_line;
             return Err(Fault::of(&LineTooLong { most }, &[most]));
         }
         if memchr::memchr3(b'(', b')', b';', line).is_some() {
             self.see_comments(line)?;
-            if self.aborted {
+            if self.memory.aborted {
                 return self.end().map(|()| None);
             }
         }
-        let mut cursor = Cursor::new(line, self.control.lexis.comments);
+        let mut cursor = Cursor::new(line, self.memory.control.lexis.comments);
         let first = cursor.peek();
         if first == 0 {
             return Ok(None);
         }
         self.block.clear();
-        if cursor.accept_delete(self.control.lexis.delete.numbered()) && self.setting.block_delete {
+        if cursor.accept_delete(self.memory.control.lexis.delete.numbered()) && self.memory.setting.block_delete {
             return Ok(None);
         }
         if cursor.accept(b'n') {
-            self.block.n = Some(block_number(&mut cursor)?);
+            self.block.spot.n = Some(block_number(&mut cursor)?);
         }
         Ok(Some(cursor))
     }
 
     pub(super) fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
         let Some(mut cursor) = self.open_line(line)? else { return Ok(()) };
-        if cursor.peek() == b'%' && self.block.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
+        if cursor.peek() == b'%' && self.block.spot.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
             return self.percent_line(&mut cursor);
         }
-        let opening = self.stage == Stage::Opening;
-        self.stage = Stage::Running;
+        let opening = self.memory.stage == Stage::Opening;
+        self.memory.stage = Stage::Running;
         if cursor.peek() == b'o' {
-            return if self.control.lexis.language.computes() {
+            return if self.memory.control.lexis.language.computes() {
                 self.o_word(&mut cursor)
             } else {
                 self.program_number(&mut cursor, opening)
             };
         }
         self.read_words(&mut cursor)?;
-        for (parameter, value) in std::mem::take(&mut self.block.settings) {
+        for (parameter, value) in self.block.settings.drain(..) {
             match parameter {
-                Parameter::Number(number) => self.parameters.set(number, value),
-                Parameter::Name(name) => self.parameters.set_named(name, value),
+                Parameter::Number(number) => self.memory.parameters.set(number, value),
+                Parameter::Name(name) => self.memory.parameters.set_named(name, value),
             }
         }
         self.execute()?;
@@ -90,23 +89,23 @@ impl Interpreter<'_> {
 
     /// `%` begins and ends a program; a Fagor program begins with `%` and its name.
     fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
-        let opening = self.stage == Stage::Opening && !self.percent;
+        let opening = self.memory.stage == Stage::Opening && !self.memory.percent;
         cursor.pass();
-        if self.control.lexis.percent.named() {
+        if self.memory.control.lexis.percent.named() {
             if opening {
-                self.percent = true;
+                self.memory.percent = true;
                 return Ok(());
             }
         } else if cursor.peek() == 0 {
             if opening {
-                self.percent = true;
+                self.memory.percent = true;
                 return Ok(());
             }
-            if self.percent || self.library.at() != 0 || self.control.lexis.percent.leader() {
-                if self.stage == Stage::Opening || self.library.at() != 0 {
+            if self.memory.percent || self.memory.flow.next.text != 0 || self.memory.control.lexis.percent.leader() {
+                if self.memory.stage == Stage::Opening || self.memory.flow.next.text != 0 {
                     return self.end_of_file();
                 }
-                if self.control.lexis.percent.leader() {
+                if self.memory.control.lexis.percent.leader() {
                     self.remark_no_end();
                 }
                 return self.end();
@@ -117,25 +116,22 @@ impl Interpreter<'_> {
 
     /// A lathe's program has come to the end of its text without a code that ends it.
     pub(super) fn remark_no_end(&mut self) {
-        self.remarks.row(&EndsWithoutCode {}, self.line, None);
+        self.memory.remarks.row(&EndsWithoutCode {}, self.block.spot, None);
     }
 
     /// Passes over what stands before the first `%`, as a Fanuc does: text that is no block, with a program behind it.
     pub(super) fn pass_leader(&mut self) -> Outcome<()> {
         let mut line = Vec::new();
-        let (mut text, mut lines) = (false, 0);
-        while lines < LONGEST_LEADER {
-            let at = self.source().position();
-            if !self.source().next_line(&mut line)? {
-                break;
-            }
-            lines += 1;
+        let (mut text, mut at) = (false, self.memory.flow.next);
+        while at.line.lines < LONGEST_LEADER {
+            let Some(behind) = self.memory.library.line(at, &mut line)? else { break };
             let words = line.trim_ascii().to_ascii_uppercase();
             if words == b"%" {
-                let behind = text && self.source().next_line(&mut line)? && !line.trim_ascii().is_empty();
-                if behind {
-                    self.remarks.row(&BeforePercent {}, 1, None);
-                    return self.go_to(at);
+                let more = text && self.memory.library.line(behind, &mut line)?.is_some();
+                if more && !line.trim_ascii().is_empty() {
+                    let first = Spot { line: 1, ..self.block.spot };
+                    self.memory.remarks.row(&BeforePercent {}, first, None);
+                    self.memory.flow.next = at;
                 }
                 break;
             }
@@ -143,8 +139,9 @@ impl Interpreter<'_> {
                 break;
             }
             text |= !words.is_empty() && words != b"\xEF\xBB\xBF";
+            at = behind;
         }
-        self.go_to(Position::START)
+        Ok(())
     }
 
     /// The number and name of a program without O-words.
@@ -155,9 +152,9 @@ impl Interpreter<'_> {
         if opening && cursor.peek() == 0 {
             return Ok(());
         }
-        if self.control.lexis.percent.leader() && cursor.peek() == 0 {
+        if self.memory.control.lexis.percent.leader() && cursor.peek() == 0 {
             // What follows is another program: whether a control goes on into it is not known.
-            let inside = self.library.at() != 0 || !self.flow.frames.is_empty();
+            let inside = self.memory.flow.next.text != 0 || !self.memory.flow.frames.is_empty();
             return if inside { self.end_of_file().map_err(Fault::fatal) } else { Err(without_end(false).fatal()) };
         }
         Err(Fault::of(&ProgramNumber {}, &[column]))
@@ -178,19 +175,19 @@ impl Interpreter<'_> {
             "PY,",
             "PYRUN,",
         ];
-        for (column, text) in comments(line, self.control.lexis.comments)? {
+        for (column, text) in comments(line, self.memory.control.lexis.comments)? {
             let text = String::from_utf8_lossy(text);
             let word: String = text.trim_start().chars().take(10).collect::<String>().to_uppercase();
-            self.aborted |= self.control.lexis.comments.obeyed() && word.starts_with("ABORT,");
-            if self.aborted {
+            self.memory.aborted |= self.memory.control.lexis.comments.obeyed() && word.starts_with("ABORT,");
+            if self.memory.aborted {
                 let shown = excerpt(text.trim(), SHOWN);
-                self.remarks.row(&Aborts { comment: shown }, self.line, Some(column));
+                self.memory.remarks.row(&Aborts { comment: shown }, self.block.spot, Some(column));
                 return Ok(());
             }
-            if self.control.lexis.comments.obeyed() && ACTIVE.iter().any(|active| word.starts_with(active)) {
-                let at = self.line;
+            if self.memory.control.lexis.comments.obeyed() && ACTIVE.iter().any(|active| word.starts_with(active)) {
+                let spot = self.block.spot;
                 let shown = excerpt(text.trim(), SHOWN);
-                self.remarks.row(&ActiveComment { comment: shown }, at, Some(column));
+                self.memory.remarks.row(&ActiveComment { comment: shown }, spot, Some(column));
             }
         }
         Ok(())

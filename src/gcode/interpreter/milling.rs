@@ -12,9 +12,9 @@ use crate::finding::{Raise, Size};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::in_force::{Compensation, InForce};
-use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::{Reader, State};
 use crate::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
     ArcBehindCompensation, BesideCompensation, CompensationDiameterUnknown, CompensationHeld, CompensationOfNoTool,
@@ -49,6 +49,15 @@ impl Milling {
     pub(super) const fn idle(&self) -> bool {
         self.stage.is_none() && self.left.is_none()
     }
+
+    /// Where the centre of the cutter is where the program has come to its end.
+    pub(super) fn cutter(&self, state: &State) -> Pose {
+        let mut tip = state.at;
+        if let Some(machine) = self.left {
+            place(&mut tip, point(&state.frame.to_program(&machine)));
+        }
+        tip
+    }
 }
 
 fn point(pose: &Pose) -> Point {
@@ -60,7 +69,7 @@ fn place(pose: &mut Pose, [x, y]: Point) {
     pose.set(Axis::Y, y);
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// G40 to G42.1 of a milling program.
     pub(super) fn cutter_compensation(&mut self, code: G) -> Outcome<()> {
         let (side, given) = match code {
@@ -73,18 +82,18 @@ impl Interpreter<'_> {
             return Ok(());
         }
         let column = self.block.g_column(Group::CutterCompensation);
-        if self.modal.compensation != Compensation::Off {
+        if self.state.modal.compensation != Compensation::Off {
             return Err(Fault::of(&CompensationTwice {}, &[column]));
         }
-        if self.modal.plane != Plane::XY {
-            let name = self.modal.plane.name();
+        if self.state.modal.plane != Plane::XY {
+            let name = self.state.modal.plane.name();
             return Err(Fault::of(&CutterPlane { plane: name }, &[column]));
         }
         if self.block.has(letter::L) {
             return Err(Fault::of(&CompensationWithL {}, &[column]));
         }
         let diameter = match (given, self.block.get(letter::D)) {
-            (true, Some(D)) => self.modal.unit.to_mm(D),
+            (true, Some(D)) => self.state.modal.unit.to_mm(D),
             (true, None) => {
                 return Err(Fault::of(&CompensationWithoutD {}, &[column]));
             }
@@ -92,12 +101,12 @@ impl Interpreter<'_> {
         };
         // A negative diameter is on the other side.
         let left = (side == Compensation::Left) == (diameter >= 0.0);
-        self.modal.compensation = side;
+        self.state.modal.compensation = side;
         if diameter == 0.0 {
-            let line = self.line;
-            self.remarks.row(&CompensationOfNothing {}, line, Some(column));
+            let spot = self.block.spot;
+            self.memory.remarks.row(&CompensationOfNothing {}, spot, Some(column));
         } else {
-            self.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0));
+            self.memory.milling.stage = Some(Stage::new(left, diameter.abs() / 2.0));
         }
         Ok(())
     }
@@ -108,9 +117,9 @@ impl Interpreter<'_> {
             Some(D) => self.tool_number(letter::D, D)?,
             None => 0,
         };
-        let number = if number == 0 { self.modal.tool } else { number };
+        let number = if number == 0 { self.state.modal.tool } else { number };
         let column = self.block.g_column(Group::CutterCompensation);
-        match self.tools.get(&number) {
+        match self.memory.tools.get(&number) {
             Some(tool) if tool.nose.is_some_and(|nose| nose.tip.number() != 9) => {
                 Err(Fault::of(&CompensationOfTurningTool { tool: number }, &[column]))
             }
@@ -126,12 +135,12 @@ impl Interpreter<'_> {
         const BEHIND: [Group; 5] =
             [Group::WorkOffset, Group::ToolLength, Group::Path, Group::Retract, Group::SetPosition];
         let block = &self.block;
-        let before = self.modal.compensation != Compensation::Off;
+        let before = self.state.modal.compensation != Compensation::Off;
         let behind = match block.g(Group::CutterCompensation) {
             Some(G::Compensation(side) | G::CompensationGiven(side)) => side != Compensation::Off,
             _ => before,
         };
-        let plane = matches!(block.g(Group::Plane), Some(G::Plane(plane)) if plane != self.modal.plane);
+        let plane = matches!(block.g(Group::Plane), Some(G::Plane(plane)) if plane != self.state.modal.plane);
         let at_once = block.g(Group::NonModal).is_some_and(|code| code != G::Dwell);
         let cycle = matches!(motion, Some(G::Cycle(_)));
         let machine = |group: &u8| match block.m(*group) {
@@ -155,7 +164,7 @@ impl Interpreter<'_> {
 
     /// Refuses the position where the cutter is aside of it, as LinuxCNC does.
     pub(super) fn position_is_known(&self, column: usize) -> Outcome<()> {
-        if !self.control.radius.cutter() || self.modal.compensation == Compensation::Off {
+        if !self.memory.control.radius.cutter() || self.state.modal.compensation == Compensation::Off {
             return Ok(());
         }
         Err(Fault::of(&PositionUnderCompensation {}, &[column]))
@@ -163,43 +172,31 @@ impl Interpreter<'_> {
 
     /// The compensation is over: what is held back is made, and the cutter stays aside of the program.
     pub(super) fn end_cutter(&mut self) {
-        self.modal.compensation = Compensation::Off;
-        let Some(mut stage) = self.milling.stage.take() else { return };
+        self.state.modal.compensation = Compensation::Off;
+        let Some(mut stage) = self.memory.milling.stage.take() else { return };
         let mut out = Vec::new();
-        stage.take_unit(self.modal.unit);
+        stage.take_unit(self.state.modal.unit);
         let result = stage.finish(&mut out);
         self.hand_placed(out);
         match result {
             Ok(Some(end)) => {
-                let mut tip = self.current;
+                let mut tip = self.state.at;
                 place(&mut tip, end);
-                self.milling.left = Some(self.frame.to_machine(&tip));
+                self.memory.milling.left = Some(self.state.frame.to_machine(&tip));
             }
             Ok(None) => {}
-            Err(misfit) => self.refuse_cutter(&misfit, self.line),
-        }
-    }
-
-    /// Where the centre of the cutter is where the program has come to its end.
-    pub(super) fn cutter(&self) -> Pose {
-        match self.milling.left {
-            Some(machine) => {
-                let mut tip = self.current;
-                place(&mut tip, point(&self.frame.to_program(&machine)));
-                tip
-            }
-            None => self.current,
+            Err(misfit) => self.refuse_cutter(&misfit, self.block.spot.line),
         }
     }
 
     /// Hands a motion out by way of the compensation.
     pub(super) fn mill(&mut self, motion: Motion) {
-        let (control, number) = (self.modal.in_force(), self.made());
+        let (control, number) = (self.state.modal.in_force(), self.made());
         let carried = Carried { motion, control, number };
         let dwell = matches!(motion.kind, MotionKind::Dwell(_));
-        let Some(mut stage) = self.milling.stage.take() else { return self.lead_back(carried) };
+        let Some(mut stage) = self.memory.milling.stage.take() else { return self.lead_back(carried) };
         if dwell && stage.aside().is_none() {
-            self.milling.stage = Some(stage);
+            self.memory.milling.stage = Some(stage);
             return self.lead_back(carried);
         }
         let by = motion.to.differences(&motion.from);
@@ -210,7 +207,7 @@ impl Interpreter<'_> {
         };
         let element = Element { from: point(&motion.from), to: point(&motion.to), path };
         let mut out = Vec::new();
-        stage.take_unit(self.modal.unit);
+        stage.take_unit(self.state.modal.unit);
         let result = if Axis::ALL.into_iter().skip(3).any(|axis| by[axis as usize] != 0.0) {
             Err(None)
         } else {
@@ -220,13 +217,13 @@ impl Interpreter<'_> {
         };
         self.hand_placed(out);
         match result {
-            Ok(()) => self.milling.stage = Some(stage),
+            Ok(()) => self.memory.milling.stage = Some(stage),
             Err(misfit) => {
                 match misfit {
                     Some(misfit) => self.refuse_cutter(&misfit, motion.line),
                     None => self.refuse_here(motion.line, &RotaryUnderCompensation {}),
                 }
-                self.queue.push_back(Ok((motion, control, number)));
+                self.memory.queue.push_back(Ok((motion, control, number)));
             }
         }
     }
@@ -234,27 +231,27 @@ impl Interpreter<'_> {
     /// A motion without compensation: the first behind G40 leads from where the cutter is.
     fn lead_back(&mut self, carried: Carried) {
         let Carried { mut motion, control, number } = carried;
-        if let Some(machine) = self.milling.left {
-            let tip = point(&self.frame.to_program(&machine));
+        if let Some(machine) = self.memory.milling.left {
+            let tip = point(&self.state.frame.to_program(&machine));
             match motion.kind {
                 MotionKind::Dwell(_) => {
                     place(&mut motion.from, tip);
                     place(&mut motion.to, tip);
-                    motion.machine = self.frame.to_machine(&motion.to);
+                    motion.machine = self.state.frame.to_machine(&motion.to);
                 }
                 MotionKind::Arc(..) => {
-                    self.milling.left = None;
+                    self.memory.milling.left = None;
                     self.refuse_here(motion.line, &ArcBehindCompensation {});
                 }
                 _ => {
-                    self.milling.left = None;
+                    self.memory.milling.left = None;
                     let programmed = motion;
                     place(&mut motion.from, tip);
                     self.take_time(&mut motion, &programmed);
                 }
             }
         }
-        self.queue.push_back(Ok((motion, control, number)));
+        self.memory.queue.push_back(Ok((motion, control, number)));
     }
 
     fn hand_placed(&mut self, placed: Vec<Placed<Carried>>) {
@@ -265,14 +262,14 @@ impl Interpreter<'_> {
             }
             place(&mut motion.from, element.from);
             place(&mut motion.to, element.to);
-            motion.machine = self.frame.to_machine(&motion.to);
+            motion.machine = self.state.frame.to_machine(&motion.to);
             motion.kind = match (programmed.kind, element.path) {
                 (MotionKind::Arc(arc, feed), Path::Arc { centre, sweep }) if !corner => {
                     MotionKind::Arc(turned(&arc, element, centre, sweep), feed)
                 }
                 (MotionKind::Arc(_, feed) | MotionKind::Feed(feed), Path::Arc { centre, sweep }) => {
                     let turns = if sweep < 0.0 { -1 } else { 1 };
-                    let rotation = self.frame.work.rotation;
+                    let rotation = self.state.frame.work.rotation;
                     let arc = Arc { plane: Plane::XY, centre, turns, radius: 0.0, sweep, rotation };
                     MotionKind::Arc(turned(&arc, element, centre, sweep), feed)
                 }
@@ -281,7 +278,7 @@ impl Interpreter<'_> {
             if element.path != Path::Still {
                 self.take_time(&mut motion, &programmed);
             }
-            self.queue.push_back(Ok((motion, control, number)));
+            self.memory.queue.push_back(Ok((motion, control, number)));
         }
     }
 
@@ -302,8 +299,8 @@ impl Interpreter<'_> {
 
     fn refuse_here(&mut self, line: usize, row: &dyn Raise) {
         let mut fault = Fault::of(row, &[]);
-        (fault.line, fault.file) = (line, self.source().file.clone());
-        self.queue.push_back(Err(fault));
+        (fault.line, fault.file) = (line, self.memory.library.file(self.block.spot.text).cloned());
+        self.memory.queue.push_back(Err(fault));
     }
 
     fn refuse_cutter(&mut self, misfit: &Misfit, line: usize) {

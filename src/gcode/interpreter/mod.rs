@@ -3,6 +3,11 @@
 //! Text → words → blocks → modal state → canonical motions, one after another with flat memory: only the block in hand, the
 //! motions it makes and, where a program loops or calls, the places of its O-words are kept.
 //!
+//! # Who holds what
+//! A reader has a block in hand and obeys it on a state: what blocks have left in force, and where the program stands. The memory is
+//! all else, and there is one of it. A place in a text is a value; whoever reads ahead, as a contour is read, or makes motions of
+//! another block, as at a corner that was held back, does so as a reader of its own, and nothing is saved and put back.
+//!
 //! # Units
 //! Motions are in millimetres, degrees and seconds, whatever the program's unit.
 //!
@@ -68,7 +73,6 @@ mod turning;
 mod turret;
 
 use std::collections::VecDeque;
-use std::io::Cursor as Memory;
 
 pub use self::arc::radii_tolerance;
 use self::block::Block;
@@ -81,14 +85,13 @@ pub use self::fault::Fault;
 use self::fault::Outcome;
 use self::fault::Remarks;
 use self::flow::Flow;
-use self::library::Library;
+use self::library::{Library, Spot};
 use self::milling::Milling;
 use self::modal::Modal;
 use self::out::Pending;
 use self::parameters::Parameters;
 use self::round::Rounds;
 pub use self::setting::{Budget, DecimalPoint, Files, HolePlane, NoFiles, Setting, Start, ToolOffset, Tools};
-use self::source::SourceText;
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, decoded, line_feeds, wide};
 use self::standstill::Standing;
 pub use self::standstill::Standstill;
@@ -118,18 +121,12 @@ enum Stage {
     Ended,
 }
 
-/// A program being read; an iterator over its canonical motions.
-pub struct Interpreter<'a> {
+/// What is kept of a program beside what its blocks put into force: its texts, parameters and tools, where it is in its
+/// flow, what it has made. There is one of it, whichever block is read on whichever state.
+struct Memory<'a> {
     control: &'static Control,
     setting: Setting,
     library: Library<'a>,
-    buffer: Vec<u8>,
-    line: usize,
-    block: Block,
-    modal: Modal,
-    in_force: InForce,
-    frame: ActiveOffsets,
-    current: Pose,
     parameters: Parameters,
     tools: Tools,
     /// Motions with what was in force, and their numbers among those that the program has made.
@@ -157,11 +154,37 @@ pub struct Interpreter<'a> {
     distances: [bool; 2],
 }
 
+/// What the blocks so far have left in force, and where the program stands. Small: a contour is read on a clone of it.
+#[derive(Clone, Debug)]
+struct State {
+    modal: Modal,
+    frame: ActiveOffsets,
+    at: Pose,
+}
+
+/// A block in hand, obeyed on a state.
+struct Reader<'r, 'a> {
+    memory: &'r mut Memory<'a>,
+    block: &'r mut Block,
+    state: &'r mut State,
+}
+
+/// A program being read; an iterator over its canonical motions.
+pub struct Interpreter<'a> {
+    memory: Memory<'a>,
+    /// The line in hand, and its block.
+    line: Vec<u8>,
+    block: Block,
+    state: State,
+    /// What was in force when the motion last handed out was made.
+    in_force: InForce,
+}
+
 impl<'a> Interpreter<'a> {
     /// Reads a program in memory.
     #[must_use]
     pub fn over(program: &'a [u8], setting: Setting) -> Self {
-        Self::new(Box::new(Memory::new(program)), setting)
+        Self::new(Box::new(std::io::Cursor::new(program)), setting)
     }
 
     /// Reads a program from bytes that can be read again, as loops and subprograms want.
@@ -196,20 +219,14 @@ impl<'a> Interpreter<'a> {
         let frame = offsets.frame(tools.get(&setting.start.offset).map_or_else(Pose::default, |tool| tool.offset));
         #[expect(clippy::cast_possible_truncation, reason = "1 to 9")]
         let system = offsets.active.number() as u8;
-        Self {
+        let modal = Modal {
+            tool: setting.start.tool,
+            offset: setting.start.offset,
+            ..Modal::new(control, setting.unit, system)
+        };
+        let memory = Memory {
             control,
             library: Library::new(bytes),
-            buffer: Vec::new(),
-            line: 0,
-            block: Block::new(),
-            modal: Modal {
-                tool: setting.start.tool,
-                offset: setting.start.offset,
-                ..Modal::new(control, setting.unit, system)
-            },
-            in_force: InForce::default(),
-            current: frame.to_program(&setting.start.machine),
-            frame,
             parameters,
             tools,
             queue: VecDeque::new(),
@@ -231,13 +248,17 @@ impl<'a> Interpreter<'a> {
             lines: 0,
             distances: [false; 2],
             setting,
-        }
+        };
+        let at = frame.to_program(&memory.setting.start.machine);
+        let (block, in_force) = (Block::at(Spot::default()), InForce::default());
+        Self { memory, line: Vec::new(), block, state: State { modal, frame, at }, in_force }
     }
 
     /// What is worth saying about the program as far as it has been read.
     #[must_use]
     pub fn remarks(&self) -> Vec<Finding> {
-        self.left_out().into_iter().chain(self.remarks.findings()).collect()
+        let Memory { doubts, remarks, library, .. } = &self.memory;
+        doubts.left_out().into_iter().chain(remarks.findings(library)).collect()
     }
 
     /// What was in force when the motion last handed out was made.
@@ -249,113 +270,106 @@ impl<'a> Interpreter<'a> {
     /// The name of a subprogram's own file by its number in [`InForce::file`]; `None` for the program itself.
     #[must_use]
     pub fn file(&self, number: usize) -> Option<&str> {
-        self.library.file(number).map(String::as_str)
+        self.memory.library.file(number).map(String::as_str)
     }
 
     /// The position reached, in program and machine coordinates.
     #[must_use]
     pub fn position(&self) -> (Pose, Pose) {
-        let tip = match self.control.radius {
-            RadiusRule::Cutter => self.cutter(),
-            RadiusRule::Nose(_) | RadiusRule::None => self.compensator.tip(&self.current),
+        let Memory { control, milling, compensator, .. } = &self.memory;
+        let tip = match control.radius {
+            RadiusRule::Cutter => milling.cutter(&self.state),
+            RadiusRule::Nose(_) | RadiusRule::None => compensator.tip(&self.state.at),
         };
-        (tip, self.frame.to_machine(&tip))
+        (tip, self.state.frame.to_machine(&tip))
     }
 
     /// True where every motion so far was programmed by increments.
     #[must_use]
     pub const fn all_incremental(&self) -> bool {
-        matches!(self.distances, [false, true])
+        matches!(self.memory.distances, [false, true])
     }
 
     /// How many lines have been read, each counted once.
     #[must_use]
     pub const fn lines(&self) -> usize {
-        self.lines
+        self.memory.lines
     }
 
     /// The var file as the control would leave it: the parameters that were in it, and those that LinuxCNC keeps.
     #[must_use]
     pub fn var_file(&self) -> VarFile {
-        let mut file = self.setting.var_file.clone();
+        let mut file = self.memory.setting.var_file.clone();
         file.complete();
         let numbers: Vec<u32> = file.iter().map(|(number, _)| number).collect();
         for number in numbers {
             // A value that no var file carries stays as it was.
-            let _ = file.set(number, self.parameters.get(number as usize));
+            let _ = file.set(number, self.memory.parameters.get(number as usize));
         }
         file
     }
+}
 
+impl Reader<'_, '_> {
     /// Reads and executes one line.
-    fn step(&mut self) -> Outcome<()> {
-        let mut line = std::mem::take(&mut self.buffer);
-        let result = self.next_line(&mut line);
-        self.buffer = line;
+    fn step(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
+        let result = self.next_line(line);
         if result.is_err() {
             self.leave_corner();
         }
         self.executed();
         result.map_err(|mut fault| {
+            let Spot { text, line, .. } = self.block.spot;
             if fault.line == 0 {
-                fault.line = self.line.max(1);
+                fault.line = line.max(1);
             }
-            fault.file = fault.file.or_else(|| self.source().file.clone());
+            fault.file = fault.file.or_else(|| self.memory.library.file(text).cloned());
             if fault.fatal {
-                self.stage = Stage::Ended;
+                self.memory.stage = Stage::Ended;
             }
             fault
         })
     }
 
-    fn source(&mut self) -> &mut SourceText<'a> {
-        let at = self.library.at();
-        self.library.text(at)
-    }
-
     fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
-        if self.control.lexis.percent.leader() && self.line == 0 {
+        if self.memory.control.lexis.percent.leader() && self.block.spot.line == 0 {
             self.pass_leader()?;
         }
-        if !self.source().next_line(line)? {
+        let Some(behind) = self.memory.library.line(self.memory.flow.next, line)? else {
             return self.end_of_file();
-        }
-        self.count_line()?;
-        self.turn_remarks();
-        if self.line == 1 && wide(line) {
+        };
+        self.memory.flow.next = behind;
+        self.count_line(behind)?;
+        let first = self.block.spot.line == 1;
+        if first && wide(line) {
             return Err(Fault::of(&Utf16 {}, &[]).fatal());
         }
-        if self.line == 1 && line.starts_with(b"\xEF\xBB\xBF") {
+        if first && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
-            self.remarks.row(&ByteOrderMark {}, 1, None);
+            self.memory.remarks.row(&ByteOrderMark {}, self.block.spot, None);
         }
         self.execute_line(line)
     }
 
-    /// What is remarked from here on stands in the file in hand.
-    fn turn_remarks(&mut self) {
-        self.remarks.turn_to(self.library.file(self.library.at()));
-    }
-
     fn end_of_file(&mut self) -> Outcome<()> {
-        let (stage, percent) = (self.stage, self.percent);
-        self.stage = Stage::Ended;
+        let (stage, percent) = (self.memory.stage, self.memory.percent);
+        self.memory.stage = Stage::Ended;
         self.lose_corner(false);
-        if self.library.at() != 0 || !self.flow.frames.is_empty() {
+        if self.memory.flow.next.text != 0 || !self.memory.flow.frames.is_empty() {
             return Err(Fault::of(&EndsInSubprogram {}, &[]));
         }
         if stage == Stage::Opening {
             return Err(Fault::of(&NoProgram {}, &[]));
         }
-        if self.setting.part {
+        if self.memory.setting.part {
             return Ok(());
         }
-        if self.control.lexis.percent.leader() {
+        if self.memory.control.lexis.percent.leader() {
             self.remark_no_end();
             return self.end();
         }
-        self.line = self.source().position().lines;
-        let subprograms = self.library.known_structure().is_some_and(Structure::has_subprograms);
+        self.block.spot.line = self.memory.flow.next.line.lines;
+        let subprograms = self.memory.library.known_structure().is_some_and(Structure::has_subprograms);
         if subprograms && self.made() == 0 {
             return Err(Fault::of(&SubprogramsAlone {}, &[]));
         }
@@ -364,9 +378,9 @@ impl<'a> Interpreter<'a> {
 
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
     fn end(&mut self) -> Outcome<()> {
-        self.stage = Stage::Ended;
+        self.memory.stage = Stage::Ended;
         self.lose_corner(false);
-        if self.control.radius.cutter() {
+        if self.memory.control.radius.cutter() {
             self.end_cutter();
         }
         self.end_of_program();
@@ -374,13 +388,13 @@ impl<'a> Interpreter<'a> {
     }
 
     fn endless(&self) -> Box<Fault> {
-        let most = self.setting.budget.repeated_blocks;
+        let most = self.memory.setting.budget.repeated_blocks;
         Fault::ended(&EndlessProgram { most })
     }
 
     /// The switch and the registers of G92.
     fn g92_registers(&self) -> (bool, Pose) {
-        let on = self.parameters.get(G92_SWITCH as usize) != 0.0;
+        let on = self.memory.parameters.get(G92_SWITCH as usize) != 0.0;
         (on, self.pose_of(G92_FIRST))
     }
 }
@@ -413,34 +427,39 @@ impl Iterator for Interpreter<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            if let Some(item) = self.queue.pop_front() {
-                return Some(item.map(|(motion, control, number)| {
+            match self.memory.queue.pop_front() {
+                Some(Ok((motion, control, number))) => {
                     self.in_force = control;
-                    self.handed_out(Some((&motion, number)));
-                    motion
-                }));
+                    self.memory.standing.handed_out(Some((&motion, number)));
+                    return Some(Ok(motion));
+                }
+                Some(Err(fault)) => return Some(Err(fault)),
+                None => {}
             }
-            let result = if self.run.is_some() {
-                let made = self.made();
-                let result = self.go_on();
-                self.cycle_went_on(made);
+            let Self { memory, line, block, state, .. } = self;
+            let mut reader = Reader { memory, block, state };
+            let result = if reader.memory.run.is_some() {
+                let made = reader.made();
+                let result = reader.go_on();
+                reader.cycle_went_on(made);
                 result
-            } else if self.stage == Stage::Ended {
-                self.flush();
-                if self.queue.is_empty() {
-                    self.handed_out(None);
+            } else if reader.memory.stage == Stage::Ended {
+                reader.flush();
+                if reader.memory.queue.is_empty() {
+                    reader.memory.standing.handed_out(None);
                     return None;
                 }
                 continue;
             } else {
-                self.step()
+                reader.step(line)
             };
-            if let Some(fault) = result.err().and_then(|fault| self.told_once(fault)) {
+            if let Some(fault) = result.err().and_then(|fault| reader.told_once(fault, line)) {
                 // Behind the refusals that its block has handed out already.
-                if !self.queue.iter().any(Result::is_err) {
+                let queue = &mut reader.memory.queue;
+                if !queue.iter().any(Result::is_err) {
                     return Some(Err(fault));
                 }
-                self.queue.push_back(Err(fault));
+                queue.push_back(Err(fault));
             }
         }
     }

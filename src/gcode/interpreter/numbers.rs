@@ -8,7 +8,7 @@ use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
-use crate::gcode::interpreter::{Interpreter, block_number};
+use crate::gcode::interpreter::{Reader, block_number};
 use crate::gcode::rules::flow::{BlockNumbersTooMany, BlockTwice};
 use crate::limits::BLOCK_NUMBERS;
 
@@ -38,24 +38,23 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// Looks through a file up to the second `%` and goes back to where it was.
+    /// Looks through a file up to the second `%`.
     pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
-        let back = source.position();
         let mut numbers = Self::default();
         let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
-        source.go_to(Position::START)?;
-        loop {
-            let at = source.position();
-            if !source.next_line(&mut line)? || tape.ends(&line) {
-                break;
-            }
+        let mut next = Position::START;
+        while let Some(behind) = source.line(next, &mut line)?
+            && !tape.ends(&line)
+        {
+            let at = next;
+            next = behind;
             let mut cursor = Cursor::new(&line, lexis.comments);
             cursor.accept_delete(true);
             if cursor.accept(b'o') {
                 // A bad number is refused when its line is executed.
                 if let Ok(number) = block_number(&mut cursor) {
-                    numbers.programs.push((number, source.position()));
+                    numbers.programs.push((number, behind));
                 }
             } else if cursor.accept(b'n')
                 && let Ok(number) = block_number(&mut cursor)
@@ -73,7 +72,6 @@ impl Numbers {
                 }
             }
         }
-        source.go_to(back)?;
         Ok(numbers)
     }
 
@@ -94,11 +92,11 @@ impl Numbers {
     }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
     /// `missing` what is told where there is none.
     pub(super) fn block_numbered(&mut self, number: u32, column: usize, missing: &dyn Raise) -> Outcome<Numbered> {
-        self.block_near(self.line, number, column, missing)
+        self.block_near(self.block.spot.line, number, column, missing)
     }
 
     /// The same for the program that a line (counted from 1) of the text in hand belongs to.
@@ -109,13 +107,13 @@ impl Interpreter<'_> {
         column: usize,
         missing: &dyn Raise,
     ) -> Outcome<Numbered> {
-        let at = self.library.at();
-        let found = self.library.numbers(at, &self.control.lexis)?.block(number, near);
+        let text = self.memory.flow.next.text;
+        let found = self.memory.library.numbers(text, &self.memory.control.lexis)?.block(number, near);
         match found {
             None => Err(Fault::of(missing, &[column]).as_alarm_of(self.alarms())),
             Some(Numbered { again: Some(again), at }) => {
                 let mut fault = Fault::of(&BlockTwice { number }, &[column]);
-                let file = &self.source().file;
+                let file = self.memory.library.file(text).cloned();
                 fault.others = [at.lines + 1, again].map(|line| (file.clone(), line)).to_vec();
                 Err(fault)
             }

@@ -7,7 +7,7 @@
 use crate::gcode::code::G;
 use crate::gcode::control::Reference;
 use crate::gcode::in_force::Spindle;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -21,38 +21,38 @@ use crate::machine::work_offset::{
     ACTIVE, ActiveOffsets, G28_FIRST, G30_FIRST, G92_FIRST, G92_SWITCH, System, WorkOffset,
 };
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// A coordinate system as the parameters hold it.
     pub(super) fn system(&self, system: u8) -> WorkOffset {
         let system = System::from_number(system.into()).unwrap_or_default();
         WorkOffset {
             origin: self.pose_of(system.first_parameter()),
-            rotation: self.parameters.get(system.rotation_parameter() as usize),
+            rotation: self.memory.parameters.get(system.rotation_parameter() as usize),
         }
     }
 
     /// Puts another frame into force; the machine does not move.
     pub(super) fn reframe(&mut self, frame: ActiveOffsets) {
-        let machine = self.frame.to_machine(&self.current);
-        self.frame = frame;
-        self.current = frame.to_program(&machine);
+        let machine = self.state.frame.to_machine(&self.state.at);
+        self.state.frame = frame;
+        self.state.at = frame.to_program(&machine);
     }
 
     /// G54 to G59.3. A system that is in force already stays as it is.
     pub(super) fn select_system(&mut self, system: u8) {
-        if system != self.modal.system || self.modal.shifted {
-            self.modal.system = system;
-            self.modal.shifted = false;
-            self.parameters.set(ACTIVE as usize, f64::from(system));
-            self.reframe(ActiveOffsets { work: self.system(system), ..self.frame });
+        if system != self.state.modal.system || self.state.modal.shifted {
+            self.state.modal.system = system;
+            self.state.modal.shifted = false;
+            self.memory.parameters.set(ACTIVE as usize, f64::from(system));
+            self.reframe(ActiveOffsets { work: self.system(system), ..self.state.frame });
         }
     }
 
     /// The value of an axis word in mm or degrees.
     pub(super) fn axis_word(&self, axis: Axis) -> Option<f64> {
         let word = self.block.get(AXES[axis as usize])?;
-        let value = if axis.rotary() { word } else { self.modal.unit.to_mm(word) };
-        Some(self.control.axes.coordinate(axis, value))
+        let value = if axis.rotary() { word } else { self.state.modal.unit.to_mm(word) };
+        Some(self.memory.control.axes.coordinate(axis, value))
     }
 
     /// G10: work offsets and tool table.
@@ -60,8 +60,8 @@ impl Interpreter<'_> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
         let L = self.block.get(letter::L).and_then(whole);
         if L == Some(0) {
-            self.remarks.row(&ToolTableLoaded {}, self.line, Some(column));
-            self.tools = self.setting.tools.clone().unwrap_or_default();
+            self.memory.remarks.row(&ToolTableLoaded {}, self.block.spot, Some(column));
+            self.memory.tools = self.memory.setting.tools.clone().unwrap_or_default();
             return Ok(());
         }
         if !matches!(L, Some(1 | 2 | 10 | 11 | 20)) {
@@ -76,7 +76,7 @@ impl Interpreter<'_> {
         match L {
             Some(2 | 20) => {
                 let system = match number {
-                    0 => self.modal.system,
+                    0 => self.state.modal.system,
                     1..=9 => u8::try_from(number).unwrap_or(1),
                     _ => {
                         return Err(Fault::of(&OffsetsPTooGreat { number }, &[column]));
@@ -91,7 +91,7 @@ impl Interpreter<'_> {
                 self.set_system(system, L == Some(20));
                 Ok(())
             }
-            Some(10) => self.set_tool_offset(number, Some(self.modal.system)),
+            Some(10) => self.set_tool_offset(number, Some(self.state.modal.system)),
             Some(11) => self.set_tool_offset(number, Some(9)),
             _ => self.set_tool_offset(number, None),
         }
@@ -105,8 +105,8 @@ impl Interpreter<'_> {
         }
         if from_here {
             // machine = Rz(p + g92) + origin + tool: the origin goes where p reads what is wanted.
-            let machine = self.frame.to_machine(&self.current);
-            let frame = ActiveOffsets { work, ..self.frame };
+            let machine = self.state.frame.to_machine(&self.state.at);
+            let frame = ActiveOffsets { work, ..self.state.frame };
             let mut wanted = frame.to_program(&machine);
             for axis in Axis::ALL {
                 if let Some(value) = self.axis_word(axis) {
@@ -124,30 +124,31 @@ impl Interpreter<'_> {
                 }
             }
         }
-        let forgets = number == self.modal.system && self.block.has(letter::R) && self.frame.g92 != Pose::default();
+        let forgets =
+            number == self.state.modal.system && self.block.has(letter::R) && self.state.frame.g92 != Pose::default();
         if forgets {
-            self.remarks.row(&RotationWithG92 {}, self.line, Some(self.block.column(letter::R)));
+            self.memory.remarks.row(&RotationWithG92 {}, self.block.spot, Some(self.block.column(letter::R)));
         }
         let system = System::from_number(number.into()).unwrap_or_default();
         self.keep_pose(system.first_parameter(), &work.origin);
-        self.parameters.set(system.rotation_parameter() as usize, work.rotation);
-        if number == self.modal.system {
-            self.reframe(ActiveOffsets { work, ..self.frame });
+        self.memory.parameters.set(system.rotation_parameter() as usize, work.rotation);
+        if number == self.state.modal.system {
+            self.reframe(ActiveOffsets { work, ..self.state.frame });
         }
     }
 
     /// The position in a coordinate system as it would read without tool offset.
     pub(super) fn without_tool(&self, system: u8) -> (Pose, f64) {
         let work = self.system(system);
-        let machine = self.frame.to_machine(&self.current);
-        let frame = ActiveOffsets { work, tool: Pose::default(), ..self.frame };
+        let machine = self.state.frame.to_machine(&self.state.at);
+        let frame = ActiveOffsets { work, tool: Pose::default(), ..self.state.frame };
         (frame.to_program(&machine), work.rotation)
     }
 
     /// G28 and G30.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn reference_point(&mut self, second: bool) -> Outcome<()> {
-        match self.control.reference {
+        match self.memory.control.reference {
             Reference::Named => self.return_to_reference(second),
             Reference::NamedOrAll => self.go_to_reference(second),
             Reference::None => {
@@ -165,8 +166,8 @@ impl Interpreter<'_> {
             let over = self.end_point();
             self.emit(MotionKind::Rapid, over, None);
         }
-        let reference = self.frame.to_program(&self.pose_of(if second { G30_FIRST } else { G28_FIRST }));
-        let mut to = self.current;
+        let reference = self.state.frame.to_program(&self.pose_of(if second { G30_FIRST } else { G28_FIRST }));
+        let mut to = self.state.at;
         for axis in Axis::ALL {
             if named.is_empty() || named.contains(&axis) {
                 to.set(axis, reference.get(axis));
@@ -178,12 +179,12 @@ impl Interpreter<'_> {
 
     /// G28.1 and G30.1: this is the reference point.
     pub(super) fn keep_reference(&mut self, second: bool) {
-        let machine = self.frame.to_machine(&self.current);
+        let machine = self.state.frame.to_machine(&self.state.at);
         self.keep_pose(if second { G30_FIRST } else { G28_FIRST }, &machine);
     }
 
     pub(super) fn keep_g92(&mut self, on: bool, registers: Option<Pose>) {
-        self.parameters.set(G92_SWITCH as usize, f64::from(u8::from(on)));
+        self.memory.parameters.set(G92_SWITCH as usize, f64::from(u8::from(on)));
         if let Some(registers) = registers {
             self.keep_pose(G92_FIRST, &registers);
         }
@@ -191,27 +192,27 @@ impl Interpreter<'_> {
 
     /// G52: the local offset, in the registers of G92.
     pub(super) fn local_offset(&mut self) {
-        let mut g92 = self.frame.g92;
+        let mut g92 = self.state.frame.g92;
         for axis in Axis::ALL {
             if let Some(value) = self.axis_word(axis) {
-                self.current.set(axis, self.current.get(axis) + g92.get(axis) - value);
+                self.state.at.set(axis, self.state.at.get(axis) + g92.get(axis) - value);
                 g92.set(axis, value);
             }
         }
-        self.frame.g92 = g92;
+        self.state.frame.g92 = g92;
         self.keep_g92(true, Some(g92));
     }
 
     /// G92: this position gets the axis words as its coordinates.
     pub(super) fn set_position(&mut self) {
-        let mut g92 = self.frame.g92;
+        let mut g92 = self.state.frame.g92;
         for axis in Axis::ALL {
             if let Some(value) = self.axis_word(axis) {
-                g92.set(axis, self.current.get(axis) + g92.get(axis) - value);
-                self.current.set(axis, value);
+                g92.set(axis, self.state.at.get(axis) + g92.get(axis) - value);
+                self.state.at.set(axis, value);
             }
         }
-        self.frame.g92 = g92;
+        self.state.frame.g92 = g92;
         self.keep_g92(true, Some(g92));
     }
 
@@ -220,11 +221,11 @@ impl Interpreter<'_> {
         let axes = AXES.into_iter().any(|axis| self.block.has(axis));
         match (axes, self.block.get(letter::S)) {
             (false, Some(S)) => {
-                self.modal.greatest_speed = Some(S);
+                self.state.modal.greatest_speed = Some(S);
                 Ok(())
             }
             (true, None) => {
-                if self.control.offsets.shifts() {
+                if self.memory.control.offsets.shifts() {
                     self.set_lathe_position();
                 } else {
                     self.set_position();
@@ -244,30 +245,30 @@ impl Interpreter<'_> {
             _ => (true, registers, None),
         };
         self.keep_g92(on, kept);
-        self.reframe(ActiveOffsets { g92: in_force, ..self.frame });
+        self.reframe(ActiveOffsets { g92: in_force, ..self.state.frame });
     }
 
     /// The end of a program: G54, G17, G90, G94, spindle off; G92 stays unless the control does not keep it.
     pub(super) fn end_of_program(&mut self) {
         let (on, registers) = self.g92_registers();
         let left = on && registers != Pose::default();
-        if !self.setting.keep_g92 {
+        if !self.memory.setting.keep_g92 {
             self.keep_g92(false, Some(Pose::default()));
-            self.reframe(ActiveOffsets { g92: Pose::default(), ..self.frame });
+            self.reframe(ActiveOffsets { g92: Pose::default(), ..self.state.frame });
         } else if left {
-            let line = self.line;
-            if self.control.offsets.shifts() {
-                self.remarks.row(&SetPositionLeftOfLathe {}, line, None);
+            let spot = self.block.spot;
+            if self.memory.control.offsets.shifts() {
+                self.memory.remarks.row(&SetPositionLeftOfLathe {}, spot, None);
             } else {
-                self.remarks.row(&SetPositionLeft {}, line, None);
+                self.memory.remarks.row(&SetPositionLeft {}, spot, None);
             }
         }
         self.select_system(1);
-        self.modal.plane = self.control.start.plane;
-        self.modal.incremental = false;
-        self.modal.feed_mode = self.control.start.feed;
-        (self.modal.feed, self.modal.feed_word) = (0.0, 0.0);
-        self.modal.spindle = Spindle::Stopped;
-        self.modal.coolant = false;
+        self.state.modal.plane = self.memory.control.start.plane;
+        self.state.modal.incremental = false;
+        self.state.modal.feed_mode = self.memory.control.start.feed;
+        (self.state.modal.feed, self.state.modal.feed_word) = (0.0, 0.0);
+        self.state.modal.spindle = Spindle::Stopped;
+        self.state.modal.coolant = false;
     }
 }

@@ -2,11 +2,12 @@
 
 use crate::gcode::code::{G, Group};
 use crate::gcode::in_force::Compensation;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::Block;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::cycle;
 use crate::gcode::interpreter::fault::Outcome;
+use crate::gcode::interpreter::library::Spot;
 use crate::gcode::motion::{Arc, Feed, MotionKind, Plane};
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::{Axis, Pose};
@@ -18,7 +19,7 @@ pub(super) enum Pending {
     /// Holes of a canned cycle.
     Holes(cycle::Holes),
     /// Moves of a turning cycle.
-    Moves(Moves),
+    Moves(Box<Moves>),
 }
 
 /// The moves of a turning cycle that are still to be made.
@@ -27,6 +28,8 @@ pub(super) struct Moves {
     moves: std::vec::IntoIter<Move>,
     /// The feed of those that do not say their own; `None` for finishing, which goes at what is in force.
     feed: Option<Feed>,
+    /// The cycle's own block, whose moves are not compensated.
+    own: Block,
     /// The blocks of the contour that the moves may name, in the order of their lines.
     blocks: Vec<ContourBlock>,
     /// How many of them have been obeyed.
@@ -35,7 +38,7 @@ pub(super) struct Moves {
     begun: bool,
 }
 
-impl Interpreter<'_> {
+impl<'a> Reader<'_, 'a> {
     /// Turns the moves of a cycle into motions, one after another as they are asked for.
     pub(super) fn make_moves(&mut self, moves: Vec<Move>, feed: Feed) {
         self.make_contour_moves(moves, feed, Vec::new());
@@ -44,14 +47,18 @@ impl Interpreter<'_> {
     /// The same for moves that name blocks of a contour, whose words are passed over.
     pub(super) fn make_contour_moves(&mut self, moves: Vec<Move>, feed: Feed, blocks: Vec<ContourBlock>) {
         self.remark_uncompensated(&blocks);
-        self.run =
-            Some(Pending::Moves(Moves { moves: moves.into_iter(), feed: Some(feed), blocks, obeyed: 0, begun: false }));
+        self.run_moves(moves, Some(feed), blocks);
     }
 
     /// The same for moves along a contour whose blocks are obeyed on the way.
     pub(super) fn finish_contour(&mut self, moves: Vec<Move>, blocks: Vec<ContourBlock>) {
-        self.run =
-            Some(Pending::Moves(Moves { moves: moves.into_iter(), feed: None, blocks, obeyed: 0, begun: false }));
+        self.run_moves(moves, None, blocks);
+    }
+
+    fn run_moves(&mut self, moves: Vec<Move>, feed: Option<Feed>, blocks: Vec<ContourBlock>) {
+        let own = self.block.of_cycle(Compensation::Off);
+        let moves = Moves { moves: moves.into_iter(), feed, own, blocks, obeyed: 0, begun: false };
+        self.memory.run = Some(Pending::Moves(Box::new(moves)));
     }
 
     /// The feed of the moves that do not say their own: it need not be given where there are none.
@@ -59,21 +66,21 @@ impl Interpreter<'_> {
         if moves.iter().any(|one| matches!(one.way, Way::Feed(None) | Way::Arc { feed: None, .. })) {
             return self.feed();
         }
-        Ok(Feed { mode: self.modal.feed_mode, value: self.modal.feed })
+        Ok(Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed })
     }
 
     /// Makes the next motions of the run in hand.
     pub(super) fn go_on(&mut self) -> Outcome<()> {
-        match self.run.take() {
+        match self.memory.run.take() {
             None => Ok(()),
             Some(Pending::Holes(run)) => self.next_hole(run),
             Some(Pending::Moves(mut run)) => {
                 let Some(next) = run.moves.next() else { return Ok(()) };
                 match run.feed {
-                    Some(feed) => self.make_move(&next, feed, &run.blocks)?,
+                    Some(feed) => self.make_move(&next, feed, &run)?,
                     None => self.finish_move(&next, &mut run)?,
                 }
-                self.run = Some(Pending::Moves(run));
+                self.memory.run = Some(Pending::Moves(run));
                 Ok(())
             }
         }
@@ -81,75 +88,68 @@ impl Interpreter<'_> {
 
     /// Makes all that is left of the run in hand.
     pub(super) fn finish_run(&mut self) -> Outcome<()> {
-        while self.run.is_some() {
+        while self.memory.run.is_some() {
             self.go_on()?;
         }
         Ok(())
     }
 
+    /// Reads on with another block in hand, on the same state.
+    fn with<'s>(&'s mut self, block: &'s mut Block) -> Reader<'s, 'a> {
+        Reader { memory: &mut *self.memory, block, state: &mut *self.state }
+    }
+
     /// A move at the cycle's feed, and as it is: only finishing follows a contour with the nose.
-    fn make_move(&mut self, next: &Move, feed: Feed, blocks: &[ContourBlock]) -> Outcome<()> {
-        let (line, n) = (self.line, self.block.n);
-        if let Some(of) = next.line {
-            self.line = of;
-            let block = blocks.binary_search_by_key(&of, |block| block.line).ok();
-            self.block.n = block.and_then(|at| blocks.get(at)).and_then(|block| block.words.n);
+    fn make_move(&mut self, next: &Move, feed: Feed, run: &Moves) -> Outcome<()> {
+        let mut own = run.own.clone();
+        if let Some(line) = next.line {
+            let block = run.blocks.binary_search_by_key(&line, ContourBlock::line).ok();
+            let n = block.and_then(|at| run.blocks.get(at)).and_then(|block| block.words.spot.n);
+            own.spot = Spot { line, n, ..own.spot };
         }
-        self.compensator.cycle = Some(Compensation::Off);
-        let made = self.make_way(next, Some(feed));
-        self.compensator.cycle = None;
-        (self.line, self.block.n) = (line, n);
-        made
+        self.with(&mut own).make_way(next, Some(feed))
     }
 
     /// A move along the contour: the blocks up to its own are obeyed first. The last move is the cycle's own and goes back.
     fn finish_move(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
-        let line = self.line;
-        let block = std::mem::replace(&mut self.block, Block::new());
-        let mut made = self.obey_contour(next, run).map_err(|mut fault| {
-            fault.line = if fault.line == 0 { self.line } else { fault.line };
-            fault.file = fault.file.or_else(|| self.source().file.clone());
-            fault.uncut = true;
-            fault
-        });
-        (self.line, self.block) = (line, block);
-        if next.line.is_none() && made.is_ok() {
-            self.compensator.cycle = Some(Compensation::Off);
-            made = self.make_way(next, None);
-        }
-        self.compensator.cycle = None;
-        made
-    }
-
-    /// Obeys the blocks of a contour up to the one of a move, and makes the move.
-    fn obey_contour(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
         let until = next.line.unwrap_or(usize::MAX);
-        while let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line < until) {
-            self.take_contour_block(block);
-            self.obey_before()?;
-            self.obey_after()?;
+        while let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line() < until) {
+            self.of_contour(block, |reader| {
+                reader.obey_before()?;
+                reader.obey_after()
+            })?;
             run.obeyed += 1;
         }
-        let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line == until) else { return Ok(()) };
-        self.take_contour_block(block);
-        if !run.begun {
-            self.obey_before()?;
-        }
-        self.make_way(next, None)?;
+        let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line() == until) else {
+            return if next.line.is_none() { self.with(&mut run.own).make_way(next, None) } else { Ok(()) };
+        };
+        let begun = run.begun;
         // A corner makes more than one motion of a block.
         run.begun = run.moves.as_slice().first().is_some_and(|more| more.line == next.line);
-        if run.begun {
-            return Ok(());
-        }
-        run.obeyed += 1;
-        self.obey_after()
+        let whole = !run.begun;
+        run.obeyed += usize::from(whole);
+        self.of_contour(block, |reader| {
+            if !begun {
+                reader.obey_before()?;
+            }
+            reader.make_way(next, None)?;
+            if whole { reader.obey_after() } else { Ok(()) }
+        })
     }
 
-    /// A block of a contour is the block in hand.
-    fn take_contour_block(&mut self, block: &ContourBlock) {
-        self.line = block.line;
-        self.block.clone_from(&block.words);
-        self.compensator.cycle = Some(block.side);
+    /// Does something with a block of a contour in hand. What is refused of it leaves the contour uncut.
+    fn of_contour(
+        &mut self,
+        block: &ContourBlock,
+        obey: impl FnOnce(&mut Reader<'_, 'a>) -> Outcome<()>,
+    ) -> Outcome<()> {
+        let mut words = block.words.of_cycle(block.side);
+        obey(&mut self.with(&mut words)).map_err(|mut fault| {
+            fault.line = if fault.line == 0 { block.line() } else { fault.line };
+            fault.file = fault.file.or_else(|| self.memory.library.file(block.words.spot.text).cloned());
+            fault.uncut = true;
+            fault
+        })
     }
 
     /// What a block of a contour puts into force before its motion, in the order of a block of the program.
@@ -170,7 +170,7 @@ impl Interpreter<'_> {
 
     /// The motion of a move, at a feed or at the one in force.
     pub(super) fn make_way(&mut self, next: &Move, feed: Option<Feed>) -> Outcome<()> {
-        let mut to = self.current;
+        let mut to = self.state.at;
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
         match next.way {
@@ -194,7 +194,7 @@ impl Interpreter<'_> {
                 let seconds = self.thread_seconds(&to, &thread);
                 self.emit(MotionKind::Thread(thread), to, seconds);
             }
-            Way::Dwell(seconds) => self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds)),
+            Way::Dwell(seconds) => self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds)),
         }
         Ok(())
     }
@@ -209,7 +209,7 @@ impl Interpreter<'_> {
     fn arc_to(&self, to: &Pose, centre: [f64; 2], clockwise: bool) -> Arc {
         let centre = [centre[1], centre[0]];
         let of = |pose: &Pose| [pose.get(Axis::Z) - centre[0], pose.get(Axis::X) - centre[1]];
-        let ([a, b], [c, d]) = (of(&self.current), of(to));
+        let ([a, b], [c, d]) = (of(&self.state.at), of(to));
         let between = trig::atan2(a * d - b * c, a * c + b * d);
         let turns = if clockwise { -1 } else { 1 };
         Arc {
@@ -218,7 +218,7 @@ impl Interpreter<'_> {
             turns,
             radius: trig::hypot(a, b),
             sweep: super::arc::sweep(turns, between),
-            rotation: self.frame.work.rotation,
+            rotation: self.state.frame.work.rotation,
         }
     }
 }

@@ -7,13 +7,22 @@ pub(super) const COUNT: usize = 5602;
 /// How many parameters belong to each call of a subprogram.
 pub(super) const LOCAL: usize = 30;
 
+/// What a call of a subprogram has of its own: #1 to #30, and names.
+#[derive(Debug, Default)]
+struct Own {
+    values: [f64; LOCAL],
+    known: [bool; LOCAL],
+    names: BTreeMap<String, f64>,
+}
+
 /// The parameters of a program.
 #[derive(Debug)]
 pub(super) struct Parameters {
     values: Vec<f64>,
     known: Vec<bool>,
     globals: BTreeMap<String, f64>,
-    locals: Vec<BTreeMap<String, f64>>,
+    /// Those of the program, and of each call in it; those in force last.
+    own: Vec<Own>,
     /// How often a parameter has got another value.
     changes: u64,
 }
@@ -24,19 +33,37 @@ impl Parameters {
             values: vec![0.0; COUNT],
             known: vec![false; COUNT],
             globals: BTreeMap::new(),
-            locals: vec![BTreeMap::new()],
+            own: vec![Own::default()],
             changes: 0,
         }
     }
 
+    /// Where a number stands: among those of the call in hand, or among all others.
+    fn place(&self, number: usize) -> (&[f64], &[bool], usize) {
+        match (number, self.own.last()) {
+            (1..=LOCAL, Some(own)) => (&own.values, &own.known, number - 1),
+            _ => (&self.values, &self.known, number),
+        }
+    }
+
+    fn place_mut(&mut self, number: usize) -> Option<(&mut f64, &mut bool)> {
+        let (values, known, at) = match (number, self.own.last_mut()) {
+            (1..=LOCAL, Some(own)) => (&mut own.values[..], &mut own.known[..], number - 1),
+            _ => (&mut self.values[..], &mut self.known[..], number),
+        };
+        values.get_mut(at).zip(known.get_mut(at))
+    }
+
     /// The value of a numbered parameter, 0 where it was never set.
     pub(super) fn get(&self, number: usize) -> f64 {
-        self.values.get(number).copied().unwrap_or(0.0)
+        let (values, _, at) = self.place(number);
+        values.get(at).copied().unwrap_or(0.0)
     }
 
     /// True where a numbered parameter has been set.
     pub(super) fn known(&self, number: usize) -> bool {
-        self.known.get(number).copied().unwrap_or(false)
+        let (_, known, at) = self.place(number);
+        known.get(at).copied().unwrap_or(false)
     }
 
     /// How often the program has given a parameter another value; a call's arguments do not count.
@@ -52,50 +79,42 @@ impl Parameters {
 
     /// What a numbered parameter holds is not known any more.
     pub(super) fn forget(&mut self, number: usize) {
-        if let Some(known) = self.known.get_mut(number) {
+        if let Some((_, known)) = self.place_mut(number) {
             *known = false;
         }
     }
 
     fn put(&mut self, number: usize, value: f64) {
-        if let (Some(slot), Some(known)) = (self.values.get_mut(number), self.known.get_mut(number)) {
-            *slot = value;
-            *known = true;
+        if let Some((slot, known)) = self.place_mut(number) {
+            (*slot, *known) = (value, true);
         }
     }
 
     /// A named parameter: global if its name begins with `_`, else of the call in hand.
     pub(super) fn named(&self, name: &str) -> Option<f64> {
-        let names = if name.starts_with('_') { &self.globals } else { self.locals.last()? };
+        let names = if name.starts_with('_') { &self.globals } else { &self.own.last()?.names };
         names.get(name).copied()
     }
 
     /// Sets a named parameter.
     pub(super) fn set_named(&mut self, name: String, value: f64) {
-        let names = if name.starts_with('_') { Some(&mut self.globals) } else { self.locals.last_mut() };
+        let own = self.own.last_mut().map(|own| &mut own.names);
+        let names = if name.starts_with('_') { Some(&mut self.globals) } else { own };
         if let Some(names) = names {
             self.changes += u64::from(names.insert(name, value).map(f64::to_bits) != Some(value.to_bits()));
         }
     }
 
-    /// Begins a call with its arguments as #1, #2, …; gives the caller's #1 to #30 back.
-    pub(super) fn enter(&mut self, arguments: &[f64]) -> Vec<(f64, bool)> {
-        let saved = (1..=LOCAL).map(|number| (self.get(number), self.known(number))).collect();
-        for number in 1..=LOCAL {
-            self.put(number, arguments.get(number - 1).copied().unwrap_or(0.0));
-        }
-        self.locals.push(BTreeMap::new());
-        saved
+    /// Begins a call with its arguments as #1, #2, …; those that it does not give are 0.
+    pub(super) fn enter(&mut self, arguments: &[f64]) {
+        let values = std::array::from_fn(|at| arguments.get(at).copied().unwrap_or(0.0));
+        self.own.push(Own { values, known: [true; LOCAL], names: BTreeMap::new() });
     }
 
     /// Ends a call: the caller's #1 to #30 and names are in force again.
-    pub(super) fn leave(&mut self, saved: &[(f64, bool)]) {
-        for (number, &(value, known)) in (1..=LOCAL).zip(saved) {
-            self.put(number, value);
-            self.known[number] = known;
-        }
-        if self.locals.len() > 1 {
-            self.locals.pop();
+    pub(super) fn leave(&mut self) {
+        if self.own.len() > 1 {
+            self.own.pop();
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use crate::gcode::code::{G, Group, SinglePassCycle, TurningCycle};
 use crate::gcode::control::Letters;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -23,7 +23,7 @@ const SCALED: Letters = Letters::of("FIKRUWXZ");
 /// Addresses that take no decimal point.
 const WHOLE: Letters = Letters::of("LPQ");
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Marks a number without a decimal point, and refuses a decimal point where none may be.
     #[inline(never)]
     pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Outcome<()> {
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
     /// By what a number without a decimal point is divided.
     fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Outcome<f64> {
         let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
-        let by = match self.setting.point {
+        let by = match self.memory.setting.point {
             None => {
                 let (es, en) = match self.inch() {
                     _ if dwell => ("s o ms", "s or ms"),
@@ -86,8 +86,8 @@ impl Interpreter<'_> {
                 }
             }
         };
-        let line = self.line;
-        let calculator = self.setting.point == Some(DecimalPoint::Calculator);
+        let spot = self.block.spot;
+        let calculator = self.memory.setting.point == Some(DecimalPoint::Calculator);
         let (es, en) = match (calculator, self.inch()) {
             _ if dwell && calculator => ("leídas como s", "read as s"),
             _ if dwell => ("leídas como ms", "read as ms"),
@@ -99,9 +99,9 @@ impl Interpreter<'_> {
             }
         };
         if dwell {
-            self.remarks.row(&DwellsWithoutPoint { reading: t(es, en) }, line, Some(column));
+            self.memory.remarks.row(&DwellsWithoutPoint { reading: t(es, en) }, spot, Some(column));
         } else {
-            self.remarks.row(&DimensionsWithoutPoint { reading: t(es, en) }, line, Some(column));
+            self.memory.remarks.row(&DimensionsWithoutPoint { reading: t(es, en) }, spot, Some(column));
         }
         Ok(by)
     }
@@ -110,19 +110,19 @@ impl Interpreter<'_> {
     fn inch(&self) -> bool {
         match self.block.g(Group::Units) {
             Some(unit) => unit == G::Inch,
-            None => self.modal.unit == LengthUnit::Inch,
+            None => self.state.modal.unit == LengthUnit::Inch,
         }
     }
 
     /// True where the block's F is a length: a feed per revolution, or a lead.
     fn feed_by_revolution(&self) -> bool {
         let thread = matches!(
-            self.block.g(Group::Motion).unwrap_or(self.modal.motion),
+            self.block.g(Group::Motion).unwrap_or(self.state.modal.motion),
             G::Thread(_) | G::Pass(SinglePassCycle::Thread)
         );
         let mode = match self.block.g(Group::Feed) {
             Some(G::Feed(mode)) => mode,
-            _ => self.modal.feed_mode,
+            _ => self.state.modal.feed_mode,
         };
         thread
             || mode == FeedMode::PerRevolution

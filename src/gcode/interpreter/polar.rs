@@ -5,7 +5,7 @@
 //! the angle of where the tool stands, which must not be the origin.
 
 use crate::gcode::code::{G, Group};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -23,7 +23,7 @@ pub(super) type Polar = [Option<(f64, usize)>; 2];
 /// Groups beside which polar words stand: motion, distance mode, what F means and how cycles return.
 const BESIDE: [Group; 5] = [Group::Motion, Group::Distance, Group::Feed, Group::Retract, Group::Path];
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Reads `@` or `^`, on which the cursor stands.
     pub(super) fn read_polar(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
         let (column, angle) = (cursor.column(), cursor.peek() == b'^');
@@ -45,23 +45,23 @@ impl Interpreter<'_> {
         if self.block.has(letter::X) || self.block.has(letter::Y) {
             return Err(Fault::of(&PolarBesideAxes {}, &[column]));
         }
-        if self.modal.plane != Plane::XY {
+        if self.state.modal.plane != Plane::XY {
             return Err(Fault::of(&PolarPlane {}, &[column]));
         }
         let others = BESIDE.iter().fold(self.block.groups, |groups, group| groups & !(1 << *group as u16));
         if others != 0 {
             return Err(Fault::of(&PolarBesideCode {}, &[column]));
         }
-        let motion = self.block.g(Group::Motion).unwrap_or(self.modal.motion);
+        let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
         let incremental = match self.block.g(Group::Distance) {
             Some(code) => code == G::Incremental,
-            None => self.modal.incremental,
+            None => self.state.modal.incremental,
         };
         if incremental && matches!(motion, G::Cycle(_)) && self.block.get(letter::L).is_some_and(|holes| holes != 1.0) {
             return Err(Fault::of(&PolarRepeated {}, &[column]));
         }
-        let unit = self.modal.unit;
-        let at = [Axis::X, Axis::Y].map(|axis| unit.from_mm(self.current.get(axis)));
+        let unit = self.state.modal.unit;
+        let at = [Axis::X, Axis::Y].map(|axis| unit.from_mm(self.state.at.get(axis)));
         let [here, turned] = [trig::hypot(at[0], at[1]), trig::atan2(at[1], at[0])];
         if (incremental || angle.is_none()) && at == [0.0; 2] {
             return Err(Fault::of(&PolarAtOrigin {}, &[column]));

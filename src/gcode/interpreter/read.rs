@@ -2,7 +2,7 @@
 
 use crate::gcode::code::{G, Group, M, TurningCycle};
 use crate::gcode::control::Letters;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
 use crate::gcode::interpreter::expression::whole;
@@ -40,25 +40,25 @@ fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
     Fault::of(&WordTwice { letter }, &[first, second])
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Reads the words of a line behind its block number into the block in hand.
     pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
-        cursor.e_words = self.control.lexis.letters.has(E);
+        cursor.e_words = self.memory.control.lexis.letters.has(E);
         loop {
             match cursor.peek() {
                 0 => break,
-                _ if self.control.lexis.language.refuses_macros() && cursor.macro_word() => {
+                _ if self.memory.control.lexis.language.refuses_macros() && cursor.macro_word() => {
                     return Err(macros(cursor.column()));
                 }
                 b'g' => self.read_g(cursor)?,
-                b',' if self.control.corners.by_words() => self.read_edge(cursor)?,
+                b',' if self.memory.control.corners.by_words() => self.read_edge(cursor)?,
                 b'm' if !self.fagor_cycle() => self.read_m(cursor)?,
                 letter @ b'a'..=b'z' => self.read_word(cursor, letter)?,
-                b'#' if self.control.lexis.language.computes() => {
+                b'#' if self.memory.control.lexis.language.computes() => {
                     let setting = self.setting(cursor)?;
                     self.block.settings.push(setting);
                 }
-                b'@' | b'^' if self.control.lexis.language.computes() => self.read_polar(cursor)?,
+                b'@' | b'^' if self.memory.control.lexis.language.computes() => self.read_polar(cursor)?,
                 _ => return Err(cursor.refuse_character()),
             }
         }
@@ -76,8 +76,8 @@ impl Interpreter<'_> {
             self.settle_polar()?;
         }
         if let Some(column) = cursor.parted {
-            let line = self.line;
-            self.remarks.row(&NumberParted {}, line, Some(column));
+            let spot = self.block.spot;
+            self.memory.remarks.row(&NumberParted {}, spot, Some(column));
         }
         if self.block.pointless != 0 || self.block.edge.is_some() {
             self.settle_points()?;
@@ -93,7 +93,7 @@ impl Interpreter<'_> {
             };
             let mode = match self.block.g(Group::Feed) {
                 Some(G::Feed(mode)) => mode,
-                _ => self.modal.feed_mode,
+                _ => self.state.modal.feed_mode,
             };
             if index == letter::F && mode == FeedMode::InverseTime {
                 continue;
@@ -114,7 +114,7 @@ impl Interpreter<'_> {
         cursor.pass();
         let value = self.value(cursor)?.value;
         let tenths = whole(value * 10.0).and_then(|tenths| usize::try_from(tenths).ok());
-        let found = tenths.and_then(|tenths| self.control.codes.get(tenths));
+        let found = tenths.and_then(|tenths| self.memory.control.codes.get(tenths));
         match found {
             Some(G::Refused(_, name)) => {
                 Err(Fault::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
@@ -132,17 +132,17 @@ impl Interpreter<'_> {
         cursor.pass();
         let value = self.value(cursor)?.value;
         let number = whole(value).and_then(|number| u32::try_from(number).ok());
-        let found = number.and_then(|number| Some((number, (self.control.machine_code)(number)?)));
+        let found = number.and_then(|number| Some((number, (self.memory.control.machine_code)(number)?)));
         match found {
             Some((number, M::Refused(name))) => {
                 Err(Fault::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
             }
             Some((number, m)) => {
                 if m == M::User {
-                    let line = self.line;
-                    self.remarks.row(&MachineCodeOfBuilder { code: number }, line, Some(column));
+                    let spot = self.block.spot;
+                    self.memory.remarks.row(&MachineCodeOfBuilder { code: number }, spot, Some(column));
                     // Codes of the builder do not exclude each other everywhere: clamps M11 and M13 stand in one block.
-                    if self.control.lexis.builders.stand_together() {
+                    if self.memory.control.lexis.builders.stand_together() {
                         self.block.machine_codes += 1;
                         return self.machine_code_count(column);
                     }
@@ -157,7 +157,7 @@ impl Interpreter<'_> {
     }
 
     fn machine_code_count(&self, column: usize) -> Outcome<()> {
-        let most = self.control.lexis.most_machine_codes;
+        let most = self.memory.control.lexis.most_machine_codes;
         if self.block.machine_codes <= most {
             return Ok(());
         }
@@ -166,7 +166,7 @@ impl Interpreter<'_> {
 
     #[cold]
     pub(super) fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
-        let dialect = self.setting.control.name;
+        let dialect = self.memory.setting.control.name;
         Fault::of(&Unknown { letter, value, dialect }, &[column])
     }
 
@@ -202,7 +202,7 @@ impl Interpreter<'_> {
     fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {
         let column = cursor.column();
         let index = letter - b'a';
-        let known = self.control.lexis.letters.has(index);
+        let known = self.memory.control.lexis.letters.has(index);
         if !(known || (self.fagor_cycle() && TurningCycle::Fagor(0).letters().has(index))) {
             return Err(self.unknown_letter(letter, column));
         }
@@ -210,7 +210,7 @@ impl Interpreter<'_> {
         cursor.no_comment()?;
         cursor.peek();
         let number_column = cursor.column();
-        if self.control.lexis.language.refuses_macros() && cursor.macro_word() {
+        if self.memory.control.lexis.language.refuses_macros() && cursor.macro_word() {
             return Err(macros(number_column));
         }
         let number = self.value(cursor)?;
@@ -223,13 +223,13 @@ impl Interpreter<'_> {
             return Err(Fault::of(&WordTooGreat { letter: name(letter), value }, &[number_column]));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
-            && !self.control.lexis.negative.has(index)
+            && !self.memory.control.lexis.negative.has(index)
             && !(letter == b'q' && matches!(self.block.m(5), Some((M::AnalogOutput, _))))
             && !self.fagor_cycle()
         {
             return Err(negative(name(letter), value, number_column));
         }
-        if self.control.lexis.point.by_setting() {
+        if self.memory.control.lexis.point.by_setting() {
             self.see_point(index, &number, column)?;
         }
         self.block.put(index.into(), value, column).map_err(|first| match cursor.glued {
@@ -240,8 +240,8 @@ impl Interpreter<'_> {
 
     #[cold]
     fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
-        let (name, dialect) = (name(letter), self.setting.control.name);
-        if self.control.lexis.refused.has(letter - b'a') {
+        let (name, dialect) = (name(letter), self.memory.setting.control.name);
+        if self.memory.control.lexis.refused.has(letter - b'a') {
             Fault::of(&LetterNotSupported { letter: name, dialect }, &[column])
         } else {
             Fault::of(&LetterUnknown { letter: name, dialect }, &[column])

@@ -9,7 +9,7 @@
 use crate::finding::Raise;
 use crate::gcode::code::{G, Group};
 use crate::gcode::control::{Letters, Rollover, Rotary};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::motion::MotionKind;
@@ -27,16 +27,16 @@ const SAME: f64 = 0.000_05;
 /// What the sum of increments may lose, degrees.
 const ROUNDING: f64 = 1e-6;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// Refuses absolute words of rollover axes that the control refuses, before the block is executed.
     pub(super) fn rotary_words(&self) -> Outcome<()> {
-        match self.setting.rotary {
+        match self.memory.setting.rotary {
             Rotary::Rollover if self.block.present & WORDS != 0 => {}
             Rotary::Rollover | Rotary::Linear => return Ok(()),
         }
         let incremental = match self.block.g(Group::Distance) {
             Some(code) => code == G::Incremental,
-            None => self.modal.incremental,
+            None => self.state.modal.incremental,
         };
         let preset = match self.block.g(Group::NonModal) {
             None | Some(G::MachineCoordinates | G::Reference(_)) if incremental => return Ok(()),
@@ -48,7 +48,7 @@ impl Interpreter<'_> {
             let Some(word) = self.block.get(index) else { continue };
             let name = axis.letter();
             let column = self.block.column(index);
-            let alarm = match self.control.rotary.rollover {
+            let alarm = match self.memory.control.rotary.rollover {
                 Rollover::Numbered if preset && !(0.0..360.0).contains(&word) => {
                     return Err(Fault::of(&RolloverPreset { axis: name, angle: word }, &[column]));
                 }
@@ -90,8 +90,8 @@ impl Interpreter<'_> {
 
     /// Cautions that the control's manuals do not say what a word of a rollover axis does; LinuxCNC's program does.
     fn unclear(&mut self, letter: usize, row: &dyn Raise) {
-        match self.control.rotary.rollover {
-            Rollover::Numbered => self.remarks.row(row, self.line, Some(self.block.column(letter))),
+        match self.memory.control.rotary.rollover {
+            Rollover::Numbered => self.memory.remarks.row(row, self.block.spot, Some(self.block.column(letter))),
             Rollover::Wrapped => {}
         }
     }
@@ -102,9 +102,9 @@ impl Interpreter<'_> {
             return;
         }
         for (axis, _) in ROTARY {
-            let by = to.get(axis) - self.current.get(axis);
+            let by = to.get(axis) - self.state.at.get(axis);
             if by.abs() > 180.0 + ROUNDING {
-                self.remarks.turned(self.line, axis.letter(), by);
+                self.memory.remarks.turned(self.block.spot, axis.letter(), by);
             }
         }
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::{Interpreter, Stage};
+use crate::gcode::interpreter::{Reader, Stage};
 use crate::gcode::turning::rules::{EndlessLoop, RefusedInLoop, TooManyCycleMotions};
 use crate::limits::{BLOCK_REFUSALS, IDLE_ROUNDS, REFUSED_LINES};
 
@@ -20,23 +20,23 @@ pub(super) struct Rounds {
     cycled: u64,
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// A refusal as it is to be told: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
-    pub(super) fn told_once(&mut self, fault: Box<Fault>) -> Option<Box<Fault>> {
-        let key = (self.library.at(), fault.line);
+    pub(super) fn told_once(&mut self, fault: Box<Fault>, line: &[u8]) -> Option<Box<Fault>> {
+        let key = (self.block.spot.text, fault.line);
         if fault.fatal {
             return Some(fault);
         }
-        let follows = self.follows(&fault);
-        if self.rounds.refusals.len() >= REFUSED_LINES && !self.rounds.refusals.contains_key(&key) {
+        let follows = self.follows(&fault, line);
+        if self.memory.rounds.refusals.len() >= REFUSED_LINES && !self.memory.rounds.refusals.contains_key(&key) {
             return (!follows).then_some(fault);
         }
-        let times = self.rounds.refusals.entry(key).or_insert(0);
+        let times = self.memory.rounds.refusals.entry(key).or_insert(0);
         *times += 1;
         match *times {
             1 => (!follows).then_some(fault),
             BLOCK_REFUSALS => {
-                self.stage = Stage::Ended;
+                self.memory.stage = Stage::Ended;
                 let mut limit = Fault::ended(&RefusedInLoop { times: BLOCK_REFUSALS });
                 (limit.line, limit.file) = (fault.line, fault.file);
                 Some(limit)
@@ -47,8 +47,8 @@ impl Interpreter<'_> {
 
     /// A loop goes round again because of its condition: where nothing has happened since it did so last, it never ends.
     pub(super) fn round_again(&mut self) -> Outcome<()> {
-        let now = (self.made(), self.parameters.changes(), self.modal.in_force());
-        let rounds = &mut self.rounds;
+        let now = (self.made(), self.memory.parameters.changes(), self.state.modal.in_force());
+        let rounds = &mut self.memory.rounds;
         rounds.idle = if rounds.last.replace(now) == Some(now) { rounds.idle + 1 } else { 0 };
         if rounds.idle < IDLE_ROUNDS {
             return Ok(());
@@ -58,15 +58,15 @@ impl Interpreter<'_> {
 
     /// A cycle has gone on, from so many motions made.
     pub(super) fn cycle_went_on(&mut self, before: u64) {
-        self.rounds.cycled += self.made() - before;
-        let most = self.setting.budget.repeated_blocks;
-        if self.rounds.cycled <= most || self.run.is_none() {
+        self.memory.rounds.cycled += self.made() - before;
+        let most = self.memory.setting.budget.repeated_blocks;
+        if self.memory.rounds.cycled <= most || self.memory.run.is_none() {
             return;
         }
-        self.run = None;
-        self.stage = Stage::Ended;
+        self.memory.run = None;
+        self.memory.stage = Stage::Ended;
         let mut limit = Fault::ended(&TooManyCycleMotions { most });
-        limit.line = self.line;
-        self.queue.push_back(Err(limit));
+        limit.line = self.block.spot.line;
+        self.memory.queue.push_back(Err(limit));
     }
 }

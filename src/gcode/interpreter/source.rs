@@ -17,7 +17,7 @@ pub trait Bytes: BufRead + Seek {}
 impl<T: BufRead + Seek> Bytes for T {}
 
 /// Where a line begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Position {
     /// Bytes before it.
     pub(super) offset: u64,
@@ -32,9 +32,10 @@ impl Position {
     pub(super) const START: Self = Self { offset: 0, lines: 0, after_return: false };
 }
 
-/// A program's text.
+/// A program's text. Where it is read is the reader's to say: a line is asked for by its place.
 pub(super) struct SourceText<'a> {
     bytes: Box<dyn Bytes + 'a>,
+    /// Where the bytes stand.
     at: Position,
     /// Lines read so far, counted once.
     furthest: usize,
@@ -47,11 +48,6 @@ impl<'a> SourceText<'a> {
         Self { bytes, at: Position::START, furthest: 0, file }
     }
 
-    /// Where the next line begins.
-    pub(super) const fn position(&self) -> Position {
-        self.at
-    }
-
     /// True where a line is read for the first time.
     pub(super) const fn first_time(&mut self, line: usize) -> bool {
         let first = line > self.furthest;
@@ -61,10 +57,14 @@ impl<'a> SourceText<'a> {
         first
     }
 
-    /// Reads the next line into `line`, without its end; false where there is none. Lines end with a line feed, a carriage
-    /// return, or both.
-    pub(super) fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<bool> {
+    /// Reads the line at a place into `line`, without its end; gives where the next one begins, `None` where there is none.
+    /// Lines end with a line feed, a carriage return, or both.
+    pub(super) fn line(&mut self, at: Position, line: &mut Vec<u8>) -> Outcome<Option<Position>> {
         line.clear();
+        if self.at != at {
+            self.bytes.seek(SeekFrom::Start(at.offset)).map_err(|error| unreadable(&error))?;
+            self.at = at;
+        }
         loop {
             let buffer = self.bytes.fill_buf().map_err(|error| unreadable(&error))?;
             if self.at.after_return && buffer.first() == Some(&b'\n') {
@@ -75,10 +75,10 @@ impl<'a> SourceText<'a> {
             }
             if buffer.is_empty() {
                 if line.is_empty() {
-                    return Ok(false);
+                    return Ok(None);
                 }
                 self.at.lines += 1;
-                return Ok(true);
+                return Ok(Some(self.at));
             }
             self.at.after_return = false;
             let end = memchr::memchr2(b'\n', b'\r', buffer);
@@ -96,16 +96,9 @@ impl<'a> SourceText<'a> {
             }
             if end.is_some() {
                 self.at.lines += 1;
-                return Ok(true);
+                return Ok(Some(self.at));
             }
         }
-    }
-
-    /// Goes to a line that was read before or found by an index.
-    pub(super) fn go_to(&mut self, position: Position) -> Outcome<()> {
-        self.bytes.seek(SeekFrom::Start(position.offset)).map_err(|error| unreadable(&error))?;
-        self.at = position;
-        Ok(())
     }
 }
 

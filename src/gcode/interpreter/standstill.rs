@@ -2,8 +2,9 @@
 
 use std::collections::VecDeque;
 
-use super::Interpreter;
+use super::{Interpreter, Reader, State};
 use crate::gcode::in_force::InForce;
+use crate::gcode::interpreter::library::Spot;
 use crate::gcode::motion::Motion;
 use crate::limits::STANDSTILL_BLOCKS;
 use crate::machine::axis::Pose;
@@ -45,24 +46,31 @@ pub(super) struct Standing {
     blocks: VecDeque<Block>,
 }
 
+impl State {
+    /// What is in force at a block, and where the machine stands.
+    fn stands(&self, spot: Spot) -> Standstill {
+        let control = InForce { file: spot.text, ..self.modal.in_force() };
+        Standstill { line: spot.line, control, at: self.at, machine: self.frame.to_machine(&self.at) }
+    }
+}
+
 impl Interpreter<'_> {
     /// From now on keeps what blocks without motion change; see [`Interpreter::stood`].
     pub fn keep_stood(&mut self) {
-        self.standing.kept = true;
-        self.standing.last = Some((self.modal.in_force(), self.current));
+        self.memory.standing.kept = true;
+        self.memory.standing.last = Some((self.state.modal.in_force(), self.state.at));
     }
 
     /// What is in force at the block that was read last, and where the machine stands.
     #[must_use]
     pub fn stands(&self) -> Standstill {
-        let control = InForce { file: self.library.at(), ..self.modal.in_force() };
-        Standstill { line: self.line, control, at: self.current, machine: self.frame.to_machine(&self.current) }
+        self.state.stands(self.block.spot)
     }
 
     /// The blocks that changed what is in force without a motion, before the motion last handed out or, at the end of the
     /// program, behind it. Each is given once.
     pub fn stood(&mut self) -> Vec<Standstill> {
-        let Standing { blocks, given, ends, .. } = &mut self.standing;
+        let Standing { blocks, given, ends, .. } = &mut self.memory.standing;
         let before = blocks.iter().take_while(|block| block.made < *given).count();
         let placed = |Block { mut stood, aside, .. }: Block| {
             if let (true, Some(tip)) = (aside, ends[1]) {
@@ -74,41 +82,49 @@ impl Interpreter<'_> {
         };
         blocks.drain(..before).map(placed).collect()
     }
+}
 
+impl Standing {
     /// A motion of this number was handed out; `None`: there are no more.
     pub(super) fn handed_out(&mut self, item: Option<(&Motion, u64)>) {
-        let ends = &mut self.standing.ends;
+        if !self.kept {
+            return;
+        }
+        let ends = &mut self.ends;
         *ends = [item.map(|(motion, _)| motion.machine).or(ends[0]), ends[0]];
-        self.standing.given = item.map_or(u64::MAX, |(_, number)| number);
+        self.given = item.map_or(u64::MAX, |(_, number)| number);
     }
+}
 
+impl Reader<'_, '_> {
     /// How many motions the program has made.
     pub(super) const fn made(&self) -> u64 {
-        self.standing.made
+        self.memory.standing.made
     }
 
     /// A motion was made.
     pub(super) fn moved(&mut self) {
-        self.standing.made += 1;
-        if self.standing.kept {
-            self.standing.last = Some((self.modal.in_force(), self.current));
+        self.memory.standing.made += 1;
+        if self.memory.standing.kept {
+            self.memory.standing.last = Some((self.state.modal.in_force(), self.state.at));
         }
     }
 
     /// A block was executed: what it changed without a motion is kept.
     pub(super) fn executed(&mut self) {
-        if !self.standing.kept
-            || self.run.is_some()
-            || self.corner.is_some()
-            || self.standing.blocks.len() == STANDSTILL_BLOCKS
+        if !self.memory.standing.kept
+            || self.memory.run.is_some()
+            || self.memory.corner.is_some()
+            || self.memory.standing.blocks.len() == STANDSTILL_BLOCKS
         {
             return;
         }
-        let now = (self.modal.in_force(), self.current);
-        if self.standing.last.replace(now) != Some(now) {
-            let stood = self.stands();
-            let (made, aside) = (self.standing.made, !(self.compensator.idle() && self.milling.idle()));
-            self.standing.blocks.push_back(Block { stood, made, aside });
+        let now = (self.state.modal.in_force(), self.state.at);
+        if self.memory.standing.last.replace(now) != Some(now) {
+            let stood = self.state.stands(self.block.spot);
+            let (made, aside) =
+                (self.memory.standing.made, !(self.memory.compensator.idle() && self.memory.milling.idle()));
+            self.memory.standing.blocks.push_back(Block { stood, made, aside });
         }
     }
 }

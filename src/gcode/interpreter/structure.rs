@@ -174,22 +174,21 @@ fn inside(mark: &OWord, outer: &OWord) -> Box<Fault> {
 }
 
 impl Structure {
-    /// Looks through a file up to the second `%` and goes back to where it was.
+    /// Looks through a file up to the second `%`.
     ///
     /// # Errors
     /// For words that do not belong together, two subprograms of one label, and too many words.
     pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
-        let back = source.position();
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
         let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
-        source.go_to(Position::START)?;
-        loop {
-            let at = source.position();
-            if !source.next_line(&mut line)? || tape.ends(&line) {
-                break;
-            }
+        let mut next = Position::START;
+        while let Some(behind) = source.line(next, &mut line)?
+            && !tape.ends(&line)
+        {
+            let at = next;
+            next = behind;
             let mut cursor = Cursor::new(&line, lexis.comments);
             if cursor.peek() == b'/' {
                 cursor.pass();
@@ -203,7 +202,7 @@ impl Structure {
             // What is wrong inside a line is refused when it is executed.
             let Ok(Some(label)) = label(&mut cursor) else { continue };
             let Some(word) = word(&mut cursor) else { continue };
-            let mark = OWord { word, label, at, after: source.position(), next: None, opens: None };
+            let mark = OWord { word, label, at, after: behind, next: None, opens: None };
             structure.add(mark, &mut open)?;
             if structure.words.len() > O_WORDS {
                 return Err(Fault::ended(&OWordsTooMany { most: O_WORDS }));
@@ -213,7 +212,6 @@ impl Structure {
             let (label, word, close) = (shown(&mark.label), mark.word.name(), mark.word.closed_by());
             return Err(refused(mark.at.lines + 1, &NotClosed { label, word, close }));
         }
-        source.go_to(back)?;
         Ok(structure)
     }
 

@@ -9,7 +9,7 @@
 //! The lathe simulator's description of M97 to M99; Fanuc Series 0i-T operator's manual, subprograms: four deep.
 
 use crate::gcode::code::M;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -23,7 +23,7 @@ use crate::gcode::rules::flow::{
 use crate::limits::CALL_REPEATS;
 use crate::text::Text;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// M97, M98 and M99 of the block in hand.
     pub(super) fn call_by_number(&mut self) -> Outcome<()> {
         match self.block.m(4) {
@@ -65,10 +65,11 @@ impl Interpreter<'_> {
         if repeats == 0 {
             return Ok(());
         }
-        let back = self.library.mark();
+        let back = self.memory.flow.next;
         let start = Mark { line: block.at, ..back };
         self.enter(Call::of(format!("N{number}"), back, repeats, start))?;
-        self.open(start)
+        self.open(start);
+        Ok(())
     }
 
     fn call_numbered_program(&mut self) -> Outcome<()> {
@@ -91,13 +92,14 @@ impl Interpreter<'_> {
                 &[self.block.column(letter::P)],
             ));
         }
-        let back = self.library.mark();
+        let back = self.memory.flow.next;
         let start = self.program_numbered(number)?;
         if repeats == 0 {
             return Ok(());
         }
         self.enter(Call::of(number.to_string(), back, repeats, start))?;
-        self.open(start)
+        self.open(start);
+        Ok(())
     }
 
     /// Where a program begins: behind the line of its number.
@@ -105,8 +107,9 @@ impl Interpreter<'_> {
         let column = self.block.column(letter::P);
         let twice = |places: String| Fault::of(&ProgramTwice { number: format!("{number:04}"), places }, &[column]);
         // The file in hand, then the program's own file.
-        for text in [self.library.at(), 0] {
-            let found: Vec<_> = self.library.numbers(text, &self.control.lexis)?.programs(number).collect();
+        for text in [self.memory.flow.next.text, 0] {
+            let found: Vec<_> =
+                self.memory.library.numbers(text, &self.memory.control.lexis)?.programs(number).collect();
             match *found.as_slice() {
                 [] => {}
                 [line] => return Ok(Mark { text, line }),
@@ -116,12 +119,13 @@ impl Interpreter<'_> {
         let mut names =
             vec![format!("O{number:04}"), format!("o{number:04}"), format!("{number:04}"), number.to_string()];
         names.dedup();
-        if let Some(known) = self.library.find(|file| names.iter().any(|name| name == file)) {
+        if let Some(known) = self.memory.library.find(|file| names.iter().any(|name| name == file)) {
             return self.beginning(known, number);
         }
         let mut found: Option<(String, Vec<u8>)> = None;
         for name in names {
             let bytes = self
+                .memory
                 .setting
                 .files
                 .find(&name)
@@ -141,49 +145,54 @@ impl Interpreter<'_> {
         if bytes.len() > LARGEST_FILE {
             return Err(Fault::ended(&SubprogramTooLarge { name }));
         }
-        let text = self.library.add(bytes, name);
+        let text = self.memory.library.add(bytes, name);
         self.beginning(text, number)
     }
 
     /// Where the program of a file of its own begins: behind its number, or behind `%`, or with its first line.
     fn beginning(&mut self, text: usize, number: u32) -> Outcome<Mark> {
-        let numbers = self.library.numbers(text, &self.control.lexis)?;
+        let numbers = self.memory.library.numbers(text, &self.memory.control.lexis)?;
         if let Some(line) = numbers.programs(number).next() {
             return Ok(Mark { text, line });
         }
         if let Some(other) = numbers.first_program() {
-            let name = self.library.file(text).cloned().unwrap_or_default();
+            let name = self.memory.library.file(text).cloned().unwrap_or_default();
             return Err(Fault::of(
                 &FileOfAnother { name, other: format!("{other:04}"), number: format!("{number:04}") },
                 &[self.block.column(letter::P)],
             ));
         }
         let mut line = Vec::new();
-        let source = self.library.text(text);
-        source.go_to(Position::START)?;
-        let opens = source.next_line(&mut line)? && line.trim_ascii() == b"%";
-        Ok(Mark { text, line: if opens { source.position() } else { Position::START } })
+        let start = Mark { text, line: Position::START };
+        let behind = self.memory.library.line(start, &mut line)?;
+        Ok(behind.filter(|_| line.trim_ascii() == b"%").unwrap_or(start))
     }
 
     /// M99: again, or back to the caller.
     fn return_to_caller(&mut self) -> Outcome<()> {
         let P = if self.block.has(letter::P) { Some(self.called(99)?) } else { None };
-        match (self.flow.frames.last_mut(), P) {
+        match (self.memory.flow.frames.last_mut(), P) {
             (None, _) => Err(Fault::ended(&MainReturns {})),
             (Some(call), None) => match call.repeat() {
-                Some(start) => self.open(start),
-                None => self.leave(),
+                Some(start) => {
+                    self.open(start);
+                    Ok(())
+                }
+                None => {
+                    self.leave();
+                    Ok(())
+                }
             },
             (Some(_), Some(number)) => {
                 let column = self.block.column(letter::P);
-                let here = self.library.at();
-                self.leave()?;
+                self.leave();
                 // The number is one of the caller's program.
-                let near = self.library.mark().line.lines.max(1);
+                let near = self.memory.flow.next.line.lines.max(1);
                 let block = self.block_near(near, number, column, &BlockMissing { number });
+                let there = self.memory.flow.next.text;
                 let block = block.map_err(|mut fault| {
                     // M99 stands here, and the blocks it may mean there.
-                    if self.library.turn_to(here) != here && fault.others.is_empty() {
+                    if there != self.block.spot.text && fault.others.is_empty() {
                         let Text { es, en } = &fault.what;
                         fault.what = Text::new(
                             format!("{es} en el programa que llama"),
@@ -192,7 +201,8 @@ impl Interpreter<'_> {
                     }
                     fault
                 })?;
-                self.go_to(block.at)
+                self.go_to(block.at);
+                Ok(())
             }
         }
     }

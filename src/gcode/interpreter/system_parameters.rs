@@ -2,7 +2,7 @@
 
 use crate::gcode::code::G;
 use crate::gcode::in_force::Spindle;
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::length_unit::LengthUnit;
@@ -16,7 +16,7 @@ fn flag(on: bool) -> f64 {
     if on { 1.0 } else { 0.0 }
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// A length of an axis in a unit; angles as they are.
     pub(super) fn in_unit(axis: Axis, value: f64, unit: LengthUnit) -> f64 {
         if axis.rotary() { value } else { unit.from_mm(value) }
@@ -24,10 +24,10 @@ impl Interpreter<'_> {
 
     /// Nine parameters as a pose in mm and degrees.
     pub(super) fn pose_of(&self, first: u32) -> Pose {
-        let unit = self.setting.unit;
+        let unit = self.memory.setting.unit;
         let mut pose = Pose::default();
         for (number, axis) in (first as usize..).zip(Axis::ALL) {
-            let held = self.parameters.get(number);
+            let held = self.memory.parameters.get(number);
             pose.set(axis, if axis.rotary() { held } else { unit.to_mm(held) });
         }
         pose
@@ -35,9 +35,9 @@ impl Interpreter<'_> {
 
     /// Keeps a pose in nine parameters.
     pub(super) fn keep_pose(&mut self, first: u32, pose: &Pose) {
-        let unit = self.setting.unit;
+        let unit = self.memory.setting.unit;
         for (number, axis) in (first as usize..).zip(Axis::ALL) {
-            self.parameters.set(number, Self::in_unit(axis, pose.get(axis), unit));
+            self.memory.parameters.set(number, Self::in_unit(axis, pose.get(axis), unit));
         }
     }
 
@@ -46,17 +46,17 @@ impl Interpreter<'_> {
         match number {
             POSITION..5429 => {
                 let axis = *Axis::ALL.get(number - POSITION)?;
-                Some(Self::in_unit(axis, self.current.get(axis), self.modal.unit))
+                Some(Self::in_unit(axis, self.state.at.get(axis), self.state.modal.unit))
             }
-            TOOL => Some(f64::from(self.modal.tool)),
+            TOOL => Some(f64::from(self.state.modal.tool)),
             5401..=5409 => {
                 let axis = *Axis::ALL.get(number - TOOL - 1)?;
-                let offset = self.tools.get(&self.modal.tool).map_or(0.0, |tool| tool.offset.get(axis));
-                Some(Self::in_unit(axis, offset, self.setting.unit))
+                let offset = self.memory.tools.get(&self.state.modal.tool).map_or(0.0, |tool| tool.offset.get(axis));
+                Some(Self::in_unit(axis, offset, self.memory.setting.unit))
             }
             5410 => {
-                let diameter = self.tools.get(&self.modal.tool).map_or(0.0, |tool| tool.diameter);
-                Some(self.setting.unit.from_mm(diameter))
+                let diameter = self.memory.tools.get(&self.state.modal.tool).map_or(0.0, |tool| tool.diameter);
+                Some(self.memory.setting.unit.from_mm(diameter))
             }
             5411..=5413 => Some(0.0),
             _ => None,
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
 
     /// A named parameter that the control keeps.
     pub(super) fn system_name(&self, name: &str) -> Option<f64> {
-        let modal = &self.modal;
+        let modal = &self.state.modal;
         let position = |axis: &str, pose: &Pose, unit| {
             let axis = Axis::ALL
                 .into_iter()
@@ -73,16 +73,16 @@ impl Interpreter<'_> {
             Some(Self::in_unit(axis, pose.get(axis), unit))
         };
         if let Some(axis) = name.strip_prefix("_abs_") {
-            return position(axis, &self.frame.to_machine(&self.current), modal.unit);
+            return position(axis, &self.state.frame.to_machine(&self.state.at), modal.unit);
         }
         if let Some(axis) = name.strip_prefix('_')
-            && let Some(found) = position(axis, &self.current, modal.unit)
+            && let Some(found) = position(axis, &self.state.at, modal.unit)
         {
             return Some(found);
         }
         Some(match name {
             #[expect(clippy::cast_precision_loss, reason = "a line number")]
-            "_line" => self.line as f64,
+            "_line" => self.block.spot.line as f64,
             "_plane" => match modal.plane {
                 Plane::XY => 170.0,
                 Plane::ZX => 180.0,
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
                 system @ 1..=6 => f64::from(530 + u16::from(system) * 10),
                 system => f64::from(584 + u16::from(system)),
             },
-            "_tool_offset" => flag(self.frame.tool != Pose::default()),
+            "_tool_offset" => flag(self.state.frame.tool != Pose::default()),
             "_retract_r_plane" => flag(!self.returns_initial()),
             "_retract_old_z" => flag(self.returns_initial()),
             "_spindle_rpm_mode" => flag(!modal.constant_surface_speed),
@@ -124,7 +124,7 @@ impl Interpreter<'_> {
             "_current_tool" => f64::from(modal.tool),
             "_selected_tool" => modal.selected.map_or(-1.0, f64::from),
             #[expect(clippy::cast_precision_loss, reason = "at most some tens")]
-            "_call_level" => self.flow.frames.len() as f64,
+            "_call_level" => self.memory.flow.frames.len() as f64,
             _ => return None,
         })
     }

@@ -7,7 +7,7 @@ use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::setting::ToolOffset;
-use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::turning::rules::{
     AddedLength, ChangeWithoutTool, LengthWithoutAxes, NoOrientation, NoToolNumber, NoToolTable,
     OffsetMeasuredAtMachine, SetToolWithoutQ, ToolNotInTable, ToolOffsetWithoutValues, ToolTableNotKnown,
@@ -16,18 +16,18 @@ use crate::machine::axis::{Axis, Pose};
 use crate::machine::work_offset::{ActiveOffsets, G92_FIRST, G92_SWITCH};
 use crate::number::trig::sin_cos;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// T: the tool that the next change brings, or the turret's place.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn take_tool(&mut self) -> Outcome<()> {
-        match self.control.tool {
+        match self.memory.control.tool {
             ToolCall::Change => {}
             ToolCall::Words => return self.turn_by_words(),
             ToolCall::Digits => return self.turn_by_digits(),
         }
         let Some(T) = self.block.get(letter::T) else { return Ok(()) };
         let number = self.tool_number(letter::T, T)?;
-        self.modal.selected = Some(number);
+        self.state.modal.selected = Some(number);
         Ok(())
     }
 
@@ -51,31 +51,31 @@ impl Interpreter<'_> {
             let Some(Q) = self.block.get(letter::Q) else {
                 return Err(Fault::of(&SetToolWithoutQ {}, &[column]));
             };
-            self.modal.tool = self.tool_number(letter::Q, Q)?;
+            self.state.modal.tool = self.tool_number(letter::Q, Q)?;
             return Ok(());
         }
-        let selected = self.modal.selected;
-        self.modal.tool = selected.unwrap_or(self.modal.tool);
-        match self.control.change {
+        let selected = self.state.modal.selected;
+        self.state.modal.tool = selected.unwrap_or(self.state.modal.tool);
+        match self.memory.control.change {
             ToolChange::Routine => {}
             ToolChange::Selected if selected.is_none() => {
                 return Err(Fault::of(&ChangeWithoutTool {}, &[column]).hanging_on(doubt::TOOL));
             }
-            ToolChange::Selected => self.modal.spindle = Spindle::Stopped,
+            ToolChange::Selected => self.state.modal.spindle = Spindle::Stopped,
         }
         Ok(())
     }
 
     /// A tool's offset; 0 where there is no table, with a Caution, or a Note where the program's header names the tool.
     pub(super) fn offset_of(&mut self, number: u32) -> Pose {
-        if self.setting.tools.is_none() && number != 0 {
-            if self.setting.headed.contains(&number) {
-                self.remarks.row(&OffsetMeasuredAtMachine {}, self.line, None);
+        if self.memory.setting.tools.is_none() && number != 0 {
+            if self.memory.setting.headed.contains(&number) {
+                self.memory.remarks.row(&OffsetMeasuredAtMachine {}, self.block.spot, None);
             } else {
-                self.remarks.row(&NoToolTable {}, self.line, None);
+                self.memory.remarks.row(&NoToolTable {}, self.block.spot, None);
             }
         }
-        self.tools.get(&number).map_or_else(Pose::default, |tool| tool.offset)
+        self.memory.tools.get(&number).map_or_else(Pose::default, |tool| tool.offset)
     }
 
     /// G43, G43.1, G43.2 and G49.
@@ -91,25 +91,25 @@ impl Interpreter<'_> {
                     None => 0,
                 };
                 // H0 and no H both mean the tool in the spindle.
-                let number = if number == 0 { self.modal.tool } else { number };
+                let number = if number == 0 { self.state.modal.tool } else { number };
                 self.offset_of(number)
             }
             (G::ToolLengthGiven, _) if !axes => {
                 return Err(Fault::of(&LengthWithoutAxes {}, &[column]));
             }
             (G::ToolLengthGiven, _) => {
-                let mut tool = self.frame.tool;
+                let mut tool = self.state.frame.tool;
                 self.each_axis_word(|axis, value| tool.set(axis, value));
                 tool
             }
             (_, Some(H)) if !axes => {
                 let number = self.tool_number(letter::H, H)?;
-                let number = if number == 0 { self.modal.tool } else { number };
+                let number = if number == 0 { self.state.modal.tool } else { number };
                 let added = self.offset_of(number);
-                Pose(std::array::from_fn(|axis| self.frame.tool.0[axis] + added.0[axis]))
+                Pose(std::array::from_fn(|axis| self.state.frame.tool.0[axis] + added.0[axis]))
             }
             (_, None) if axes => {
-                let mut tool = self.frame.tool;
+                let mut tool = self.state.frame.tool;
                 self.each_axis_word(|axis, value| tool.set(axis, tool.get(axis) + value));
                 tool
             }
@@ -117,14 +117,14 @@ impl Interpreter<'_> {
                 return Err(Fault::of(&AddedLength {}, &[column]));
             }
         };
-        let machine = self.frame.to_machine(&self.current);
-        self.frame = ActiveOffsets { tool, ..self.frame };
-        self.current = self.frame.to_program(&machine);
+        let machine = self.state.frame.to_machine(&self.state.at);
+        self.state.frame = ActiveOffsets { tool, ..self.state.frame };
+        self.state.at = self.state.frame.to_program(&machine);
         Ok(())
     }
 
     fn each_axis_word(&self, mut visit: impl FnMut(Axis, f64)) {
-        let unit = self.modal.unit;
+        let unit = self.state.modal.unit;
         for axis in Axis::ALL {
             if let Some(word) = self.block.get(AXES[axis as usize]) {
                 visit(axis, if axis.rotary() { word } else { unit.to_mm(word) });
@@ -136,10 +136,10 @@ impl Interpreter<'_> {
     /// or in G59.3 without G92).
     pub(super) fn set_tool_offset(&mut self, number: u32, system: Option<u8>) -> Outcome<()> {
         let column = self.block.g_column(Group::NonModal);
-        if self.setting.tools.is_none() {
+        if self.memory.setting.tools.is_none() {
             return Err(Fault::of(&ToolTableNotKnown {}, &[column]));
         }
-        let Some(&old) = self.tools.get(&number) else {
+        let Some(&old) = self.memory.tools.get(&number) else {
             return Err(Fault::of(&ToolNotInTable { tool: number }, &[column]));
         };
         let words = [letter::R, letter::Q, letter::I, letter::J];
@@ -157,15 +157,15 @@ impl Interpreter<'_> {
             Some(system) => self.offsets_from_here(&mut tool, system),
         }
         if let Some(R) = self.block.get(letter::R) {
-            tool.diameter = 2.0 * self.modal.unit.to_mm(R);
+            tool.diameter = 2.0 * self.state.modal.unit.to_mm(R);
         }
-        self.tools.insert(number, tool);
+        self.memory.tools.insert(number, tool);
         Ok(())
     }
 
     fn offsets_from_here(&self, tool: &mut ToolOffset, system: u8) {
         let (mut here, rotation) = self.without_tool(system);
-        if system == 9 && self.parameters.get(G92_SWITCH as usize) != 0.0 {
+        if system == 9 && self.memory.parameters.get(G92_SWITCH as usize) != 0.0 {
             let g92 = self.pose_of(G92_FIRST);
             for axis in Axis::ALL {
                 here.set(axis, here.get(axis) + g92.get(axis));

@@ -8,7 +8,7 @@
 //! What the first block does not give is a parameter of the control, which is not known here: it is refused.
 
 use crate::gcode::code::{G, Group, TurningCycle};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -31,7 +31,7 @@ pub(super) type First = [Option<f64>; 5];
 /// The letters of a first block.
 const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W];
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// The turning cycle of the block in hand.
     pub(super) fn turning(&mut self, cycle: TurningCycle) -> Outcome<()> {
         self.turn(cycle).map_err(|mut fault| {
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
             TurningCycle::Finish => {
                 let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
                 // What was refused once is not refused again, nor finished where it was not roughed.
-                if self.modal.refused.contains(&(self.library.at(), ends.first_line())) {
+                if self.state.modal.refused.contains(&(self.memory.flow.next.text, ends.first_line())) {
                     return Ok(());
                 }
                 let contour = self.contour(cycle.number(), ends)?;
@@ -72,7 +72,7 @@ impl Interpreter<'_> {
             self.keep_first(cycle);
             return Ok(());
         }
-        let unit = self.modal.unit;
+        let unit = self.state.modal.unit;
         let length = |word: Option<f64>| word.map(|word| unit.to_mm(word));
         let depth = if cycle == TurningCycle::Radial { letter::W } else { letter::U };
         let depth = unit.to_mm(self.first(cycle, depth)?);
@@ -108,7 +108,7 @@ impl Interpreter<'_> {
             self.keep_first(cycle);
             return Ok(());
         }
-        let unit = self.modal.unit;
+        let unit = self.state.modal.unit;
         let retract = unit.to_mm(self.first(cycle, letter::R)?);
         let step = [letter::P, letter::Q].map(|word| self.increments(self.block.get(word).unwrap_or(0.0)));
         let relief = unit.to_mm(self.block.get(letter::R).unwrap_or(0.0));
@@ -146,15 +146,15 @@ impl Interpreter<'_> {
             chamfer: digits / 100 % 100,
             angle: f64::from(digits % 100),
             least: self.increments(least),
-            allowance: self.modal.unit.to_mm(allowance),
+            allowance: self.state.modal.unit.to_mm(allowance),
             to: self.corner(),
-            taper: self.modal.unit.to_mm(self.block.get(letter::R).unwrap_or(0.0)),
+            taper: self.state.modal.unit.to_mm(self.block.get(letter::R).unwrap_or(0.0)),
             height: self.increments(height),
             first: self.increments(first),
             lead: self.lead()?,
         };
         let moves = self.told(thread(self.here(), &threading))?;
-        self.make_moves(moves, Feed { mode: self.modal.feed_mode, value: self.modal.feed });
+        self.make_moves(moves, Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed });
         Ok(())
     }
 
@@ -165,7 +165,7 @@ impl Interpreter<'_> {
 
     /// Where the tool stands, `[X, Z]`.
     pub(super) fn here(&self) -> [f64; 2] {
-        [self.current.get(Axis::X), self.current.get(Axis::Z)]
+        [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)]
     }
 
     /// Where the axis words lead, `[X, Z]`.
@@ -186,20 +186,20 @@ impl Interpreter<'_> {
     /// Keeps the words of the first block of a cycle; those that it does not give stay.
     fn keep_first(&mut self, cycle: TurningCycle) {
         let given = FIRST.map(|letter| self.block.get(letter));
-        match self.modal.first.iter_mut().find(|(of, _)| *of == cycle) {
+        match self.state.modal.first.iter_mut().find(|(of, _)| *of == cycle) {
             Some((_, kept)) => {
                 for (kept, given) in kept.iter_mut().zip(given) {
                     *kept = given.or(*kept);
                 }
             }
-            None => self.modal.first.push((cycle, given)),
+            None => self.state.modal.first.push((cycle, given)),
         }
     }
 
     /// A word of the first block of a cycle.
     fn first(&self, cycle: TurningCycle, letter: usize) -> Outcome<f64> {
         let number = cycle.number();
-        let kept = self.modal.first.iter().find(|(of, _)| *of == cycle).map(|(_, first)| first);
+        let kept = self.state.modal.first.iter().find(|(of, _)| *of == cycle).map(|(_, first)| first);
         let at = FIRST.iter().position(|one| *one == letter);
         let found = kept.zip(at).and_then(|(kept, at)| kept.get(at).copied().flatten());
         found.ok_or_else(|| {

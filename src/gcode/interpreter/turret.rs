@@ -8,7 +8,7 @@
 //! The lathe simulator's description of T0A0B; Fanuc Series 0i-T operator's manual: the last two digits are the offset, 0 for
 //! none. Fagor 8055 T: T the tool, D the offset.
 
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -16,7 +16,7 @@ use crate::gcode::turning::rules::{NoTurretPlace, OffsetAlone, OffsetNotInTable,
 use crate::machine::axis::Pose;
 use crate::machine::work_offset::ActiveOffsets;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// T and D of a lathe.
     pub(super) fn turn_by_words(&mut self) -> Outcome<()> {
         let T = self.block.get(letter::T);
@@ -27,7 +27,7 @@ impl Interpreter<'_> {
             None => place,
         };
         if place.is_some() || offset.is_some() {
-            self.put_in(place.unwrap_or(self.modal.tool), offset.unwrap_or(self.modal.offset));
+            self.put_in(place.unwrap_or(self.state.modal.tool), offset.unwrap_or(self.state.modal.offset));
         }
         Ok(())
     }
@@ -63,7 +63,7 @@ impl Interpreter<'_> {
     /// Refuses a place or an offset that the table does not hold.
     fn known(&self, column: usize, number: u32, offset: bool) -> Outcome<()> {
         let there = if offset {
-            number == 0 || self.setting.tools.is_none() || self.tools.contains_key(&number)
+            number == 0 || self.memory.setting.tools.is_none() || self.memory.tools.contains_key(&number)
         } else {
             self.has_place(number)
         };
@@ -79,16 +79,16 @@ impl Interpreter<'_> {
 
     /// True for a place or a tool that is there, and where none is known.
     pub(super) fn has_place(&self, number: u32) -> bool {
-        let known = match &self.setting.places {
+        let known = match &self.memory.setting.places {
             Some(places) => places.contains(&number),
-            None => self.setting.tools.is_none() || self.tools.contains_key(&number),
+            None => self.memory.setting.tools.is_none() || self.memory.tools.contains_key(&number),
         };
         number == 0 || known
     }
 
     fn put_in(&mut self, place: u32, offset: u32) {
-        (self.modal.selected, self.modal.tool, self.modal.offset) = (Some(place), place, offset);
+        (self.state.modal.selected, self.state.modal.tool, self.state.modal.offset) = (Some(place), place, offset);
         let tool = if offset == 0 { Pose::default() } else { self.offset_of(offset) };
-        self.reframe(ActiveOffsets { tool, ..self.frame });
+        self.reframe(ActiveOffsets { tool, ..self.state.frame });
     }
 }

@@ -12,7 +12,7 @@
 
 use crate::finding::Size;
 use crate::gcode::code::{Cycle, G};
-use crate::gcode::interpreter::Interpreter;
+use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cycle::{PECK_CLEARANCE, missing};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -25,19 +25,19 @@ use crate::limits::PECKS;
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// A drilling cycle of the block in hand.
     pub(in crate::gcode::interpreter) fn hole(&mut self, cycle: Cycle) -> Outcome<()> {
         let feed = self.feed()?;
-        let again = matches!(self.modal.motion, G::Cycle(_));
-        let (unit, sticky) = (self.modal.unit, self.modal.sticky);
+        let again = matches!(self.state.modal.motion, G::Cycle(_));
+        let (unit, sticky) = (self.state.modal.unit, self.state.modal.sticky);
         let r = match self.block.get(letter::R) {
-            Some(R) => match self.setting.plane {
-                Some(HolePlane::Incremental) => self.current.get(Axis::Z) + unit.to_mm(R),
+            Some(R) => match self.memory.setting.plane {
+                Some(HolePlane::Incremental) => self.state.at.get(Axis::Z) + unit.to_mm(R),
                 Some(HolePlane::Absolute) => unit.to_mm(R),
                 None => {
                     let column = self.block.column(letter::R);
-                    self.remarks.row(&HolePlaneNotSaid {}, self.line, Some(column));
+                    self.memory.remarks.row(&HolePlaneNotSaid {}, self.block.spot, Some(column));
                     unit.to_mm(R)
                 }
             },
@@ -75,16 +75,16 @@ impl Interpreter<'_> {
         // Without Q the control drills to the bottom at one go.
         let pecks = cycle == Cycle::Peck && q > 0.0;
         if cycle == Cycle::Peck && !pecks {
-            self.remarks.row(&PeckWithoutDepth { depth: Size::mm(r - bottom) }, self.line, None);
+            self.memory.remarks.row(&PeckWithoutDepth { depth: Size::mm(r - bottom) }, self.block.spot, None);
         }
         if pecks && (r - bottom) / q > PECKS {
             return Err(Fault::of(&TooManyLathePecks { most: PECKS }, &[self.block.column(letter::Q)]));
         }
-        let sticky = &mut self.modal.sticky;
+        let sticky = &mut self.state.modal.sticky;
         (sticky.r, sticky.bottom, sticky.p, sticky.q) = (r, bottom, p, q);
-        self.modal.motion = G::Cycle(cycle);
+        self.state.modal.motion = G::Cycle(cycle);
         let x = to.get(Axis::X);
-        let mut at = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        let mut at = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         let mut moves = Vec::new();
         let mut go = |way: Way, to: [f64; 2]| {
             if to != at {
@@ -92,7 +92,7 @@ impl Interpreter<'_> {
             }
             at = to;
         };
-        go(Way::Rapid, [x, self.current.get(Axis::Z)]);
+        go(Way::Rapid, [x, self.state.at.get(Axis::Z)]);
         go(Way::Rapid, [x, r]);
         let mut depth = r - q;
         // What rounding alone has left is no peck.
@@ -115,9 +115,9 @@ impl Interpreter<'_> {
 
     /// A number of least input increments, as P and Q of cycles are; mm.
     pub(in crate::gcode::interpreter) fn increments(&self, number: f64) -> f64 {
-        match self.modal.unit {
+        match self.state.modal.unit {
             LengthUnit::Millimetre => number / 1_000.0,
-            LengthUnit::Inch => self.modal.unit.to_mm(number / 10_000.0),
+            LengthUnit::Inch => self.state.modal.unit.to_mm(number / 10_000.0),
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::out;
-use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
 use crate::gcode::turning::rules::{
     CycleMovesOtherAxis, CycleRepeats, CycleSpindle, CycleUnderInverseTime, CycleWordMissing, HoleDwellNegative,
@@ -50,11 +50,11 @@ pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
     Fault::of(&CycleWordMissing { letter, cycle: number }, &[]).hanging_on(doubt::MOTION)
 }
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// A canned cycle of the block in hand, as the control drills.
     #[deny(clippy::wildcard_enum_match_arm)]
     pub(super) fn drill(&mut self, cycle: Cycle) -> Outcome<()> {
-        match self.control.drilling {
+        match self.memory.control.drilling {
             Drilling::Rs274 => self.cycle(cycle),
             Drilling::Lathe => self.hole(cycle),
             Drilling::None => Err(self.unknown('G', cycle.number(), self.block.g_column(Group::Motion))),
@@ -67,15 +67,15 @@ impl Interpreter<'_> {
         if matches!(feed.mode, FeedMode::InverseTime | FeedMode::Seconds) {
             return Err(Fault::of(&CycleUnderInverseTime {}, &[]));
         }
-        let again = self.modal.is_cycle(cycle);
-        let [first, second, across] = self.modal.plane.axes();
+        let again = self.state.modal.is_cycle(cycle);
+        let [first, second, across] = self.state.modal.plane.axes();
         for axis in AXES.into_iter().skip(3) {
             if self.block.has(axis) {
                 return Err(Fault::of(&CycleMovesOtherAxis {}, &[self.block.column(axis)]));
             }
         }
-        let unit = self.modal.unit;
-        let sticky = self.modal.sticky;
+        let unit = self.state.modal.unit;
+        let sticky = self.state.modal.sticky;
         let r_word = match self.block.get(letter::R) {
             Some(R) => unit.to_mm(R),
             None if again => sticky.r,
@@ -92,12 +92,12 @@ impl Interpreter<'_> {
                 Fault::of(&CycleRepeats { value: L, most: BLOCK_HOLES }, &[self.block.column(letter::L)])
             })?,
         };
-        let current = self.current.get(across);
-        let initial = *self.modal.sticky.initial.get_or_insert(current);
+        let current = self.state.at.get(across);
+        let initial = *self.state.modal.sticky.initial.get_or_insert(current);
         let plane_word =
             |axis: crate::machine::axis::Axis| self.block.get(AXES[axis as usize]).map(|word| unit.to_mm(word));
-        let start = [self.current.get(first), self.current.get(second)];
-        let (r, bottom, at, step) = if self.modal.incremental {
+        let start = [self.state.at.get(first), self.state.at.get(second)];
+        let (r, bottom, at, step) = if self.state.modal.incremental {
             let r = r_word + initial;
             (r, r + bottom_word, start, [plane_word(first).unwrap_or(0.0), plane_word(second).unwrap_or(0.0)])
         } else {
@@ -125,7 +125,7 @@ impl Interpreter<'_> {
         self.cycle_words(&mut run, again)?;
         // Below R the tool goes straight up first.
         let old = if initial < r {
-            let mut up = self.current;
+            let mut up = self.state.at;
             up.set(across, r);
             self.emit(MotionKind::Rapid, up, None);
             r
@@ -135,33 +135,33 @@ impl Interpreter<'_> {
         if self.returns_initial() {
             run.clear = old;
         }
-        if self.modal.return_initial.is_none() && !self.control.start.retract.initial() && old > r {
-            let line = self.line;
-            self.remarks.row(&ReturnHeightNotSaid {}, line, None);
+        if self.state.modal.return_initial.is_none() && !self.memory.control.start.retract.initial() && old > r {
+            let spot = self.block.spot;
+            self.memory.remarks.row(&ReturnHeightNotSaid {}, spot, None);
         }
-        let sticky = &mut self.modal.sticky;
+        let sticky = &mut self.state.modal.sticky;
         (sticky.r, sticky.bottom) = (r_word, bottom_word);
-        self.modal.motion = G::Cycle(cycle);
-        self.run = Some(out::Pending::Holes(run));
+        self.state.modal.motion = G::Cycle(cycle);
+        self.memory.run = Some(out::Pending::Holes(run));
         Ok(())
     }
 
     /// Whether cycles return to the height that they started from.
     pub(super) fn returns_initial(&self) -> bool {
-        self.modal.return_initial.unwrap_or(self.control.start.retract.initial())
+        self.state.modal.return_initial.unwrap_or(self.memory.control.start.retract.initial())
     }
 
     /// P, Q, I, J and K of the cycle.
     fn cycle_words(&mut self, run: &mut Holes, again: bool) -> Outcome<()> {
-        let (cycle, unit) = (run.cycle, self.modal.unit);
+        let (cycle, unit) = (run.cycle, self.state.modal.unit);
         match cycle {
             Cycle::ChipBreak | Cycle::Peck => {
                 run.q = match self.block.get(letter::Q) {
                     Some(Q) => unit.to_mm(Q),
-                    None if again => self.modal.sticky.q,
+                    None if again => self.state.modal.sticky.q,
                     None => return Err(missing('Q', cycle)),
                 };
-                self.modal.sticky.q = run.q;
+                self.state.modal.sticky.q = run.q;
                 if run.q <= 0.0 {
                     return Err(Fault::of(&MillPeckNotPositive {}, &[self.block.column(letter::Q)]));
                 }
@@ -178,13 +178,13 @@ impl Interpreter<'_> {
                 let tap = matches!(cycle, Cycle::TapLeft | Cycle::TapRight);
                 run.p = match self.block.get(letter::P) {
                     Some(P) => P,
-                    None if again || tap => self.modal.sticky.p,
+                    None if again || tap => self.state.modal.sticky.p,
                     None => return Err(missing('P', cycle)),
                 };
                 if run.p < 0.0 {
                     return Err(Fault::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
                 }
-                self.modal.sticky.p = run.p;
+                self.state.modal.sticky.p = run.p;
             }
             Cycle::BackBore => {
                 for (at, (letter, name)) in
@@ -192,17 +192,17 @@ impl Interpreter<'_> {
                 {
                     let value = match self.block.get(letter) {
                         Some(word) => unit.to_mm(word),
-                        None if again => self.modal.sticky.ijk[at],
+                        None if again => self.state.modal.sticky.ijk[at],
                         None => return Err(missing(name, cycle)),
                     };
-                    self.modal.sticky.ijk[at] = value;
+                    self.state.modal.sticky.ijk[at] = value;
                 }
-                let [i, j, k] = self.modal.sticky.ijk;
+                let [i, j, k] = self.state.modal.sticky.ijk;
                 // I, J, K belong to X, Y, Z in every plane.
                 let of = |axis: crate::machine::axis::Axis| [i, j, k].get(axis as usize).copied().unwrap_or(0.0);
-                let [first, second, across] = self.modal.plane.axes();
+                let [first, second, across] = self.state.modal.plane.axes();
                 run.offset = [of(first), of(second)];
-                run.middle = if self.modal.incremental { run.bottom + of(across) } else { of(across) };
+                run.middle = if self.state.modal.incremental { run.bottom + of(across) } else { of(across) };
             }
             Cycle::Drill | Cycle::Bore => {}
         }
@@ -211,27 +211,27 @@ impl Interpreter<'_> {
             Cycle::TapLeft => Some(Spindle::CounterClockwise),
             _ => None,
         };
-        let turns = self.modal.spindle;
+        let turns = self.state.modal.spindle;
         let needs = matches!(cycle, Cycle::BoreStop | Cycle::BackBore | Cycle::BoreManual);
         if wanted.is_some_and(|wanted| wanted != turns) || (needs && turns == Spindle::Stopped) {
             return Err(Fault::of(&CycleSpindle { cycle: cycle.number() }, &[]).hanging_on(doubt::SPINDLE));
         }
-        if wanted.is_some() && self.modal.plane != Plane::XY {
-            self.remarks.row(&TappingOutsideG17 { cycle: cycle.number() }, self.line, None);
+        if wanted.is_some() && self.state.modal.plane != Plane::XY {
+            self.memory.remarks.row(&TappingOutsideG17 { cycle: cycle.number() }, self.block.spot, None);
         }
         if cycle == Cycle::BoreManual {
-            let line = self.line;
-            self.remarks.row(&TakenOutByHand {}, line, None);
+            let spot = self.block.spot;
+            self.memory.remarks.row(&TakenOutByHand {}, spot, None);
         }
         Ok(())
     }
 
     /// Makes the next hole of a run.
     pub(super) fn next_hole(&mut self, mut run: Holes) -> Outcome<()> {
-        let [first, second, across] = self.modal.plane.axes();
+        let [first, second, across] = self.state.modal.plane.axes();
         run.at[0] += run.step[0];
         run.at[1] += run.step[1];
-        let base = self.current;
+        let base = self.state.at;
         let point = |at: [f64; 2], height: f64| -> Pose {
             let mut pose = base;
             pose.set(first, at[0]);
@@ -239,7 +239,7 @@ impl Interpreter<'_> {
             pose.set(across, height);
             pose
         };
-        let height = self.current.get(across);
+        let height = self.state.at.get(across);
         if run.first && height > run.r {
             self.emit(MotionKind::Rapid, point(run.at, height), None);
             self.emit(MotionKind::Rapid, point(run.at, run.r), None);
@@ -300,7 +300,7 @@ impl Interpreter<'_> {
                 self.cut(at(run.bottom), run.feed);
                 self.wait(run.p);
                 // The operator takes the tool out; the next motion starts from where it then stands.
-                self.current = at(run.clear);
+                self.state.at = at(run.clear);
             }
             Cycle::BoreDwell => {
                 self.cut(at(run.bottom), run.feed);
@@ -311,7 +311,7 @@ impl Interpreter<'_> {
         }
         run.left -= 1;
         if run.left > 0 {
-            self.run = Some(out::Pending::Holes(run));
+            self.memory.run = Some(out::Pending::Holes(run));
         }
         Ok(())
     }
@@ -323,7 +323,7 @@ impl Interpreter<'_> {
 
     fn wait(&mut self, seconds: f64) {
         if seconds > 0.0 {
-            self.emit(MotionKind::Dwell(seconds), self.current, Some(seconds));
+            self.emit(MotionKind::Dwell(seconds), self.state.at, Some(seconds));
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::finding::Size;
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::fault::{Fault, Outcome};
-use crate::gcode::interpreter::{Interpreter, doubt};
+use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, MotionKind, Thread};
 use crate::gcode::turning::pace::revolutions;
 use crate::gcode::turning::rules::{
@@ -27,13 +27,13 @@ use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::Axis;
 use crate::text::t;
 
-impl Interpreter<'_> {
+impl Reader<'_, '_> {
     /// The lead of a thread: F of this block, or of an earlier block of a thread; mm.
     pub(in crate::gcode::interpreter) fn lead(&mut self) -> Outcome<f64> {
         if let Some(F) = self.block.get(letter::F) {
-            self.modal.lead = Some(self.modal.unit.to_mm(F));
+            self.state.modal.lead = Some(self.state.modal.unit.to_mm(F));
         }
-        match self.modal.lead {
+        match self.state.modal.lead {
             Some(lead) if lead > 0.0 => Ok(lead),
             Some(_) => Err(Fault::of(&LeadZero {}, &[self.block.column(letter::F)])),
             None => Err(Fault::of(&LeadMissing {}, &[])),
@@ -54,16 +54,16 @@ impl Interpreter<'_> {
     /// At the depth of a pass that had a Q it may well be another start.
     fn remark_start_angle(&mut self, first: bool, x: f64, angle: f64) {
         if first {
-            self.modal.angled = Some(Vec::new());
+            self.state.modal.angled = Some(Vec::new());
         }
-        let line = self.line;
-        match &mut self.modal.angled {
+        let spot = self.block.spot;
+        match &mut self.state.modal.angled {
             Some(depths) if angle != 0.0 => depths.push(x),
             Some(depths) if !depths.is_empty() && !self.block.has(letter::Q) && !depths.contains(&x) => {
-                self.modal.angled = None;
-                self.remarks.row(&StartAngleForgotten {}, line, None);
+                self.state.modal.angled = None;
+                self.memory.remarks.row(&StartAngleForgotten {}, spot, None);
             }
-            _ => self.modal.angled = None,
+            _ => self.state.modal.angled = None,
         }
     }
 
@@ -71,20 +71,20 @@ impl Interpreter<'_> {
     pub(in crate::gcode::interpreter) fn thread(&mut self, changing: bool) -> Outcome<()> {
         let lead = self.lead()?;
         let change = match self.block.get(letter::K) {
-            Some(K) if changing => self.modal.unit.to_mm(K),
-            None if changing && self.modal.motion != G::Thread(true) => {
+            Some(K) if changing => self.state.modal.unit.to_mm(K),
+            None if changing && self.state.modal.motion != G::Thread(true) => {
                 return Err(Fault::of(&LeadChangeMissing {}, &[self.block.g_column(Group::Motion)]));
             }
-            None if changing => self.modal.lead_change,
+            None if changing => self.state.modal.lead_change,
             _ => 0.0,
         };
-        self.modal.lead_change = change;
-        self.modal.motion = G::Thread(changing);
+        self.state.modal.lead_change = change;
+        self.state.modal.motion = G::Thread(changing);
         if !self.has_axes() {
             return Ok(());
         }
         let to = self.end_point();
-        let by = |axis: Axis| (to.get(axis) - self.current.get(axis)).abs();
+        let by = |axis: Axis| (to.get(axis) - self.state.at.get(axis)).abs();
         let distance = by(Axis::X).max(by(Axis::Z));
         if distance == 0.0 {
             return Ok(());
@@ -103,19 +103,19 @@ impl Interpreter<'_> {
 
     /// G90 alone: the turning cycle is in force and makes nothing yet.
     fn bare_axial_pass(&mut self) {
-        self.modal.motion = G::Pass(SinglePassCycle::Axial);
-        self.remarks.row(&BareG90 {}, self.line, Some(self.block.g_column(Group::Motion)));
+        self.state.modal.motion = G::Pass(SinglePassCycle::Axial);
+        self.memory.remarks.row(&BareG90 {}, self.block.spot, Some(self.block.g_column(Group::Motion)));
     }
 
     /// G90, G92 and G94.
     pub(in crate::gcode::interpreter) fn pass(&mut self, pass: SinglePassCycle) -> Outcome<()> {
         let number = pass.number();
-        let before = self.modal.pass;
+        let before = self.state.modal.pass;
         let named = [
             self.block.has(letter::X) || self.block.has(letter::U),
             self.block.has(letter::Z) || self.block.has(letter::W),
         ];
-        let bare = self.block.present & !self.control.lexis.free.mask() == 0;
+        let bare = self.block.present & !self.memory.control.lexis.free.mask() == 0;
         if pass == SinglePassCycle::Axial && before.is_none() && bare {
             self.bare_axial_pass();
             return Ok(());
@@ -142,8 +142,8 @@ impl Interpreter<'_> {
                 *end = at;
             }
         }
-        let taper = self.block.get(letter::R).map_or(taper, |R| self.modal.unit.to_mm(R));
-        let start = [self.current.get(Axis::X), self.current.get(Axis::Z)];
+        let taper = self.block.get(letter::R).map_or(taper, |R| self.state.modal.unit.to_mm(R));
+        let start = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         let across = usize::from(pass == SinglePassCycle::Radial);
         let infeed = end[across] - start[across];
         if infeed * (infeed + taper) < 0.0 {
@@ -155,9 +155,9 @@ impl Interpreter<'_> {
         }
         let (cut, out, feed) = if pass == SinglePassCycle::Thread {
             let thread = Thread { lead: self.lead()?, change: 0.0, angle: self.start_angle()? };
-            let first = before.is_none() || self.modal.motion != G::Pass(pass);
+            let first = before.is_none() || self.state.modal.motion != G::Pass(pass);
             self.remark_start_angle(first, end[0], thread.angle);
-            (Way::Thread(thread), Way::Rapid, Feed { mode: self.modal.feed_mode, value: self.modal.feed })
+            (Way::Thread(thread), Way::Rapid, Feed { mode: self.state.modal.feed_mode, value: self.state.modal.feed })
         } else {
             (Way::Feed(None), Way::Feed(None), self.feed()?)
         };
@@ -171,8 +171,8 @@ impl Interpreter<'_> {
         let [first, last, ..] = &mut points;
         first[across] += aside;
         last[across] += aside;
-        self.modal.motion = G::Pass(pass);
-        self.modal.pass = Some((end, taper));
+        self.state.modal.motion = G::Pass(pass);
+        self.state.modal.pass = Some((end, taper));
         let mut moves = Vec::with_capacity(4);
         let mut from = start;
         for (way, to) in [Way::Rapid, cut, out, Way::Rapid].into_iter().zip(points) {
