@@ -9,7 +9,8 @@
 //! it), `<!-- copy: PATH NAME -->` copies a file of the repository, `<!-- file: NAME -->` takes the fenced block that follows.
 //! `RODETE_DOCS=write cargo test --test docs` writes what is printed now where it is something else.
 //!
-//! A binary without the typst compiler runs `build` without the report, and its output is not compared.
+//! A binary without the typst compiler runs `build` without the report, and its output is not compared, unless `RODETE_TYPST` names a
+//! typst.
 
 use std::fs::{self, File};
 use std::io::{Cursor, Read, Write};
@@ -72,7 +73,6 @@ fn run(words: &[String], folder: &Path) -> (String, Option<i32>) {
         .args(words)
         .current_dir(folder)
         .env("LC_ALL", "C")
-        .env_remove("RODETE_TYPST")
         .stdout(printed.try_clone().unwrap())
         .stderr(printed)
         .status()
@@ -166,7 +166,8 @@ impl Bench {
 /// What is said of a step that fails, with the lines that would be right.
 fn judge(step: &Step<'_>, bench: &Bench) -> Result<(), (String, Vec<String>)> {
     let mut words = words(step.command).ok_or((format!("{} is no command of rodete", step.command), Vec::new()))?;
-    let lean = !cfg!(feature = "embedded-typst") && words.first().is_some_and(|first| first == "build");
+    let typst = cfg!(feature = "embedded-typst") || std::env::var_os("RODETE_TYPST").is_some();
+    let lean = !typst && words.first().is_some_and(|first| first == "build");
     let lean = lean && !words.iter().any(|word| word == "--no-report");
     if lean {
         words.push("--no-report".to_owned());

@@ -28,3 +28,16 @@ fn parameters_and_exit_codes_are_those_of_the_code() {
         assert!(held == page, "docs/reference/{name} is another page at {apart:?}; {how}");
     }
 }
+
+/// What does not fit stands in the manual.
+#[test]
+fn readme_is_a_front_page_in_both_languages() {
+    let [english, spanish] = ["README.md", "README.es.md"].map(|name| fs::read_to_string(root().join(name)).unwrap());
+    for text in [&english, &spanish] {
+        let (lines, words) = (text.lines().count(), text.split_whitespace().count());
+        assert!(lines <= 150 && words <= 1200, "{lines} lines, {words} words");
+        assert_eq!(text.matches("](docs/pictures/").count(), 3, "three pictures");
+    }
+    let headings = |text: &str| text.lines().filter(|line| line.starts_with("## ")).count();
+    assert_eq!(headings(&english), headings(&spanish));
+}
