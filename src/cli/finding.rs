@@ -84,7 +84,7 @@ fn remember<'f>(findings: impl IntoIterator<Item = &'f Finding>, language: Langu
         let mut faults: Vec<_> = findings.into_iter().filter(|finding| finding.grade > Grade::Note).collect();
         faults.sort_by_key(|finding| Reverse(finding.grade));
         let printed = faults.into_iter().take(LISTED_FINDINGS);
-        terminal.told = printed.filter_map(|finding| finding.rule).next().map(|rule| (rule.code, language));
+        terminal.told = printed.map(|finding| (finding.rule().code, language)).next();
     }
 }
 
@@ -128,8 +128,8 @@ fn one(finding: &Finding, names: Names<'_>, language: Language, width: Option<us
 fn head(finding: &Finding, language: Language, width: Option<usize>) -> String {
     let (word, colour) = grade(finding.grade);
     let style = Style::new().bold().fg_color(Some(colour.into()));
-    let code = finding.rule.map_or(String::new(), |rule| format!(" {}", rule.code));
-    wrapped(&format!("{style}{}{code}{style:#}: {}", word.get(language), sentence(finding, language)), 2, width)
+    let code = finding.rule().code;
+    wrapped(&format!("{style}{} {code}{style:#}: {}", word.get(language), sentence(finding, language)), 2, width)
 }
 
 fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
@@ -236,27 +236,26 @@ mod tests {
     use super::super::rules::{ControlRunning, LeftFromEarlier};
     use super::*;
     use crate::finding::Raise;
+    use crate::finding::sample::{Noted, Stopped};
 
     fn plain(finding: &Finding, language: Language, width: Option<usize>) -> String {
         anstream::adapter::strip_str(&one(finding, "impeller.xlsx".into(), language, width)).to_string()
     }
 
     fn thick(sheet: &str) -> Finding {
-        Finding::stop(
-            Place::Cells(vec![CellPlace { sheet: sheet.into(), cell: "C9".into() }]),
-            t(
-                "el espesor e es 12 mm y debe ser menor que 9.71 mm con 4 álabes",
-                "blade thickness e is 12 mm, must be below 9.71 mm for 4 blades",
-            ),
-            t("menos álabes", "fewer blades, a thinner blade, or a smaller tool"),
-        )
+        let what = t(
+            "el espesor e es 12 mm y debe ser menor que 9.71 mm con 4 álabes",
+            "blade thickness e is 12 mm, must be below 9.71 mm for 4 blades",
+        );
+        let todo = t("menos álabes", "fewer blades, a thinner blade, or a smaller tool");
+        Stopped { what, todo }.at(Place::Cells(vec![CellPlace { sheet: sheet.into(), cell: "C9".into() }]))
     }
 
     #[test]
     fn a_finding_has_three_parts() {
         assert_eq!(
             plain(&thick("DATOS").with("12 mm", "9.71 mm"), Language::En, None),
-            "error: blade thickness e is 12 mm, must be below 9.71 mm for 4 blades\n  --> impeller.xlsx, sheet \
+            "error T9001: blade thickness e is 12 mm, must be below 9.71 mm for 4 blades\n  --> impeller.xlsx, sheet \
              \"DATOS\", cell C9\nhint: fewer blades, a thinner blade, or a smaller tool\n"
         );
         assert!(plain(&thick("DATOS"), Language::Es, None).contains("--> impeller.xlsx, hoja \"DATOS\", celda C9\n"));
@@ -268,7 +267,7 @@ mod tests {
         let finding = LeftFromEarlier { path: path() }.at(Place::File);
         assert!(plain(&finding, Language::En, None).starts_with("caution U0115: a.xlsx is left"));
         assert!(plain(&finding, Language::Es, None).starts_with("precaución U0115: a.xlsx queda"));
-        let finding = Finding { grade: Grade::Stop, ..finding };
+        let finding = finding.graded(Grade::Stop);
         assert!(plain(&finding, Language::Es, None).starts_with("error U0115: "));
         let finding = ControlRunning {}.at(Place::File);
         assert!(plain(&finding, Language::En, None).starts_with("note U0132: if LinuxCNC"));
@@ -277,15 +276,15 @@ mod tests {
 
     #[test]
     fn value_and_limit_are_named_once() {
-        let finding = Finding::note(Place::File, t("cierre", "closure")).with("0.000 mm", "0.001 mm");
-        assert!(plain(&finding, Language::En, None).starts_with("note: closure: 0.000 mm (limit 0.001 mm)\n"));
+        let finding = Noted { what: t("cierre", "closure") }.at(Place::File).with("0.000 mm", "0.001 mm");
+        assert!(plain(&finding, Language::En, None).starts_with("note T9003: closure: 0.000 mm (limit 0.001 mm)\n"));
     }
 
     #[test]
     fn how_often_something_was_seen_is_said_in_words() {
-        let finding = Finding::note(Place::File, t("X negativa", "negative X")).with("2 ×", "");
-        assert!(plain(&finding, Language::En, None).starts_with("note: negative X, 2 times\n"));
-        assert!(plain(&finding, Language::Es, None).starts_with("nota: X negativa, 2 veces\n"));
+        let finding = Noted { what: t("X negativa", "negative X") }.at(Place::File).with("2 ×", "");
+        assert!(plain(&finding, Language::En, None).starts_with("note T9003: negative X, 2 times\n"));
+        assert!(plain(&finding, Language::Es, None).starts_with("nota T9003: X negativa, 2 veces\n"));
     }
 
     #[test]
@@ -311,12 +310,12 @@ mod tests {
 
     #[test]
     fn the_fifty_gravest_are_shown_and_the_rest_counted() {
-        let mut findings = vec![Finding::note(Place::File, t("leve", "slight")); 60];
+        let mut findings = vec![Noted { what: t("leve", "slight") }.at(Place::File); 60];
         findings.push(thick("DATOS"));
         let text = list(&findings, |_| true, "impeller.xlsx".into(), Language::En, None);
         let text = anstream::adapter::strip_str(&text).to_string();
-        assert!(text.starts_with("error: blade"));
-        assert_eq!(text.matches("note: slight").count(), 49);
+        assert!(text.starts_with("error T9001: blade"));
+        assert_eq!(text.matches("note T9003: slight").count(), 49);
         assert!(text.ends_with("… 50 of 61 are shown\n"));
     }
 }

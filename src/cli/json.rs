@@ -126,13 +126,15 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::*;
-    use crate::finding::Place;
+    use crate::finding::sample::Stopped;
+    use crate::finding::{Place, Raise};
 
     #[test]
     fn the_document_holds_what_was_found_and_written() {
         let mut verdict = Ending::new("a\u{202e}\u{1b}.xlsx".into());
         verdict.exit = Exit::Refused;
-        verdict.findings.push(Finding::stop(Place::Sheet("DATA\u{9b}".into()), t("falta", "missing"), t("", "")));
+        let missing = Stopped { what: t("falta", "missing"), todo: t("", "") };
+        verdict.findings.push(missing.at(Place::Sheet("DATA\u{9b}".into())));
         let text = document("check", Exit::Refused, &[verdict]);
         assert!(text.chars().all(|character| character == '\n' || !hidden(character)), "{text}");
         let read: Value = serde_json::from_str(&text).expect("a JSON document");

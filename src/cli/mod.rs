@@ -46,13 +46,14 @@ pub use self::controls::controls;
 pub use self::explain::{RULES, reference};
 use self::locale::spoken;
 pub use self::pages::{exit_codes, parameters};
+use self::rules::OutputNotWritten;
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::kind::Kind;
 use crate::parameter::FieldKind;
-use crate::text::{Language, Text, t};
+use crate::text::Language;
 #[cfg(not(feature = "embedded-typst"))]
 use crate::typeset::failure::TYPST_VERSION;
 
@@ -80,8 +81,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -
     finding::more(&mut terminal);
     terminal.end(matches!(exit, Exit::Done | Exit::ReportFailed));
     if let Some(error) = terminal.fault() {
-        let what = Text::same(format!("cannot write to standard output: {error}"));
-        finding::general(&[Finding::stop(Place::File, what, t("", ""))], spoken(None, None), &mut terminal);
+        let told = OutputNotWritten { reason: error.to_string() }.at(Place::File);
+        finding::general(&[told], spoken(None, None), &mut terminal);
         exit = gravest(exit, Exit::Unwritable);
     }
     ExitCode::from(code(exit))

@@ -153,4 +153,11 @@ rules! {
         remedy "rodete explain sin código los lista", "rodete explain without a code lists them";
         why "Un código es una letra y cuatro cifras, como W0424.", "A code is a letter and four digits, as W0424.";
         example line!("explain" "Z9999");
+    "U0142" OutputNotWritten Stop { reason: String }
+        es "no se puede escribir en la salida estándar: {reason}"
+        en "cannot write to standard output: {reason}"
+        remedy "compruebe adónde va la salida: quizá a un disco lleno", "check where the output goes: it may be a full disk";
+        why "Lo que se dice por la salida estándar se ha perdido; los archivos que se piden se escriben aparte.",
+            "What is told on standard output was lost; files that are asked for are written apart.";
+        example Example::Made { key: "stdout-full", how: t("rodete explain > /dev/full", "rodete explain > /dev/full") };
 }

@@ -3,6 +3,8 @@
 pub mod datum;
 pub mod rule;
 pub mod rules;
+#[cfg(test)]
+pub mod sample;
 
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -93,11 +95,10 @@ pub enum Place {
 /// The remedy where only rodete itself can be wrong.
 pub const FAULT: Text = t("es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it");
 
-/// One thing found.
+/// One thing found: a row with its values at a place. It comes of [`Raise::at`], and of nothing else.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// The row that it is of; none where it has no code yet.
-    pub rule: Option<&'static Rule>,
+    rule: &'static Rule,
     /// What it carries, by name, unrounded.
     pub data: Vec<(&'static str, Datum)>,
     /// The alarm that it is for the control, or among rodete's own of the lathe; none where it has no number.
@@ -117,14 +118,19 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// A finding without value and limit.
-    #[must_use]
-    pub const fn new(grade: Grade, place: Place, what: Text, remedy: Text) -> Self {
+    /// What a row has said, at a place: as grave as the row, without alarm, value and limit.
+    pub(crate) const fn of(
+        rule: &'static Rule,
+        data: Vec<(&'static str, Datum)>,
+        place: Place,
+        what: Text,
+        remedy: Text,
+    ) -> Self {
         Self {
-            rule: None,
-            data: Vec::new(),
+            rule,
+            data,
             alarm: None,
-            grade,
+            grade: rule.grade,
             what,
             place,
             value: String::new(),
@@ -133,16 +139,10 @@ impl Finding {
         }
     }
 
-    /// A finding that stops the work.
+    /// The row that it is of.
     #[must_use]
-    pub const fn stop(place: Place, what: Text, remedy: Text) -> Self {
-        Self::new(Grade::Stop, place, what, remedy)
-    }
-
-    /// A stop for which only rodete itself can be to blame.
-    #[must_use]
-    pub const fn fault(place: Place, what: Text) -> Self {
-        Self::stop(place, what, FAULT)
+    pub const fn rule(&self) -> &'static Rule {
+        self.rule
     }
 
     /// True for a stop for which only rodete itself can be to blame: the command ends with [`Exit::Fault`].
@@ -154,19 +154,19 @@ impl Finding {
     /// True for a finding of a row.
     #[must_use]
     pub fn is(&self, rule: &Rule) -> bool {
-        self.rule == Some(rule)
+        self.rule == rule
     }
 
-    /// A finding for a person to judge.
+    /// The same at another place.
     #[must_use]
-    pub const fn caution(place: Place, what: Text, remedy: Text) -> Self {
-        Self::new(Grade::Caution, place, what, remedy)
+    pub fn placed(self, place: Place) -> Self {
+        Self { place, ..self }
     }
 
-    /// A finding worth knowing.
+    /// The same as grave as a site has it: a row says the gravest.
     #[must_use]
-    pub const fn note(place: Place, what: Text) -> Self {
-        Self::new(Grade::Note, place, what, t("", ""))
+    pub fn graded(self, grade: Grade) -> Self {
+        Self { grade, ..self }
     }
 
     /// How often it was found.
@@ -196,11 +196,9 @@ impl Finding {
 
 impl Serialize for Finding {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut finding = serializer.serialize_struct("Finding", if self.rule.is_some() { 11 } else { 7 })?;
-        if let Some(rule) = self.rule {
-            finding.serialize_field("code", rule.code)?;
-            finding.serialize_field("name", &rule.name())?;
-        }
+        let mut finding = serializer.serialize_struct("Finding", 11)?;
+        finding.serialize_field("code", self.rule.code)?;
+        finding.serialize_field("name", &self.rule.name())?;
         finding.serialize_field("grade", &self.grade)?;
         finding.serialize_field("what", &self.what)?;
         finding.serialize_field("place", &self.place)?;
@@ -208,10 +206,8 @@ impl Serialize for Finding {
         finding.serialize_field("limit", &self.limit)?;
         finding.serialize_field("remedy", &self.remedy)?;
         finding.serialize_field("count", &self.count())?;
-        if self.rule.is_some() {
-            finding.serialize_field("data", &Named(&self.data))?;
-            finding.serialize_field("alarm", &self.alarm.map(|(family, number)| family.shown(number)))?;
-        }
+        finding.serialize_field("data", &Named(&self.data))?;
+        finding.serialize_field("alarm", &self.alarm.map(|(family, number)| family.shown(number)))?;
         finding.end()
     }
 }

@@ -174,8 +174,7 @@ pub trait Raise {
     fn at(&self, place: Place) -> Finding {
         let rule = self.rule();
         let alarm = rule.alarm_of(AlarmFamily::Lathe).map(|number| (AlarmFamily::Lathe, number));
-        let finding = Finding::new(rule.grade, place, self.what(), self.remedy());
-        Finding { rule: Some(rule), data: self.carries(), alarm, ..finding }
+        Finding { alarm, ..Finding::of(rule, self.carries(), place, self.what(), self.remedy()) }
     }
 
     /// The refusal for this alone.
@@ -315,8 +314,7 @@ mod tests {
             t("la placa de T3 corta 1.235 mm, y el filo tiene ∞", "the insert of T3 cuts 1.235 mm, and the edge has ∞")
         );
         assert_eq!(remedy, t("quite 1.235 mm", "take 1.235 mm off"));
-        assert_eq!((grade, rule.map(|rule| rule.code)), (Grade::Stop, Some("T0001")));
-        assert_eq!(rule.map(super::Rule::name).as_deref(), Some("too-deep"));
+        assert_eq!((grade, rule.code, rule.name().as_str()), (Grade::Stop, "T0001", "too-deep"));
         assert_eq!(data[0], ("depth", Datum::Number { value: Some(1.234_56), unit: "mm" }));
         assert_eq!(data[1], ("edge", Datum::Number { value: None, unit: "mm" }));
         assert_eq!(data[2], ("tool", Datum::Whole(3)));

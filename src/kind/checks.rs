@@ -105,7 +105,8 @@ fn on_line(word: &str, line: usize, before: &str, columns: &[usize]) -> String {
 #[cfg(test)]
 mod tests {
     use super::{place, summary};
-    use crate::finding::{CellPlace, Finding, Place};
+    use crate::finding::sample::{Noted, Stopped};
+    use crate::finding::{CellPlace, Place, Raise};
     use crate::text::Text;
 
     fn cell(sheet: &str, cell: &str) -> CellPlace {
@@ -122,11 +123,8 @@ mod tests {
     #[test]
     fn findings_are_counted_by_grade() {
         let text = || Text::same("x");
-        let findings = [
-            Finding::stop(Place::File, text(), text()),
-            Finding::note(Place::File, text()),
-            Finding::note(Place::File, text()),
-        ];
+        let note = || Noted { what: text() }.at(Place::File);
+        let findings = [Stopped { what: text(), todo: text() }.at(Place::File), note(), note()];
         assert_eq!(summary(&findings).en, "1 stop, 0 cautions, 2 notes or passed checks");
         assert_eq!(summary(&findings).es, "1 parada, 0 precauciones, 2 notas o comprobaciones superadas");
     }

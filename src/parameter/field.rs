@@ -505,7 +505,7 @@ mod tests {
     fn what_is_missing_or_of_another_type_is_told_with_its_key() {
         let told = |given: &[(&'static str, Value)]| -> Vec<(&'static str, Place)> {
             let refusal = Fields::of(&FORM, values(given)).expect_err("no fields");
-            refusal.findings.into_iter().map(|one| (one.rule.map_or("", |rule| rule.code), one.place)).collect()
+            refusal.findings.into_iter().map(|one| (one.rule().code, one.place)).collect()
         };
         let at = |key| Place::Parameters(vec![key]);
         assert_eq!(told(&[]), [("P0001", at("R")), ("P0001", at("way"))]);

@@ -306,7 +306,8 @@ pub fn bounded(lower: f64, upper: f64) -> Text {
 #[cfg(test)]
 mod tests {
     use super::{At, Extreme, Question};
-    use crate::finding::{Finding, Grade, Place};
+    use crate::finding::sample::Cautioned;
+    use crate::finding::{Finding, Grade, Place, Raise};
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::program::Program;
     use crate::gcode::word::NumberFormat;
@@ -327,14 +328,14 @@ mod tests {
     }
 
     fn beyond(_: &Extreme, place: Place) -> Finding {
-        Finding::caution(place, Text::same("beyond"), Text::same("less"))
+        Cautioned { what: Text::same("beyond"), todo: Text::same("less") }.at(place)
     }
 
     #[test]
     fn a_question_for_which_nothing_was_looked_at_is_answered_with_a_stop() {
         let check = question().within(&Extreme::default(), 1.0, beyond);
         let found = check.finding().expect("a finding");
-        assert_eq!((found.grade, found.rule.map(|rule| rule.code)), (Grade::Stop, Some("V0001")));
+        assert_eq!((found.grade, found.rule().code), (Grade::Stop, "V0001"));
         assert_eq!(question().holds(true, |_| unreachable!()).grade(), Some(Grade::Stop));
         assert_eq!(question().informs().grade(), Some(Grade::Note));
         assert!(question().informs().finding().is_none());

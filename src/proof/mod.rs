@@ -165,7 +165,7 @@ mod tests {
             let judged =
                 of(&program, program.setting(), Plan::of(&program), vec![Box::new(Word0(answered))], &["feed"]);
             let stopped = judged.checks.iter().filter(|check| check.grade() == Some(Grade::Stop));
-            stopped.map(|check| (check.key(), check.finding().unwrap().rule.unwrap().code)).collect::<Vec<_>>()
+            stopped.map(|check| (check.key(), check.finding().unwrap().rule().code)).collect::<Vec<_>>()
         };
         assert_eq!(stops("feed"), []);
         assert_eq!(stops("feed-axis"), []);

@@ -180,3 +180,14 @@ fn commands_print_findings_through_their_door_alone() {
     }
     assert_eq!(seen, 1);
 }
+
+/// A finding names its row, or it does not compile. What it says is its row's: only a refused block, which keeps what its row has
+/// said until its place is known, writes it into a finding; and nothing gives one another remedy.
+#[test]
+fn what_a_finding_says_is_its_rows() {
+    let beside = |line: &String| line.contains("Finding::of(") || line.contains(".remedy = ");
+    assert!(beside(&"let mut finding = Finding::of(rule, data, place, what, remedy);".to_owned()));
+    let beside = sources("").into_iter().filter(|(path, code)| !path.starts_with("finding") && code.iter().any(beside));
+    let files: Vec<_> = beside.map(|(path, _)| path).collect();
+    assert_eq!(files, [Path::new("gcode/interpreter/fault.rs")]);
+}

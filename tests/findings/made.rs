@@ -448,7 +448,7 @@ fn what_is_made_for_every_row_raises_it_and_nothing_graver() {
             continue;
         }
         let Some(findings) = raised(rule, &mut known) else { continue };
-        let own = findings.iter().find(|finding| finding.rule == Some(rule));
+        let own = findings.iter().find(|finding| finding.is(rule));
         let whole = own.is_some_and(|own| {
             assert!(own.data.iter().map(|(name, _)| *name).eq(rule.fields.iter().copied()), "{}", rule.code);
             own.grade <= rule.grade
@@ -457,21 +457,13 @@ fn what_is_made_for_every_row_raises_it_and_nothing_graver() {
         // beside what its proof finds; that a part is compared or not judged, beside what went wrong with it.
         let plan = rule.code.starts_with('P');
         let gravest = if plan { rule.grade.max(Grade::Caution) } else { rule.grade };
-        let proof = |finding: &Finding| plan && finding.rule.is_some_and(|rule| rule.code.starts_with('V'));
+        let proof = |finding: &Finding| plan && finding.rule().code.starts_with('V');
         let beside = [ProgramNotJudged::RULE, NothingToCompare::RULE].contains(&rule);
         let graver = findings.iter().any(|finding| finding.grade > gravest && !proof(finding));
         if !whole || graver && !beside {
             let told: Vec<_> = findings
                 .iter()
-                .map(|one| {
-                    format!(
-                        "    {} {:?} {} | {}",
-                        one.rule.map_or("-----", |rule| rule.code),
-                        one.grade,
-                        one.what.en,
-                        one.remedy.en
-                    )
-                })
+                .map(|one| format!("    {} {:?} {} | {}", one.rule().code, one.grade, one.what.en, one.remedy.en))
                 .collect();
             wrong.push(format!("{} {}:\n{}", rule.code, rule.ident, told.join("\n")));
         }

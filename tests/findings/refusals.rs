@@ -3,14 +3,15 @@
 use crate::common;
 
 use rodete::cli::RULES;
-use rodete::finding::{CellPlace, Exit, FAULT, Finding, Grade, Place};
+use rodete::finding::rules::ValueNotFinite;
+use rodete::finding::{CellPlace, Exit, FAULT, Finding, Grade, Place, Raise};
 use rodete::kind::End;
 use rodete::kinds;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::parameters::FORM;
+use rodete::kinds::impeller::rules::AbsoluteOnRollover;
 use rodete::parameter::Value;
 use rodete::table::Entry;
-use rodete::text::Text;
 
 /// The findings of a refused design.
 fn refused(case: &str, changes: &[(&'static str, Value)]) -> Vec<Finding> {
@@ -313,9 +314,9 @@ fn feed_gives_way_where_an_axis_would_be_too_fast() {
 /// Every judge's fault, whatever else is found beside it, ends with the code of a fault in rodete.
 #[test]
 fn a_fault_in_rodete_never_ends_as_a_refused_input() {
-    let stop = || Finding::stop(Place::File, Text::same("this"), Text::same("another value"));
-    let fault = || Finding::fault(Place::File, Text::same("that"));
-    let caution = || Finding::caution(Place::File, Text::same("that"), FAULT);
+    let stop = || AbsoluteOnRollover {}.at(Place::File);
+    let fault = || ValueNotFinite {}.at(Place::File);
+    let caution = || fault().graded(Grade::Caution);
     let exit = |findings: Vec<Finding>, endless: bool| {
         let mut outcome = common::outcome("full", &[]);
         outcome.findings.extend(findings);

@@ -136,7 +136,7 @@ fn the_program_of_every_row_raises_it_at_its_place_and_nothing_graver() {
             let told: Vec<_> = findings
                 .iter()
                 .map(|one| {
-                    let code = one.rule.map_or("-----", |rule| rule.code);
+                    let code = one.rule().code;
                     format!("    {} {code} {:?} {}", place(one), one.grade, one.what.en)
                 })
                 .collect();
@@ -194,4 +194,17 @@ fn a_refusal_carries_its_row_and_the_alarm_of_a_control_that_has_one() {
     assert_eq!(twice.what.en, "PS0053: 'K' and 'R' in one block");
     let word = |text: &str| Datum::Word(text.to_owned());
     assert_eq!(twice.data, [("first", word("K")), ("second", word("R"))]);
+}
+
+/// A remedy is written in its row, so that one code has one remedy. These tell what another row found, with the remedy that it
+/// has.
+#[test]
+fn a_code_has_one_remedy() {
+    let told_by_another = |rule: &&Rule| {
+        let bare = rule.remedy.en.trim();
+        bare.starts_with('{') && bare.ends_with('}') && !bare[1..].contains('{')
+    };
+    let mut codes: Vec<_> = rules().filter(told_by_another).map(|rule| rule.code).collect();
+    codes.sort_unstable();
+    assert_eq!(codes, ["V0003", "V0004", "V0409"]);
 }

@@ -122,9 +122,7 @@ fn the_slip_of_every_row_raises_it() {
             own.grade <= rule.grade && !own.what.en.contains(['{', '}']) && own.what.es != own.what.en
         });
         if !whole || graver {
-            let said = findings.iter().map(|one| {
-                format!("    {} {:?} {}", one.rule.map_or("-----", |rule| rule.code), one.grade, one.what.en)
-            });
+            let said = findings.iter().map(|one| format!("    {} {:?} {}", one.rule().code, one.grade, one.what.en));
             wrong.push(format!("{} {}:\n{}", rule.code, rule.ident, said.collect::<Vec<_>>().join("\n")));
         }
     }

@@ -8,18 +8,19 @@ use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 use rodete::figure::{Axes, Figure, Ink, Stroke};
-use rodete::finding::{Finding, Grade, Place};
+use rodete::finding::{Grade, Place, Raise};
 use rodete::kind::{End, Outcome, Provenance};
 use rodete::kinds::KINDS;
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
+use rodete::kinds::impeller::rules::NoRetract;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
 use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
 use rodete::report::{Attachment, Content, Role};
 use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
-use rodete::text::{Language, Text, t};
+use rodete::text::{Language, t};
 use rodete::typeset::compiler::Typst;
 use rodete::typeset::failure::ReportFailure;
 
@@ -73,9 +74,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         solids: Vec::new(),
         scene: None,
         setup: Vec::new(),
-        findings: vec![
-            Finding::new(Grade::Caution, Place::File, Text::same("a caution"), Text::same("look")).with("1 mm", "2 mm"),
-        ],
+        findings: vec![NoRetract {}.at(Place::File).with("1 mm", "2 mm")],
     }
 }
 

@@ -6,9 +6,10 @@ use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 
 use calamine::{Data, Range, Reader, Xlsx};
-use rodete::finding::{Finding, Place};
+use rodete::finding::{Grade, Place, Raise};
 use rodete::kind::{Outcome, checks};
 use rodete::kinds::impeller::parameters::FORM;
+use rodete::kinds::impeller::rules::NoRetract;
 use rodete::parameter::Value;
 use rodete::table::{Column, Entry, Index, Print, Table, Unit};
 use rodete::text::{Language, Text, t};
@@ -232,11 +233,9 @@ fn the_first_sheet_is_the_form_with_the_values_and_the_derived_quantities() {
 #[test]
 fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
     let mut outcome = common::outcome("full", &[]);
-    outcome.findings.insert(
-        0,
-        Finding::stop(Place::Parameters(vec!["F"]), t("=el avance es alto", "=feed is high"), Text::same("F"))
-            .with("7000 mm/min", "6000 mm/min"),
-    );
+    let mut high = NoRetract {}.at(Place::Parameters(vec!["F"])).graded(Grade::Stop).with("7000 mm/min", "6000 mm/min");
+    high.what = t("=el avance es alto", "=feed is high");
+    outcome.findings.insert(0, high);
     outcome.programs.clear();
     let mut workbook = opened(written(&outcome, Language::Es));
     assert!(!workbook.sheet_names().iter().any(|name| name == "INCR"));

@@ -120,7 +120,9 @@ impl From<Fault> for Finding {
     fn from(fault: Fault) -> Self {
         let told = fault.message();
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
-        Self { rule: Some(fault.rule), data: fault.data, alarm: fault.alarm, ..Self::stop(place, told, fault.remedy) }
+        let mut finding = Finding::of(fault.rule, fault.data, place, told, fault.remedy).graded(Grade::Stop);
+        finding.alarm = fault.alarm;
+        finding
     }
 }
 
@@ -174,7 +176,7 @@ impl Remarks {
             *count += 1;
         } else if self.list.len() < REMARKS {
             let columns = column.map(|column| column + 1).into_iter().collect();
-            self.list.push((1, spot.text, Finding { grade, ..row.at(place(None, spot.line, columns)) }));
+            self.list.push((1, spot.text, row.at(place(None, spot.line, columns)).graded(grade)));
         }
     }
 
@@ -183,7 +185,7 @@ impl Remarks {
         if let Some((count, ..)) = self.list.iter_mut().find(|(.., other)| other.what == finding.what) {
             *count += 1;
         } else if self.list.len() < REMARKS {
-            self.list.push((1, 0, Finding { place: place(None, 1, Vec::new()), ..finding }));
+            self.list.push((1, 0, finding.placed(place(None, 1, Vec::new()))));
         }
     }
 

@@ -94,7 +94,7 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
     let mut found: Vec<(bool, Finding)> = worst
         .into_iter()
         .map(|((.., pair), (count, alarm, place))| {
-            let mut finding = Finding { place: place.clone(), ..alarm.finding() };
+            let mut finding = alarm.finding().placed(place.clone());
             let left_out = pair.and_then(|pair| following.get(&pair)).map_or(&[][..], Vec::as_slice);
             if let Some(gravest) = left_out.iter().max() {
                 finding.grade = finding.grade.max(*gravest);

@@ -246,8 +246,8 @@ fn held(setup: &Setup) -> Finding {
         return HeldAlong { X, length }.at(place);
     }
     let grade = if grip.length < HELD { Grade::Stop } else { Grade::Caution };
-    let told = HardlyHeld { X, left, right }.at(place);
-    Finding { grade, ..told }.with(length.said(Language::En), format!("≥ {} mm", shown(least, 3)))
+    let told = HardlyHeld { X, left, right }.at(place).graded(grade);
+    told.with(length.said(Language::En), format!("≥ {} mm", shown(least, 3)))
 }
 
 /// The program as it stands on its sheet; its subprograms are not known before it has been read.
@@ -351,7 +351,7 @@ fn follow<'a>(
                 if let Some(fault) = given.without_zero(&motion, &control)
                     && without_zero.insert(control.system)
                 {
-                    let fault = Finding { place: at_line(file, motion.line), ..fault };
+                    let fault = fault.placed(at_line(file, motion.line));
                     last.get_or_insert_with(|| fault.place.clone());
                     faults.push(fault);
                 }
@@ -424,7 +424,10 @@ fn follow<'a>(
         .into_iter()
         .map(|finding| match together.iter().find(|(told, _)| *told == finding) {
             Some((_, in_cells)) => in_cells.clone(),
-            None => Finding { place: source.placed(finding.place), ..finding },
+            None => {
+                let place = source.placed(finding.place.clone());
+                finding.placed(place)
+            }
         })
         .collect();
     one.drawn.part = one.simulation.product();

@@ -92,7 +92,7 @@ fn contradictions() {
                 assert_eq!(outcome.programs.len(), 1);
                 Vec::new()
             }
-            Err(refusal) => refusal.findings.iter().filter_map(|one| one.rule).map(|rule| rule.code).collect(),
+            Err(refusal) => refusal.findings.iter().map(|one| one.rule().code).collect(),
         }
     };
     assert_eq!((codes("d", 40.1), codes("d", 39.9)), (vec!["B0001"], vec![]));
