@@ -128,8 +128,8 @@ fn one(finding: &Finding, names: Names<'_>, language: Language, width: Option<us
 fn head(finding: &Finding, language: Language, width: Option<usize>) -> String {
     let (word, colour) = grade(finding.grade);
     let style = Style::new().bold().fg_color(Some(colour.into()));
-    let code = finding.rule.map_or(String::new(), |rule| format!(" {}", rule.code));
-    wrapped(&format!("{style}{}{code}{style:#}: {}", word.get(language), sentence(finding, language)), 2, width)
+    let word = format!("{} {}", word.get(language), finding.code());
+    wrapped(&format!("{style}{}{style:#}: {}", word.trim_end(), sentence(finding, language)), 2, width)
 }
 
 fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {

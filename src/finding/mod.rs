@@ -157,6 +157,12 @@ impl Finding {
         self.rule == Some(rule)
     }
 
+    /// The code by which `rodete explain` knows it; empty where it has none yet.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.rule.map_or("", |rule| rule.code)
+    }
+
     /// A finding for a person to judge.
     #[must_use]
     pub const fn caution(place: Place, what: Text, remedy: Text) -> Self {

@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 
 use calamine::{Data, Range, Reader, Xlsx};
-use rodete::finding::{Finding, Place};
+use rodete::finding::rules::ValueNotFinite;
+use rodete::finding::{Finding, Place, Raise};
 use rodete::kind::{Outcome, checks};
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
@@ -237,6 +238,8 @@ fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
         Finding::stop(Place::Parameters(vec!["F"]), t("=el avance es alto", "=feed is high"), Text::same("F"))
             .with("7000 mm/min", "6000 mm/min"),
     );
+    let coded = ValueNotFinite {}.at(Place::File);
+    outcome.findings.insert(1, coded);
     outcome.programs.clear();
     let mut workbook = opened(written(&outcome, Language::Es));
     assert!(!workbook.sheet_names().iter().any(|name| name == "INCR"));
@@ -251,7 +254,8 @@ fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
         }
     }
     assert_eq!(text(&range, 3, 0), "Parada");
-    assert_eq!(text(&range, 3, 2), "=el avance es alto");
+    assert_eq!(text(&range, 3, 3), "=el avance es alto");
+    assert_eq!([text(&range, 2, 1), text(&range, 3, 1), text(&range, 4, 1)], ["Código", "", "X0005"]);
 }
 
 #[test]
