@@ -128,7 +128,7 @@ fn one(finding: &Finding, names: Names<'_>, language: Language, width: Option<us
 fn head(finding: &Finding, language: Language, width: Option<usize>) -> String {
     let (word, colour) = grade(finding.grade);
     let style = Style::new().bold().fg_color(Some(colour.into()));
-    let code = finding.rule().code;
+    let code = finding.code();
     wrapped(&format!("{style}{} {code}{style:#}: {}", word.get(language), sentence(finding, language)), 2, width)
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
+use serde_json::{Map, Value, json};
 
 use super::args::Simulate;
 use super::delivery::{self, Delivery};
@@ -12,7 +12,7 @@ use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
 use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
-use crate::finding::{Exit, Place, Refusal};
+use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::gcode::control::Control;
 use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
@@ -81,16 +81,16 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
     Ok(followed)
 }
 
-/// An alarm with its figures: X is a diameter, and `file` that of the subprogram where `line` stands in one.
-fn alarm(Raised { alarm, place, .. }: &Raised) -> serde_json::Value {
+/// An alarm as every finding, and its figures: X is a diameter, and `file` that of the subprogram where `line` stands in one.
+fn alarm(Raised { alarm, place, .. }: &Raised) -> Map<String, Value> {
     let file = match place {
         Place::Subprogram { file, .. } => Some(file),
         _ => None,
     };
     let [x, z] = alarm.place;
-    json!({
+    let finding = Finding { place: place.clone(), ..alarm.finding() };
+    let figures = json!({
         "number": alarm.cause.number(),
-        "grade": alarm.cause.grade(),
         "text": alarm.cause.text(),
         "file": file,
         "line": alarm.line,
@@ -98,11 +98,12 @@ fn alarm(Raised { alarm, place, .. }: &Raised) -> serde_json::Value {
         "x_mm": x,
         "z_mm": z,
         "depth_mm": alarm.depth,
-    })
+    });
+    [json!(finding), figures].into_iter().filter_map(|part| part.as_object().cloned()).flatten().collect()
 }
 
-fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>) -> serde_json::Value {
-    let totals: serde_json::Map<String, serde_json::Value> = verdict
+fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>) -> Value {
+    let totals: Map<String, Value> = verdict
         .quantities
         .iter()
         .filter_map(|one| {
@@ -128,7 +129,7 @@ fn document(arguments: &Simulate, verdict: &Ending, followed: Option<&Followed>)
             Some((name.to_owned(), value))
         })
         .collect();
-    let alarms: Vec<serde_json::Value> = followed.iter().flat_map(|one| &one.alarms).map(alarm).collect();
+    let alarms: Vec<_> = followed.iter().flat_map(|one| &one.alarms).map(alarm).collect();
     let motions = followed.and_then(|followed| followed.outcome.table("blocks")).map(crate::table::Table::rows);
     json!({
         "schema": json::SCHEMA,

@@ -157,6 +157,12 @@ impl Finding {
         self.rule == rule
     }
 
+    /// The code by which `rodete explain` knows it.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        self.rule.code
+    }
+
     /// The same at another place.
     #[must_use]
     pub fn placed(self, place: Place) -> Self {

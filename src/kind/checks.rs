@@ -4,7 +4,7 @@ use crate::finding::{Finding, Grade, Place};
 use crate::table::{Column, Index, Print, Table};
 use crate::text::{Language, Text, t};
 
-/// The table of all findings, in their order: grade, place, what, value, limit, remedy.
+/// The table of all findings, in their order: grade, code, place, what, value, limit, remedy.
 #[must_use]
 pub fn table(findings: &[Finding]) -> Table {
     let column =
@@ -18,6 +18,7 @@ pub fn table(findings: &[Finding]) -> Table {
         print: Print::No,
         columns: vec![
             column(t("Grado", "Grade"), |finding| finding.grade.name()),
+            column(t("Código", "Code"), |finding| Text::same(finding.code())),
             column(t("Lugar", "Place"), |finding| place(&finding.place)),
             column(t("Comprobación", "Check"), |finding| finding.what.clone()),
             column(t("Valor", "Value"), |finding| Text::same(finding.value.as_str())),

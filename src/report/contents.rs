@@ -314,6 +314,7 @@ fn check(finding: &Finding, words: &mut Words) -> Check {
             Grade::Stop => "stop",
         },
         name: words.text(&finding.grade.name()),
+        code: finding.code(),
         what: words.text(&finding.what),
         place: words.text(&checks::place(&finding.place)),
         value: words.line(&finding.value),

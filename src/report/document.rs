@@ -128,6 +128,8 @@ pub(super) struct Extent {
 pub(super) struct Check {
     pub grade: &'static str,
     pub name: String,
+    /// Empty where it has none.
+    pub code: &'static str,
     pub what: String,
     pub place: String,
     pub value: String,

@@ -98,8 +98,9 @@ function showRemarks(run, go) {
   for (const remark of list) {
     const button = make("button", box, undefined, remark.grade);
     button.type = "button";
+    const code = remark.code ? `${remark.code} · ` : "";
     const where = remark.line ? `${say("line")} ${remark.line}: ` : "", number = remark.number ? `${remark.number} · ` : "";
-    make("b", button, `${number}${where}${pick(remark.what)}`);
+    make("b", button, `${code}${number}${where}${pick(remark.what)}`);
     const limit = remark.limit ? ` (${say("limit")} ${remark.limit})` : "";
     const at = remark.at ? `X ${decimals(remark.at[0], 3)}  Z ${decimals(remark.at[1], 3)} mm` : "";
     const deep = remark.deep ? `${say("deep")} ` : "";

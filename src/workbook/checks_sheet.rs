@@ -14,8 +14,8 @@ use crate::text::Language;
 /// The row of the column headings, from 0.
 const HEADINGS: RowNum = 2;
 
-/// Widths in characters: grade, place, what, value, limit, remedy.
-const WIDTHS: [f64; 6] = [12.0, 26.0, 54.0, 24.0, 24.0, 44.0];
+/// Widths in characters: grade, code, place, what, value, limit, remedy.
+const WIDTHS: [f64; 7] = [12.0, 8.0, 26.0, 54.0, 24.0, 24.0, 44.0];
 
 /// Writes the sheet of an outcome's checks: title, count by grade, and one row for each finding.
 ///
@@ -54,7 +54,7 @@ pub fn write(
     }
     sheet.set_freeze_panes(HEADINGS + 1, 0)?;
     if last > HEADINGS {
-        sheet.autofilter(HEADINGS, 0, last, 5)?;
+        sheet.autofilter(HEADINGS, 0, last, 6)?;
     }
     Page { repeat: (HEADINGS, HEADINGS), landscape: true, ..*page }.set_up(sheet, language)?;
     Ok(())

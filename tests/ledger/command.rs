@@ -6,6 +6,8 @@ use std::process::{Command, Output, Stdio};
 
 use tempfile::TempDir;
 
+use crate::plain::is_code;
+
 use crate::motions::{MOVED, tests};
 
 /// The typst that keeps what it is to set.
@@ -90,10 +92,6 @@ impl Place {
 
 /// What was printed, without the codes of its findings and without the line that tells how to learn more of one.
 fn uncoded(printed: &[u8]) -> Vec<u8> {
-    let is_code = |code: &str| {
-        let (letter, number) = code.split_at_checked(1).unwrap_or_default();
-        letter.bytes().all(|one| one.is_ascii_uppercase()) && number.len() == 4 && number.parse::<u16>().is_ok()
-    };
     let mut plain = String::new();
     for line in str::from_utf8(printed).unwrap().split_inclusive('\n') {
         if line.strip_prefix("rodete explain ").is_some_and(|rest| rest.split(' ').next().is_some_and(is_code)) {

@@ -317,7 +317,9 @@ fn both_languages_are_spoken() {
     browser.click("#language");
     browser.click("#tab-remarks");
     let english = browser.run(words).to_string();
-    for word in ["Blocks", "Alarms", "Speed", "Layers", "Tool", "Machine display", "2101", "the tool meets the jaw"] {
+    for word in
+        ["Blocks", "Alarms", "Speed", "Layers", "Tool", "Machine display", "L0114 · 2101", "the tool meets the jaw"]
+    {
         assert!(english.contains(word), "{word}: {english}");
     }
     assert!(!english.contains("Bloques"));

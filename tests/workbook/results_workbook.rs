@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 
 use calamine::{Data, Range, Reader, Xlsx};
+use rodete::finding::rules::ValueNotFinite;
 use rodete::finding::{Grade, Place, Raise};
 use rodete::kind::{Outcome, checks};
 use rodete::kinds::impeller::parameters::FORM;
@@ -236,6 +237,8 @@ fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
     let mut high = NoRetract {}.at(Place::Parameters(vec!["F"])).graded(Grade::Stop).with("7000 mm/min", "6000 mm/min");
     high.what = t("=el avance es alto", "=feed is high");
     outcome.findings.insert(0, high);
+    let coded = ValueNotFinite {}.at(Place::File);
+    outcome.findings.insert(1, coded);
     outcome.programs.clear();
     let mut workbook = opened(written(&outcome, Language::Es));
     assert!(!workbook.sheet_names().iter().any(|name| name == "INCR"));
@@ -250,7 +253,8 @@ fn every_finding_stands_on_the_sheet_of_checks_even_when_the_work_is_stopped() {
         }
     }
     assert_eq!(text(&range, 3, 0), "Parada");
-    assert_eq!(text(&range, 3, 2), "=el avance es alto");
+    assert_eq!(text(&range, 3, 3), "=el avance es alto");
+    assert_eq!([text(&range, 2, 1), text(&range, 3, 1), text(&range, 4, 1)], ["Código", NoRetract::RULE.code, "X0005"]);
 }
 
 #[test]
