@@ -28,7 +28,7 @@ impl Arguments {
     pub(super) fn command(kinds: &[&dyn Kind]) -> clap::Command {
         let forms = || kinds.iter().map(|kind| kind.form());
         let names = PossibleValuesParser::new(forms().map(|form| form.kind));
-        let cases = PossibleValuesParser::new(forms().flat_map(|form| form.cases).map(|case| case.name));
+        let cases = PossibleValuesParser::new(kinds.iter().flat_map(|kind| kind.cases()).map(|case| case.name));
         let kind = forms().next().map_or("KIND", |form| form.kind);
         let others: Vec<&str> = forms().skip(1).map(|form| form.kind).collect();
         let others = match others.as_slice() {
@@ -380,14 +380,14 @@ mod tests {
 
     #[test]
     fn the_command_line_is_well_formed() {
-        Arguments::command(&KINDS).debug_assert();
+        Arguments::command(KINDS).debug_assert();
     }
 
     #[test]
     fn both_languages_are_read_by_their_codes() {
         for wanted in Language::ALL {
             let read =
-                Arguments::read(["rodete", "check", "a.xlsx", "--lang", wanted.code()].map(OsString::from), &KINDS);
+                Arguments::read(["rodete", "check", "a.xlsx", "--lang", wanted.code()].map(OsString::from), KINDS);
             assert!(
                 matches!(read.map(|read| read.command), Ok(Command::Check(Check { lang: Some(l), .. })) if l == wanted)
             );

@@ -38,7 +38,7 @@ use std::process::ExitCode;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
-pub use self::explain::{RULES, reference};
+pub use self::explain::{reference, rows};
 use self::locale::spoken;
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};

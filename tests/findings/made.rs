@@ -4,10 +4,10 @@ use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
-use rodete::cli::RULES;
+use rodete::cli::rows;
 use rodete::finding::{Example, Exit, Finding, Refusal, Rule};
-use rodete::kind::Provenance;
-use rodete::kinds::{self, impeller, lathe, pipe};
+use rodete::kind::{Kind, Provenance};
+use rodete::kinds::{self, KINDS};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::Form;
@@ -16,8 +16,6 @@ use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::{self, Input, offsets_sheet, template};
 
 use super::workbook::{DATA, Parts, sound};
-
-const FORMS: [&Form; 2] = [&impeller::parameters::FORM, &lathe::parameters::FORM];
 
 /// What is told of an input, whether it is taken or refused.
 fn told<T>(read: Result<T, Refusal>, findings: impl FnOnce(T) -> Vec<Finding>) -> Vec<Finding> {
@@ -30,11 +28,14 @@ fn told<T>(read: Result<T, Refusal>, findings: impl FnOnce(T) -> Vec<Finding>) -
     }
 }
 
+fn named(kind: &str) -> &'static dyn Kind {
+    *KINDS.iter().find(|one| one.form().kind == kind).unwrap()
+}
+
 /// A kind's usual workbook, as `new` writes it.
 fn usual(kind: &str) -> (&'static Form, Vec<u8>) {
-    let pipes = [&pipe::insert::parameters::FORM, &pipe::hole::parameters::FORM];
-    let form = FORMS.into_iter().chain(pipes).find(|form| form.kind == kind).unwrap();
-    let case = &form.cases[0];
+    let kind = named(kind);
+    let (form, case) = (kind.form(), &kind.cases()[0]);
     let mut out = Cursor::new(Vec::new());
     let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
     template::write(form, &values, &lists, &case.note, Language::En, &mut out).unwrap();
@@ -355,10 +356,12 @@ pub fn may_read_all() -> bool {
 
 /// What a row's example is told; none where it is of another test.
 fn raised(rule: &Rule) -> Option<Vec<Finding>> {
-    let read = |bytes: &[u8]| told(workbook::read(bytes, &FORMS), |filled| filled.findings);
+    let read = |bytes: &[u8]| {
+        told(workbook::read(bytes, &KINDS.iter().map(|kind| kind.form()).collect::<Vec<_>>()), |filled| filled.findings)
+    };
     match rule.example {
         // A contradiction is told by the kind, what stands before it by the reading.
-        Example::Workbook { kind, cells } if rule.code.starts_with('P') => {
+        Example::Workbook { kind, cells } if named(kind).rules().iter().any(|rows| rows.contains(&rule)) => {
             let filled =
                 workbook::read(&changed(kind, cells), &[usual(kind).0]).unwrap_or_else(|refusal| panic!("{refusal:?}"));
             let source = Provenance { workbook: String::new(), sha256: String::new(), version: "0" };
@@ -389,7 +392,7 @@ fn raised(rule: &Rule) -> Option<Vec<Finding>> {
 fn what_is_made_for_every_row_raises_it_and_nothing_graver() {
     let mut wrong = Vec::new();
     let all = may_read_all();
-    for rule in RULES.iter().copied().flatten().copied() {
+    for rule in rows(KINDS) {
         if all && matches!(rule.example, Example::Made { key: "unreadable" | "unreadable-and-open", .. }) {
             continue;
         }

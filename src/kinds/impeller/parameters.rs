@@ -8,7 +8,6 @@ use crate::gcode::chosen::{Codes, Retract};
 use crate::gcode::control::{Rotary, Written};
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
-use crate::kinds::impeller::cases::CASES;
 use crate::kinds::impeller::fade::Fade;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
 use crate::parameter::{DIALECTS, Earlier, FieldKind, Form, Parameter, Section, Sheet};
@@ -529,7 +528,8 @@ pub static FORM: Form = Form {
             "measure H and compare; make a new workbook with \"rodete new\" and type the values there",
         ),
     }],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["blade", "splitter", "impeller", "blank"],
     drawings: &[],
     solids: &[],

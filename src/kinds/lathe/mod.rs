@@ -37,8 +37,8 @@ use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
-use crate::parameter::Form;
 use crate::parameter::field::Fields;
+use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::deviation::Profile;
@@ -132,6 +132,10 @@ impl Kind for Lathe {
         &FORM
     }
 
+    fn cases(&self) -> &'static [Case] {
+        &cases::CASES
+    }
+
     fn chapters(&self) -> &'static Chapters {
         const {
             &Chapters {
@@ -144,6 +148,10 @@ impl Kind for Lathe {
                 further: &[("equations.typ", include_str!("../../../report-templates/lathe/equations.typ"))],
             }
         }
+    }
+
+    fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
+        Given::of(fields).map(drop)
     }
 
     /// Follows the programs of a filled-in form.
@@ -518,6 +526,8 @@ fn outcome(
     let outcome = Outcome {
         kind: &Lathe,
         fields,
+        control: given.control,
+        style: None,
         quantities,
         tables,
         charts: Vec::new(),

@@ -5,7 +5,6 @@
 
 use crate::gcode::control::Control;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane};
-use crate::kinds::lathe::cases::CASES;
 use crate::kinds::lathe::tool_sheet;
 pub use crate::kinds::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::limits::SHEET_BLOCKS;
@@ -407,7 +406,8 @@ pub static FORM: Form = Form {
     kind: "lathe",
     schema: SCHEMA,
     earlier: &[],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["program", "program-2"],
     drawings: &["contour"],
     solids: &[("part", t("Pieza torneada, STL en mm", "Turned part, STL in mm"))],

@@ -58,12 +58,8 @@ pub static FORM: Form = Form {
     kind: "bolt-circle",
     schema: SCHEMA,
     earlier: &[],
-    cases: &[Case {
-        name: "six",
-        note: t("Una brida de seis agujeros.", "A flange of six holes."),
-        filled: six,
-        listed: unlisted,
-    }],
+    part: &PART,
+    material: None,
     programs: &["holes"],
     drawings: &[],
     solids: &[],
@@ -76,6 +72,13 @@ pub static FORM: Form = Form {
     }],
     lists: &[],
 };
+
+pub static CASES: &[Case] = &[Case {
+    name: "six",
+    note: t("Una brida de seis agujeros.", "A flange of six holes."),
+    filled: six,
+    listed: unlisted,
+}];
 
 fn six(_: Language) -> Vec<(&'static str, Value)> {
     vec![

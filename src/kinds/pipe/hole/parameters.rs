@@ -7,7 +7,6 @@ use crate::gcode::chosen::Codes;
 use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
-use crate::kinds::pipe::hole::cases::CASES;
 use crate::parameter::field::{Field, Optional, Required};
 use crate::parameter::{FieldKind, Form, Parameter, Section, Sheet};
 use crate::table::Unit;
@@ -196,7 +195,8 @@ pub static FORM: Form = Form {
     kind: "pipe-hole",
     schema: SCHEMA,
     earlier: &[],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["hole"],
     drawings: &["template"],
     solids: &[],

@@ -8,7 +8,6 @@ use crate::gcode::program::Style;
 use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
-use crate::kinds::pipe::insert::cases::CASES;
 use crate::parameter::field::{Field, Optional, Required, choices};
 use crate::parameter::{Form, Parameter, Section, Sheet};
 use crate::table::Unit;
@@ -184,7 +183,8 @@ pub static FORM: Form = Form {
     kind: "pipe-insert",
     schema: SCHEMA,
     earlier: &[],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["insert"],
     drawings: &["template"],
     solids: &[],
