@@ -20,7 +20,7 @@ use rodete::parameter::{Value, Values};
 use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
 use rodete::report::{Attachment, Content, Role};
-use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
+use rodete::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use rodete::text::{Language, Text, t};
 use rodete::typeset::compiler::Typst;
 use rodete::typeset::failure::ReportFailure;
@@ -58,7 +58,7 @@ fn outcome(part: &str, rows: usize) -> Outcome {
             source: t("Anexo 1", "Annex 1"),
             index: Index::Point,
             print: Print::Short,
-            columns: vec![Column::numbers("v", Unit::Radian, "v", steps)],
+            columns: vec![Column::numbers("v", Unit::Radian, Law::Told("v"), steps)],
         }],
         programs: Vec::new(),
         charts: Vec::new(),

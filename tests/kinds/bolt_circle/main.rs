@@ -27,7 +27,7 @@ use rodete::kind::{Chapters, Proved, out_of_format};
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Form};
 use rodete::proof::step::Judge;
-use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
+use rodete::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use rodete::text::{Text, t};
 
 use crate::design::BoltCircle;
@@ -67,8 +67,8 @@ impl Method for Kind {
 
     fn tables(circle: &BoltCircle, (): &()) -> Vec<Table> {
         let holes = || 0..circle.N;
-        let column = |symbol, unit, formula, value: &dyn Fn(u32) -> f64| {
-            Column::numbers(symbol, unit, formula, holes().map(value).collect::<Vec<_>>())
+        let column = |symbol, unit, law, value: &dyn Fn(u32) -> f64| {
+            Column::numbers(symbol, unit, law, holes().map(value).collect::<Vec<_>>())
         };
         vec![Table {
             key: "holes",
@@ -78,9 +78,9 @@ impl Method for Kind {
             index: Index::Point,
             print: Print::Short,
             columns: vec![
-                column("φ", Unit::Degree, "φ = α + 360·i/N", &|hole| circle.angle(hole)),
-                column("x", Unit::Millimetre, "x = D/2·cos φ", &|hole| circle.at(hole)[0]),
-                column("y", Unit::Millimetre, "y = D/2·sin φ", &|hole| circle.at(hole)[1]),
+                column("φ", Unit::Degree, Law::Told("φ = α + 360·i/N"), &|hole| circle.angle(hole)),
+                column("x", Unit::Millimetre, Law::Told("x = D/2·cos φ"), &|hole| circle.at(hole)[0]),
+                column("y", Unit::Millimetre, Law::Told("y = D/2·sin φ"), &|hole| circle.at(hole)[1]),
             ],
         }]
     }
