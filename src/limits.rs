@@ -61,8 +61,11 @@ pub const GOUGE_PIECES: usize = 8;
 
 // Programs that are written
 
-/// The greatest F word, mm/min or 1/min. The output grid: what fits into a word.
+/// The greatest F word that is a speed, mm/min. The output grid: what fits into a word.
 pub const FEED_WORD: f64 = LIMIT as f64 / 1000.0;
+/// The greatest F word that is the inverse of a time, 1/min. LinuxCNC reads any number; a thousandth of a degree round the
+/// smallest pipe, 5 mm, at the greatest F, 50,000 mm/min, asks for 1.2·10⁹.
+pub const INVERSE_TIME_WORD: f64 = 4e9;
 /// Motion blocks of one program. A workbook that asks for more is refused before anything is computed.
 pub const PROGRAM_BLOCKS: u64 = 4_000_000;
 /// Blocks of a program on a sheet. A sheet stays one that a person can look through; what is longer is read from a

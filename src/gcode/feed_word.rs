@@ -6,11 +6,11 @@
 //! # Decimals
 //! Speeds have three. Times in seconds have four: an assumption, since the page of the Fagor 8070 on G93 gives no format; with
 //! three, blocks of some milliseconds would lose up to a quarter of their speed. Inverse times have three, and six below 1,
-//! where three would lose as much; LinuxCNC reads any number of them.
+//! where three would lose as much; LinuxCNC reads any number of them, before the point as well: a block of less than 0.6 ms has
+//! the six digits and more that it asks for.
 
 use crate::gcode::control::FeedLaw;
 use crate::gcode::word::push_whole;
-use crate::limits::FEED_WORD;
 use crate::number::grid::OutOfFormat;
 
 /// How many decimals an F word about as great as this has.
@@ -49,7 +49,7 @@ impl FeedWord {
     pub fn lasting(law: FeedLaw, seconds: f64, resultant: f64) -> Result<Self, OutOfFormat> {
         let wanted = law.word(seconds, resultant);
         let slowest = if law == FeedLaw::Seconds { f64::INFINITY } else { 0.0 };
-        let fastest = if law == FeedLaw::Seconds { 1e-4 } else { FEED_WORD };
+        let fastest = law.fastest();
         // A move of no time and no way has no word of its own.
         let wanted = if wanted.is_nan() { fastest } else { wanted };
         let wanted = if law == FeedLaw::Seconds { wanted.max(fastest) } else { wanted.min(fastest) };
@@ -64,10 +64,10 @@ impl FeedWord {
             steps.floor()
         };
         let millionths = whole * step(law, wanted) * 1e6;
-        if wanted == slowest || whole < 1.0 || millionths > FEED_WORD * 1e6 + 0.5 {
+        if wanted == slowest || whole < 1.0 || millionths > law.greatest() * 1e6 + 0.5 {
             return Err(OutOfFormat(wanted));
         }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 10^11")]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 4·10^15")]
         let millionths = millionths.round() as u64;
         Ok(Self { millionths, decimals })
     }
@@ -77,14 +77,15 @@ impl FeedWord {
     pub const fn is_fastest(self, law: FeedLaw) -> bool {
         match law {
             FeedLaw::Seconds => self.millionths == 100,
-            FeedLaw::Resultant | FeedLaw::InverseTime => self.millionths == 99_999_999_000,
+            FeedLaw::Resultant => self.millionths == 99_999_999_000,
+            FeedLaw::InverseTime => self.millionths == 4_000_000_000_000_000,
         }
     }
 
     /// The number.
     #[must_use]
     pub fn value(self) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "a whole number up to 10^11")]
+        #[expect(clippy::cast_precision_loss, reason = "a whole number up to 4·10^15")]
         let millionths = self.millionths as f64;
         millionths / 1e6
     }
@@ -125,7 +126,8 @@ mod tests {
             (FeedLaw::InverseTime, 7.0, 1.0, "8.571"),
             (FeedLaw::InverseTime, 70.0, 1.0, "0.857142"),
             (FeedLaw::InverseTime, 60.0, 1.0, "1.000"),
-            (FeedLaw::InverseTime, 0.0, 1.0, "99999.999"),
+            (FeedLaw::InverseTime, 0.000_207_4, 1.0, "289296.046"),
+            (FeedLaw::InverseTime, 0.0, 1.0, "4000000000.000"),
             (FeedLaw::Resultant, 7.0, 1.0, "8.571"),
             (FeedLaw::Resultant, 0.6, 10.0, "1000.000"),
             (FeedLaw::Resultant, 0.0, 0.0, "99999.999"),
@@ -145,7 +147,7 @@ mod tests {
     proptest! {
         #[test]
         fn no_word_is_faster_than_asked_nor_slower_by_more_than_a_step(
-            power in -3.0..4.0_f64, digits in 1.0..10.0_f64, resultant in 0.001..500.0_f64,
+            power in -8.0..4.0_f64, digits in 1.0..10.0_f64, resultant in 0.001..500.0_f64,
         ) {
             let seconds = digits * libm::pow(10.0, power);
             for law in [FeedLaw::Resultant, FeedLaw::Seconds, FeedLaw::InverseTime] {

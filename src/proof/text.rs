@@ -3,7 +3,7 @@
 //! Controls differ in what they forgive, so that one strict form is asked of all: printable ASCII; comments from an
 //! allow-list; words of one capital letter and one number, parted by one blank; dimensions and feeds with at most five
 //! digits before and three after the point, never −0, an exponent or a comma, and always with three decimals where the
-//! layout is fixed, times of a move in seconds with four and inverse times below 1 with six; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
+//! layout is fixed, times of a move in seconds with four and inverse times below 1 with six, or with up to ten digits before the point; codes as whole numbers; block numbers that rise by their step up to the greatest of the dialect.
 
 use crate::finding::Raise;
 use crate::gcode::comment;
@@ -133,17 +133,18 @@ fn quoted(es: &str, en: &str, what: &str) -> Text {
     Text::new(format!("{es} «{what}»"), format!("{en} '{what}'"))
 }
 
-/// An F word that is a time or its inverse, with the decimals of its law beyond three.
+/// An F word that is a time or its inverse, with the decimals of its law beyond three or its digits beyond five.
 fn timed(number: &str, law: FeedLaw) -> bool {
     let Some((whole, part)) = number.split_once('.') else { return false };
-    let plain = digits(whole, 5) && (whole.len() == 1 || !whole.starts_with('0'));
+    let plain = whole.len() == 1 || !whole.starts_with('0');
     let some = number.bytes().any(|digit| matches!(digit, b'1'..=b'9'));
     plain
         && some
         && match law {
             FeedLaw::Resultant => false,
-            FeedLaw::Seconds => part.len() == 4 && digits(part, 4),
-            FeedLaw::InverseTime => whole == "0" && part.len() == 6 && digits(part, 6),
+            FeedLaw::Seconds => digits(whole, 5) && part.len() == 4 && digits(part, 4),
+            FeedLaw::InverseTime if whole == "0" => part.len() == 6 && digits(part, 6),
+            FeedLaw::InverseTime => whole.len() > 5 && digits(whole, 10) && part.len() == 3 && digits(part, 3),
         }
 }
 
@@ -197,10 +198,24 @@ mod tests {
         {
             assert_eq!(timed(number, FeedLaw::Seconds), good, "{number}");
         }
-        for (number, good) in [("0.857142", true), ("1.857142", false), ("0.000000", false), ("0.8571", false)] {
+        for (number, good) in [
+            ("0.857142", true),
+            ("1.857142", false),
+            ("0.000000", false),
+            ("0.8571", false),
+            ("289211.635", true),
+            ("4000000000.000", true),
+            ("40000000000.000", false),
+            ("289211.6350", false),
+            ("289211.63", false),
+            ("089211.635", false),
+        ] {
             assert_eq!(timed(number, FeedLaw::InverseTime), good, "{number}");
         }
-        assert!(!timed("0.0601", FeedLaw::Resultant) && !timed("0.857142", FeedLaw::Resultant));
+        for number in ["0.0601", "0.857142", "289211.635"] {
+            assert!(!timed(number, FeedLaw::Resultant), "{number}");
+        }
+        assert!(!timed("289211.635", FeedLaw::Seconds) && !timed("289211.6350", FeedLaw::Seconds));
     }
 
     #[test]

@@ -172,17 +172,17 @@ fn run(name: &str, seeds: &[(PathBuf, Vec<u8>)], words: &[&str], count: u64, tar
 
 #[test]
 fn programs_by_chance_are_read_or_refused_under_every_dialect() {
-    let mut seeds = files("gcode");
+    let mut seeds = files("controls");
     seeds.extend(files("fuzz/corpus/program"));
-    seeds.retain(|(_, bytes)| bytes.len() < 20_000);
+    seeds.retain(|(path, bytes)| bytes.len() < 20_000 && path.extension().is_none_or(|ending| ending != "rs"));
     run("program", &seeds, &WORDS, count(3_000), targets::program);
 }
 
 #[test]
 fn turning_programs_by_chance_are_followed_or_refused() {
     let mut seeds = files("fuzz/corpus/simulate");
-    for (path, bytes) in files("gcode/lathe").into_iter().chain(files("turning")) {
-        if bytes.len() < 4_000 && path.extension().is_none_or(|ending| ending != "rs") {
+    for (path, bytes) in files("controls/fanuc-lathe-a/bad") {
+        if bytes.len() < 4_000 {
             seeds.push((path, [b"60 120 0\n".as_slice(), &bytes].concat()));
         }
     }
@@ -203,7 +203,9 @@ fn parameter_files_by_chance_are_read_or_refused() {
 #[test]
 fn tool_tables_by_chance_are_read_or_refused() {
     let mut seeds = files("fuzz/corpus/tools");
-    seeds.extend(files("gcode").into_iter().filter(|(path, _)| path.extension().is_some_and(|ending| ending == "tbl")));
+    seeds.extend(
+        files("controls").into_iter().filter(|(path, _)| path.extension().is_some_and(|ending| ending == "tbl")),
+    );
     run(
         "tool_table",
         &seeds,

@@ -1,10 +1,12 @@
 //! The command, run as a black box in a folder of its own.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
 use tempfile::TempDir;
+
+use crate::motions::{MOVED, tests};
 
 /// The typst that keeps what it is to set.
 const TYPST: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/typst/keeps.sh");
@@ -17,12 +19,14 @@ impl Place {
         Self(tempfile::tempdir().unwrap())
     }
 
-    /// One in which the programs of the tests stand, by the paths that they have in `tests`.
+    /// One in which the programs of the tests stand, by their names in the ledger.
     pub fn with_programs() -> Self {
         let place = Self::new();
-        for folder in ["fuzz", "gcode", "golden", "lathe", "ledger"] {
-            let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
-            std::os::unix::fs::symlink(tests.join(folder), place.path(folder)).unwrap();
+        let folders = ["fuzz", "golden", "lathe/alarms", "ledger"].into_iter();
+        for name in folders.chain(MOVED.map(|(name, _)| name)) {
+            let at = place.path(name);
+            fs::create_dir_all(at.parent().unwrap()).unwrap();
+            std::os::unix::fs::symlink(tests(name), at).unwrap();
         }
         place
     }

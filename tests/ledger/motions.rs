@@ -20,7 +20,7 @@ pub const CONTROLS: [&str; 5] = ["linuxcnc", "fagor-8055", "fagor-8070", "fagor-
 
 /// Programs of a folder, and what they are read with.
 pub struct Group {
-    /// The folder in `tests`.
+    /// The folder by its name in the ledger.
     pub folder: &'static str,
     /// The tool table, if there is one.
     pub tools: Option<&'static str>,
@@ -66,14 +66,28 @@ const ENDLESS: [&str; 3] = ["gcode/bad/endless-do.ngc", "gcode/bad/endless-repea
 /// Blocks that a program may repeat here.
 const REPEATED: u64 = 20_000;
 
-fn tests() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")
+/// Where the folders stand whose programs the ledger names as they once stood in `tests`.
+pub const MOVED: [(&str, &str); 7] = [
+    ("gcode/good", "controls/linuxcnc/good"),
+    ("gcode/bad", "controls/linuxcnc/bad"),
+    ("gcode/wider", "controls/linuxcnc/wider"),
+    ("gcode/tools.tbl", "controls/linuxcnc/tools.tbl"),
+    ("gcode/lathe/bad", "controls/fanuc-lathe-a/bad"),
+    ("lathe/clean/fagor-8055-t", "controls/fagor-8055-t/clean"),
+    ("lathe/clean/fanuc-lathe-a", "controls/fanuc-lathe-a/clean"),
+];
+
+/// What a name of the ledger stands for.
+pub fn tests(name: &str) -> PathBuf {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let moved = MOVED.into_iter().find_map(|(was, is)| name.strip_prefix(was).map(|rest| format!("{is}{rest}")));
+    tests.join(moved.as_deref().unwrap_or(name))
 }
 
 impl Group {
-    /// The programs by their paths in `tests`, sorted.
+    /// The programs by their names, sorted.
     pub fn programs(&self) -> Vec<String> {
-        let entries = fs::read_dir(tests().join(self.folder)).unwrap().map(|entry| entry.unwrap().path());
+        let entries = fs::read_dir(tests(self.folder)).unwrap().map(|entry| entry.unwrap().path());
         let programs = entries.filter(|path| path.extension().is_some_and(|ending| ending == "ngc" || ending == "nc"));
         let name = |path: PathBuf| format!("{}/{}", self.folder, path.file_name().unwrap().to_str().unwrap());
         let mut names: Vec<_> = programs.map(name).collect();
@@ -85,7 +99,7 @@ impl Group {
     /// The parameter file of a program.
     pub fn var(&self, program: &str) -> Option<String> {
         let own = Path::new(program).with_extension("var").to_str().unwrap().to_owned();
-        if tests().join(&own).is_file() { Some(own) } else { self.var.map(str::to_owned) }
+        if tests(&own).is_file() { Some(own) } else { self.var.map(str::to_owned) }
     }
 }
 
@@ -105,14 +119,14 @@ impl Files for Beside {
 }
 
 fn setting(group: &Group, program: &str, control: &str) -> Setting {
-    let read = |name: &str| fs::read(tests().join(name)).unwrap();
+    let read = |name: &str| fs::read(tests(name)).unwrap();
     let mut setting = Setting::new(Control::named(control).unwrap());
     setting.unit = if group.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
     setting.tools = group.tools.map(|tools| tool_table::parse(&read(tools), setting.unit).unwrap());
     setting.var_file = group.var(program).map_or_else(VarFile::default, |var| VarFile::parse(&read(&var)).unwrap());
     setting.point = group.calculator.then_some(DecimalPoint::Calculator);
     setting.keep_g92 = !group.forgets;
-    setting.files = Box::new(Beside(tests().join(group.folder)));
+    setting.files = Box::new(Beside(tests(group.folder)));
     setting.budget.repeated_blocks = REPEATED;
     setting
 }
@@ -120,7 +134,7 @@ fn setting(group: &Group, program: &str, control: &str) -> Setting {
 /// What a program does under a control, line by line: motions with what is in force, where something is refused (what, the
 /// command's documents say), where it ends, and the parameters left behind. Numbers have as many digits as tell them apart.
 fn motions(group: &Group, program: &str, control: &str, skip: bool) -> String {
-    let bytes = fs::read(tests().join(program)).unwrap();
+    let bytes = fs::read(tests(program)).unwrap();
     let mut interpreter = Interpreter::over(&bytes, Setting { block_delete: skip, ..setting(group, program, control) });
     let mut text = String::new();
     while let Some(item) = interpreter.next() {
@@ -208,7 +222,7 @@ pub fn items() -> Vec<Item> {
     let programs: Vec<_> =
         GROUPS.iter().flat_map(|group| group.programs().into_iter().map(move |program| (group, program))).collect();
     let one = |(group, program): &(&Group, String)| {
-        let bytes = fs::read(tests().join(program)).unwrap();
+        let bytes = fs::read(tests(program)).unwrap();
         let skips = bytes.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"/"));
         let item = |control: &str, skip: bool| {
             let name = format!("motions/{program}/{control}{}", if skip { "-without-skipped" } else { "" });

@@ -6,10 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use rodete::gcode::control::ALL;
 use serde_json::Value;
 
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lathe")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")
 }
 
 /// The programs of a folder, subprograms left out, in order.
@@ -62,8 +63,8 @@ fn grave(document: &Value, notes: bool) -> Vec<(String, u64, String)> {
 
 #[test]
 fn what_is_right_raises_no_alarm() {
-    for dialect in ["fanuc-lathe-a", "fagor-8055-t"] {
-        for program in programs(&format!("clean/{dialect}")) {
+    for dialect in ALL.into_iter().filter(|control| control.turns()).map(|control| control.name) {
+        for program in programs(&format!("controls/{dialect}/clean")) {
             let (document, exit) = simulate(&program, dialect, &[]);
             assert_eq!((grave(&document, false), exit), (Vec::new(), 0), "{}", program.display());
             assert_eq!(document["totals"]["alarms"], 0, "{}", program.display());
@@ -76,7 +77,7 @@ fn what_is_right_raises_no_alarm() {
 
 #[test]
 fn each_alarm_is_raised_at_its_line_and_no_other_is() {
-    for program in programs("alarms") {
+    for program in programs("lathe/alarms") {
         let fagor = program.file_name().unwrap().to_string_lossy().starts_with("fagor");
         let (document, exit) = simulate(&program, if fagor { "fagor-8055-t" } else { "fanuc-lathe-a" }, &[]);
         let numbered = |(grade, line, what): (String, u64, String)| {

@@ -5,7 +5,6 @@ use crate::common;
 
 mod contours;
 mod corners;
-mod corpus;
 mod cycles;
 mod judged;
 mod lines;

@@ -1,7 +1,7 @@
 //! What F means: how it is read, and how it is written.
 
 use crate::gcode::feed_word::FeedWord;
-use crate::limits::FEED_WORD;
+use crate::limits::{FEED_WORD, INVERSE_TIME_WORD};
 
 /// How the control takes the F word of a move that linear and rotary axes make together. In each form the move takes
 /// the time that the tool tip needs over the part at the wanted feed.
@@ -50,14 +50,28 @@ impl FeedLaw {
         }
     }
 
+    /// The greatest F word.
+    #[must_use]
+    pub const fn greatest(self) -> f64 {
+        match self {
+            Self::Resultant | Self::Seconds => FEED_WORD,
+            Self::InverseTime => INVERSE_TIME_WORD,
+        }
+    }
+
+    /// The F word of the fastest move.
+    #[must_use]
+    pub const fn fastest(self) -> f64 {
+        match self {
+            Self::Resultant | Self::InverseTime => self.greatest(),
+            Self::Seconds => 1e-4,
+        }
+    }
+
     /// The least time in seconds for which there is an F word.
     #[must_use]
     pub fn least_seconds(self, resultant: f64) -> f64 {
-        match self {
-            Self::Resultant => resultant * 60.0 / FEED_WORD,
-            Self::Seconds => 1e-4,
-            Self::InverseTime => 60.0 / FEED_WORD,
-        }
+        self.seconds(self.fastest(), resultant)
     }
 
     /// The time in seconds that a move takes with an F word.

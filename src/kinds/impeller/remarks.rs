@@ -143,7 +143,10 @@ pub(super) fn remarks(design: &Design, made: &Programs, calibrated: Option<Calib
                 ),
                 t("un n menor u otro avance", "a smaller n or another feed"),
             )
-            .with(made.limited.by_format.to_string(), "0.0001 … 99999.999"),
+            .with(
+                made.limited.by_format.to_string(),
+                format!("0.0001 … {}", shown(design.control.feed.law.greatest(), 3)),
+            ),
         );
     }
     for key in &made.unnumbered {

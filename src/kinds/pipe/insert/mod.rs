@@ -42,7 +42,7 @@ use crate::kinds::pipe::insert::cut::{Cut, cut};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::figures::{figures, template};
 use crate::kinds::pipe::insert::parameters::FORM;
-use crate::kinds::pipe::insert::program::{distance, full, published};
+use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
 use crate::kinds::pipe::{self, account, scene};
 use crate::number::grid::OutOfFormat;
@@ -105,7 +105,13 @@ impl Method for Insert {
     fn model(design: &Design) -> Result<Model, Vec<Finding>> {
         let cut = match design.style {
             Style::Annex => None,
-            Style::Full => Some(cut(design).map_err(no_room)?),
+            Style::Full => {
+                let cut = cut(design).map_err(no_room)?;
+                if let Some(told) = beyond_f_word(design, &cut) {
+                    return Err(vec![told]);
+                }
+                Some(cut)
+            }
         };
         Ok(Model { moves: Moves::new(design, cut.as_ref()), cut })
     }

@@ -1,17 +1,22 @@
 //! The program of the torch, as published or complete.
 
-use crate::gcode::control::Rotary;
+use crate::finding::{Finding, Raise, Size};
+use crate::gcode::control::{FeedLaw, Rotary};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
 use crate::gcode::word::{Distance, Number, NumberFormat, Word};
 use crate::gcode::writer::Writer;
+use crate::kinds::pipe::form::{D_BRANCH, DIALECT};
 use crate::kinds::pipe::insert::arcs::{Triple, triples};
 use crate::kinds::pipe::insert::cut::{Cut, Leg};
 use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::insert::parameters::F as F_FIELD;
+use crate::kinds::pipe::insert::rules::FasterThanFWord;
 use crate::machine::axis::Position;
 use crate::number::grid::{Milli, OutOfFormat};
 use crate::number::shown;
+use crate::parameter::at;
 use crate::text::{Text, t};
 
 /// The points of the template: j = 0 … N.
@@ -102,6 +107,30 @@ fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
     (first * first + second * second).sqrt()
 }
 
+/// The refusal of a cutting speed for which a move on the turning pipe would have no F word. A time in seconds that is too
+/// short for its decimals has one: what that slows is told where the program is read back.
+#[must_use]
+pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
+    let (law, F) = (design.control.feed.law, design.F.filter(|_| design.mode == Mode::Rotary)?);
+    if law == FeedLaw::Seconds {
+        return None;
+    }
+    let before = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
+    let words = before.zip(&cut.legs).map(|(at, leg)| law.word(way(design, at, leg) * 60.0 / F, resultant(at, leg)));
+    let word = words.fold(0.0_f64, f64::max);
+    let (greatest, speed) = (law.greatest(), |value| Size { value, unit: "mm/min", decimals: 3 });
+    // What a word is beyond the greatest by, F is beyond the greatest F by.
+    let most = speed((F * greatest / word).floor());
+    let told = FasterThanFWord { F: speed(F), word: Size::number(word, 3), greatest: Size::number(greatest, 3), most };
+    (word > greatest).then(|| told.at(at([F_FIELD.key(), D_BRANCH.key(), DIALECT.key()])))
+}
+
+/// The way of a leg over both axes, degrees taken as mm, from where the last one ended.
+fn resultant(from: [Milli; 2], leg: &Leg) -> f64 {
+    let by = |axis: usize| (leg.to[axis] - from[axis]).value();
+    (by(0) * by(0) + by(1) * by(1)).sqrt()
+}
+
 /// The complete program.
 ///
 /// On a flat sheet F is in mm a minute (G94). On the turning pipe it is made block by block, so that the torch runs over
@@ -158,9 +187,7 @@ pub fn full(design: &Design, cut: &Cut, origin: &Origin<'_>) -> Result<Program, 
         let feed = if design.mode == Mode::Flat {
             FeedWord::lasting(law, 60.0 / F, 1.0)?
         } else {
-            let by = |axis: usize| (leg.to[axis] - at[axis]).value();
-            let resultant = (by(0) * by(0) + by(1) * by(1)).sqrt();
-            FeedWord::lasting(law, way(design, at, leg) * 60.0 / F, resultant)?
+            FeedWord::lasting(law, way(design, at, leg) * 60.0 / F, resultant(at, leg))?
         };
         writer.feed(words, feed);
         at = leg.to;

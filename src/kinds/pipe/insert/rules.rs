@@ -31,4 +31,11 @@ rules! {
         remedy "style = full, o mode = plano", "style = full, or mode = flat";
         why "De un tubo que gira no hay programa publicado.", "Of a turning pipe there is no published program.";
         example book!("pipe-insert", "style" = "annex");
+    "P2105" FasterThanFWord Stop { F: Size, word: Size, greatest: Size, most: Size }
+        es "la velocidad de corte F = {F} pide en el tubo que gira una palabra F de {word}, y la mayor es {greatest}"
+        en "the cutting speed F = {F} asks on the turning pipe for an F word of {word}, the greatest is {greatest}"
+        remedy "una F de {most} como mucho, o un injerto mayor", "an F of {most} at most, or a larger branch";
+        why "En G94 la palabra F cuenta los grados de A como milímetros, y en un tubo fino son muchos por milímetro.",
+            "In G94 the F word counts the degrees of A as millimetres, and on a thin pipe they are many a millimetre.";
+        example book!("pipe-insert", "branch_size" = "1/8 in", "F" = "50000", "dialect" = "fagor-8055");
 }

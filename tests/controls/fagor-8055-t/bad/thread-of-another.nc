@@ -1,0 +1,6 @@
+;expected: 5:5 G32 does not exist in the dialect fagor-8055-t
+%0001-A,MX--,
+N10 G71 G90
+N20 T1 D1
+N30 G32 Z-10 F1
+N40 M30
