@@ -165,6 +165,7 @@ impl<T: Chosen + PartialEq> Stated for T {
 }
 
 /// An enum with the keys of its choices and their labels in Spanish and English; or these for a type that is there.
+#[macro_export]
 macro_rules! choices {
     (
         $(#[$about:meta])*
@@ -178,7 +179,7 @@ macro_rules! choices {
             $($(#[$each])* $variant),+
         }
 
-        $crate::parameter::field::choices! { for $name; $($key ($es, $en) => $name::$variant),+ }
+        $crate::choices! { for $name; $($key ($es, $en) => $name::$variant),+ }
     };
     (for $type:ty; $($key:literal ($es:literal, $en:literal) => $value:expr),+ $(,)?) => {
         impl $crate::parameter::field::Chosen for $type {
@@ -225,6 +226,15 @@ impl<T: Typed, P: Presence> Field<T, P> {
     #[must_use]
     pub const fn key(&self) -> &'static str {
         self.row.key
+    }
+
+    /// Its key with a value, for a case.
+    #[must_use]
+    pub fn is(&self, value: T) -> (&'static str, Value)
+    where
+        T: Stated,
+    {
+        (self.row.key, value.stated())
     }
 }
 

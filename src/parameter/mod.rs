@@ -121,12 +121,17 @@ pub struct Case {
 }
 
 /// No list has rows.
-#[must_use]
-pub const fn unlisted(_: Language) -> Vec<Rows> {
+const fn unlisted(_: Language) -> Vec<Rows> {
     Vec::new()
 }
 
 impl Case {
+    /// A case of a form without lists.
+    #[must_use]
+    pub const fn new(name: &'static str, note: Text, filled: fn(Language) -> Vec<(&'static str, Value)>) -> Self {
+        Self { name, note, filled, listed: unlisted }
+    }
+
     /// The values by key; parameters not named stay empty.
     #[must_use]
     pub fn values(&self, language: Language) -> Vec<(&'static str, Value)> {
@@ -183,6 +188,24 @@ pub struct Form {
 }
 
 impl Form {
+    /// A form of nothing: others are this with fields of their own.
+    pub const PLAIN: Self = {
+        static NO_PART: Field<String, Required> = Field::line("", "", 0, t("", ""), t("", ""));
+        Self {
+            kind: "",
+            schema: "",
+            earlier: &[],
+            part: &NO_PART,
+            material: None,
+            programs: &[],
+            drawings: &[],
+            solids: &[],
+            viewer: false,
+            sheets: &[],
+            lists: &[],
+        }
+    };
+
     /// Every parameter with its sheet, in order.
     pub fn parameters(&self) -> impl Iterator<Item = (&'static Sheet, &'static Parameter)> {
         self.sheets.iter().flat_map(|sheet| {

@@ -265,6 +265,6 @@ fn the_command_of_every_row_tells_it_in_both_languages_and_nothing_graver() {
     let rules = rows(KINDS)
         .into_iter()
         .filter(|rule| !(all && matches!(rule.example, Example::Made { key: "closed-folder", .. })));
-    let wrong: Vec<_> = rules.filter_map(|rule| wrong(rule)).collect();
+    let wrong: Vec<_> = rules.filter_map(wrong).collect();
     assert!(wrong.is_empty(), "{} rows\n{}", wrong.len(), wrong.join("\n"));
 }

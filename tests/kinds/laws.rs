@@ -9,7 +9,8 @@ use crate::common::{cases, outcome_of};
 fn every_column_of_every_case_has_a_law_with_words_or_none_at_all() {
     for (kind, case, _) in cases().filter(|(.., language)| *language == Language::En) {
         let outcome = outcome_of(kind, case, Language::En, &[]);
-        let columns = || outcome.tables.iter().flat_map(|table| table.columns.iter().map(move |column| (table, column)));
+        let columns =
+            || outcome.tables.iter().flat_map(|table| table.columns.iter().map(move |column| (table, column)));
         for (table, column) in columns() {
             let of = format!("{kind:?} {}: {} of {}", case.name, column.symbol.en, table.key);
             // A formula and no heap of words: it is shown where the heading is selected.

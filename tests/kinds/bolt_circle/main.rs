@@ -49,7 +49,7 @@ impl Method for Kind {
         setup: include_str!("setup.typ"),
         further: &[],
     };
-    const CASES: &'static [Case] = CASES;
+    const CASES: &'static [Case] = &CASES;
     const RULES: &'static [&'static [&'static Rule]] = &[rules::RULES];
     const PROVED: Text = t("Leída del programa, agujero a agujero", "Read back from the program, hole by hole");
 
@@ -78,7 +78,7 @@ impl Method for Kind {
             index: Index::Point,
             print: Print::Short,
             columns: vec![
-                column("φ", Unit::Degree, Law::Told("φ = α + 360·i/N"), &|hole| circle.angle(hole)),
+                column("φ", Unit::Degree, Law::Told("φ = α ± 360·i/N"), &|hole| circle.angle(hole)),
                 column("x", Unit::Millimetre, Law::Told("x = D/2·cos φ"), &|hole| circle.at(hole)[0]),
                 column("y", Unit::Millimetre, Law::Told("y = D/2·sin φ"), &|hole| circle.at(hole)[1]),
             ],

@@ -8,6 +8,7 @@ use rodete::kind::method::Of;
 use serde_json::Value;
 
 use crate::every_kind::every_command;
+use crate::form::Way;
 
 /// Runs this binary in a folder.
 fn run(folder: &Path, words: &[&str]) -> Output {
@@ -81,4 +82,12 @@ fn contradictions() {
     };
     assert_eq!((codes("d", 40.1), codes("d", 39.9)), (vec!["B0001"], vec![]));
     assert_eq!((codes("h", 40.1), codes("h", 40.0)), (vec!["B0002"], vec![]));
+    // What is chosen from a list is the type's own word.
+    let second = |way| {
+        let mut values = Values::of(&crate::form::CASES[0], Language::En);
+        values.put(&crate::form::WAY, Some(way));
+        let circle = crate::BoltCircle::new(&Fields::of(&crate::FORM, values).unwrap()).unwrap();
+        circle.angle(1)
+    };
+    assert_eq!((second(Way::Left), second(Way::Right)), (90.0, -30.0));
 }
