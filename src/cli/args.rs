@@ -131,7 +131,8 @@ pub(super) enum Command {
     /// Explain the code of a finding: what it says, why, the remedy and an example that raises it
     ///
     /// A code as L0131, as it stands in JSON, or the number of an alarm as 131, of a Fanuc as PS0064. Without one all codes are
-    /// listed; with --all all of them are explained, with --markdown as the page that docs/findings.md is.
+    /// listed; with --all all of them are explained, with --markdown as the page that docs/findings.md is. With --controls it
+    /// tells of each feature and code what every control makes of it, with --markdown as docs/controls.md.
     Explain(Explain),
 }
 
@@ -142,10 +143,13 @@ pub(super) struct Explain {
     #[arg(value_name = "CODE")]
     pub(super) codes: Vec<String>,
     /// Explain every code
-    #[arg(long, conflicts_with = "codes")]
+    #[arg(long, conflicts_with = "codes", group = "page")]
     pub(super) all: bool,
+    /// Tell what each control reads, refuses and writes, with its sources
+    #[arg(long, conflicts_with = "codes", group = "page")]
+    pub(super) controls: bool,
     /// Write one page in Markdown
-    #[arg(long, requires = "all")]
+    #[arg(long, requires = "page")]
     pub(super) markdown: bool,
     /// Language of the text [default: the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]

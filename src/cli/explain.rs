@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::args::Explain;
+use super::controls;
 use super::locale::spoken;
 use super::refused;
 use super::rules::{self, NoSuchCode};
@@ -10,7 +11,7 @@ use super::terminal::Terminal;
 use crate::drawing;
 use crate::escape::printable;
 use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
-use crate::gcode::rules::{expressions, flow, geometry, lexis, modes, words};
+use crate::gcode::rules::{codes, expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::kind::{self, Kind};
 use crate::machine;
@@ -27,6 +28,8 @@ use crate::workbook;
 /// The rows of every room below the kinds, and of the walls.
 const RULES: &[&[&Rule]] = &[
     parameter::rules::RULES,
+    // `simulate` is a command of every binary.
+    crate::kinds::lathe::rules::RULES,
     alarms::RULES,
     corner::RULES,
     cycles::RULES,
@@ -57,6 +60,7 @@ const RULES: &[&[&Rule]] = &[
     geometry::RULES,
     modes::RULES,
     words::RULES,
+    codes::RULES,
 ];
 
 /// All rows of a binary with these kinds, by their codes: those of its rooms, and those of the kinds.
@@ -72,6 +76,10 @@ pub fn rows(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
 
 pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
+    if arguments.controls {
+        terminal.out(&if arguments.markdown { controls::controls(language) } else { controls::told(language) });
+        return Exit::Done;
+    }
     if arguments.all {
         let told: String = if arguments.markdown {
             reference(kinds, language)
@@ -155,7 +163,7 @@ fn room_of(letter: &str) -> Text {
 }
 
 /// Text in which nothing is Markdown.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for one in printable(text).chars() {
         if matches!(one, '*' | '_' | '<' | '>' | '`' | '[' | ']' | '|' | '\\' | '#') {
@@ -231,7 +239,8 @@ fn shown(text: &mut String, rule: &Rule, language: Language) {
         Example::Workbook { kind, cells } => {
             let given: Vec<String> = cells.iter().map(|cell| typed(*cell, language)).collect();
             let (head, book) = (t("ejemplo", "example"), t("el libro de rodete new", "the workbook of rodete new"));
-            let _ = writeln!(text, "  {}: {} {kind} ({})", head.get(language), book.get(language), given.join(", "));
+            let given = if given.is_empty() { String::new() } else { format!(" ({})", given.join(", ")) };
+            let _ = writeln!(text, "  {}: {} {kind}{given}", head.get(language), book.get(language));
         }
         Example::Command { files, words } => {
             let quoted = |word: &&str| if word.contains(' ') { format!("\"{word}\"") } else { (*word).to_owned() };

@@ -1,8 +1,11 @@
-//! A finding in three parts: what, where, what to do.
+//! The door through which findings are printed: each in three parts, what, where, what to do.
+
+use std::cmp::Reverse;
 
 use anstyle::{AnsiColor, Style};
 use textwrap::{Options, fill};
 
+use super::terminal::Terminal;
 use crate::escape::printable;
 use crate::finding::{CellPlace, Finding, Grade, Place};
 use crate::limits::LISTED_FINDINGS;
@@ -29,17 +32,72 @@ impl<'a> From<&'a str> for Names<'a> {
     }
 }
 
-/// The findings of one workbook as text, those of `grades` only, gravest first; then how many more there are.
-pub(super) fn list<'a>(
+/// Prints the stops and cautions of one workbook or program to standard error, gravest first.
+pub(super) fn faults<'a>(
+    findings: &[Finding],
+    names: impl Into<Names<'a>>,
+    language: Language,
+    terminal: &mut Terminal,
+) {
+    let text = list(findings, |grade| grade > Grade::Note, names.into(), language, terminal.width);
+    remember(findings, language, terminal);
+    terminal.err(&text);
+}
+
+/// Prints the notes of one workbook or program to standard output.
+pub(super) fn notes<'a>(
+    findings: &[Finding],
+    names: impl Into<Names<'a>>,
+    language: Language,
+    terminal: &mut Terminal,
+) {
+    terminal.out(&list(findings, |grade| grade == Grade::Note, names.into(), language, terminal.width));
+}
+
+/// Prints findings that concern the whole command and not one workbook to standard error.
+pub(super) fn general<'f>(
+    findings: impl IntoIterator<Item = &'f Finding> + Clone,
+    language: Language,
+    terminal: &mut Terminal,
+) {
+    let width = terminal.width;
+    let one = |finding: &Finding| head(finding, language, width) + &hint(finding, language, width);
+    let text: String = findings.clone().into_iter().map(one).collect();
+    remember(findings, language, terminal);
+    terminal.err(&text);
+}
+
+/// Prints how to learn more of the first code that needs attention, as the last line; nothing where none was printed.
+pub(super) fn more(terminal: &mut Terminal) {
+    let Some((code, language)) = terminal.told else { return };
+    let text = Text::new(
+        format!("rodete explain {code} dice qué significa, con un ejemplo"),
+        format!("rodete explain {code} says what it means, with an example"),
+    );
+    let text = wrapped(text.get(language), 2, terminal.width);
+    terminal.err(&text);
+}
+
+/// Keeps the first code of a command that is printed of a stop or caution: that of the gravest.
+fn remember<'f>(findings: impl IntoIterator<Item = &'f Finding>, language: Language, terminal: &mut Terminal) {
+    if terminal.told.is_none() {
+        let mut faults: Vec<_> = findings.into_iter().filter(|finding| finding.grade > Grade::Note).collect();
+        faults.sort_by_key(|finding| Reverse(finding.grade));
+        let printed = faults.into_iter().take(LISTED_FINDINGS);
+        terminal.told = printed.filter_map(|finding| finding.rule).next().map(|rule| (rule.code, language));
+    }
+}
+
+/// Findings as text, those of `grades` only, gravest first; then how many more there are.
+fn list(
     findings: &[Finding],
     grades: impl Fn(Grade) -> bool,
-    names: impl Into<Names<'a>>,
+    names: Names<'_>,
     language: Language,
     width: Option<usize>,
 ) -> String {
-    let names = names.into();
     let mut wanted: Vec<_> = findings.iter().filter(|finding| grades(finding.grade)).collect();
-    wanted.sort_by_key(|finding| std::cmp::Reverse(finding.grade));
+    wanted.sort_by_key(|finding| Reverse(finding.grade));
     let mut text: String =
         wanted.iter().take(LISTED_FINDINGS).map(|finding| one(finding, names, language, width)).collect();
     if wanted.len() > LISTED_FINDINGS {
@@ -52,15 +110,8 @@ pub(super) fn list<'a>(
     text
 }
 
-/// A finding that concerns the whole command and not one workbook.
-pub(super) fn general(finding: &Finding, language: Language, width: Option<usize>) -> String {
-    let mut text = head(finding, language, width);
-    text.push_str(&hint(finding, language, width));
-    text
-}
-
 /// One finding as text.
-pub(super) fn one(finding: &Finding, names: Names<'_>, language: Language, width: Option<usize>) -> String {
+fn one(finding: &Finding, names: Names<'_>, language: Language, width: Option<usize>) -> String {
     let arrow = Style::new().fg_color(Some(AnsiColor::Blue.into()));
     let mut text = head(finding, language, width);
     // A note on a result names it in its sentence.
@@ -73,10 +124,12 @@ pub(super) fn one(finding: &Finding, names: Names<'_>, language: Language, width
     text
 }
 
+/// The grade's word with the code, by which `rodete explain` knows the finding, and the sentence.
 fn head(finding: &Finding, language: Language, width: Option<usize>) -> String {
     let (word, colour) = grade(finding.grade);
     let style = Style::new().bold().fg_color(Some(colour.into()));
-    wrapped(&format!("{style}{}{style:#}: {}", word.get(language), sentence(finding, language)), 2, width)
+    let code = finding.rule.map_or(String::new(), |rule| format!(" {}", rule.code));
+    wrapped(&format!("{style}{}{code}{style:#}: {}", word.get(language), sentence(finding, language)), 2, width)
 }
 
 fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
@@ -180,7 +233,9 @@ pub(super) fn wrapped(paragraph: &str, indent: usize, width: Option<usize>) -> S
 
 #[cfg(test)]
 mod tests {
+    use super::super::rules::{ControlRunning, LeftFromEarlier};
     use super::*;
+    use crate::finding::Raise;
 
     fn plain(finding: &Finding, language: Language, width: Option<usize>) -> String {
         anstream::adapter::strip_str(&one(finding, "impeller.xlsx".into(), language, width)).to_string()
@@ -205,6 +260,19 @@ mod tests {
              \"DATOS\", cell C9\nhint: fewer blades, a thinner blade, or a smaller tool\n"
         );
         assert!(plain(&thick("DATOS"), Language::Es, None).contains("--> impeller.xlsx, hoja \"DATOS\", celda C9\n"));
+    }
+
+    #[test]
+    fn a_finding_of_a_row_carries_its_code_behind_the_word_of_its_grade() {
+        let path = || "a.xlsx".to_owned();
+        let finding = LeftFromEarlier { path: path() }.at(Place::File);
+        assert!(plain(&finding, Language::En, None).starts_with("caution U0115: a.xlsx is left"));
+        assert!(plain(&finding, Language::Es, None).starts_with("precaución U0115: a.xlsx queda"));
+        let finding = Finding { grade: Grade::Stop, ..finding };
+        assert!(plain(&finding, Language::Es, None).starts_with("error U0115: "));
+        let finding = ControlRunning {}.at(Place::File);
+        assert!(plain(&finding, Language::En, None).starts_with("note U0132: if LinuxCNC"));
+        assert!(plain(&finding, Language::Es, None).starts_with("nota U0132: si LinuxCNC"));
     }
 
     #[test]
@@ -245,7 +313,7 @@ mod tests {
     fn the_fifty_gravest_are_shown_and_the_rest_counted() {
         let mut findings = vec![Finding::note(Place::File, t("leve", "slight")); 60];
         findings.push(thick("DATOS"));
-        let text = list(&findings, |_| true, "impeller.xlsx", Language::En, None);
+        let text = list(&findings, |_| true, "impeller.xlsx".into(), Language::En, None);
         let text = anstream::adapter::strip_str(&text).to_string();
         assert!(text.starts_with("error: blade"));
         assert_eq!(text.matches("note: slight").count(), 49);

@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod controls;
 mod delivery;
 mod drawings;
 mod explain;
@@ -38,15 +39,16 @@ use std::process::ExitCode;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
+pub use self::controls::controls;
 pub use self::explain::{reference, rows};
 use self::locale::spoken;
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
-use crate::finding::{Exit, Finding, Refusal};
+use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::kind::Kind;
 use crate::parameter::FieldKind;
-use crate::text::Language;
+use crate::text::{Language, Text, t};
 
 /// The commands' names in JSON.
 const CHECK: &str = "check";
@@ -67,15 +69,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -
     let mut terminal = Terminal::new();
     let mut exit = match fault::guarded(|| command(arguments, kinds, &mut terminal)) {
         Ok(exit) => exit,
-        Err(refusal) => {
-            let findings: String =
-                refusal.findings.iter().map(|one| format!("error: {}\n", printable(&one.what.en))).collect();
-            terminal.err(&findings);
-            refusal.exit
-        }
+        Err(refusal) => refused(&refusal, spoken(None, None), &mut terminal),
     };
+    finding::more(&mut terminal);
     if let Some(error) = terminal.fault() {
-        terminal.err(&format!("error: cannot write to standard output: {}\n", printable(&error.to_string())));
+        let what = Text::same(format!("cannot write to standard output: {error}"));
+        finding::general(&[Finding::stop(Place::File, what, t("", ""))], spoken(None, None), &mut terminal);
         exit = gravest(exit, Exit::Unwritable);
     }
     ExitCode::from(code(exit))
@@ -141,9 +140,7 @@ fn check(arguments: &Check, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exi
 
 /// Says why a command was not begun.
 fn refused(refusal: &Refusal, language: Language, terminal: &mut Terminal) -> Exit {
-    let width = terminal.width;
-    let text: String = refusal.findings.iter().map(|one: &Finding| finding::general(one, language, width)).collect();
-    terminal.err(&text);
+    finding::general(&refusal.findings, language, terminal);
     refusal.exit
 }
 

@@ -19,9 +19,7 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
     super::interrupt::listen();
     match write(arguments, kinds) {
         Ok((written, settled)) => {
-            terminal.err(
-                &settled.iter().map(|one| finding::general(one, arguments.lang, terminal.width)).collect::<String>(),
-            );
+            finding::general(&settled, arguments.lang, terminal);
             for file in written {
                 let path = show::path(&file.path);
                 let word = if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.clone() };

@@ -9,7 +9,7 @@ use super::offsets::Way;
 use super::terminal::Terminal;
 use super::verdict::{Ending, code, status};
 use super::{OFFSETS, finding, json, show};
-use crate::finding::{Exit, Finding, Grade};
+use crate::finding::{Exit, Finding};
 use crate::gcode::offset_preamble::{axes, decimals, value};
 use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
@@ -51,8 +51,8 @@ pub(super) fn show(verdict: &Ending, view: &View, language: Language, terminal: 
         found.push((workbook, &sheet.findings));
     }
     for (name, findings) in found {
-        terminal.err(&finding::list(findings, |grade| grade != Grade::Note, name, language, width));
-        terminal.out(&finding::list(findings, |grade| grade == Grade::Note, name, language, width));
+        finding::faults(findings, name, language, terminal);
+        finding::notes(findings, name, language, terminal);
     }
     terminal.out(&show::files(verdict));
     let way = view.sheet.as_ref().map(|(way, _)| *way);

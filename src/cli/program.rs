@@ -71,9 +71,8 @@ impl Files for Beside {
         {
             let path = folder.join(format!("{name}{ending}"));
             if path.is_file() {
-                let bytes = workbook::open_as(Input::Program, &path).map_err(|refusal| {
-                    refusal.findings.first().map_or_else(String::new, |finding| finding.what.en.to_string())
-                })?;
+                let bytes = workbook::open_as(Input::Program, &path)
+                    .map_err(|refusal| refusal.reason().get(Language::En).to_owned())?;
                 let found = Consulted::new(&path, &bytes);
                 let mut read = self.read.borrow_mut();
                 if !read.contains(&found) {

@@ -24,8 +24,8 @@ pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, termin
         terminal.out(&format!("{bold}{workbook}{bold:#}  {schema}  SHA-256 {sha256}\n"));
         terminal.out(&quantity::table(&verdict.quantities, language, width));
     }
-    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, &workbook, language, width));
-    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, &workbook, language, width));
+    finding::faults(&verdict.findings, &workbook, language, terminal);
+    finding::notes(&verdict.findings, &workbook, language, terminal);
     terminal.out(&files(verdict));
     let closing = closing(verdict, writes, &workbook, language);
     if matches!(verdict.exit, Exit::Done | Exit::ReportFailed) {

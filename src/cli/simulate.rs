@@ -12,7 +12,7 @@ use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
 use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
-use crate::finding::{Exit, Grade, Place, Refusal};
+use crate::finding::{Exit, Place, Refusal};
 use crate::gcode::control::Control;
 use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
@@ -43,8 +43,8 @@ pub(super) fn run(arguments: &Simulate, kinds: &[&dyn Kind], terminal: &mut Term
     }
     let beside = arguments.tools.as_deref().map(show::path);
     let names = finding::Names { input: &name, workbook: beside.as_ref().unwrap_or(&name) };
-    terminal.err(&finding::list(&verdict.findings, |grade| grade != Grade::Note, names, language, width));
-    terminal.out(&finding::list(&verdict.findings, |grade| grade == Grade::Note, names, language, width));
+    finding::faults(&verdict.findings, names, language, terminal);
+    finding::notes(&verdict.findings, names, language, terminal);
     terminal.out(&show::files(&verdict));
     verdict.exit
 }

@@ -7,6 +7,8 @@ use std::io::{self, ErrorKind, IsTerminal, Write};
 use anstream::AutoStream;
 use terminal_size::terminal_size_of;
 
+use crate::text::Language;
+
 /// Widest text: longer lines are hard to read.
 const WIDEST: usize = 110;
 /// Narrowest text that lines are broken for.
@@ -19,6 +21,8 @@ pub(super) struct Terminal {
     err: AutoStream<io::Stderr>,
     /// Columns for text; `None` where standard output is no terminal: lines are not broken.
     pub(super) width: Option<usize>,
+    /// The first code of what needs attention that was printed, and the language that it was told in.
+    pub(super) told: Option<(&'static str, Language)>,
     closed: bool,
     fault: Option<io::Error>,
 }
@@ -35,6 +39,7 @@ impl Terminal {
             out: AutoStream::auto(io::stdout()),
             err: AutoStream::auto(io::stderr()),
             width,
+            told: None,
             closed: false,
             fault: None,
         }

@@ -32,7 +32,7 @@ use crate::parameter::Values;
 use crate::parameter::field::{Field, Fields, Required, Stated};
 use crate::parameter::list::{Row, Rows};
 use crate::store;
-use crate::text::{Language, Text};
+use crate::text::Language;
 use crate::workbook;
 
 /// Held in the jaws, and faced off, where only the stock's size is given: mm.
@@ -138,12 +138,7 @@ fn told_of(finding: Finding, tools: Option<&Path>) -> Finding {
     let Some(tools) = tools.filter(|_| !matches!(finding.place, Place::Line { .. } | Place::Subprogram { .. })) else {
         return finding;
     };
-    let name = printable_path(tools);
-    let Text { es, en } = &finding.what;
-    if en.contains(&name) {
-        return finding;
-    }
-    Finding { what: Text::new(format!("{name}: {es}"), format!("{name}: {en}")), ..finding }
+    finding.of_file(&printable_path(tools))
 }
 
 /// The form to start from: the workbook that was named, or the example machine and turret.

@@ -11,7 +11,7 @@ use super::program::{Consulted, Shared, told_from};
 use super::terminal::Terminal;
 use super::verdict::{Ending, code, gravest, status};
 use super::{finding, interrupt, json, plan, refused};
-use crate::finding::{Exit, Finding, Grade, Refusal};
+use crate::finding::{Exit, Finding, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
 use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
@@ -287,10 +287,8 @@ const fn rule(rotary: Rotary) -> Text {
 }
 
 fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
-    let width = terminal.width;
     let name = crate::escape::printable_path(&read.verdict.workbook);
-    let list = finding::list(&read.verdict.findings, |grade| grade > Grade::Note, &name, language, width);
-    terminal.err(&list);
+    finding::faults(&read.verdict.findings, &name, language, terminal);
     if canon {
         return;
     }
@@ -353,6 +351,6 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
         };
         text.push_str(&format!("  {}: {time}\n", word("tiempo en avance y esperas", "time at feed and dwells")));
     }
-    text.push_str(&finding::list(&read.verdict.findings, |grade| grade == Grade::Note, &name, language, width));
     terminal.out(&text);
+    finding::notes(&read.verdict.findings, &name, language, terminal);
 }

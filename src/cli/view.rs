@@ -13,7 +13,7 @@ use super::turning::{Wanted, follow};
 use super::verdict::{Ending, gravest};
 use super::{finding, interrupt, plan, reading, refused, show};
 use crate::escape::{printable, printable_path};
-use crate::finding::{Exit, Grade, Place, Raise, Refusal};
+use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
 use crate::gcode::interpreter::{Interpreter, decoded};
@@ -42,11 +42,11 @@ pub(super) fn run(arguments: &View, kinds: &[&dyn Kind], terminal: &mut Terminal
         }
     };
     let language = spoken(arguments.lang, verdict.language);
-    let (name, width) = (printable_path(&arguments.input), terminal.width);
+    let name = printable_path(&arguments.input);
     // Cells are those of the input, or of the lathe workbook beside a program.
     let beside = arguments.control.tools.as_deref().filter(|_| verdict.schema.is_none()).map(printable_path);
     let names = finding::Names { input: &name, workbook: beside.as_ref().unwrap_or(&name) };
-    terminal.err(&finding::list(&verdict.findings, |grade| grade > Grade::Note, names, language, width));
+    finding::faults(&verdict.findings, names, language, terminal);
     for file in &written {
         let path = show::path(&file.path);
         let text = Text::new(

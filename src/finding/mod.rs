@@ -175,6 +175,16 @@ impl Finding {
         self.value.strip_suffix(" ×").and_then(|count| count.parse().ok()).unwrap_or(1)
     }
 
+    /// The finding with the name of the file that it is of before its sentence, where the sentence does not say it.
+    #[must_use]
+    pub fn of_file(mut self, name: &str) -> Self {
+        let Text { es, en } = &self.what;
+        if !en.contains(name) {
+            self.what = Text::new(format!("{name}: {es}"), format!("{name}: {en}"));
+        }
+        self
+    }
+
     /// The finding with the value found and the limit it was held against.
     #[must_use]
     pub fn with(mut self, value: impl Into<String>, limit: impl Into<String>) -> Self {
@@ -253,5 +263,11 @@ impl Refusal {
     #[must_use]
     pub fn new(exit: Exit, finding: Finding) -> Self {
         Self { exit, findings: vec![finding] }
+    }
+
+    /// What was found first, as the reason in another sentence.
+    #[must_use]
+    pub fn reason(&self) -> Text {
+        self.findings.first().map_or(t("", ""), |finding| finding.what.clone())
     }
 }

@@ -268,8 +268,8 @@ macro_rules! both {
 
 /// The usual workbook of a kind with other values: symbols or cells, each with what is typed there.
 macro_rules! book {
-    ($kind:literal, $($cell:literal = $text:literal),+) => {
-        $crate::finding::Example::Workbook { kind: $kind, cells: &[$(($cell, $text)),+] }
+    ($kind:literal $(, $cell:literal = $text:literal)*) => {
+        $crate::finding::Example::Workbook { kind: $kind, cells: &[$(($cell, $text)),*] }
     };
 }
 

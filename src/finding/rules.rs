@@ -53,4 +53,18 @@ rules! {
         why "Con NaN o infinito en una tabla todo lo que se calcula de ella es falso.",
             "With NaN or infinity in a table all that is computed of it is false.";
         example never!();
+    "X0006" OtherContour Stop {}
+        es "otra biblioteca de polígonos deja otro contorno: el cálculo no es de fiar, no use los archivos"
+        en "another library of polygons leaves another contour: the result cannot be trusted, do not use the files"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "El material que se quita se calcula dos veces, con dos bibliotecas: si no coinciden, una se equivoca.",
+            "What is taken away is worked out twice, with two libraries: where they differ, one is wrong.";
+        example never!();
+    "X0007" SchemaWithoutKind Stop { schema: &'static str }
+        es "no hay cálculo para el esquema {schema}"
+        en "there is no computation for schema {schema}"
+        remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
+        why "Todo formulario que se lee es de una clase, y toda clase tiene su cálculo.",
+            "Every form that is read is of a kind, and every kind has its computation.";
+        example never!();
 }

@@ -15,6 +15,7 @@ pub mod in_force;
 pub mod interpreter;
 pub mod lines;
 pub mod machine_codes;
+mod meaning;
 pub mod motion;
 pub mod offset_preamble;
 pub mod program;

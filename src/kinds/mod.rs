@@ -5,12 +5,12 @@ pub mod lathe;
 pub mod pipe;
 pub mod rules;
 
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::rules::SchemaWithoutKind;
+use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::kind::method::Of;
 use crate::kind::{Kind, Outcome, Provenance, Wants};
 use crate::parameter::field::Fields;
 use crate::parameter::{Form, Values};
-use crate::text::Text;
 
 /// The kinds that the command `rodete` knows, the usual one first. The lathe follows programs that are written already, and
 /// so has no method.
@@ -28,15 +28,6 @@ pub static KINDS: &[&dyn Kind] = &[
 pub fn run(form: &'static Form, values: Values, source: Provenance) -> Result<Outcome, Refusal> {
     match KINDS.iter().find(|kind| kind.form().schema == form.schema) {
         Some(kind) => kind.run(Fields::of(form, values)?, Vec::new(), source, Wants::default()),
-        None => Err(Refusal::new(
-            Exit::Fault,
-            Finding::fault(
-                Place::File,
-                Text::new(
-                    format!("no hay cálculo para el esquema {}", form.schema),
-                    format!("there is no computation for schema {}", form.schema),
-                ),
-            ),
-        )),
+        None => Err(SchemaWithoutKind { schema: form.schema }.refused(Exit::Fault, Place::File)),
     }
 }

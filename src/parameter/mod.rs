@@ -146,10 +146,8 @@ pub struct Earlier {
     pub schema: &'static str,
     /// The keys of parameters of the first sheet, each with the symbol that stood in column A then.
     pub renamed: &'static [(&'static str, &'static str)],
-    /// What a person who has such a workbook must know.
-    pub meaning: Text,
-    /// What to do about it.
-    pub remedy: Text,
+    /// What a person who has such a workbook must know, at the cells that it is of.
+    pub told: fn(Place) -> Finding,
 }
 
 impl Earlier {

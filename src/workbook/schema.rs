@@ -125,8 +125,7 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     }
     if let Some(earlier) = earlier {
         let keys = earlier.renamed.iter().map(|(key, _)| *key).chain(["schema"]).collect();
-        let told = Finding::caution(Place::Parameters(keys), earlier.meaning.clone(), earlier.remedy.clone());
-        findings.push(values.locate(told.with(earlier.schema, form.schema)));
+        findings.push(values.locate((earlier.told)(Place::Parameters(keys)).with(earlier.schema, form.schema)));
     }
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         return Err(refusal(exit, findings));

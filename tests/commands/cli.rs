@@ -2,6 +2,7 @@
 
 #![allow(clippy::expect_used)]
 
+mod coded;
 mod common;
 mod delivered;
 mod environment;

@@ -142,3 +142,35 @@ fn no_code_asks_which_control_it_is() {
         assert_eq!(found, None, "{}", path.display());
     }
 }
+
+/// The door prints a finding with its code; a sentence that is printed elsewhere would have none.
+#[test]
+fn commands_print_findings_through_their_door_alone() {
+    let reads = |line: &str| {
+        [".what", ".remedy"].into_iter().any(|field| {
+            line.match_indices(field).any(|(at, _)| {
+                let (before, behind) = (&line[..at], &line[at + field.len()..]);
+                // A row, which `explain` shows, is no finding.
+                !before.ends_with("rule") && !behind.starts_with(|one: char| one.is_alphanumeric() || one == '_')
+            })
+        })
+    };
+    assert!(reads("terminal.err(finding.what.get(language))") && reads("let Text { es, en } = &finding.what;"));
+    assert!(!reads("rule.what.get(language)") && !reads("Finding { what, remedy, .. }"));
+    let worded = |line: &str| {
+        ["error", "caution", "precaución", "note", "nota"].iter().any(|word| line.contains(&format!("\"{word}: ")))
+    };
+    assert!(worded("terminal.err(&format!(\"error: {what}\"))") && !worded("fn said(error: &Error) {"));
+    let mut seen = 0;
+    for (path, code) in sources("cli") {
+        let code: Vec<_> = code.iter().take_while(|line| *line != "#[cfg(test)]").collect();
+        let (read, worded) = (code.iter().find(|line| reads(line)), code.iter().find(|line| worded(line)));
+        if path.ends_with("finding.rs") {
+            assert!(read.is_some(), "the door is found");
+            seen += 1;
+        } else {
+            assert_eq!((read, worded), (None, None), "{}", path.display());
+        }
+    }
+    assert_eq!(seen, 1);
+}

@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod linuxcnc;
+mod page;
 mod pipe_rollover;
 mod programs;
 mod rotary_axes;

@@ -36,20 +36,29 @@ fn behind<'t>(template: &str, text: &'t str) -> Option<&'t str> {
     Some(rest)
 }
 
-/// The words that a finding of a grade begins with, gravest first.
+/// The word that a finding of a grade begins with, gravest first.
 fn heads(language: Language) -> [(Grade, &'static str); 3] {
     [
-        (Grade::Stop, "error: "),
-        (Grade::Caution, if language == Language::Es { "precaución: " } else { "caution: " }),
-        (Grade::Note, if language == Language::Es { "nota: " } else { "note: " }),
+        (Grade::Stop, "error"),
+        (Grade::Caution, if language == Language::Es { "precaución" } else { "caution" }),
+        (Grade::Note, if language == Language::Es { "nota" } else { "note" }),
     ]
 }
 
-/// True where a text tells of a row, with its remedy, and of nothing graver.
+/// True of a line that a finding begins with.
+fn begins(line: &str, head: &str) -> bool {
+    line.strip_prefix(head).is_some_and(|rest| {
+        let code = rest.split(": ").next().unwrap_or_default();
+        code.is_empty() || (code.len() == 6 && code.starts_with(' '))
+    })
+}
+
+/// True where a text tells of a row, with its code and its remedy, and of nothing graver.
 fn tells(rule: &Rule, text: &str, language: Language) -> bool {
     let lines = || text.match_indices('\n').map(|(at, _)| at + 1).chain([0]).map(|at| &text[at..]);
     let own = heads(language).into_iter().filter(|(grade, _)| *grade <= rule.grade).any(|(_, head)| {
-        lines().filter_map(|line| line.strip_prefix(head)).any(|told| {
+        let head = format!("{head} {}: ", rule.code);
+        lines().filter_map(|line| line.strip_prefix(head.as_str())).any(|told| {
             let rest = behind(rule.what.get(language), told);
             let remedy = pieces(rule.remedy.get(language));
             rest.is_some_and(|rest| {
@@ -59,7 +68,7 @@ fn tells(rule: &Rule, text: &str, language: Language) -> bool {
         })
     });
     let graver = heads(language).into_iter().filter(|(grade, _)| *grade > rule.grade);
-    own && !graver.into_iter().any(|(_, head)| lines().any(|line| line.starts_with(head)))
+    own && !graver.into_iter().any(|(_, head)| lines().any(|line| begins(line, head)))
 }
 
 /// Runs a command in a folder: all that it prints.
@@ -246,7 +255,9 @@ fn wrong(rule: &Rule) -> Option<String> {
                 (words.iter().map(|word| (*word).to_owned()).collect(), None)
             }
             // Workbooks and programs are those of other tests.
-            Example::Made { key, .. } if rule.code.starts_with('W') || key.starts_with("program-") => return None,
+            Example::Made { key, .. } if rule.code.starts_with(['W', 'P', 'L']) || key.starts_with("program-") => {
+                return None;
+            }
             Example::Made { key, .. } => made(key, folder.path()).unwrap_or_else(|| panic!("nobody makes {key}")),
             _ => return None,
         };

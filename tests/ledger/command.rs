@@ -82,7 +82,30 @@ impl Place {
     /// All that a command prints, and how it ends.
     pub fn said(&self, words: &[&str]) -> Vec<u8> {
         let Output { status, stdout, stderr } = self.run(words);
+        let (stdout, stderr) = (uncoded(&stdout), uncoded(&stderr));
         let end = format!("exit {:?}\n", status.code());
         [end.as_bytes(), b"standard output:\n", &stdout, b"standard error:\n", &stderr].concat()
     }
+}
+
+/// What was printed, without the codes of its findings and without the line that tells how to learn more of one.
+fn uncoded(printed: &[u8]) -> Vec<u8> {
+    let is_code = |code: &str| {
+        let (letter, number) = code.split_at_checked(1).unwrap_or_default();
+        letter.bytes().all(|one| one.is_ascii_uppercase()) && number.len() == 4 && number.parse::<u16>().is_ok()
+    };
+    let mut plain = String::new();
+    for line in str::from_utf8(printed).unwrap().split_inclusive('\n') {
+        if line.strip_prefix("rodete explain ").is_some_and(|rest| rest.split(' ').next().is_some_and(is_code)) {
+            continue;
+        }
+        let coded = line.split_once(": ").and_then(|(head, rest)| Some((head.rsplit_once(' ')?, rest)));
+        match coded {
+            Some(((word, code), rest)) if !word.contains(' ') && is_code(code) => {
+                plain.push_str(&format!("{word}: {rest}"));
+            }
+            _ => plain.push_str(line),
+        }
+    }
+    plain.into_bytes()
 }

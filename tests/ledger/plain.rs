@@ -60,7 +60,9 @@ fn settle(value: &mut Value) {
             }
             if object.contains_key("grade") && object.contains_key("what") {
                 // The name goes with the code; only the alarms' names stood here before other rows had any.
-                let named = object.get("code").and_then(Value::as_str).is_none_or(|code| code.starts_with('L'));
+                let alarm = object.get("alarm").is_some_and(Value::is_string);
+                let named =
+                    object.get("code").and_then(Value::as_str).is_none_or(|code| alarm && code.starts_with('L'));
                 object.retain(|key, _| FINDING.contains(&key.as_str()) && (named || key != "name"));
             }
             object.values_mut().for_each(settle);

@@ -56,4 +56,26 @@ impl Codes {
     pub fn get(&self, tenths: usize) -> Option<G> {
         self.0.get(tenths).copied().flatten()
     }
+
+    /// The codes of some meaning, by their names.
+    #[must_use]
+    pub fn names(&self, meaning: G) -> Vec<String> {
+        let of = |(tenths, code): (usize, &Option<G>)| (*code == Some(meaning)).then(|| code_name(tenths));
+        self.0.iter().enumerate().filter_map(of).collect()
+    }
+
+    /// True where a code has some meaning.
+    #[must_use]
+    pub fn has(&self, meaning: G) -> bool {
+        self.0.contains(&Some(meaning))
+    }
+}
+
+/// The name of a code by its number in tenths.
+#[must_use]
+pub fn code_name(tenths: usize) -> String {
+    match tenths % 10 {
+        0 => format!("G{}", tenths / 10),
+        tenth => format!("G{}.{tenth}", tenths / 10),
+    }
 }

@@ -1,9 +1,4 @@
 //! Fagor CNC 8055 M, 8055 T and 8070: the codes whose motion rodete follows, and the others by name.
-//!
-//! # References
-//! Fagor Automation, CNC 8055 M and CNC 8055 T programming manuals, CNC 8070 programming manual: lists of G functions.
-//! CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive.
-//! For the 8055 T and the 8070 no such page was at hand.
 
 use crate::gcode::code::{G, Group, M, Name, TurningCycle};
 use crate::gcode::control::{
@@ -15,13 +10,34 @@ use crate::gcode::control::{
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
+use crate::text::{Text, t};
 
 /// Fagor CNC 8055, milling.
-pub static FAGOR_8055: Control = Control { name: "fagor-8055", ..FAGOR_8055_BASE };
+pub static FAGOR_8055: Control = Control {
+    name: "fagor-8055",
+    sources: &[
+        t(
+            "Fagor Automation, CNC 8055 M, manual de programación: lista de funciones G; cabecera %nombre,MX--,; comentario ;, ninguna línea vacía; orden de un bloque G, ejes, F, S, T, D, M; números ±5.4; N de 0 a 99999999; G70 pulgadas y G71 milímetros; G43 y G44; G94, F a lo largo de la resultante de los ejes, los grados como milímetros",
+            "Fagor Automation, CNC 8055 M, programming manual: list of G functions; header %name,MX--,; comment ;, no empty lines; order of a block G, axes, F, S, T, D, M; numbers ±5.4; N 0 to 99999999; G70 inch and G71 millimetre; G43 and G44; G94, F along the resultant of the axes, degrees taken as millimetres",
+        ),
+        t(
+            "Fagor Automation, CNC 8055 M, solución de errores (Ref. 1310), errores 0054 y 1085: en un arco de G17 K es el paso de una hélice, siempre positivo",
+            "Fagor Automation, CNC 8055 M, error solution (Ref. 1310), errors 0054 and 1085: in an arc of G17 K is the pitch of a helix, always positive",
+        ),
+    ],
+    ..FAGOR_8055_BASE
+};
 
 /// Fagor CNC 8055 T, turning.
 pub static FAGOR_8055_T: Control = Control {
     name: "fagor-8055-t",
+    sources: &[
+        t(
+            "Fagor Automation, CNC 8055 T, manual de programación: lista de funciones G",
+            "Fagor Automation, CNC 8055 T, programming manual: list of G functions",
+        ),
+        NO_HELIX,
+    ],
     class: Class::Lathe,
     lexis: Lexis { letters: Letters::of("ABCDFIJKQRSTUVWXYZ"), ..LEXIS },
     codes: &CODES_8055_T,
@@ -40,6 +56,13 @@ pub static FAGOR_8055_T: Control = Control {
 /// Fagor CNC 8070, milling.
 pub static FAGOR_8070: Control = Control {
     name: "fagor-8070",
+    sources: &[
+        t(
+            "Fagor Automation, CNC 8070, manual de programación: lista de funciones G; G93, el tiempo de mecanizado en segundos",
+            "Fagor Automation, CNC 8070, programming manual: list of G functions; G93, machining time in seconds",
+        ),
+        NO_HELIX,
+    ],
     text: TextForm { opening: Opening::Name, memory: 1 << 30, ..FAGOR_8055_BASE.text },
     feed: FeedRule { law: FeedLaw::Seconds, ..FAGOR_8055_BASE.feed },
     written: Some(&WRITING_8070),
@@ -50,9 +73,15 @@ pub static FAGOR_8070: Control = Control {
     ..FAGOR_8055_BASE
 };
 
+const NO_HELIX: Text = t(
+    "de la palabra de centro a través del plano de un arco no había página a mano",
+    "of the centre word across the plane of an arc no page was at hand",
+);
+
 /// What milling and turning have in common.
 const FAGOR_8055_BASE: Control = Control {
     name: "",
+    sources: &[],
     text: TextForm {
         opening: Opening::NameAndAttributes,
         comment: CommentForm::Semicolon,

@@ -5,10 +5,6 @@
 //! `( )`, and text behind `;`, as the simulator takes it; on the screen of a Fanuc `;` ends the block, so that what reads as
 //! another block behind it is refused. The simulator takes text behind `/` for a comment too; on a Fanuc `/` at the start of a
 //! block is block delete, and so it is here; elsewhere it is refused.
-//!
-//! # References
-//! The lathe simulator's list of codes: these are followed. Fanuc Series 0i-T operator's manual, G-code system A: the others are
-//! refused by their names. Letters that only options of the control take (C, A, B and others) are refused.
 
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{Cycle, G, Group, M, Name, SinglePassCycle, TurningCycle};
@@ -21,10 +17,21 @@ use crate::gcode::control::{
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
+use crate::text::t;
 
 /// Fanuc, turning, G-code system A. Read only: rodete writes no program in it.
 pub static FANUC_LATHE_A: Control = Control {
     name: "fanuc-lathe-a",
+    sources: &[
+        t(
+            "la lista de códigos del simulador de torno: estos se siguen",
+            "the lathe simulator's list of codes: these are followed",
+        ),
+        t(
+            "Fanuc Series 0i-T, manual del operador, sistema A de códigos G: los demás se rechazan por su nombre, y las letras que solo toman opciones del control (C, A, B y otras)",
+            "Fanuc Series 0i-T, operator's manual, G-code system A: the others are refused by name, and so are letters that only options of the control take (C, A, B and others)",
+        ),
+    ],
     text: TextForm {
         opening: Opening::None,
         comment: CommentForm::Parentheses,

@@ -10,10 +10,15 @@ use crate::gcode::control::{
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
+use crate::text::t;
 
 /// LinuxCNC, milling.
 pub static LINUXCNC: Control = Control {
     name: "linuxcnc",
+    sources: &[t(
+        "LinuxCNC, referencia de códigos G: sus códigos G y M; G93, la inversa del tiempo; comentarios entre paréntesis; G21; G49",
+        "LinuxCNC, G-code reference: its G and M codes; G93, inverse time; comments in parentheses; G21; G49",
+    )],
     text: TextForm {
         opening: Opening::None,
         comment: CommentForm::Parentheses,

@@ -1,11 +1,6 @@
 //! Controls: what one calls what another calls otherwise, and what each does. A control is data, never a flag.
 //!
-//! # References
-//! Fagor CNC 8055 M and 8055 T programming manuals (header `%name,MX--,`, comment `;`, no empty lines, block order
-//! G, axes, F, S, T, D, M, numbers ±5.4, N 0–99999999, G70 inch and G71 millimetre, G43/G44 tool length on and off, G94 F
-//! of an interpolation of linear and rotary axes along the resultant with degrees taken as millimetres);
-//! Fagor CNC 8070 (G93 machining time in seconds); LinuxCNC G-code reference (G93 inverse time, comments in
-//! parentheses, G21, G49).
+//! What each is read from stands in its `sources`; `rodete explain --controls` prints all of it.
 
 #![deny(clippy::wildcard_enum_match_arm)]
 
@@ -23,11 +18,12 @@ mod output;
 mod path;
 mod rotary;
 mod spindle;
+mod told;
 mod tool;
 mod writing;
 
 pub use self::axes::{Across, AcrossWord, ArcWords, AxisWords, Increments};
-pub use self::codes::{Codes, Letters};
+pub use self::codes::{Codes, Letters, code_name};
 pub use self::dwell::DwellWord;
 pub use self::fagor::{FAGOR_8055, FAGOR_8055_T, FAGOR_8070};
 pub use self::fanuc::FANUC_LATHE_A;
@@ -39,11 +35,13 @@ pub use self::output::HeightHold;
 pub use self::path::{Corners, Drilling, NoseCorner, RadiusRule, Retract};
 pub use self::rotary::{Rollover, Rotary, RotaryRule};
 pub use self::spindle::{SpeedLimit, SpindleRule, Turns};
+pub use self::told::Feature;
 pub use self::tool::{LengthWord, ToolBlocks, ToolCall, ToolChange};
 pub use self::writing::{CommentForm, Opening, TextForm, Writing, Written};
 use crate::finding::AlarmFamily;
 use crate::gcode::code::{G, M};
 use crate::gcode::motion::{FeedMode, Plane};
+use crate::text::Text;
 
 /// What stands in the chuck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,6 +72,8 @@ pub struct Start {
 pub struct Control {
     /// The name in workbooks and on the command line.
     pub name: &'static str,
+    /// The works that it is read from, and what of them stands here.
+    pub sources: &'static [Text],
     /// What the text of a program looks like.
     pub text: TextForm,
     /// Mill or lathe.

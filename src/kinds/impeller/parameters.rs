@@ -4,6 +4,7 @@
 //! 5.2), the turning of the blank (section 4.1); what the source leaves to the operator (feed, speed, dialect, travel)
 //! is added here. Limits are those of the machines the method is meant for; they catch metres typed for millimetres.
 
+use crate::finding::Raise;
 use crate::gcode::chosen::{Codes, Retract};
 use crate::gcode::control::Rotary;
 use crate::gcode::fields;
@@ -11,6 +12,7 @@ pub(super) use crate::gcode::fields::{DIALECT, MATERIAL, PART};
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
 use crate::kinds::impeller::fade::Fade;
+use crate::kinds::impeller::rules::HeightCalledLength;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
 use crate::parameter::{Earlier, FieldKind, Form, Parameter, Section, Sheet};
 use crate::table::Unit;
@@ -514,14 +516,7 @@ pub static FORM: Form = Form {
     earlier: &[Earlier {
         schema: "rodete-impeller 1",
         renamed: &[("R_B", "R_p"), ("H", "L_t")],
-        meaning: t(
-            "el libro es del esquema 1, que llamaba longitud de herramienta L_t a la altura H de la cara torneada sobre la nariz del husillo portapieza, y R_p a R_B: aquí L_t se lee como H y L = R_p + L_t. Si en L_t está la longitud de una herramienta, los programas son falsos",
-            "the workbook is of schema 1, which called the height H of the turned face over the work spindle's nose a tool length L_t, and R_B it called R_p: L_t is read as H here, and L = R_p + L_t. If L_t holds the length of a tool, the programs are wrong",
-        ),
-        remedy: t(
-            "mida H y compruébela; haga un libro nuevo con \"rodete new\" y escriba en él los valores",
-            "measure H and compare; make a new workbook with \"rodete new\" and type the values there",
-        ),
+        told: |place| HeightCalledLength {}.at(place),
     }],
     part: &PART,
     material: Some(&MATERIAL),

@@ -2,16 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use crate::finding::{Finding, Grade, Place};
+use crate::finding::rules::OtherContour;
+use crate::finding::{Finding, Grade, Place, Raise, Size};
 use crate::gcode::motion::{Motion, MotionKind};
 use crate::kinds::lathe::Raised;
+use crate::kinds::lathe::rules::{
+    MachineZeroAssumed, MoreAlarms, NotJudgedFromHere, ProgramNotJudged, ReferenceAssumed, ThreadTooMuchWork,
+    TooManyMotions, TooMuchWork,
+};
 use crate::kinds::lathe::setup::Given;
 use crate::limits::{FOLLOWED_MOTIONS, PROGRAM_FINDINGS};
 use crate::machine::axis::Axis;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::spindle::revolutions;
-use crate::text::{Text, t};
+use crate::text::Text;
 
 /// A line of the program, or of the file of a subprogram.
 pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {
@@ -23,67 +28,23 @@ pub(super) fn at_line(file: Option<&str>, line: usize) -> Place {
 
 /// The note on where the judging of motions stopped; the file as a whole where that was before the program.
 pub(super) fn unjudged_from(place: Place) -> Finding {
-    let what = if place == Place::File {
-        t(
-            "no se juzgan los movimientos de este programa: la pieza no es la que se pide, o nada la sujeta",
-            "the motions of this program are not judged: the part is not what is meant, or nothing holds it",
-        )
-    } else {
-        t(
-            "desde este bloque no se juzgan los movimientos: sus alarmas serían consecuencia de él",
-            "from this block on motions are not judged: their alarms would follow from it",
-        )
-    };
-    Finding::note(place, what)
+    if place == Place::File { ProgramNotJudged {}.at(place) } else { NotJudgedFromHere {}.at(place) }
 }
 
 /// The stop of a program of more motions than a sheet has rows.
 pub(super) fn too_many(file: Option<&str>, line: usize) -> Finding {
-    Finding::stop(
-        at_line(file, line),
-        Text::new(
-            format!("el programa hace más de {FOLLOWED_MOTIONS} movimientos"),
-            format!("the program makes more than {FOLLOWED_MOTIONS} motions"),
-        ),
-        t("divídalo, o repita menos los subprogramas", "split it, or repeat its subprograms less often"),
-    )
+    TooManyMotions { most: FOLLOWED_MOTIONS }.at(at_line(file, line))
 }
 
 /// The stop of a program whose motions take more work than is done: what was made until there, and at which motion, with the
 /// turns of the thread where it is one.
 pub(super) fn too_much_work(file: Option<&str>, motion: &Motion, made: usize) -> Finding {
-    let stop = |what, remedy| Finding::stop(at_line(file, motion.line), what, remedy);
-    let shown = |value: f64| crate::number::shown(value, 6);
-    if let MotionKind::Thread(thread) = motion.kind {
-        let lead = shown(thread.lead);
-        let length = [Axis::X, Axis::Z].map(|axis| (motion.to.get(axis) - motion.from.get(axis)).abs());
-        let turns = revolutions(thread, length[0].max(length[1])).unwrap_or_default();
-        return stop(
-            Text::new(
-                format!("seguir esta rosca pide más trabajo del que se hace; movimientos hechos hasta ella: {made}"),
-                format!("to follow this thread takes more work than is done; motions made before it: {made}"),
-            ),
-            Text::new(
-                format!(
-                    "compruebe F: con un paso de {lead} mm el husillo da {} vueltas",
-                    crate::number::shown(turns, 0)
-                ),
-                format!("check F: at a lead of {lead} mm the spindle makes {} turns", crate::number::shown(turns, 0)),
-            ),
-        );
-    }
-    stop(
-        Text::new(
-            format!(
-                "seguir el programa pide más trabajo del que se hace; movimientos hechos hasta este bloque: {made}"
-            ),
-            format!("to follow the program takes more work than is done; motions made before this block: {made}"),
-        ),
-        t(
-            "divida el programa, o elija una tolerancia eps mayor, o pasadas y pasos mayores",
-            "split the program, or choose a greater tolerance eps, or greater passes and leads",
-        ),
-    )
+    let place = at_line(file, motion.line);
+    let MotionKind::Thread(thread) = motion.kind else { return TooMuchWork { made }.at(place) };
+    let lead = Size { decimals: 6, ..Size::mm(thread.lead) };
+    let length = [Axis::X, Axis::Z].map(|axis| (motion.to.get(axis) - motion.from.get(axis)).abs());
+    let turns = revolutions(thread, length[0].max(length[1])).unwrap_or_default();
+    ThreadTooMuchWork { made, lead, turns: Size::number(turns, 0) }.at(place)
 }
 
 /// What is assumed of the machine where the form does not say: the reference point of a program that goes there.
@@ -95,29 +56,13 @@ pub(super) fn assumed(given: &Given, program: &str) -> Vec<Finding> {
             .any(|(at, _)| !program[at + code.len()..].starts_with(|next: char| next.is_ascii_digit()))
     };
     let mut found = Vec::new();
-    let remedy = || t("rellene R_X y R_Z en el libro (hoja DATOS)", "fill in R_X and R_Z in the workbook (sheet DATA)");
     if !given.referred && has("G53") {
-        found.push(Finding::caution(
-            Place::File,
-            t(
-                "G53 sin punto de referencia en el libro: se supone que cuenta desde M, la cara del husillo, y no desde el punto de referencia",
-                "G53 without a reference point in the workbook: it is taken to count from M, the face of the spindle, and not from the reference point",
-            ),
-            remedy(),
-        ));
+        found.push(MachineZeroAssumed {}.at(Place::File));
     }
     if !given.referred && (has("G28") || has("G30")) {
         let [X, Z] = given.reference();
-        let [X, Z] = [2.0 * X, Z].map(|at| crate::number::shown(at, 3));
-        found.push(Finding::new(
-            Grade::Note,
-            Place::File,
-            Text::new(
-                format!("el libro no da el punto de referencia: se supone en X{X} Z{Z} desde M"),
-                format!("the workbook gives no reference point: it is taken at X{X} Z{Z} from M"),
-            ),
-            remedy(),
-        ));
+        let [X, Z] = [2.0 * X, Z].map(|at| Size::number(at, 3));
+        found.push(ReferenceAssumed { X, Z }.at(Place::File));
     }
     found
 }
@@ -183,25 +128,12 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
     let more = found.len().saturating_sub(PROGRAM_FINDINGS);
     found.truncate(PROGRAM_FINDINGS);
     if more > 0 {
-        found.push(Finding::note(
-            Place::File,
-            Text::new(
-                format!("y {more} alarmas más: rodete view las muestra en la pieza"),
-                format!("and {more} more alarms: rodete view shows them on the part"),
-            ),
-        ));
+        found.push(MoreAlarms { count: more }.at(Place::File));
     }
     found
 }
 
 /// The stop of a removal that a library of polygons does not confirm.
 pub(super) fn not_repeated(apart: f64) -> Finding {
-    Finding::fault(
-        Place::File,
-        t(
-            "otra biblioteca de polígonos deja otro contorno: el cálculo no es de fiar, no use los archivos",
-            "another library of polygons leaves another contour: the result cannot be trusted, do not use the files",
-        ),
-    )
-    .with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"))
+    OtherContour {}.at(Place::File).with(format!("{apart:.9} mm"), format!("≤ {AGREE:.6} mm"))
 }

@@ -10,6 +10,7 @@ mod findings;
 pub mod parameters;
 mod part_view;
 mod profile;
+pub mod rules;
 pub mod scene;
 pub mod setup;
 pub(crate) mod tables;
@@ -19,10 +20,11 @@ pub mod tool_sheet;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use crate::finding::{Exit, Finding, Grade, Place, Refusal};
+use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
 use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
+use crate::gcode::rules::lexis::MoreRefusals;
 use crate::gcode::word::NumberFormat;
 use crate::geometry::revolution::volume;
 use crate::kind::{Chapters, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Shown, Solid, Wants};
@@ -30,6 +32,7 @@ use crate::kinds::lathe::figures::Drawn;
 use crate::kinds::lathe::findings::{alarms, assumed, at_line, not_repeated, too_many, too_much_work, unjudged_from};
 use crate::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
 use crate::kinds::lathe::profile::{compared, wanted};
+use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
 use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
@@ -47,7 +50,7 @@ use crate::removal::turning::second_removal::AGREE;
 use crate::removal::turning::simulation::{Setup, Simulation};
 use crate::removal::turning::step::Step;
 use crate::table::{Quantity, Unit};
-use crate::text::{Text, t};
+use crate::text::{Language, Text, t};
 
 /// How far the facets of the solid may be from the round part, mm.
 const TOLERANCE: f64 = 0.01;
@@ -150,6 +153,10 @@ impl Kind for Lathe {
         }
     }
 
+    fn rules(&self) -> &'static [&'static [&'static Rule]] {
+        &[rules::RULES]
+    }
+
     fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
         Given::of(fields).map(drop)
     }
@@ -241,40 +248,18 @@ const HELD_WELL: (f64, f64) = (5.0, 0.25);
 fn held(setup: &Setup) -> Finding {
     let Setup { lathe, stock, .. } = setup;
     let place = Place::Parameters(vec!["Z_s", "L4"]);
-    let [left, right] = stock.held(lathe).map(|at| shown(at, 3));
-    let remedy = Text::new(
-        format!("cambie Z_s (o L4) hasta que entre Z{left} y Z{right}, donde están las garras, haya un cilindro"),
-        format!("change Z_s (or L4) until a cylinder lies between Z{left} and Z{right}, where the jaws are"),
-    );
+    let [left, right] = stock.held(lathe).map(|at| Size::number(at, 3));
     let Some(grip) = setup.part.as_deref().and_then(|part| stock.grip(lathe, part)) else {
-        return Finding::stop(
-            place,
-            t(
-                "en la segunda colocación no hay material entre las garras: nada sujeta la pieza",
-                "in the second set-up there is no metal between the jaws: nothing holds the part",
-            ),
-            remedy,
-        );
+        return NothingInTheJaws { left, right }.at(place);
     };
-    let (X, long) = (shown(grip.diameter, 3), format!("{} mm", shown(grip.length, 3)));
+    let (X, length) = (Size::number(grip.diameter, 3), Size::mm(grip.length));
     let least = HELD_WELL.0.max(HELD_WELL.1 * lathe.chuck.jaws);
-    let short = Text::new(
-        format!("en la segunda colocación las garras, cerradas en X{X}, apenas sujetan la pieza a lo largo de Z"),
-        format!("in the second set-up the jaws, closed on X{X}, hardly hold the part along Z"),
-    );
-    if grip.length < HELD {
-        Finding::stop(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
-    } else if grip.length < least {
-        Finding::caution(place, short, remedy).with(long, format!("≥ {} mm", shown(least, 3)))
-    } else {
-        Finding::note(
-            place,
-            Text::new(
-                format!("en la segunda colocación las garras se cierran en X{X} y sujetan {long}"),
-                format!("in the second set-up the jaws close on X{X} and hold {long}"),
-            ),
-        )
+    if grip.length >= least {
+        return HeldAlong { X, length }.at(place);
     }
+    let grade = if grip.length < HELD { Grade::Stop } else { Grade::Caution };
+    let told = HardlyHeld { X, left, right }.at(place);
+    Finding { grade, ..told }.with(length.said(Language::En), format!("≥ {} mm", shown(least, 3)))
 }
 
 /// The program as it stands on its sheet; its subprograms are not known before it has been read.
@@ -431,10 +416,7 @@ fn follow<'a>(
         }
     }
     if more > 0 {
-        faults.push(Finding::note(
-            Place::File,
-            Text::new(format!("y {more} errores más"), format!("and {more} more errors")),
-        ));
+        faults.push(MoreRefusals { count: more }.at(Place::File));
     }
     one.files = (1..).map_while(|number| interpreter.file(number)).map(str::to_owned).collect();
     one.program.parts = source.whole(one.files.iter().map(String::as_str));

@@ -2,18 +2,22 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::finding::{CellPlace, Finding, Place};
+use crate::finding::{CellPlace, Finding, Place, Raise, Size};
 use crate::gcode::control::Control;
 use crate::gcode::in_force::InForce;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Setting, ToolOffset, Tools};
 use crate::gcode::motion::Motion;
 use crate::gcode::turning::nose::{Nose, Tip};
 use crate::kinds::lathe::parameters::{self as form, Rapids, Side, TOOLS_KEY};
+use crate::kinds::lathe::rules::{
+    BodyHalfGiven, BodyReversed, BoreBeyondStock, FacingBeyondOverhang, HeldBeyondStock, OffsetTwice, PlaceTwice,
+    PointRuleMissing, ReferenceHalfGiven, SlideTravelReversed, ToolCannotBe, ToolColumnMissing, ToolShapeMissing,
+    ToolSizeMissing, ZeroIsEmpty, ZeroNotKnown,
+};
 use crate::kinds::lathe::tool_sheet::{self as tools, ToolType};
 use crate::machine::axis::{Axis, Pose};
 use crate::machine::var_file::VarFile;
 use crate::machine::work_offset::{G28_FIRST, System};
-use crate::number::shown;
 use crate::parameter::Parameter;
 use crate::parameter::field::{Entry, Field, Fields, Optional};
 use crate::removal::turning::machine::{Chuck, Lathe};
@@ -21,7 +25,7 @@ use crate::removal::turning::simulation::Setup;
 use crate::removal::turning::stock::Stock;
 use crate::removal::turning::tool::{Cutter, Hand, Holder, Shape, TurningTool};
 use crate::removal::turning::turret::Turret;
-use crate::text::{Text, t};
+use crate::text::Text;
 
 /// Z′ and X′ of the source: how far the longest tools stand off the stock at the reference point, mm.
 const MARGIN: f64 = 30.0;
@@ -78,96 +82,41 @@ impl Given {
     pub fn of(fields: &Fields) -> Result<Self, Vec<Finding>> {
         let mut findings = Vec::new();
         let (D, L, L4, L5) = (fields.get(&form::D), fields.get(&form::L), fields.get(&form::L4), fields.get(&form::L5));
-        let mut stop = |keys: &[&'static str], what: Text, remedy: Text| {
-            findings.push(fields.locate(Finding::stop(Place::Parameters(keys.to_vec()), what, remedy)));
+        let mut stop = |keys: &[&'static str], told: &dyn Raise| {
+            findings.push(fields.locate(told.at(Place::Parameters(keys.to_vec()))));
         };
         if L4 >= L {
-            stop(
-                &[form::L4.key(), form::L.key()],
-                Text::new(
-                    format!("L4 es {} mm y debe ser menor que L = {} mm", shown(L4, 3), shown(L, 3)),
-                    format!("L4 is {} mm, must be less than L = {} mm", shown(L4, 3), shown(L, 3)),
-                ),
-                t("sujete menos, o un bruto más largo", "hold less, or take a longer stock"),
-            );
+            stop(&[form::L4.key(), form::L.key()], &HeldBeyondStock { L4: Size::mm(L4), L: Size::mm(L) });
         }
         if L4 < L && L5 >= L - L4 {
-            stop(
-                &[form::L5.key(), form::L.key(), form::L4.key()],
-                Text::new(
-                    format!("L5 es {} mm y debe ser menor que el voladizo de {} mm", shown(L5, 3), shown(L - L4, 3)),
-                    format!("L5 is {} mm, must be less than the overhang of {} mm", shown(L5, 3), shown(L - L4, 3)),
-                ),
-                t("un refrentado menor", "a smaller facing allowance"),
-            );
+            let told = FacingBeyondOverhang { L5: Size::mm(L5), overhang: Size::mm(L - L4) };
+            stop(&[form::L5.key(), form::L.key(), form::L4.key()], &told);
         }
         let bore = fields.get(&form::STOCK_BORE_D);
         if let Some(d) = bore.filter(|d| *d >= D) {
-            stop(
-                &[form::STOCK_BORE_D.key(), form::D.key()],
-                Text::new(
-                    format!("el agujero d es {} mm y debe ser menor que D = {} mm", shown(d, 3), shown(D, 3)),
-                    format!("the bore d is {} mm, must be less than D = {} mm", shown(d, 3), shown(D, 3)),
-                ),
-                t("corrija d o D", "correct d or D"),
-            );
+            let told = BoreBeyondStock { d: Size::mm(d), D: Size::mm(D) };
+            stop(&[form::STOCK_BORE_D.key(), form::D.key()], &told);
         }
-        let travel = t("corrija el recorrido", "correct the travel");
-        let sizes = t("corrija el cuerpo de la torreta", "correct the turret's body");
         let travels: [[Length; 2]; 2] = [[&form::X_MIN, &form::X_MAX], [&form::Z_MIN, &form::Z_MAX]];
-        for (pair, remedy) in [(travels[0], &travel), (travels[1], &travel), (BODY[0], &sizes), (BODY[1], &sizes)] {
-            if let [Some(least), Some(greatest)] = pair.map(|one| fields.get(one))
-                && least >= greatest
-            {
-                let keys = pair.map(Field::key);
-                stop(
-                    &keys,
-                    Text::new(
-                        format!(
-                            "{} es {} y debe ser menor que {} = {}",
-                            keys[0],
-                            shown(least, 3),
-                            keys[1],
-                            shown(greatest, 3)
-                        ),
-                        format!(
-                            "{} is {}, must be less than {} = {}",
-                            keys[0],
-                            shown(least, 3),
-                            keys[1],
-                            shown(greatest, 3)
-                        ),
-                    ),
-                    remedy.clone(),
-                );
-            }
+        let reversed = |pair: [Length; 2]| {
+            let [least, greatest] = pair.map(|one| fields.get(one));
+            let [least, greatest] = [least?, greatest?];
+            (least >= greatest).then(|| (pair.map(Field::key), [least, greatest].map(|at| Size::number(at, 3))))
+        };
+        for (keys @ [low, high], [least, greatest]) in travels.into_iter().filter_map(reversed) {
+            stop(&keys, &SlideTravelReversed { low, least, high, greatest });
+        }
+        for (keys @ [low, high], [least, greatest]) in BODY.into_iter().filter_map(reversed) {
+            stop(&keys, &BodyReversed { low, least, high, greatest });
         }
         let (given, empty): (Vec<_>, Vec<_>) = BODY.into_iter().flatten().partition(|one| fields.get(one).is_some());
         let empty: Vec<&'static str> = empty.into_iter().map(Field::key).collect();
         if !given.is_empty() && !empty.is_empty() {
-            let lost = empty.join(", ");
-            stop(
-                &empty,
-                Text::new(
-                    format!("el cuerpo de la torreta se da con sus cuatro medidas; faltan: {lost}"),
-                    format!("the turret's body is given by all four of its sizes; empty: {lost}"),
-                ),
-                t(
-                    "rellene las cuatro, o vacíelas todas para no vigilar el cuerpo",
-                    "fill in all four, or empty all of them not to watch the body",
-                ),
-            );
+            stop(&empty, &BodyHalfGiven { lost: empty.join(", ") });
         }
         let given_reference = [fields.get(&form::R_X), fields.get(&form::R_Z)];
         if given_reference.iter().flatten().count() == 1 {
-            stop(
-                &[form::R_X.key(), form::R_Z.key()],
-                t(
-                    "el punto de referencia se da con X y Z, y solo hay una",
-                    "the reference point is given by X and Z, and only one of them is",
-                ),
-                t("rellene R_X y R_Z, o vacíe las dos", "fill in R_X and R_Z, or empty both"),
-            );
+            stop(&[form::R_X.key(), form::R_Z.key()], &ReferenceHalfGiven {});
         }
         let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
         let tolerance = fields.get(&form::EPS);
@@ -260,31 +209,13 @@ impl Given {
             return None;
         }
         let code = System::from_number(control.system.into())?.name();
-        let W = format!("W{}", control.system);
+        let zero = format!("W{}", control.system);
         let place = Place::Line { line: motion.line, columns: Vec::new() };
         if cells.is_empty() {
-            return Some(Finding::stop(
-                place,
-                Text::new(
-                    format!("se usa {code}, pero sin libro no se sabe dónde está {W}"),
-                    format!("{code} is used, but without a workbook it is not known where {W} is"),
-                ),
-                Text::new(
-                    format!("indique con --tools un libro de torno con {W}, o use G54"),
-                    format!("name a lathe workbook with {W} with --tools, or use G54"),
-                ),
-            ));
+            return Some(ZeroNotKnown { code, zero }.at(place));
         }
         let names: Vec<String> = cells.iter().map(|cell| format!("{}!{}", cell.sheet, cell.cell)).collect();
-        let names = names.join(", ");
-        Some(Finding::stop(
-            place,
-            Text::new(
-                format!("se usa {code}, pero {W} está vacío en el libro: {names}"),
-                format!("{code} is used, but {W} is empty in the workbook: {names}"),
-            ),
-            Text::new(format!("rellene {names}, o use G54"), format!("fill in {names}, or use G54")),
-        ))
+        Some(ZeroIsEmpty { code, zero, cells: names.join(", ") }.at(place))
     }
 
     /// The reference point, where the turret stands at the start and to which G28 goes, `[X as a radius, Z]` from M: as the
@@ -351,19 +282,8 @@ impl Given {
 #[must_use]
 pub fn without_rule(fields: &Fields) -> Option<Finding> {
     let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
-    (point.is_none() && control.lexis.point.by_setting()).then(|| {
-        fields.locate(Finding::stop(
-            Place::Parameters(vec![form::POINT.key()]),
-            t(
-                "falta decir qué es una cota sin punto decimal: depende de un parámetro del control",
-                "it must be said what a dimension without a decimal point is: a setting of the control decides",
-            ),
-            t(
-                "escriba calculadora o micras, según el parámetro DPI de su control",
-                "write calculator or micrometre, by the parameter DPI of your control",
-            ),
-        ))
-    })
+    let missing = point.is_none() && control.lexis.point.by_setting();
+    missing.then(|| fields.locate(PointRuleMissing {}.at(Place::Parameters(vec![form::POINT.key()]))))
 }
 
 /// The tools by place, and the control's offsets by number; what is wrong goes to `findings`.
@@ -378,14 +298,7 @@ fn turret(
     for row in fields.rows(TOOLS_KEY) {
         let Some(T) = row.get(&tools::T) else { continue };
         if !places.insert(T) {
-            findings.push(Finding::stop(
-                Place::Cells(row.cell(&tools::T.row)),
-                Text::new(
-                    format!("el puesto {T} de la torreta está dos veces"),
-                    format!("place {T} of the turret is given twice"),
-                ),
-                t("una herramienta por puesto", "one tool for each place"),
-            ));
+            findings.push(PlaceTwice { T }.at(Place::Cells(row.cell(&tools::T.row))));
             continue;
         }
         let D = row.get(&tools::D).unwrap_or(T);
@@ -397,11 +310,7 @@ fn turret(
             }
         };
         if let Err(why) = tool.outline(tolerance, behind) {
-            findings.push(Finding::stop(
-                Place::Cells(cells(&row, &sizes(&tool))),
-                Text::new(format!("herramienta {T}: {}", why.es), format!("tool {T}: {}", why.en)),
-                t("compruebe las medidas de la herramienta", "check the sizes of the tool"),
-            ));
+            findings.push(ToolCannotBe { T, why }.at(Place::Cells(cells(&row, &sizes(&tool)))));
             continue;
         }
         let mut offset = Pose::default();
@@ -409,11 +318,8 @@ fn turret(
         offset.set(Axis::Z, tool.overhang[1]);
         let nose = Some(Nose { radius: tool.nose(), tip: tool.tip });
         if offsets.insert(D, ToolOffset { offset, nose, ..ToolOffset::default() }).is_some() {
-            findings.push(Finding::stop(
-                Place::Cells([row.cell(&tools::D.row), row.cell(&tools::T.row)].concat()),
-                Text::new(format!("el corrector {D} está dos veces"), format!("offset {D} is given twice")),
-                t("un corrector por herramienta", "one offset for each tool"),
-            ));
+            let place = Place::Cells([row.cell(&tools::D.row), row.cell(&tools::T.row)].concat());
+            findings.push(OffsetTwice { D }.at(place));
         }
         tools.insert(T, tool);
     }
@@ -446,21 +352,14 @@ fn sizes(tool: &TurningTool) -> Vec<&'static Parameter> {
 /// What a tool needs and its row does not have: the cell is empty, or the sheet has no such column.
 fn lost(row: &Entry<'_>, column: &'static Parameter) -> Box<Finding> {
     let (T, symbol) = (row.get(&tools::T).unwrap_or_default(), column.symbol());
-    let what = Text::new(format!("la herramienta {T} necesita {symbol}"), format!("tool {T} needs {symbol}"));
     let cell = row.cell(column);
-    if cell.is_empty() {
-        let remedy = Text::new(
-            format!("la hoja no tiene la columna {symbol}: escriba su título y los valores"),
-            format!("the sheet has no column {symbol}: write its heading and the values"),
-        );
-        return Box::new(Finding::stop(Place::Cells(row.cell(&tools::T.row)), what, remedy));
-    }
-    let remedy = if column.key == tools::SHAPE.key() {
-        t("elija la letra de la norma ISO 1832", "choose the letter of ISO 1832")
+    Box::new(if cell.is_empty() {
+        ToolColumnMissing { T, symbol }.at(Place::Cells(row.cell(&tools::T.row)))
+    } else if column.key == tools::SHAPE.key() {
+        ToolShapeMissing { T, symbol }.at(Place::Cells(cell))
     } else {
-        t("rellene la celda", "fill the cell in")
-    };
-    Box::new(Finding::stop(Place::Cells(cell), what, remedy))
+        ToolSizeMissing { T, symbol }.at(Place::Cells(cell))
+    })
 }
 
 /// The tool of a row.

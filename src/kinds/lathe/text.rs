@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::finding::{CellPlace, Finding, Place};
+use crate::finding::{CellPlace, Finding, Place, Raise};
 use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting, line_feeds};
 use crate::gcode::program::Part;
 use crate::kinds::lathe::parameters::{BLOCK, SUBPROGRAM_KEY};
+use crate::kinds::lathe::rules::SubprogramOnTwoSheets;
 use crate::parameter::field::{Entry, Fields};
-use crate::text::t;
 
 /// Lines of a program, each with the cell it stands in.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -137,7 +137,7 @@ impl SheetProgram {
         let others = fault.others.iter().map(|(file, line)| (file.as_deref(), *line));
         let lines = std::iter::once((fault.file.as_deref(), fault.line)).chain(others);
         let cells: Vec<Vec<CellPlace>> = lines.map(cells).collect::<Option<_>>()?;
-        Some(Finding::stop(Place::Cells(cells.concat()), fault.what.clone(), fault.remedy.clone()))
+        Some(Finding { place: Place::Cells(cells.concat()), what: fault.what.clone(), ..fault.clone().into() })
     }
 
     /// A place of the interpreter's as one of the workbook's, where the line came from there.
@@ -162,14 +162,9 @@ pub fn twice(fields: &Fields) -> Vec<Finding> {
     }
     let of_one = |(number, sheets): (u32, Vec<&str>)| {
         let [first, .., last] = sheets.as_slice() else { return None };
-        Some(Finding::stop(
-            Place::Sheet((*last).to_owned()),
-            crate::text::Text::new(
-                format!("el subprograma O{number:04} está dos veces: en las hojas \"{first}\" y \"{last}\""),
-                format!("subprogram O{number:04} is given twice: on the sheets \"{first}\" and \"{last}\""),
-            ),
-            t("deje una de las dos hojas", "leave one of the two sheets"),
-        ))
+        let [first, last] = [*first, *last].map(str::to_owned);
+        let place = Place::Sheet(last.clone());
+        Some(SubprogramOnTwoSheets { name: format!("O{number:04}"), first, last }.at(place))
     };
     sheets.into_iter().filter_map(of_one).collect()
 }

@@ -33,4 +33,11 @@ rules! {
         remedy "compruebe diámetro y pared", "check diameter and wall";
         why "Un tubo tiene un hueco.", "A pipe has a bore.";
         example book!("pipe-hole", "branch_size" = "", "branch_schedule" = "", "D_branch" = "20", "t_branch" = "15");
+    "P2005" NoLeadIn Caution {}
+        es "sin entrada: la antorcha perfora sobre la curva"
+        en "no lead-in: the torch pierces on the curve"
+        remedy "una entrada de unos milímetros", "a lead-in of some millimetres";
+        why "Al perforar el arco deja un cráter más ancho que el corte, y ahí quedaría en la pieza.",
+            "Where it pierces the arc leaves a crater wider than the cut, and that would stay in the part.";
+        example book!("pipe-hole", "lead_in" = "0");
 }

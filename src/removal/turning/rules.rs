@@ -1,11 +1,11 @@
 //! What a turning program is told of: one row for each alarm.
 //!
 //! The four digits of a code are the alarm's number; rows from L0201 on are told under the number of another one, with a
-//! remedy of their own.
+//! remedy of their own. L0221 on refuse a set-up before anything is cut.
 
-use crate::finding::rule::rules;
+use crate::finding::rule::{book, rules};
 use crate::finding::{Example, Size};
-use crate::text::t;
+use crate::text::{Text, t};
 
 /// A program for the bar of D 50 and the turret of the example workbook, its blocks joined with `|`.
 macro_rules! program {
@@ -34,6 +34,16 @@ macro_rules! blocks {
             program: concat!("G50 S2500|T0101|G97 S900 M3|M8|G0 X54. Z2.|", $blocks, "|G0 X100. Z50.|M30"),
             machine: &[$($machine),*],
         }
+    };
+}
+
+/// What the workbook refuses before a set-up is made of it.
+macro_rules! checked {
+    () => {
+        Example::Never(t(
+            "el libro y --stock ya no dejan pasar tales medidas: lo encuentra quien usa la biblioteca sin ellos",
+            "workbook and --stock let no such sizes through: who uses the library without them meets it",
+        ))
     };
 }
 
@@ -354,4 +364,61 @@ rules! {
         why "Entre la barra y la pared no queda sitio: la barra se aplasta contra el metal.",
             "There is no room between the bar and the wall: the bar is pressed into the metal.";
         example program!("G50 S2500|T0505|G97 S800 M3|M8|G0 X0. Z3.|G1 Z-40. F0.1|G0 Z3.|X100. Z50.|T0606|G97 S800 M3|G0 X26. Z2.|G1 Z-12. F0.1|G0 Z2.|X100. Z50.|M30");
+
+    "L0221" StockDiameter Stop {}
+        es "el diámetro D de la pieza en bruto no es posible"
+        en "the blank's diameter D is not possible"
+        remedy "cambie las medidas de la pieza en bruto", "change the sizes of the blank";
+        why "Se tornea lo que cabe en el espacio de cálculo, y de un diámetro.",
+            "What is turned has a diameter, and has room in the space of the computation.";
+        example checked!();
+    "L0222" StockLength Stop {}
+        es "la longitud L de la pieza en bruto no es posible"
+        en "the blank's length L is not possible"
+        remedy "cambie las medidas de la pieza en bruto", "change the sizes of the blank";
+        why "Se tornea lo que cabe en el espacio de cálculo, y de una longitud.",
+            "What is turned has a length, and has room in the space of the computation.";
+        example checked!();
+    "L0223" StockBore Stop {}
+        es "el agujero de la pieza en bruto no es posible"
+        en "the blank's bore is not possible"
+        remedy "cambie las medidas de la pieza en bruto", "change the sizes of the blank";
+        why "Entre el agujero y la superficie tiene que quedar pared.",
+            "Between bore and surface a wall must be left.";
+        example checked!();
+    "L0224" StockOverhang Stop {}
+        es "el voladizo L3 no es posible"
+        en "the overhang L3 is not possible"
+        remedy "cambie las medidas de la pieza en bruto", "change the sizes of the blank";
+        why "Lo que sobresale de las garras es una parte de la pieza, y no toda ella ni nada.",
+            "What stands out of the jaws is a part of the blank, and more than nothing.";
+        example checked!();
+    "L0225" StockFacing Stop {}
+        es "el sobremetal de refrentado L5 no es posible"
+        en "the facing allowance L5 is not possible"
+        remedy "cambie las medidas de la pieza en bruto", "change the sizes of the blank";
+        why "El cero W1 quedaría dentro de las garras.",
+            "The zero W1 would lie inside the jaws.";
+        example checked!();
+    "L0226" ArcTolerance Stop {}
+        es "la tolerancia de los arcos no es posible"
+        en "the tolerance of arcs is not possible"
+        remedy "elija una entre 0.00001 y 0.1 mm", "choose one between 0.00001 and 0.1 mm";
+        why "Con una mayor la pieza no se reconoce, y con una menor no se acaba.",
+            "With a greater one the part is not to be recognised, and with a smaller one it does not end.";
+        example checked!();
+    "L0227" ToolWithoutOutline Stop { place: u32, why: Text }
+        es "herramienta {place}: {why}"
+        en "tool {place}: {why}"
+        remedy "corrija la herramienta", "correct the tool";
+        why "De medidas que no van juntas no sale el perfil con el que la herramienta corta.",
+            "From sizes that do not go together no outline follows that the tool could cut with.";
+        example checked!();
+    "L0228" PartBeyondSpace Stop {}
+        es "la pieza no cabe en el espacio de cálculo"
+        en "the part is too large to work out"
+        remedy "use una pieza menor de 1 m", "use a part of less than 1 m";
+        why "Las esquinas se guardan con exactitud hasta algo más de un metro del centro de la pieza.",
+            "Corners are kept exact up to somewhat more than a metre from the middle of the part.";
+        example book!("lathe", "L" = "1000", "L4" = "100", "Z_s" = "1000", "PROGRAM 2!A6" = "M30");
 }

@@ -11,6 +11,7 @@ use super::motion_totals::{Tally, collide, travel};
 use super::once::Watch;
 use super::outline::Outline;
 use super::path::{self, Piece};
+use super::rules::{ArcTolerance, PartBeyondSpace, ToolWithoutOutline};
 use super::spindle::{SpindleUse, begun, extent, revolutions, ribs};
 pub use super::start::Setup;
 use super::step::{Edit, Step, Totals};
@@ -18,7 +19,7 @@ use super::stock::{Fixture, turned_about};
 use super::surface_origin::{self, Chain, SweptPiece};
 use super::tool::{Cutter, TurningTool};
 use super::workpiece::{CHIP, Removed, TURN, Workpiece};
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Place, Raise, Refusal};
 use crate::gcode::in_force::{InForce, Speed};
 use crate::gcode::motion::{Feed, Motion, MotionKind};
 use crate::geometry::exact::convex::Convex;
@@ -26,7 +27,6 @@ use crate::geometry::exact::grid::Point;
 use crate::geometry::exact::region::{Labelled, Ring};
 use crate::machine::axis::{Axis, Pose};
 use crate::number::trig::hypot;
-use crate::text::{Text, t};
 
 /// Ways of tools are cut off at this distance from the middle of the blank, mm: with what a tool reaches they stay on the
 /// grid, and past it no tool reaches the blank.
@@ -103,29 +103,18 @@ impl Simulation {
 
     fn begun(setup: Setup, labels: &[Vec<u32>], chain: Chain) -> Result<Self, Refusal> {
         let mut faults = setup.stock.faults();
-        let mut stop = |es: String, en: String, remedy: Text| {
-            faults.push(Finding::stop(Place::File, Text::new(es, en), remedy));
-        };
         if !(1e-5..=0.1).contains(&setup.tolerance) {
-            let remedy = t("elija una entre 0.00001 y 0.1 mm", "choose one between 0.00001 and 0.1 mm");
-            stop(
-                "la tolerancia de los arcos no es posible".into(),
-                "the tolerance of arcs is not possible".into(),
-                remedy,
-            );
+            faults.push(ArcTolerance {}.at(Place::File));
         }
         let tolerance = setup.tolerance.clamp(1e-5, 0.1);
         let mut tools = BTreeMap::new();
         for (&place, tool) in &setup.turret.tools {
-            let remedy = || t("corrija la herramienta", "correct the tool");
             match tool.outline(tolerance, setup.lathe.turret_behind) {
                 Ok(outline) => {
                     let bodies = setup.turret.bodies(tool);
                     tools.insert(place, Ready { tool: tool.clone(), outline, bodies });
                 }
-                Err(why) => {
-                    stop(format!("herramienta {place}: {}", why.es), format!("tool {place}: {}", why.en), remedy())
-                }
+                Err(why) => faults.push(ToolWithoutOutline { place, why }.at(Place::File)),
             }
         }
         let middle = ((setup.stock.ends()[0] + setup.stock.ends()[1]) / 2.0).round();
@@ -135,12 +124,7 @@ impl Simulation {
         };
         let part = grid(setup.part.as_deref().unwrap_or(&[setup.stock.contour()]));
         if part.is_none() {
-            let remedy = t("use una pieza menor de 1 m", "use a part of less than 1 m");
-            stop(
-                "la pieza no cabe en el espacio de cálculo".into(),
-                "the part is too large to work out".into(),
-                remedy,
-            );
+            faults.push(PartBeyondSpace {}.at(Place::File));
         }
         let (Some(part), true) = (part, faults.is_empty()) else {
             return Err(Refusal { exit: Exit::Refused, findings: faults });

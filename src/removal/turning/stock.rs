@@ -4,12 +4,12 @@
 //! `[z, r]` in mm from the work zero W1, which lies on the axis at the blank's right end less the facing allowance.
 
 use super::machine::{Lathe, Tailstock};
-use crate::finding::{Finding, Place};
+use super::rules::{StockBore, StockDiameter, StockFacing, StockLength, StockOverhang};
+use crate::finding::{Finding, Place, Raise};
 use crate::geometry::exact::region::Ring;
 use crate::limits::STOCK_SIZE;
 use crate::number::shown;
 use crate::number::trig::tan;
-use crate::text::t;
 
 /// Whether the tailstock supports the blank.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,41 +52,26 @@ impl Stock {
     pub fn faults(&self) -> Vec<Finding> {
         let Self { diameter, length, bore, overhang, facing, .. } = *self;
         let within = |value: f64, low: f64, high: f64| value > low && value <= high;
-        let upto = |high: f64| format!("0 – {} mm", shown(high, 3));
-        [
-            (
-                within(diameter, 0.0, STOCK_SIZE),
-                t("el diámetro D de la pieza en bruto no es posible", "the blank's diameter D is not possible"),
-                (diameter, upto(STOCK_SIZE)),
-            ),
-            (
-                within(length, 0.0, STOCK_SIZE),
-                t("la longitud L de la pieza en bruto no es posible", "the blank's length L is not possible"),
-                (length, upto(STOCK_SIZE)),
-            ),
-            (
-                bore >= 0.0 && bore < diameter,
-                t("el agujero de la pieza en bruto no es posible", "the blank's bore is not possible"),
-                (bore, upto(diameter)),
-            ),
-            (
-                within(overhang, 0.0, length),
-                t("el voladizo L3 no es posible", "the overhang L3 is not possible"),
-                (overhang, upto(length)),
-            ),
-            (
-                facing >= 0.0 && facing < overhang,
-                t("el sobremetal de refrentado L5 no es posible", "the facing allowance L5 is not possible"),
-                (facing, upto(overhang)),
-            ),
-        ]
-        .into_iter()
-        .filter(|(fine, ..)| !fine)
-        .map(|(_, what, (value, limit))| {
-            let remedy = t("cambie las medidas de la pieza en bruto", "change the sizes of the blank");
-            Finding::stop(Place::File, what, remedy).with(format!("{} mm", shown(value, 3)), limit)
-        })
-        .collect()
+        let told = |row: &dyn Raise, value: f64, most: f64| {
+            row.at(Place::File).with(format!("{} mm", shown(value, 3)), format!("0 – {} mm", shown(most, 3)))
+        };
+        let mut found = Vec::new();
+        if !within(diameter, 0.0, STOCK_SIZE) {
+            found.push(told(&StockDiameter {}, diameter, STOCK_SIZE));
+        }
+        if !within(length, 0.0, STOCK_SIZE) {
+            found.push(told(&StockLength {}, length, STOCK_SIZE));
+        }
+        if !(bore >= 0.0 && bore < diameter) {
+            found.push(told(&StockBore {}, bore, diameter));
+        }
+        if !within(overhang, 0.0, length) {
+            found.push(told(&StockOverhang {}, overhang, length));
+        }
+        if !(facing >= 0.0 && facing < overhang) {
+            found.push(told(&StockFacing {}, facing, overhang));
+        }
+        found
     }
 
     /// Where W1 (G54) is in machine coordinates along Z, mm; it is on the axis. The other five zeros are the user's.

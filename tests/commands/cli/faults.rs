@@ -17,11 +17,11 @@ fn build(folder: &TempDir, output: &str) -> assert_cmd::assert::Assert {
 fn a_file_where_the_folder_should_be_is_said_before_anything_is_computed() {
     let folder = with_impeller();
     fs::write(folder.path().join("out"), "mine").expect("a file");
-    for output in ["out", "out/below"] {
-        build(&folder, output).code(5).stdout("").stderr(
-            predicate::str::is_match("^error: .* is not a folder\nhint: choose another folder \\(option -o\\)\n$")
-                .expect("a pattern"),
+    for (output, code) in [("out", "S0122"), ("out/below", "S0106")] {
+        let lines = format!(
+            "^error {code}: .* is not a folder\nhint: choose another folder \\(option -o\\)\nrodete explain {code} .*\n$"
         );
+        build(&folder, output).code(5).stdout("").stderr(predicate::str::is_match(lines).expect("a pattern"));
     }
     assert_eq!(fs::read(folder.path().join("out")).expect("the file"), b"mine");
 }
@@ -94,7 +94,9 @@ fn a_full_disk_leaves_the_old_set_and_nothing_else() {
         .current_dir(folder.path())
         .assert()
         .code(5)
-        .stderr(predicate::str::starts_with("error: cannot write to out/impeller-results.xlsx: the file is larger"))
+        .stderr(predicate::str::starts_with(
+            "error S0102: cannot write to out/impeller-results.xlsx: the file is larger",
+        ))
         .stderr(predicate::str::contains("impeller.xlsx: nothing was written"));
     assert!(contents(&out) == before);
 }

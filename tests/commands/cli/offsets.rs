@@ -94,7 +94,7 @@ fn a_file_that_is_not_there_is_made_only_with_something_in_it() {
             .args(arguments)
             .assert()
             .code(4)
-            .stderr(predicate::str::starts_with("error: cannot open a.var: no such file\n"));
+            .stderr(predicate::str::starts_with("error W0104: cannot open a.var: no such file\n"));
         assert!(names(&folder).is_empty());
     }
     rodete(&folder).args(["offsets", "a.var", "--use", "G59.3"]).assert().code(0).stderr("");
@@ -112,9 +112,10 @@ fn wrong_words_end_with_2_all_at_once_and_write_nothing() {
         .code(2)
         .stdout("")
         .stderr(
-            "error: 'G55 X1,5': '1,5' is not a number\nhint: the decimal separator is the point: X1.5\n\
-             error: 'G92 X1': G92 starts from the position of the machine, which the file does not know\n\
-             hint: write G52 with the offsets, which are kept in the same registers, or G92.1 to clear them\n",
+            "error G1113: 'G55 X1,5': '1,5' is not a number\nhint: the decimal separator is the point: X1.5\n\
+             error G1103: 'G92 X1': G92 starts from the position of the machine, which the file does not know\n\
+             hint: write G52 with the offsets, which are kept in the same registers, or G92.1 to clear them\n\
+             rodete explain G1113 says what it means, with an example\n",
         );
     for arguments in [&["--use", "G53"][..], &["--use", "2"], &["--workbook", "a.var"], &["--workbook", "o.ods"]] {
         rodete(&folder).args(["offsets", "a.var"]).args(arguments).assert().code(2).stdout("");
@@ -127,9 +128,11 @@ fn a_bad_file_is_refused_line_by_line() {
     let folder = folder();
     fs::write(folder.path().join("a.var"), "5161\t0\n5221\t1,5\n5220\t1\nx\n").expect("a file");
     rodete(&folder).args(["offsets", "a.var", "--set", "G54 X1"]).assert().code(3).stdout("").stderr(
-        predicate::str::contains("error: '1,5' is not a number\n  --> a.var:2:6\nhint: the decimal separator")
-            .and(predicate::str::contains("error: 'x' is not the number of a parameter\n  --> a.var:4:1\n"))
-            .and(predicate::str::ends_with("a.var: nothing was written\n")),
+        predicate::str::contains("error G1009: '1,5' is not a number\n  --> a.var:2:6\nhint: the decimal separator")
+            .and(predicate::str::contains("error G1005: 'x' is not the number of a parameter\n  --> a.var:4:1\n"))
+            .and(predicate::str::ends_with(
+                "a.var: nothing was written\nrodete explain G1009 says what it means, with an example\n",
+            )),
     );
     fs::write(folder.path().join("a.var"), vec![b'\n'; 300_000]).expect("a file");
     rodete(&folder).args(["offsets", "a.var"]).assert().code(7).stdout("");
@@ -142,8 +145,10 @@ fn an_active_system_that_is_none_is_a_caution() {
     let folder = folder();
     fs::write(folder.path().join("a.var"), "5220\t3.5\n").expect("a file");
     rodete(&folder).args(["offsets", "a.var"]).assert().code(0).stderr(
-        predicate::str::starts_with("caution: parameter 5220 is no whole number from 1 to 9: system 1, G54, is taken")
-            .and(predicate::str::contains(": 3.5 (limit 1 … 9)\n")),
+        predicate::str::starts_with(
+            "caution G1202: parameter 5220 is no whole number from 1 to 9: system 1, G54, is taken",
+        )
+        .and(predicate::str::contains(": 3.5 (limit 1 … 9)\n")),
     );
     rodete(&folder).args(["offsets", "a.var", "--use", "G56"]).assert().code(0).stderr("");
     assert_eq!(held(&folder, "a.var"), "5220\t3.000000\n");
@@ -201,7 +206,7 @@ fn a_wrong_workbook_or_folder_changes_no_file() {
         .code(3)
         .stderr(
             predicate::str::contains(
-                "error: X is in \"mm\", and the file in in\n  --> o.xlsx, sheet \"OFFSETS\", cell B5\n",
+                "error W0708: X is in \"mm\", and the file in in\n  --> o.xlsx, sheet \"OFFSETS\", cell B5\n",
             )
             .and(predicate::str::contains("leave --inch out if the machine counts in millimetres")),
         );

@@ -39,8 +39,8 @@ fn inputs_whose_names_clean_to_one_do_not_share_their_outputs() {
         (["build", "b_.xlsx"], "b_.xlsx", "b?.xlsx"),
     ] {
         rodete(&folder).args(command).assert().code(2).stdout("").stderr(format!(
-            "error: the outputs of {one} and {two} would have the same names\nhint: rename one of the two or name another \
-             output (option -o)\n"
+            "error U0114: the outputs of {one} and {two} would have the same names\nhint: rename one of the two or name another \
+             output (option -o)\nrodete explain U0114 says what it means, with an example\n"
         ));
     }
     assert_eq!(names(&folder), before);

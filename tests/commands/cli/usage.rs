@@ -74,7 +74,24 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
         .assert()
         .code(2)
         .stdout("")
-        .stderr("error: Q9999 is no code of rodete\nhint: rodete explain without a code lists them\n");
+        .stderr("error U0141: Q9999 is no code of rodete\nhint: rodete explain without a code lists them\nrodete explain U0141 says what it means, with an example\n");
+}
+
+#[test]
+fn the_controls_are_told_in_text_and_as_a_page() {
+    let folder = folder();
+    let text = |arguments: &[&str]| {
+        let assert = rodete(&folder).args(["explain", "--controls"]).args(arguments).assert().code(0).stderr("");
+        String::from_utf8(assert.get_output().stdout.clone()).expect("text")
+    };
+    let told = text(&["--lang", "es"]);
+    assert!(told.contains("\n  G10\n    linuxcnc: orígenes o tabla de herramientas por programa\n"), "{told}");
+    assert!(told.contains("    fagor-8055, fagor-8070, fagor-8055-t: se rechaza: imagen espejo"), "{told}");
+    let page = text(&["--markdown", "--lang", "en"]);
+    assert!(page.starts_with("# The controls\n") && page.contains("\n| G0 | rapid move |"), "{page}");
+    for refused in [["--controls", "--all"], ["--controls", "L0131"], ["--markdown", "L0131"]] {
+        rodete(&folder).arg("explain").args(refused).assert().code(2).stdout("");
+    }
 }
 
 #[test]
@@ -128,8 +145,8 @@ fn one_workbook_twice_is_refused_before_anything_is_done() {
 fn outputs_that_would_bear_one_name_are_refused() {
     let folder = folder();
     rodete(&folder).args(["build", "a/rotor.xlsx", "b/Rotor.xlsx", "-o", "out"]).assert().code(2).stderr(
-        "error: the outputs of a/rotor.xlsx and b/Rotor.xlsx would have the same names\nhint: rename one of the \
-                 workbooks or build them into different folders\n",
+        "error U0113: the outputs of a/rotor.xlsx and b/Rotor.xlsx would have the same names\nhint: rename one of the \
+                 workbooks or build them into different folders\nrodete explain U0113 says what it means, with an example\n",
     );
     assert!(names(&folder).is_empty());
 }

@@ -45,7 +45,9 @@ fn the_published_blade_program_does_not_come_back() {
         .assert()
         .code(0)
         .stdout(predicate::str::contains("net travel: X 535.796  Y 0  Z 435.797  B -180  C 343.742"))
-        .stderr(predicate::str::contains("caution: the incremental program does not come back to where it starts"))
+        .stderr(predicate::str::contains(
+            "caution V0020: the incremental program does not come back to where it starts",
+        ))
         .stderr(predicate::str::contains("feed move without F"));
 }
 
@@ -56,7 +58,7 @@ fn the_published_splitter_program_shifts_the_part_by_3_998_mm_in_y() {
         .assert()
         .code(0)
         .stdout(predicate::str::contains("recorrido neto: X -0.001  Y 3.998  Z 0  C 90"))
-        .stderr(predicate::str::contains("precaución: el programa incremental no vuelve a donde empieza"));
+        .stderr(predicate::str::contains("precaución V0020: el programa incremental no vuelve a donde empieza"));
 }
 
 #[test]

@@ -28,14 +28,14 @@ fn a_new_workbook_can_be_checked_and_built() {
         .stdout(predicate::str::contains("\n  L          = 242.9 mm     Pivot length"))
         .stdout(predicate::str::contains("\n  N_max      =   5 "))
         .stdout(predicate::str::contains("impeller.xlsx: can be built"))
-        .stderr(predicate::str::starts_with("caution: ").and(predicate::str::contains("error: ").not()));
+        .stderr(predicate::str::starts_with("caution").and(predicate::str::contains("error").not()));
     assert_eq!(names(&folder), ["impeller.xlsx"]);
     rodete(&folder)
         .args(["build", "impeller.xlsx", "--no-report"])
         .assert()
         .code(0)
         .stdout(predicate::str::contains("impeller.xlsx: 5 files in impeller-out"))
-        .stderr(predicate::str::starts_with("caution: ").and(predicate::str::contains("error: ").not()));
+        .stderr(predicate::str::starts_with("caution").and(predicate::str::contains("error").not()));
     assert_eq!(names(folder.path().join("impeller-out")), OUTPUTS);
     assert_eq!(names(&folder), ["impeller-out", "impeller.xlsx"]);
 }
@@ -56,7 +56,7 @@ fn a_new_workbook_replaces_nothing() {
         .args(["new", "impeller"])
         .assert()
         .code(5)
-        .stderr("error: impeller.xlsx exists already\nhint: give another name, or remove that file\n");
+        .stderr("error S0142: impeller.xlsx exists already\nhint: give another name, or remove that file\nrodete explain S0142 says what it means, with an example\n");
     assert_eq!(fs::read(folder.path().join("impeller.xlsx")).expect("the file"), b"mine");
 }
 
@@ -124,7 +124,7 @@ fn a_program_of_an_earlier_build_is_pointed_out() {
     build().stderr(predicate::str::contains("earlier build").not());
     workbook(&folder.path().join("impeller.xlsx"), &[("splitters", Value::Choice("no"))]);
     build().stderr(predicate::str::contains(
-        "caution: impeller-out/impeller-splitter.nc is left from an earlier build and does not belong to this set\n  --> \
+        "caution U0115: impeller-out/impeller-splitter.nc is left from an earlier build and does not belong to this set\n  --> \
          impeller.xlsx\nhint: do not use it; delete it or move it away\n",
     ));
 }

@@ -239,17 +239,23 @@ fn a_workbook_of_tools_is_named_where_it_is_wrong() {
     let long = Book::of(Language::En).put("L4", rodete::parameter::Value::Real(200.0));
     fs::write(folder.path().join("held.xlsx"), long.bytes()).unwrap();
     for (tools, exit, what) in [
-        ("other.xlsx", 3, "error: other.xlsx: schema is \"rodete-impeller 2\"; rodete reads \"rodete-lathe 1\" here"),
-        ("p.nc", 4, "error: p.nc: this is not an .xlsx workbook"),
-        ("missing.xlsx", 4, "error: cannot open missing.xlsx: no such file"),
-        (".", 4, "error: cannot open .: it is a folder"),
-        ("comma.xlsx", 3, "error: comma.xlsx: R (nose radius) is the text \"0,8\", not a number"),
-        ("held.xlsx", 3, "error: held.xlsx: L4 is 200 mm, must be less than L = 120 mm"),
+        (
+            "other.xlsx",
+            3,
+            "error W0514: other.xlsx: schema is \"rodete-impeller 2\"; rodete reads \"rodete-lathe 1\" here",
+        ),
+        ("p.nc", 4, "error W0203: p.nc: this is not an .xlsx workbook"),
+        ("missing.xlsx", 4, "error W0106: cannot open missing.xlsx: no such file"),
+        (".", 4, "error W0101: cannot open .: it is a folder"),
+        ("comma.xlsx", 3, "error W0410: comma.xlsx: R (nose radius) is the text \"0,8\", not a number"),
     ] {
         let said = simulate(folder.path(), &["--tools", tools, "-o", "out"]);
         assert_eq!(said.exit, exit, "{tools}");
         assert!(said.err.starts_with(what) && said.err.contains("hint: "), "{tools}: {}", said.err);
     }
+    let said = simulate(folder.path(), &["--tools", "held.xlsx", "-o", "out"]);
+    let what = ": held.xlsx: L4 is 200 mm, must be less than L = 120 mm\n";
+    assert!(said.exit == 3 && said.err.starts_with("error") && said.err.contains(what), "{}", said.err);
     assert!(!folder.path().join("out").exists());
 }
 
@@ -294,9 +300,9 @@ fn what_is_no_program_file_is_refused_by_what_it_is() {
     let folder = bench(TURNS);
     fs::write(folder.path().join("part.xlsx"), Book::of(Language::En).bytes()).unwrap();
     for (input, exit, what) in [
-        ("part.xlsx", 4, "error: part.xlsx is a workbook, not a program"),
-        ("missing.nc", 4, "error: cannot open missing.nc: no such file"),
-        (".", 4, "error: cannot open .: it is a folder"),
+        ("part.xlsx", 4, "error U0122: part.xlsx is a workbook, not a program"),
+        ("missing.nc", 4, "error W0106: cannot open missing.nc: no such file"),
+        (".", 4, "error W0101: cannot open .: it is a folder"),
     ] {
         let said = run(folder.path(), &["simulate", input, "--dialect", "fanuc-lathe-a", "-o", "out"]);
         assert_eq!(said.exit, exit, "{input}");
@@ -309,9 +315,11 @@ fn what_is_no_program_file_is_refused_by_what_it_is() {
 fn the_messages_are_in_the_language_asked_for() {
     let folder = bench(RAPID);
     let said = simulate(folder.path(), &["--stock", "D50xL120", "--lang", "es"]);
-    for wanted in
-        ["error: 101 Avance rápido a través del material", "--> p.nc:6\n", "sugerencia: Aleje el punto de partida"]
-    {
+    for wanted in [
+        "error L0101: 101 Avance rápido a través del material",
+        "--> p.nc:6\n",
+        "sugerencia: Aleje el punto de partida",
+    ] {
         assert!(said.err.contains(wanted), "{wanted}: {}", said.err);
     }
     assert!(said.out.contains("Volumen arrancado"), "{}", said.out);
@@ -378,7 +386,7 @@ fn a_comment_in_latin_1_is_read_and_utf_16_is_named() {
     for (command, exit) in [("simulate", 4), ("view", 4), ("verify", 3)] {
         let said = run(folder.path(), &[command, "p.nc", "--dialect", "fanuc-lathe-a"]);
         assert_eq!(said.exit, exit, "{command}");
-        assert_eq!(said.err.matches("error: ").count(), 1, "{command}: {}", said.err);
-        assert!(said.err.contains("the file is in UTF-16"), "{command}: {}", said.err);
+        assert_eq!(said.err.lines().filter(|line| line.starts_with("error ")).count(), 1, "{command}: {}", said.err);
+        assert!(said.err.contains(": the file is in UTF-16"), "{command}: {}", said.err);
     }
 }

@@ -209,7 +209,7 @@ fn verify_reads_the_tool_sheet_of_a_workbook_and_tells_diameters() {
         said.err
     );
     let said = verify(&["mill.nc", "--dialect", "linuxcnc", "--tools", "lathe.xlsx"]);
-    let wanted = "error: --tools is a lathe workbook, and the program is read as linuxcnc";
+    let wanted = "error U0126: --tools is a lathe workbook, and the program is read as linuxcnc";
     assert!(said.exit == 3 && said.err.contains(wanted), "{}", said.err);
 }
 

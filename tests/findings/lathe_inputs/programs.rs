@@ -4,9 +4,10 @@ use std::fs;
 
 use serde_json::Value as Json;
 
-use super::bench::{Book, HEAD, TAIL, bilingual, build, lines, program, run};
+use super::bench::{Book, HEAD, TAIL, bilingual, build, line, lines, program, run};
 use rodete::gcode::control::FANUC_LATHE_A;
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting};
+use rodete::kinds::lathe::rules::TooManyMotions;
 use rodete::parameter::Value;
 
 /// The start of a program for a Fagor 8055 T.
@@ -83,7 +84,9 @@ fn a_budget_ends_what_repeats_itself_for_too_long() {
         let files = [("O0005.nc", inner), ("O0006.nc", &format!("{moves}M99\n"))];
         let (document, exit) = simulate(&text, &files, &["--dialect", "fanuc-lathe-a"]);
         assert_eq!(exit, 7, "{document}");
-        assert!(lines(&document).iter().any(|line| line == found), "{:?}", lines(&document));
+        let told = document["findings"].as_array().unwrap().iter().find(|one| line(one) == found);
+        let told = told.unwrap_or_else(|| panic!("{:?}", lines(&document)));
+        assert_eq!(told["code"] == TooManyMotions::RULE.code, found.contains("motions"), "{told}");
         bilingual(&document);
     }
 }

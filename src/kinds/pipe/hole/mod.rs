@@ -32,8 +32,11 @@ use crate::kinds::pipe::hole::figures::{figures, template};
 use crate::kinds::pipe::hole::parameters::{D_MAX, FORM, G0, GAMMA};
 use crate::kinds::pipe::hole::program::{distance, full, hold};
 use crate::kinds::pipe::hole::proof::Curve;
-use crate::kinds::pipe::hole::rules::{TorchLiesDown, TorchTooHigh};
+use crate::kinds::pipe::hole::rules::{
+    HeightNotHeld, HoleByIncrements, HoleOnLinearAxes, LandCutApart, TorchLiesDown, TorchTooHigh, TurnsAboutTip,
+};
 use crate::kinds::pipe::hole::station::Station;
+use crate::kinds::pipe::rules::NoLeadIn;
 use crate::kinds::pipe::{self, account, scene};
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -249,50 +252,18 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
     if held && hold(design, true).is_none() {
-        findings.push(Finding::caution(
-            at(&["hold_on", "hold_off", "dialect"]),
-            t(
-                "la altura planeada no es siempre d0, y el programa no bloquea el control de altura: seguiría el arco y chocaría",
-                "the planned height is not d0 everywhere, and the program does not hold the height control: it would follow the arc and touch",
-            ),
-            t("escriba hold_on y hold_off, o desactive el control de altura", "fill in hold_on and hold_off, or switch the height control off"),
-        ));
+        findings.push(HeightNotHeld {}.at(at(&["hold_on", "hold_off", "dialect"])));
     }
     if design.lead_in == 0.0 {
-        findings.push(Finding::caution(
-            at(&["lead_in"]),
-            t("sin entrada: la antorcha perfora sobre la curva", "no lead-in: the torch pierces on the curve"),
-            t("una entrada de unos milímetros", "a lead-in of some millimetres"),
-        ));
+        findings.push(NoLeadIn {}.at(at(&["lead_in"])));
     }
     if design.h > 0.0 {
-        findings.push(Finding::note(
-            at(&["h"]),
-            t(
-                "el talón queda por debajo de la raíz del bisel y se corta aparte, con γ = 0",
-                "the land lies below the root of the groove and is cut apart, with γ = 0",
-            ),
-        ));
+        findings.push(LandCutApart {}.at(at(&["h"])));
     }
-    findings.push(Finding::note(
-        at(&["dialect"]),
-        match distance(design) {
-            Distance::Incremental => t(
-                "el programa vale con ejes rollover y con lineales: gira A, B y C sólo en G91; antes de empezar deben marcar 0, y ahí vuelven al acabar",
-                "the program is true for rollover axes and for linear ones: it turns A, B and C in G91 only; before the start they must show 0, and there they end",
-            ),
-            Distance::Absolute => t(
-                "el programa sólo vale donde A, B y C cuentan como ejes lineales: en un eje rollover el signo sería el sentido y el número el ángulo",
-                "the program is true only where A, B and C count as linear axes: on a rollover axis the sign would be the direction and the number the angle",
-            ),
-        },
-    ));
-    findings.push(Finding::note(
-        at(&["dialect"]),
-        t(
-            "B y C giran la antorcha sobre su punta: con un cabezal que no lo haga, el control debe mantenerla en su lugar",
-            "B and C turn the torch about its tip: with a head that does not, the control must keep it in its place",
-        ),
-    ));
+    findings.push(match distance(design) {
+        Distance::Incremental => HoleByIncrements {}.at(at(&["dialect"])),
+        Distance::Absolute => HoleOnLinearAxes {}.at(at(&["dialect"])),
+    });
+    findings.push(TurnsAboutTip {}.at(at(&["dialect"])));
     findings
 }

@@ -70,4 +70,39 @@ rules! {
             "a smaller groove angle γ, a finer torch, a smaller g0, or a greater D_max";
         why "Un chorro paralelo a la pared no la atraviesa.", "A beam along the wall does not go through it.";
         example book!("pipe-hole", "gamma" = "60", "theta" = "60");
+    "P3011" HeightNotHeld Caution {}
+        es "la altura planeada no es siempre d0, y el programa no bloquea el control de altura: seguiría el arco y chocaría"
+        en "the planned height is not d0 everywhere, and the program does not hold the height control: it would follow the arc and touch"
+        remedy "escriba hold_on y hold_off, o desactive el control de altura", "fill in hold_on and hold_off, or switch the height control off";
+        why "El control de altura mide la tensión del arco y lleva la antorcha a d0, también donde el plan la quiere más alta.",
+            "The height control measures the voltage of the arc and brings the torch to d0, where the plan wants it higher too.";
+        example book!("pipe-hole", "dialect" = "fagor-8055", "hold_on" = "", "hold_off" = "");
+    "P3012" LandCutApart Note {}
+        es "el talón queda por debajo de la raíz del bisel y se corta aparte, con γ = 0"
+        en "the land lies below the root of the groove and is cut apart, with γ = 0"
+        remedy "", "";
+        why "Un solo corte inclinado no puede dejar a la vez el bisel y un talón recto.",
+            "One cut on a slant cannot leave both the groove and an upright land.";
+        example book!("pipe-hole");
+    "P3013" HoleByIncrements Note {}
+        es "el programa vale con ejes rollover y con lineales: gira A, B y C sólo en G91; antes de empezar deben marcar 0, y ahí vuelven al acabar"
+        en "the program is true for rollover axes and for linear ones: it turns A, B and C in G91 only; before the start they must show 0, and there they end"
+        remedy "", "";
+        why "Por incrementos el número es lo que gira el eje, cuente como cuente; lo que importa es desde dónde.",
+            "By increments the number is how far the axis turns, however it counts; what matters is from where.";
+        example book!("pipe-hole", "dialect" = "fagor-8055");
+    "P3014" HoleOnLinearAxes Note {}
+        es "el programa sólo vale donde A, B y C cuentan como ejes lineales: en un eje rollover el signo sería el sentido y el número el ángulo"
+        en "the program is true only where A, B and C count as linear axes: on a rollover axis the sign would be the direction and the number the angle"
+        remedy "", "";
+        why "El mismo número absoluto lleva a un eje rollover a otro ángulo.",
+            "The same absolute number takes a rollover axis to another angle.";
+        example book!("pipe-hole", "dialect" = "linuxcnc");
+    "P3015" TurnsAboutTip Note {}
+        es "B y C giran la antorcha sobre su punta: con un cabezal que no lo haga, el control debe mantenerla en su lugar"
+        en "B and C turn the torch about its tip: with a head that does not, the control must keep it in its place"
+        remedy "", "";
+        why "El programa lleva la punta: si al girar se desplazara, el corte saldría de la curva.",
+            "The program leads the tip: were it to shift as it turns, the cut would leave the curve.";
+        example book!("pipe-hole");
 }

@@ -29,7 +29,7 @@ pub mod rules;
 pub mod tables;
 
 use crate::figure::Figure;
-use crate::finding::{Finding, Place, Rule};
+use crate::finding::{Finding, Place, Raise, Rule, Size};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
@@ -44,9 +44,12 @@ use crate::kinds::pipe::insert::figures::{figures, template};
 use crate::kinds::pipe::insert::parameters::FORM;
 use crate::kinds::pipe::insert::program::{beyond_f_word, distance, full, published};
 use crate::kinds::pipe::insert::proof::{Curve, Moves};
+use crate::kinds::pipe::insert::rules::{
+    AnnexAsPublished, AnnexWithoutKerf, KerfOnOutside, KerfZero, OutsideForInside, PipeByIncrements, PipeOnLinearAxis,
+};
+use crate::kinds::pipe::rules::NoLeadIn;
 use crate::kinds::pipe::{self, account, scene};
 use crate::number::grid::OutOfFormat;
-use crate::number::shown;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
@@ -238,73 +241,28 @@ fn remarks(design: &Design) -> Vec<Finding> {
     let at = |keys: &[&'static str]| Place::Parameters(keys.to_vec());
     let outside = design.branch.D / 2.0;
     if design.typed_r && design.contact == Contact::Inside && (design.r - outside).abs() < 1e-9 {
-        let (r, D, off) = (shown(design.r, 3), shown(design.branch.D, 3), shown(design.r_dev - outside, 3));
-        findings.push(Finding::caution(
-            at(&["r", "D_branch", "r_dev"]),
-            Text::new(
-                format!("r = {r} mm es el radio exterior (D = {D} mm) donde se pide el interior; el desarrollo queda {off} mm fuera del tubo"),
-                format!("r = {r} mm is the outside radius (D = {D} mm) where the inside one is meant; the development is {off} mm outside of the pipe"),
-            ),
-            t("deje vacíos r y r_dev, o contact = exterior", "leave r and r_dev empty, or contact = outside"),
-        ));
+        let (r, D, off) = (Size::mm(design.r), Size::mm(design.branch.D), Size::mm(design.r_dev - outside));
+        findings.push(OutsideForInside { r, D, off }.at(at(&["r", "D_branch", "r_dev"])));
     }
     match design.style {
         Style::Annex => {
-            findings.push(Finding::caution(
-                at(&["style", "F", "torch_on"]),
-                t(
-                    "el estilo annex es el publicado: sin avance, sin antorcha y sin fin de programa",
-                    "style annex is the published one: no feed, no torch and no end of program",
-                ),
-                t(
-                    "póngalo dentro de un programa suyo, o style = full",
-                    "put it into a program of yours, or style = full",
-                ),
-            ));
+            findings.push(AnnexAsPublished {}.at(at(&["style", "F", "torch_on"])));
             if design.kerf > 0.0 {
-                findings.push(Finding::caution(
-                    at(&["kerf", "style"]),
-                    t("el estilo annex no compensa el ancho de corte", "style annex does not compensate the kerf"),
-                    t("style = full", "style = full"),
-                ));
+                findings.push(AnnexWithoutKerf {}.at(at(&["kerf", "style"])));
             }
         }
-        Style::Full if design.kerf == 0.0 => findings.push(Finding::caution(
-            at(&["kerf"]),
-            t("kerf = 0: el corte no se compensa", "kerf = 0: the cut is not compensated"),
-            t("escriba el ancho que deja la antorcha", "fill in the width that the torch leaves"),
-        )),
+        Style::Full if design.kerf == 0.0 => findings.push(KerfZero {}.at(at(&["kerf"]))),
         Style::Full => {}
     }
     if design.style == Style::Full && design.lead_in == 0.0 {
-        findings.push(Finding::caution(
-            at(&["lead_in"]),
-            t("sin entrada: la antorcha perfora sobre la curva", "no lead-in: the torch pierces on the curve"),
-            t("una entrada de unos milímetros", "a lead-in of some millimetres"),
-        ));
+        findings.push(NoLeadIn {}.at(at(&["lead_in"])));
     }
     if design.mode == Mode::Rotary {
-        let outside = shown(outside, 3);
-        findings.push(Finding::note(
-            at(&["mode"]),
-            Text::new(
-                format!("en el tubo el corte se compensa en su superficie exterior, de radio {outside} mm"),
-                format!("on the pipe the kerf is compensated on its outside, of radius {outside} mm"),
-            ),
-        ));
-        findings.push(Finding::note(
-            at(&["dialect"]),
-            match distance(design) {
-                Distance::Incremental => t(
-                    "el programa vale con ejes rollover y con lineales: gira A sólo en G91; antes de cada arranque A debe marcar 0, y acaba más allá de una vuelta",
-                    "the program is true for rollover axes and for linear ones: it turns A in G91 only; before each start A must show 0, and it ends beyond a turn",
-                ),
-                Distance::Absolute => t(
-                    "el programa sólo vale donde A cuenta como eje lineal: en un eje rollover el signo sería el sentido y el número el ángulo",
-                    "the program is true only where A counts as a linear axis: on a rollover axis the sign would be the direction and the number the angle",
-                ),
-            },
-        ));
+        findings.push(KerfOnOutside { outside: Size::mm(outside) }.at(at(&["mode"])));
+        findings.push(match distance(design) {
+            Distance::Incremental => PipeByIncrements {}.at(at(&["dialect"])),
+            Distance::Absolute => PipeOnLinearAxis {}.at(at(&["dialect"])),
+        });
     }
     findings
 }

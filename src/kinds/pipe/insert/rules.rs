@@ -38,4 +38,52 @@ rules! {
         why "En G94 la palabra F cuenta los grados de A como milímetros, y en un tubo fino son muchos por milímetro.",
             "In G94 the F word counts the degrees of A as millimetres, and on a thin pipe they are many a millimetre.";
         example book!("pipe-insert", "branch_size" = "1/8 in", "F" = "50000", "dialect" = "fagor-8055");
+    "P2106" OutsideForInside Caution { r: Size, D: Size, off: Size }
+        es "r = {r} es el radio exterior (D = {D}) donde se pide el interior; el desarrollo queda {off} fuera del tubo"
+        en "r = {r} is the outside radius (D = {D}) where the inside one is meant; the development is {off} outside of the pipe"
+        remedy "deje vacíos r y r_dev, o contact = exterior", "leave r and r_dev empty, or contact = outside";
+        why "La plantilla sería la de un tubo más grueso, y no daría la vuelta a este.",
+            "The template would be that of a thicker pipe, and would not go round this one.";
+        example book!("pipe-insert", "r" = "44.45");
+    "P2107" AnnexAsPublished Caution {}
+        es "el estilo annex es el publicado: sin avance, sin antorcha y sin fin de programa"
+        en "style annex is the published one: no feed, no torch and no end of program"
+        remedy "póngalo dentro de un programa suyo, o style = full", "put it into a program of yours, or style = full";
+        why "Ejecutado tal cual, el control lo recorrería sin cortar, al avance que quede del programa anterior.",
+            "Run as it is, the control would go along it without cutting, at the feed left by the program before.";
+        example book!("pipe-insert", "dialect" = "fagor-8055", "style" = "annex", "mode" = "flat");
+    "P2108" AnnexWithoutKerf Caution {}
+        es "el estilo annex no compensa el ancho de corte"
+        en "style annex does not compensate the kerf"
+        remedy "style = full", "style = full";
+        why "La antorcha iría por la curva misma y quitaría medio ancho de corte a la pieza.",
+            "The torch would go along the curve itself and take half the kerf off the part.";
+        example book!("pipe-insert", "dialect" = "fagor-8055", "style" = "annex", "mode" = "flat");
+    "P2109" KerfZero Caution {}
+        es "kerf = 0: el corte no se compensa"
+        en "kerf = 0: the cut is not compensated"
+        remedy "escriba el ancho que deja la antorcha", "fill in the width that the torch leaves";
+        why "Toda antorcha deja un ancho, y su mitad saldría de la pieza.", "Every torch leaves a width, and half of it would come off the part.";
+        example book!("pipe-insert", "kerf" = "0");
+    "P2110" KerfOnOutside Note { outside: Size }
+        es "en el tubo el corte se compensa en su superficie exterior, de radio {outside}"
+        en "on the pipe the kerf is compensated on its outside, of radius {outside}"
+        remedy "", "";
+        why "El ancho de corte se mide donde entra el arco; hacia dentro el mismo giro recorre menos.",
+            "The kerf is measured where the arc enters; further in the same turn covers less.";
+        example book!("pipe-insert");
+    "P2111" PipeByIncrements Note {}
+        es "el programa vale con ejes rollover y con lineales: gira A sólo en G91; antes de cada arranque A debe marcar 0, y acaba más allá de una vuelta"
+        en "the program is true for rollover axes and for linear ones: it turns A in G91 only; before each start A must show 0, and it ends beyond a turn"
+        remedy "", "";
+        why "Por incrementos el número es lo que gira el eje, cuente como cuente; lo que importa es desde dónde.",
+            "By increments the number is how far the axis turns, however it counts; what matters is from where.";
+        example book!("pipe-insert", "dialect" = "fagor-8055");
+    "P2112" PipeOnLinearAxis Note {}
+        es "el programa sólo vale donde A cuenta como eje lineal: en un eje rollover el signo sería el sentido y el número el ángulo"
+        en "the program is true only where A counts as a linear axis: on a rollover axis the sign would be the direction and the number the angle"
+        remedy "", "";
+        why "El mismo número absoluto lleva a un eje rollover a otro ángulo.",
+            "The same absolute number takes a rollover axis to another angle.";
+        example book!("pipe-insert", "dialect" = "linuxcnc");
 }

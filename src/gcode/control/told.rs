@@ -1,0 +1,387 @@
+//! What a control does, in words: every field of it and every value of its enums.
+//!
+//! The rows are taken from the control itself. A field without a row, and a value without a text, do not compile.
+
+use super::{
+    Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, CommentForm,
+    Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedLaw, FeedPath, FeedRule,
+    HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed, NoseCorner, OffsetRule,
+    Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule, SpeedLimit, SpindleRule,
+    Start, TextForm, ToolCall, ToolChange, Turns, Writing,
+};
+use crate::finding::AlarmFamily;
+use crate::gcode::code::{G, M};
+use crate::gcode::word::{NumberFormat, Word};
+use crate::text::{Text, t};
+
+/// One feature of a control.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Feature {
+    /// What it is of.
+    pub of: Text,
+    /// What the control does.
+    pub does: Text,
+}
+
+impl Control {
+    /// Every feature, in the order of the fields: of every control as many, each at the same place.
+    #[must_use]
+    pub fn features(&self) -> Vec<Feature> {
+        // Sources are a list of their own, codes tables, those of F among them; here these only tell whether a rule is ever asked.
+        let Self {
+            name: _,
+            sources: _,
+            codes,
+            machine_code,
+            text: TextForm { opening, comment, end_of_line, greatest_number, memory },
+            class,
+            lexis:
+                Lexis {
+                    letters,
+                    refused,
+                    free,
+                    negative,
+                    dwell,
+                    language,
+                    comments,
+                    delete,
+                    percent,
+                    point,
+                    longest_line,
+                    most_machine_codes,
+                    builders,
+                },
+            start: Start { motion, feed: feed_at_start, plane, retract },
+            order,
+            axes: AxisWords { x, increments },
+            arcs: ArcWords { letters: arc_letters, across },
+            rotary: RotaryRule { delivered, rollover },
+            feed: FeedRule { law, codes: _, missing, change: feed_change, path },
+            spindle: SpindleRule { turns, limit },
+            tool,
+            change,
+            length,
+            offsets,
+            cancel,
+            machine_move,
+            reference,
+            corners,
+            radius,
+            drilling,
+            calls: Calls { by, depth },
+            written,
+            alarms,
+        } = self;
+        let no_code = || t("ningún código", "no code");
+        let coded = |code: G, does: Text| if codes.has(code) { does } else { no_code() };
+        let rotary_axes = ['A', 'B', 'C'].into_iter().any(|axis| letters.has(axis as u8 - b'A'));
+        let turned = |does: Text| if rotary_axes { does } else { t("ningún eje giratorio", "no rotary axis") };
+        let cycles = |does: Text| match drilling {
+            Drilling::None => t("ningún ciclo", "no cycle"),
+            Drilling::Rs274 | Drilling::Lathe => does,
+        };
+        let mut features = Vec::new();
+        let mut row = |of: Text, does: Text| features.push(Feature { of, does });
+        row(t("clase", "class"), class.told());
+        row(t("primera línea", "first line"), opening.told());
+        row(t("comentarios que se escriben", "comments as written"), comment.told());
+        row(t("fin de línea", "end of a line"), Text::same(end_of_line.replace('\r', "CR ").replace('\n', "LF")));
+        row(t("mayor número de bloque N", "greatest block number N"), Text::same(greatest_number.to_string()));
+        row(
+            t("memoria para un programa", "memory for one program"),
+            Text::new(format!("{memory} bytes, más allá una precaución"), format!("{memory} bytes, a caution beyond")),
+        );
+        row(t("letras, además de G, M y N", "letters, beside G, M and N"), letters.told());
+        row(t("letras que se rechazan por su nombre", "letters refused by name"), refused.told());
+        row(t("letras que no necesitan un código", "letters that need no code"), free.told());
+        row(
+            t(
+                "letras de F, S, T, D, L y Q que pueden ser negativas",
+                "letters of F, S, T, D, L and Q that may be negative",
+            ),
+            negative.told(),
+        );
+        row(t("tiempo de espera (G4)", "time of a dwell (G4)"), dwell_words(dwell));
+        row(t("además de palabras", "beside words"), language.told());
+        row(t("comentarios que se leen", "comments as read"), comments.told());
+        row(t("salto de bloque", "block delete"), delete.told());
+        row(t("principio y fin del texto", "begin and end of the text"), percent.told());
+        row(t("cota sin punto decimal", "dimension without a decimal point"), point.told());
+        row(t("mayor longitud de una línea", "longest line"), Text::same(longest_line.to_string()));
+        row(t("códigos M en un bloque", "M codes in a block"), at_most(*most_machine_codes));
+        row(t("códigos M del fabricante en un bloque", "the builder's M codes in a block"), builders.told());
+        row(t("al empezar: movimiento", "at the start: motion"), motion.told());
+        row(t("al empezar: avance", "at the start: feed"), feed_at_start.told());
+        row(t("al empezar: plano", "at the start: plane"), Text::same(plane.name()));
+        row(t("al empezar: retirada de los ciclos", "at the start: retract of cycles"), cycles(retract.told()));
+        row(t("orden de un bloque", "order of a block"), order.told());
+        row(t("palabra X", "word X"), x.told());
+        row(t("cotas incrementales", "incremental dimensions"), increments.told());
+        row(t("letras de un arco, además de los ejes", "letters of an arc, beside the axes"), arc_letters.told());
+        row(
+            t("palabra de centro a través del plano (K en G17)", "centre word across the plane (K in G17)"),
+            across.told(),
+        );
+        row(t("ejes giratorios como se entrega", "rotary axes as delivered"), turned(delivered.told()));
+        row(t("palabra absoluta de un eje rollover", "absolute word of a rollover axis"), turned(rollover.told()));
+        row(t("F de ejes lineales y giratorios juntos", "F of linear and rotary axes together"), turned(law.told()));
+        row(t("avance sin F", "feed move without F"), missing.told());
+        row(t("F cuando un código cambia lo que significa", "F where a code changes its meaning"), feed_change.told());
+        row(t("ejes a los que pertenece F", "axes that F belongs to"), path.told());
+        row(t("el husillo gira", "the spindle turns"), turns.told());
+        row(
+            t("límite de giro con velocidad de corte constante", "speed limit under constant surface speed"),
+            coded(
+                G::ConstantSurfaceSpeed,
+                match limit {
+                    SpeedLimit::Word => t("D de G96", "D of G96"),
+                    SpeedLimit::Code => match codes.names(G::SetPositionOrSpeed).as_slice() {
+                        [] => no_code(),
+                        names => Text::new(
+                            format!("{} con S sola", names.join(", ")),
+                            format!("{} with S alone", names.join(", ")),
+                        ),
+                    },
+                },
+            ),
+        );
+        row(t("llamada de la herramienta", "call of a tool"), tool.told());
+        row(
+            t("M6 cambia", "M6 changes in"),
+            if machine_code(6) == Some(M::ToolChange) { change.told() } else { t("nada", "nothing") },
+        );
+        row(t("letra del corrector de longitud", "letter of a length offset"), length.told());
+        row(t("orígenes", "offsets"), offsets.told());
+        row(t("en vigor tras G80", "in force behind G80"), coded(G::Cancel, cancel.told()));
+        row(
+            t("cotas de máquina (G53)", "machine coordinates (G53)"),
+            coded(G::MachineCoordinates, machine_move.told()),
+        );
+        row(t("punto de referencia", "reference point"), reference.told());
+        row(t("esquinas entre líneas", "corners between lines"), corners.told());
+        row(t("G41 y G42", "G41 and G42"), radius.told());
+        row(t("ciclos de taladrado", "drilling cycles"), drilling.told());
+        row(t("subprogramas", "subprograms"), by.told());
+        row(
+            t("subprogramas, unos dentro de otros", "subprograms inside one another"),
+            match by {
+                CallBy::Nothing => t("ninguno", "none"),
+                CallBy::Label | CallBy::Number => at_most(*depth),
+            },
+        );
+        let writing =
+            |told: fn(&Writing) -> Text| written.map_or_else(|| t("no se escribe", "nothing is written"), told);
+        row(
+            t("se escribe: bloque de seguridad", "written: safety block"),
+            writing(|writing| Text::same(block(&writing.safety_block()))),
+        );
+        row(
+            t("se escribe: llamada de la herramienta", "written: call of a tool"),
+            writing(|writing| {
+                Text::same(writing.tool.blocks(1, 1).iter().map(|words| block(words)).collect::<Vec<_>>().join(", "))
+            }),
+        );
+        row(t("se escribe: control de altura", "written: height control"), writing(|writing| writing.height.told()));
+        row(
+            t("alarmas con su número", "alarms by their numbers"),
+            match alarms {
+                Some(AlarmFamily::Fanuc) => t("de Fanuc", "Fanuc's"),
+                Some(AlarmFamily::Lathe) => t("de rodete", "rodete's"),
+                None => t("ninguna", "none"),
+            },
+        );
+        features
+    }
+}
+
+/// Words as they stand in a block.
+fn block(words: &[Word]) -> String {
+    let mut text = String::new();
+    words.iter().for_each(|word| word.write(NumberFormat::Fixed, &mut text));
+    text
+}
+
+fn at_most(count: usize) -> Text {
+    Text::new(format!("{count} como mucho"), format!("{count} at most"))
+}
+
+fn dwell_words(words: &[DwellWord]) -> Text {
+    let one = |word: &DwellWord| match word.unit {
+        1.0 => format!("{} (s)", word.letter),
+        unit => format!("{} ({unit} s)", word.letter),
+    };
+    Text::same(words.iter().map(one).collect::<Vec<_>>().join(", "))
+}
+
+impl Letters {
+    /// The letters in their order.
+    fn told(self) -> Text {
+        let letters: String = (b'A'..=b'Z').filter(|letter| self.has(letter - b'A')).map(char::from).collect();
+        if letters.is_empty() { t("ninguna", "none") } else { Text::same(letters) }
+    }
+}
+
+/// A text for every value of an enum.
+macro_rules! told {
+    ($($of:ident { $($value:pat => $es:literal, $en:literal;)+ })+) => {
+        $(impl $of {
+            fn told(&self) -> Text {
+                match self { $($value => t($es, $en),)+ }
+            }
+        })+
+    };
+}
+
+told! {
+    Class {
+        Self::Mill => "fresadora", "mill";
+        Self::Lathe => "torno", "lathe";
+    }
+    Opening {
+        Self::None => "ninguna", "none";
+        Self::NameAndAttributes => "%nombre,MX--,", "%name,MX--,";
+        Self::Name => "%nombre", "%name";
+    }
+    CommentForm {
+        Self::Semicolon => ";texto", ";text";
+        Self::Parentheses => "(texto)", "(text)";
+    }
+    Language {
+        Self::Words => "nada", "nothing";
+        Self::OWords => "parámetros #, expresiones, palabras polares y palabras O", "parameters #, expressions, polar words and O-words";
+        Self::Macros => "un lenguaje de macros (IF, WHILE, GOTO, #), que se rechaza por su nombre", "a macro language (IF, WHILE, GOTO, #), refused by name";
+    }
+    Comments {
+        Self::ParenthesesAndSemicolon => "(texto), y ; hasta el fin de la línea; algunos son órdenes al control", "(text), and ; to the end of the line; some are orders to the control";
+        Self::Semicolon => "; hasta el fin de la línea; un paréntesis abre una sentencia de alto nivel", "; to the end of the line; a parenthesis opens a high-level statement";
+        Self::Parentheses => "(texto); ; termina el bloque, y lo que sigue es comentario salvo que se lea como otro bloque", "(text); ; ends the block, and what stands behind it is a comment unless it reads as another block";
+    }
+    BlockDelete {
+        Self::Plain => "/", "/";
+        Self::Numbered => "/, o /1 a /9", "/, or /1 to /9";
+    }
+    Percent {
+        Self::Named => "una primera línea % con el nombre; ningún otro %", "a first line % with the name; no other %";
+        Self::Pair => "% abre el texto y lo termina donde lo abre; sin él se pide M2 o M30", "% opens the text and ends it where it opens it; without it M2 or M30 is wanted";
+        Self::Leader => "el texto antes del primer % se pasa por alto; el siguiente %, el fin del archivo u otro número de programa lo terminan", "text before the first % is passed over; the next %, the end of the file or another program number ends it";
+    }
+    DimensionPoint {
+        Self::Free => "lo mismo que con él", "the same as with one";
+        Self::BySetting => "milímetros o micras, según un ajuste del control", "millimetres or micrometres, by a setting of the control";
+    }
+    BuilderCodes {
+        Self::One => "uno", "one";
+        Self::Several => "varios", "several";
+    }
+    Retract {
+        Self::Initial => "a la altura de la que salieron", "to the height that they started from";
+        Self::R => "a R", "to R";
+    }
+    Order {
+        Self::Rs274 => "el de RS274: los códigos M antes del movimiento", "that of RS274: M codes before the motion";
+        Self::OffLast => "el de RS274, pero M5 y M9 tras el movimiento", "that of RS274, but M5 and M9 behind the motion";
+        Self::Fanuc => "la unidad antes que toda palabra, M5 y M9 tras el movimiento, y junto a G28, G30 o G50 puede estar un código de movimiento", "the unit before every word, M5 and M9 behind the motion, and a motion code may stand beside G28, G30 or G50";
+    }
+    AcrossWord {
+        Self::Radius => "la coordenada", "the coordinate";
+        Self::Diameter => "el diámetro", "the diameter";
+    }
+    Increments {
+        Self::ByMode => "por G91", "by G91";
+        Self::ByLetters => "por U y W; G91 no es un código", "by U and W; G91 is no code";
+    }
+    Across {
+        Self::Foreign => "no es de ningún arco del plano", "belongs to no arc of the plane";
+        Self::Pitch => "el paso de una hélice, mayor que 0; se rechaza", "the pitch of a helix, above 0; refused";
+        Self::Unknown => "no se sabe; un 0 en un arco que no sale de su plano es una precaución", "not known; 0 in an arc that does not leave its plane is a caution";
+    }
+    Rotary {
+        Self::Linear => "cuentan más allá de una vuelta", "count on beyond a turn";
+        Self::Rollover => "rollover: el número es el ángulo y el signo el sentido", "rollover: the number is the angle, the sign the direction";
+    }
+    Rollover {
+        Self::Numbered => "de 0 a 359,9999, más allá los errores 0168 y 0199; lo que los manuales no dicen es una precaución", "0 to 359.9999, beyond it the errors 0168 and 0199; what the manuals do not say is a caution";
+        Self::Wrapped => "como WRAPPED_ROTARY; no con G53", "as WRAPPED_ROTARY; not with G53";
+    }
+    FeedLaw {
+        Self::Resultant => "G94: a lo largo de la resultante de todos los ejes, los grados como milímetros", "G94: along the resultant of all axes, degrees as millimetres";
+        Self::Seconds => "G93: el tiempo del movimiento en segundos", "G93: the time of the move in seconds";
+        Self::InverseTime => "G93: la inversa del tiempo del movimiento en minutos", "G93: the inverse of the time of the move in minutes";
+    }
+    MissingFeed {
+        Self::Refused => "se rechaza", "refused";
+        Self::Cautioned => "una precaución: el control toma la F que tiene", "a caution: the control takes the F that it has";
+    }
+    FeedChange {
+        Self::Forgets => "se pierde", "is lost";
+        Self::Keeps => "conserva su número", "keeps its number";
+        Self::KeepsStale => "conserva su número; moverse con él es una precaución", "keeps its number; moving with it is a caution";
+    }
+    FeedPath {
+        Self::AllAxes => "todos los que se mueven", "all that move";
+        Self::LinearFirst => "X, Y y Z; si están quietos U, V y W; si no, los giratorios", "X, Y and Z; where they stand still U, V and W; else the rotary ones";
+    }
+    Turns {
+        Self::Tool => "la herramienta", "the tool";
+        Self::Part => "la pieza", "the part";
+    }
+    ToolCall {
+        Self::Change => "T la elige, M6 la cambia", "T selects it, M6 changes it in";
+        Self::Digits => "T0A0B: puesto A, corrector B, 0 ninguno; se empieza sin corrector", "T0A0B: place A, offset B, 0 for none; the machine starts without an offset";
+        Self::Words => "T el puesto, D el corrector, sin D el del número de la herramienta; siguen tras el fin del programa", "T the place, D the offset, without D the one with the tool's number; both stay over the end of a program";
+    }
+    ToolChange {
+        Self::Selected => "la herramienta que T ha elegido; después el husillo está parado", "the tool that T has selected; the spindle stands behind it";
+        Self::Routine => "una rutina de la máquina; sin herramienta elegida no cambia ninguna", "a routine of the machine's; with no tool selected none is changed";
+    }
+    LengthWord {
+        Self::H => "H, junto a G43", "H, beside G43";
+        Self::D => "D", "D";
+    }
+    OffsetRule {
+        Self::Select => "G54 elige; G92 da a esta posición sus palabras", "G54 selects; G92 sets this position to its words";
+        Self::SelectOrShift => "G54 con palabras de ejes y sin código de movimiento desplaza el sistema; G50 toma también incrementos", "G54 with axis words and no motion code shifts the system; G50 takes increments too";
+    }
+    Cancel {
+        Self::LeavesNone => "ningún código de movimiento", "no motion code";
+        Self::RestoresMotion => "el código de movimiento de antes del ciclo", "the motion code from before the cycle";
+    }
+    MachineMove {
+        Self::InForce => "con el G0 o G1 en vigor; la compensación de punta queda anulada", "by the G0 or G1 in force; nose compensation is off from there on";
+        Self::Rapid => "siempre en rápido; la compensación de punta se aparta para el bloque", "always at rapid; nose compensation is set aside for the block";
+    }
+    Reference {
+        Self::None => "ningún código va a él", "no code goes there";
+        Self::NamedOrAll => "los ejes que se nombran, o todos si no se nombra ninguno", "the axes named, or all where none is";
+        Self::Named => "los ejes que se nombran; P dice cuál de los puntos", "the axes named; P tells which point";
+    }
+    Corners {
+        Self::None => "no por palabras de la línea", "not by words of the line";
+        Self::Drawing => "C y R tras una coma, o I, K y R de una línea a lo largo de un eje", "C and R behind a comma, or I, K and R of a line along an axis";
+    }
+    RadiusRule {
+        Self::None => "se rechazan", "refused";
+        Self::Cutter => "el radio de la fresa, de la tabla o del bloque", "the cutter's radius, from the table or the block";
+        Self::Nose(NoseCorner::Straight) => "el radio de punta; una esquina exterior se rodea recto", "the nose radius; an outer corner is gone round straight";
+        Self::Nose(NoseCorner::StraightTo120) => "el radio de punta; una esquina exterior se rodea recto hasta 120°, si no en arco", "the nose radius; an outer corner is gone round straight up to 120°, else round";
+    }
+    Drilling {
+        Self::None => "ninguno que se siga", "none that is followed";
+        Self::Rs274 => "a través del plano, con R y L", "across the plane, with R and L";
+        Self::Lathe => "a lo largo de Z o X del torno, con R", "along Z or X of the lathe, with R";
+    }
+    CallBy {
+        Self::Nothing => "ningún código M los llama", "no M code calls them";
+        Self::Label => "por la O que está tras el programa, solos en su bloque", "by the O that stands behind the program, alone in their block";
+        Self::Number => "por el número de su programa o de su primer bloque, también junto a un movimiento", "by the number of their program or of their first block, also beside a motion";
+    }
+}
+
+impl HeightHold {
+    fn told(self) -> Text {
+        match self.words(true).zip(self.words(false)) {
+            Some((on, off)) => Text::same(format!("{}, {}", block(&on), block(&off))),
+            None => t("códigos del fabricante, que nombra el libro", "the builder's codes, which the workbook names"),
+        }
+    }
+}

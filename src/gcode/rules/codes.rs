@@ -1,0 +1,51 @@
+//! What is told of the codes that a workbook puts into programs.
+
+use crate::finding::rule::{book, rules};
+
+rules! {
+    /// The rows of machine codes and of the block that takes the tool away.
+    RULES;
+
+    "C1002" NoMachineCode Stop { key: &'static str, letter: char, number: u32 }
+        es "{key} lleva {letter}{number}: aquí solo valen códigos M"
+        en "{key} holds {letter}{number}: only M codes may stand here"
+        remedy "quite el código G", "take the G code out";
+        why "Un código G cambia cómo se leen los bloques que siguen, y el plan no cuenta con ello.",
+            "A G code changes how the blocks behind it are read, and the plan does not reckon with that.";
+        example book!("impeller", "start_codes" = "M3 G0");
+    "C1003" MachineCodeNotKnown Stop { control: &'static str, number: u32, key: &'static str }
+        es "el dialecto {control} no conoce M{number}"
+        en "dialect {control} does not know M{number}"
+        remedy "quite M{number} de {key}, o elija el dialecto del control", "take M{number} out of {key}, or choose the control's dialect";
+        why "El control se para en un código que no conoce, con la pieza a medio hacer.",
+            "The control stops at a code that it does not know, with the part half made.";
+        example book!("impeller", "dialect" = "linuxcnc", "retract" = "");
+    "C1004" EndsTooSoon Stop { key: &'static str, number: u32 }
+        es "{key} lleva M{number}, que termina el programa"
+        en "{key} holds M{number}, which ends the program"
+        remedy "quite M{number}", "take M{number} out";
+        why "Lo que sigue al final de un programa no se ejecuta.", "What stands behind the end of a program is not run.";
+        example book!("impeller", "start_codes" = "M30");
+    "C1005" EndMissing Stop { key: &'static str }
+        es "{key} no acaba con M2 ni M30: el programa no tendría fin"
+        en "{key} does not close with M2 or M30: the program would have no end"
+        remedy "escriba M30 al final", "put M30 at the end";
+        why "Sin fin el control sigue con lo que haya detrás en su memoria, o se para con un error.",
+            "Without an end the control goes on with what is behind it in its memory, or stops with an error.";
+        example book!("impeller", "end_codes" = "M5");
+    "C1006" NotInRetract Stop { letter: char, number: u32, control: &'static str }
+        es "retract lleva {letter}{number}: el dialecto {control} no lo admite ahí"
+        en "retract holds {letter}{number}: dialect {control} does not take it there"
+        remedy "escriba el bloque con el que su máquina sube Z, o deje la celda vacía y retire la herramienta a mano",
+            "write the block with which your machine raises Z, or leave the cell empty and take the tool away by hand";
+        why "El bloque solo debe subir Z: uno que cambia cómo se leen los demás, o que acaba el programa, falsearía el plan.",
+            "The block is to raise Z and no more: one that changes how the others are read, or ends the program, would falsify the plan.";
+        example book!("impeller", "retract" = "G1 G53 Z0");
+    "C1007" RetractWithoutZ Stop {}
+        es "retract mueve ejes y no Z: la herramienta no se retira de la pieza"
+        en "retract moves axes and not Z: the tool is not taken away from the part"
+        remedy "escriba también Z", "write Z as well";
+        why "De lado, a la altura en que esté, la herramienta puede pasar por la pieza.",
+            "Sideways, at the height where it stands, the tool may go through the part.";
+        example book!("impeller", "retract" = "G0 G53 X0");
+}

@@ -1,0 +1,64 @@
+//! The page of the controls.
+
+use std::fs;
+use std::path::Path;
+
+use rodete::cli::controls;
+use rodete::gcode::control::{ALL, code_name};
+use rodete::text::Language;
+
+const HOW: &str = "where that is meant: RODETE_CONTROLS=write cargo test --test controls page::";
+
+#[test]
+fn the_page_of_the_controls_is_what_explain_writes() {
+    let page = controls(Language::En);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/controls.md");
+    if std::env::var_os("RODETE_CONTROLS").is_some_and(|value| value == "write") {
+        fs::write(&path, &page).unwrap();
+    }
+    let held = fs::read_to_string(path).unwrap();
+    let apart = held.lines().zip(page.lines()).find(|(held, told)| held != told);
+    assert!(held == page, "docs/controls.md is another page at {apart:?}; {HOW}");
+}
+
+/// A row of each feature, with a cell for each control, in either language.
+#[test]
+fn every_row_has_a_cell_for_every_control_in_both_languages() {
+    let rows = |language| {
+        let page = controls(language);
+        let rows: Vec<_> = page.lines().filter(|line| line.starts_with("| ")).map(str::to_owned).collect();
+        for row in &rows {
+            assert_eq!(row.replace("\\|", "").matches(" |").count(), ALL.len() + 1, "{row}");
+        }
+        rows
+    };
+    let (es, en) = (rows(Language::Es), rows(Language::En));
+    assert_eq!(es.len(), en.len());
+    let [first, others @ ..] =
+        ALL.map(|control| control.features().into_iter().map(|feature| feature.of).collect::<Vec<_>>());
+    assert!(first.len() > 50, "{} features", first.len());
+    assert!(others.iter().all(|other| *other == first), "every control has the same features");
+}
+
+/// What a table has, the page says: the meaning of each code, and where one is refused its name.
+#[test]
+fn the_page_tells_every_code_of_every_table() {
+    for language in Language::ALL {
+        let page = controls(language);
+        let page = page.split("\n## ").nth(2).unwrap();
+        for (place, control) in (2..).zip(ALL) {
+            let mut codes = 0;
+            for tenths in 0..1000 {
+                let name = code_name(tenths);
+                let row = page.lines().find(|line| line.starts_with(&format!("| {name} |")));
+                let cell = row.and_then(|row| row.split(" |").nth(place - 1)).map(str::trim);
+                let meaning = control.codes.get(tenths).map(|code| code.told());
+                codes += usize::from(meaning.is_some());
+                let meaning = meaning.as_ref().map(|meaning| meaning.get(language));
+                assert_eq!(cell.filter(|cell| !cell.is_empty()), meaning, "{name} of {}", control.name);
+            }
+            assert!(codes > 50, "{codes} codes of {}", control.name);
+            assert!(!control.sources.is_empty(), "{} has no source", control.name);
+        }
+    }
+}
