@@ -6,8 +6,11 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::Error;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap_complete::aot::Shell;
 
 use super::stock::Stock;
+use super::verdict::{ENDS, code, meaning};
+use crate::finding::Exit;
 use crate::gcode::control::ALL;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane, Rotary};
 use crate::kind::Kind;
@@ -41,17 +44,18 @@ impl Arguments {
             others,
             line(&format!("rodete check {kind}.xlsx"), "says what would stop a build, and the limits"),
             line(&format!("rodete build {kind}.xlsx"), &format!("writes tables, programs and report into {kind}-out")),
-            line("rodete verify program.nc", "reads a program as the control would and says what it comes to"),
-            line("rodete simulate part.nc", "follows a turning program over its stock"),
             line(
                 &format!("rodete view {kind}.xlsx"),
                 &format!("writes {kind}.html: part and programs, to be played in a browser"),
             ),
+            line("rodete verify program.nc", "reads a program as the control would and says what it comes to"),
+            line("rodete simulate part.nc", "follows a turning program over its stock"),
             line("rodete offsets linuxcnc.var", "shows the work offsets of a LinuxCNC machine"),
+            line("rodete explain L0131", "explains a finding by its code, with remedy and example"),
         ];
         <Self as CommandFactory>::command()
             .after_help(format!("Start with `rodete new {kind}`, edit the workbook, then `rodete build {kind}.xlsx`."))
-            .after_long_help(format!("How to work with it:\n{}{EXITS}", how.concat()))
+            .after_long_help(format!("How to work with it:\n{}{}", how.concat(), exits()))
             .mut_subcommands(|command| match command.get_name() {
                 "new" => command.mut_args(|argument| match argument.get_id().as_str() {
                     "kind" => argument.value_parser(names.clone()),
@@ -74,25 +78,20 @@ impl Arguments {
 }
 
 /// What the exit codes say.
-const EXITS: &str = "\
-\nExit codes:
-    0  done
-    1  fault in rodete itself
-    2  wrong command line
-    3  the input was read and is refused
-    4  the input cannot be read
-    5  the output cannot be written
-    6  the report failed; sheets and programs are delivered
-    7  a limit was reached
-  130  interrupted
-With several workbooks the gravest counts: 2 before 1, 5, 7, 4, 3 and 6.";
+fn exits() -> String {
+    let line = |exit: &Exit| format!("  {:>3}  {}\n", code(*exit), meaning(*exit)[0].en);
+    let lines: String = ENDS.iter().map(line).collect();
+    format!("\nExit codes:\n{lines}With several workbooks the gravest counts: 2 before 1, 5, 7, 4, 3 and 6.")
+}
 
 /// A command.
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Write a ready-to-edit workbook
+    #[command(after_help = "Example: rodete new impeller my-impeller.xlsx --lang en")]
     New(New),
     /// Validate workbooks and print derived limits and findings; write nothing
+    #[command(after_help = "Example: rodete check impeller.xlsx")]
     Check(Check),
     /// Build tables, programs and a report from workbooks
     ///
@@ -100,25 +99,29 @@ pub(super) enum Command {
     /// the workbook kind has them, and <stem>-report.pdf into one folder, all or nothing: a file appears under its name
     /// only when the whole set is complete. Several workbooks are built side by side, and one that is refused does not
     /// stop the others.
+    #[command(after_help = "Example: rodete build impeller.xlsx --open")]
     Build(Build),
-    /// Read ISO programs as the control would and say what they come to
-    ///
-    /// Extents, end position, path length, time, and everything that is wrong, each with line and column. Exit 3 where a
-    /// program is refused, 7 where a loop does not end. Lengths in millimetres, angles in degrees, whatever the program's
-    /// unit.
-    Verify(Verify),
     /// Write one HTML file that shows a program, or a workbook's part and programs
     ///
     /// The file opens in any browser, without a network: part, tool and path in three dimensions, the blocks, the machine's
     /// display and the alarms, played in machine time. A program that is refused is shown as far as it can be read, with its
     /// faults, and the exit code is still 3.
+    #[command(after_help = "Example: rodete view impeller.xlsx")]
     View(View),
+    /// Read ISO programs as the control would and say what they come to
+    ///
+    /// Extents, end position, path length, time, and everything that is wrong, each with line and column. Exit 3 where a
+    /// program is refused, 7 where a loop does not end. Lengths in millimetres, angles in degrees, whatever the program's
+    /// unit.
+    #[command(after_help = "Example: rodete verify blade.nc --dialect fagor-8055")]
+    Verify(Verify),
     /// Follow a turning program over its stock: material removed, times, alarms
     ///
     /// The stock, the machine and the turret come from a lathe workbook (--tools), or the stock from --stock and the rest
     /// from the example of `rodete new lathe`. Results, viewer (HTML), solid (STL) and contour (DXF, SVG) go to the folder
     /// of -o; without it nothing is written. Exit 3 where the program is refused or an alarm stops it; the files are then
     /// written all the same, for they show why.
+    #[command(after_help = "Example: rodete simulate part.nc --dialect fanuc-lathe-a --stock D50xL100 -o out")]
     Simulate(Simulate),
     /// Show and edit the work offsets in LinuxCNC's parameter file
     ///
@@ -127,14 +130,41 @@ pub(super) enum Command {
     /// workbook that exists the file is rewritten, all or nothing; other parameters stay digit by digit, and a file
     /// that does not exist is made with the parameters that LinuxCNC wants. Close LinuxCNC before: it holds the
     /// parameters in memory and writes them over the file when it ends.
+    #[command(after_help = "Example: rodete offsets linuxcnc.var --set \"G55 X2 Y1 Z-2\" --use G55")]
     Offsets(Offsets),
     /// Explain the code of a finding: what it says, why, the remedy and an example that raises it
     ///
     /// A code as L0131, as it stands in JSON, or the number of an alarm as 131, of a Fanuc as PS0064. Without one all codes are
     /// listed; with --all all of them are explained, with --markdown as the page that docs/findings.md is. With --controls it
     /// tells of each feature and code what every control makes of it, with --markdown as docs/controls.md.
+    #[command(after_help = "Example: rodete explain L0131")]
     Explain(Explain),
+    /// Print the script that has a shell complete the command line
+    #[command(after_help = "Example: rodete completions bash > ~/.local/share/bash-completion/completions/rodete")]
+    Completions(Completions),
+    /// Print the man page of rodete, or of one of its commands
+    #[command(after_help = "Example: rodete man build | man -l -")]
+    Man(Manual),
 }
+
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+pub(super) struct Completions {
+    /// The shell
+    pub(super) shell: Shell,
+}
+
+/// Arguments of `man`.
+#[derive(Debug, Args)]
+pub(super) struct Manual {
+    /// The command [default: the page of rodete itself]
+    #[arg(value_parser = PossibleValuesParser::new(COMMANDS))]
+    pub(super) command: Option<String>,
+}
+
+/// The commands that have a page.
+const COMMANDS: [&str; 10] =
+    ["new", "check", "build", "view", "verify", "simulate", "offsets", "explain", "completions", "man"];
 
 /// Arguments of `explain`.
 #[derive(Debug, Args)]
@@ -151,6 +181,12 @@ pub(super) struct Explain {
     /// Write one page in Markdown
     #[arg(long, requires = "page")]
     pub(super) markdown: bool,
+    /// Write the parameters of every form, as the page docs/reference/parameters.md
+    #[arg(long, conflicts_with = "codes", group = "page")]
+    pub(super) parameters: bool,
+    /// Write the exit codes, as the page docs/reference/exit-codes.md
+    #[arg(long, conflicts_with = "codes", group = "page")]
+    pub(super) exit_codes: bool,
     /// Language of the text [default: the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
@@ -200,6 +236,9 @@ pub(super) struct Build {
     /// Write no report and no templates to print
     #[arg(long)]
     pub(super) no_report: bool,
+    /// Open the report, or the folder where there is none, when it is written
+    #[arg(long)]
+    pub(super) open: bool,
     /// Typst command line that sets the report [default: RODETE_TYPST, or the typst inside rodete]
     #[arg(long, value_name = "PATH")]
     pub(super) typst: Option<PathBuf>,
@@ -385,6 +424,24 @@ mod tests {
     #[test]
     fn the_command_line_is_well_formed() {
         Arguments::command(KINDS).debug_assert();
+    }
+
+    #[test]
+    fn every_command_has_an_example_and_a_man_page() {
+        let whole = Arguments::command(KINDS);
+        let names: Vec<&str> = whole.get_subcommands().map(clap::Command::get_name).collect();
+        assert_eq!(names, COMMANDS);
+        for command in whole.get_subcommands() {
+            let example = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let words = example.strip_prefix("Example: ").expect("an example").split(['|', '>']).next();
+            let words = words.unwrap_or_default().replace('"', "\0");
+            let quoted = words
+                .split('\0')
+                .enumerate()
+                .flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
+            let read = Arguments::read(quoted.map(OsString::from), KINDS);
+            assert!(read.is_ok(), "{example}: {read:?}");
+        }
     }
 
     #[test]

@@ -13,7 +13,7 @@ use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Ending;
-use super::{BUILD, Sink, drawings, reading, refused, side_by_side};
+use super::{BUILD, Sink, drawings, finding, opened, reading, refused, side_by_side};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::{Kind, Outcome, Wants};
@@ -60,8 +60,16 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     };
     let mut sink = Sink::new(BUILD, arguments.lang, arguments.json);
     let work = |item: &Item| reading::verdict(&item.workbook, |verdict| build(item, &settings, verdict));
-    side_by_side::run(&items, work, terminal, |verdict, terminal| sink.take(verdict, terminal));
-    sink.end(terminal)
+    let mut to_open = Vec::new();
+    side_by_side::run(&items, work, terminal, |verdict, terminal| {
+        to_open.extend(opened::chosen(&verdict).filter(|_| arguments.open));
+        sink.take(verdict, terminal);
+    });
+    let exit = sink.end(terminal);
+    to_open.dedup();
+    let told: Vec<Finding> = to_open.iter().filter_map(|path| opened::open(path)).collect();
+    finding::general(&told, language, terminal);
+    exit
 }
 
 /// The typst that was asked for: on the command line, in the environment, else the one inside rodete, or an installed

@@ -21,7 +21,7 @@ use crate::view;
 use crate::workbook::results;
 
 /// The ending of the results.
-const RESULTS: &str = "-results.xlsx";
+pub(super) const RESULTS: &str = "-results.xlsx";
 /// The ending of the report.
 pub(super) const REPORT: &str = "-report.pdf";
 /// The ending of the viewer.

@@ -8,6 +8,7 @@ use super::locale::spoken;
 use super::refused;
 use super::rules::{self, NoSuchCode};
 use super::terminal::Terminal;
+use super::{fault, pages};
 use crate::drawing;
 use crate::escape::printable;
 use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule};
@@ -76,6 +77,19 @@ pub fn rows(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
 
 pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
     let language = spoken(arguments.lang, None);
+    if arguments.exit_codes {
+        terminal.out(&pages::exit_codes(language));
+        return Exit::Done;
+    }
+    if arguments.parameters {
+        return match pages::parameters(kinds, language) {
+            Ok(page) => {
+                terminal.out(&page);
+                Exit::Done
+            }
+            Err(error) => refused(&fault::refusal(&error.to_string()), language, terminal),
+        };
+    }
     if arguments.controls {
         terminal.out(&if arguments.markdown { controls::controls(language) } else { controls::told(language) });
         return Exit::Done;

@@ -5,6 +5,7 @@
 
 mod args;
 mod build;
+mod completions;
 mod controls;
 mod delivery;
 mod drawings;
@@ -17,6 +18,8 @@ mod locale;
 mod new;
 mod offsets;
 mod offsets_view;
+mod opened;
+mod pages;
 mod plan;
 mod program;
 mod quantity;
@@ -42,6 +45,7 @@ use self::args::{Arguments, Check, Command};
 pub use self::controls::controls;
 pub use self::explain::{reference, rows};
 use self::locale::spoken;
+pub use self::pages::{exit_codes, parameters};
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};
 use crate::escape::printable;
@@ -49,6 +53,8 @@ use crate::finding::{Exit, Finding, Place, Refusal};
 use crate::kind::Kind;
 use crate::parameter::FieldKind;
 use crate::text::{Language, Text, t};
+#[cfg(not(feature = "embedded-typst"))]
+use crate::typeset::failure::TYPST_VERSION;
 
 /// The commands' names in JSON.
 const CHECK: &str = "check";
@@ -72,6 +78,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind]) -
         Err(refusal) => refused(&refusal, spoken(None, None), &mut terminal),
     };
     finding::more(&mut terminal);
+    terminal.end(matches!(exit, Exit::Done | Exit::ReportFailed));
     if let Some(error) = terminal.fault() {
         let what = Text::same(format!("cannot write to standard output: {error}"));
         finding::general(&[Finding::stop(Place::File, what, t("", ""))], spoken(None, None), &mut terminal);
@@ -94,6 +101,8 @@ fn command(arguments: impl IntoIterator<Item = OsString>, kinds: &[&dyn Kind], t
         Command::View(arguments) => view::run(&arguments, kinds, terminal),
         Command::Offsets(arguments) => offsets::run(&arguments, terminal),
         Command::Explain(arguments) => explain::run(&arguments, kinds, terminal),
+        Command::Completions(arguments) => completions::completions(&arguments, kinds, terminal),
+        Command::Man(arguments) => completions::man(&arguments, kinds, terminal),
     }
 }
 
@@ -113,9 +122,13 @@ fn misunderstood(error: &Error, kinds: &[&dyn Kind], terminal: &mut Terminal) ->
     Exit::Done
 }
 
-/// What `--version` says: the version, the forms that can be read, the controls that can be written.
+/// What `--version` says: the version, what sets the reports, the forms that can be read, the controls that can be written.
 fn version(kinds: &[&dyn Kind]) -> String {
     let mut text = format!("rodete {}\n", env!("CARGO_PKG_VERSION"));
+    #[cfg(feature = "embedded-typst")]
+    text.push_str(&format!("features: embedded-typst (typst {})\n", crate::typeset::embedded::version()));
+    #[cfg(not(feature = "embedded-typst"))]
+    text.push_str(&format!("features: none (an installed typst {} sets the reports)\n", TYPST_VERSION));
     for form in kinds.iter().map(|kind| kind.form()) {
         text.push_str(&format!("workbook {}: schema {}\n", form.kind, form.schema));
         if let Some(FieldKind::Choice(choices)) = form.parameter("dialect").map(|parameter| &parameter.kind) {

@@ -77,6 +77,12 @@ rules! {
         why "Un programa de antes podría tomarse por uno de este libro.", "A program of before might be taken for one of this workbook.";
         example made!("leftover", "una carpeta con un resultado que la construcción ya no escribe",
             "a folder with a result that the build does not write any more");
+    "U0116" NotOpened Caution { path: String, reason: String }
+        es "no se puede abrir {path}: {reason}"
+        en "cannot open {path}: {reason}"
+        remedy "ábralo usted; los archivos están escritos", "open it yourself; the files are written";
+        why "Lo abre el escritorio, con el programa que tiene para ello.", "The desktop opens it, with the program that it has for it.";
+        example Example::Never(t("depende del escritorio, no de la entrada", "it hangs on the desktop, not on the input"));
     "U0121" StockWithoutTurning Stop {}
         es "--stock vale para un programa de torno, no para esta entrada"
         en "--stock is for a turning program, not for this input"

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
 
-use super::delivery::REPORT;
+use super::delivery::{REPORT, RESULTS};
 use super::terminal::Terminal;
 use super::verdict::Ending;
 use super::{finding, quantity};
@@ -28,6 +28,7 @@ pub(super) fn verdict(verdict: &Ending, writes: bool, language: Language, termin
     finding::notes(&verdict.findings, &workbook, language, terminal);
     terminal.out(&files(verdict));
     let closing = closing(verdict, writes, &workbook, language);
+    terminal.next(|| next(verdict, writes, &workbook, language));
     if matches!(verdict.exit, Exit::Done | Exit::ReportFailed) {
         terminal.out(&closing)
     } else {
@@ -88,6 +89,35 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
     .collect();
     let found = if found.is_empty() { String::new() } else { format!(" ({})", found.join(", ")) };
     format!("{style}{workbook}{style:#}: {}{found}\n", end.get(language))
+}
+
+/// What to do now.
+fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> String {
+    let written = |ending: &str| {
+        let file = verdict.files.iter().find(|file| file.name.to_string_lossy().ends_with(ending));
+        file.map(|file| path(&file.path))
+    };
+    let cautions = match verdict.count(Grade::Caution) {
+        0 => t("", ""),
+        _ => t("atienda las precauciones; ", "see to the cautions; "),
+    };
+    let next = match (verdict.exit, written(REPORT).or_else(|| written(RESULTS))) {
+        (Exit::Done | Exit::ReportFailed, Some(file)) => Text::new(
+            format!("{}lea {file}; antes de cortar, una pasada en vacío", cautions.es),
+            format!("{}read {file}; make a dry run before you cut", cautions.en),
+        ),
+        (Exit::Done, None) if !writes => {
+            let word =
+                if workbook.contains(char::is_whitespace) { format!("\"{workbook}\"") } else { workbook.to_owned() };
+            Text::new(format!("{}rodete build {word}", cautions.es), format!("{}rodete build {word}", cautions.en))
+        }
+        (Exit::Refused, _) => t(
+            "corrija las celdas indicadas, guarde el libro y repita",
+            "correct the cells named above, save the workbook and run this again",
+        ),
+        _ => return String::new(),
+    };
+    format!("{}: {}\n", t("después", "next").get(language), next.get(language))
 }
 
 /// A path as it may be shown.

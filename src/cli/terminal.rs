@@ -23,6 +23,8 @@ pub(super) struct Terminal {
     pub(super) width: Option<usize>,
     /// The first code of what needs attention that was printed, and the language that it was told in.
     pub(super) told: Option<(&'static str, Language)>,
+    /// What to do next, of one workbook.
+    next: Option<String>,
     closed: bool,
     fault: Option<io::Error>,
 }
@@ -40,6 +42,7 @@ impl Terminal {
             err: AutoStream::auto(io::stderr()),
             width,
             told: None,
+            next: None,
             closed: false,
             fault: None,
         }
@@ -56,6 +59,17 @@ impl Terminal {
                 self.fault = Some(error);
             }
         }
+    }
+
+    /// Keeps what to do next for the end; of several workbooks nothing is said.
+    pub(super) fn next(&mut self, text: impl FnOnce() -> String) {
+        self.next = Some(if self.next.is_some() { String::new() } else { text() });
+    }
+
+    /// Prints as the last line what to do next, where that is known: with the results, or with what needs attention.
+    pub(super) fn end(&mut self, done: bool) {
+        let text = self.next.take().unwrap_or_default();
+        if done { self.out(&text) } else { self.err(&text) }
     }
 
     /// Prints to standard error, as far as it can be written to.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::finding::{Exit, Finding, Grade, Refusal};
 use crate::store::Written;
 use crate::table::Quantity;
-use crate::text::Language;
+use crate::text::{Language, Text, t};
 
 /// The end of one workbook's work.
 #[derive(Debug)]
@@ -90,6 +90,56 @@ pub(super) const fn status(exit: Exit) -> &'static str {
         Exit::ReportFailed => "report-failed",
         Exit::Limit => "limit",
         Exit::Interrupted => "interrupted",
+    }
+}
+
+/// Every end, in the order of the codes.
+pub(super) const ENDS: [Exit; 9] = [
+    Exit::Done,
+    Exit::Fault,
+    Exit::CommandLine,
+    Exit::Refused,
+    Exit::Unreadable,
+    Exit::Unwritable,
+    Exit::ReportFailed,
+    Exit::Limit,
+    Exit::Interrupted,
+];
+
+/// What an end says, and what has been written then.
+pub(super) fn meaning(exit: Exit) -> [Text; 2] {
+    let nothing = t("nada", "nothing");
+    match exit {
+        Exit::Done => [t("hecho", "done"), t("todo", "everything")],
+        Exit::Fault => [
+            t("fallo del propio rodete", "fault in rodete itself"),
+            t(
+                "nada; `simulate`, sus resultados, que no deben usarse",
+                "nothing; by `simulate` its results, not to be used",
+            ),
+        ],
+        Exit::CommandLine => [t("línea de comandos errónea", "wrong command line"), nothing],
+        Exit::Refused => [
+            t("la entrada se ha leído y se rechaza", "the input was read and is refused"),
+            t(
+                "nada; `view`, la página de un programa; `simulate`, sus resultados",
+                "nothing; by `view` the page of a program; by `simulate` its results",
+            ),
+        ],
+        Exit::Unreadable => [t("la entrada no se puede leer", "the input cannot be read"), nothing],
+        Exit::Unwritable => [
+            t("la salida no se puede escribir", "the output cannot be written"),
+            t("nada; los archivos anteriores siguen ahí", "nothing; the files of before stand"),
+        ],
+        Exit::ReportFailed => [
+            t(
+                "el informe ha fallado; hojas y programas se entregan",
+                "the report failed; sheets and programs are delivered",
+            ),
+            t("todo lo demás", "everything else"),
+        ],
+        Exit::Limit => [t("se ha alcanzado un límite", "a limit was reached"), nothing],
+        Exit::Interrupted => [t("interrumpido", "interrupted"), t("solo conjuntos completos", "finished sets only")],
     }
 }
 

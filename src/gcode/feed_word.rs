@@ -48,23 +48,21 @@ impl FeedWord {
     /// For a move so slow that no word has it.
     pub fn lasting(law: FeedLaw, seconds: f64, resultant: f64) -> Result<Self, OutOfFormat> {
         let wanted = law.word(seconds, resultant);
-        let slowest = if law == FeedLaw::Seconds { f64::INFINITY } else { 0.0 };
+        let slower = law.slower();
         let fastest = law.fastest();
         // A move of no time and no way has no word of its own.
         let wanted = if wanted.is_nan() { fastest } else { wanted };
-        let wanted = if law == FeedLaw::Seconds { wanted.max(fastest) } else { wanted.min(fastest) };
+        let wanted = slower.of(wanted, fastest);
         let decimals = decimals(law, wanted);
         let steps = wanted / step(law, wanted);
         let whole = if (steps - steps.round()).abs() <= 1e-9 * steps {
             // On the grid but for the arithmetic.
             steps.round()
-        } else if law == FeedLaw::Seconds {
-            steps.ceil()
         } else {
-            steps.floor()
+            slower.whole(steps)
         };
         let millionths = whole * step(law, wanted) * 1e6;
-        if wanted == slowest || whole < 1.0 || millionths > law.greatest() * 1e6 + 0.5 {
+        if wanted == slower.endless() || whole < 1.0 || millionths > law.greatest() * 1e6 + 0.5 {
             return Err(OutOfFormat(wanted));
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number up to 4·10^15")]

@@ -2,7 +2,7 @@
 //!
 //! What a control has a form of its own for is asked of its [`Writing`](crate::gcode::control::Writing) or of the rule by which it is read.
 
-use crate::gcode::control::{FeedLaw, Written};
+use crate::gcode::control::{Control, FeedLaw, Written};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::program::Part;
 use crate::gcode::word::{Distance, Word};
@@ -64,6 +64,20 @@ impl Writer {
     pub fn coordinate(&self, axis: Axis, coordinate: Milli) -> Word {
         let word = if axis == Axis::X { self.written.control.axes.x.word(coordinate) } else { coordinate };
         Word::size(axis.letter(), word)
+    }
+
+    /// The word of X that says a diameter, mm.
+    ///
+    /// # Errors
+    /// For a diameter that no program may carry.
+    pub fn diameter(&self, diameter: f64) -> Result<Word, OutOfFormat> {
+        Ok(Word::size('X', Milli::round(self.written.control.axes.x.of_diameter(diameter))?))
+    }
+
+    /// The control that is written for.
+    #[must_use]
+    pub const fn control(&self) -> &'static Control {
+        self.written.control
     }
 
     /// A rapid move.

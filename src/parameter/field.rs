@@ -179,7 +179,7 @@ macro_rules! choices {
             $($(#[$each])* $variant),+
         }
 
-        $crate::choices! { for $name; $($key ($es, $en) => $name::$variant),+ }
+        $crate::parameter::field::choices! { for $name; $($key ($es, $en) => $name::$variant),+ }
     };
     (for $type:ty; $($key:literal ($es:literal, $en:literal) => $value:expr),+ $(,)?) => {
         impl $crate::parameter::field::Chosen for $type {
@@ -197,7 +197,8 @@ macro_rules! choices {
     };
 }
 
-pub(crate) use choices;
+#[doc(hidden)]
+pub use choices;
 
 choices! { for bool; "yes" ("sí", "yes") => true, "no" ("no", "no") => false }
 

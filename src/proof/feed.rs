@@ -34,18 +34,18 @@ pub fn feed_word(program: &Program, worst: &Extreme) -> Check {
     let law = program.control.feed.law;
     let part = |part: f64| format!("{} %", shown(part * 100.0, 3));
     let limit = part(SLOWER);
-    let limit = match law {
+    let (limit, assumed) = match law {
         FeedLaw::Seconds => {
-            Text::new(format!("{limit}; F a 0.0001 s, supuesto"), format!("{limit}; F to 0.0001 s, assumed"))
+            (Text::new(format!("{limit}; F a 0.0001 s, supuesto"), format!("{limit}; F to 0.0001 s, assumed")), true)
         }
-        FeedLaw::Resultant | FeedLaw::InverseTime => Text::same(limit),
+        FeedLaw::Resultant | FeedLaw::InverseTime => (Text::same(limit), false),
     };
     let asked = asked.showing(Text::same(part(worst.value())), limit);
     let slowed = |found: &Extreme, place| {
         let (part, line) = (Size { value: found.value() * 100.0, unit: "%", decimals: 3 }, found.line());
         FeedWordSlows { line, part, program: program.title.clone() }.at(place)
     };
-    if law == FeedLaw::Seconds && worst.value() <= SLOWER {
+    if assumed && worst.value() <= SLOWER {
         return asked.of(worst).holds(false, |place| DecimalsAssumed {}.at(place));
     }
     asked.within(worst, SLOWER, slowed)
@@ -56,7 +56,7 @@ pub fn feed_word(program: &Program, worst: &Extreme) -> Check {
 pub fn timely(law: FeedLaw, motion: &Motion, word: f64, planned: f64) -> bool {
     let by = motion.to.differences(&motion.from);
     let wanted = law.word(planned, by.iter().map(|by| by * by).sum::<f64>().sqrt());
-    let slower = if law == FeedLaw::Seconds { word - wanted } else { wanted - word };
+    let slower = law.slower().by(word, wanted);
     (-1e-8 * wanted..=step(law, wanted) * (1.0 + 1e-6)).contains(&slower)
 }
 

@@ -47,10 +47,12 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
         return asked.showing(value, limit).seen(motions).passes();
     };
     let asked = asked.showing(t("sólo linear", "linear only"), limit).seen(motions + 1);
-    if counting == Rotary::Linear {
-        return asked.informs();
+    match counting {
+        Rotary::Linear => asked.informs(),
+        Rotary::Rollover => {
+            asked.holds(false, |place| OtherwiseOnRollover { at: at.words(), program: program.title.clone() }.at(place))
+        }
     }
-    asked.holds(false, |place| OtherwiseOnRollover { at: at.words(), program: program.title.clone() }.at(place))
 }
 
 /// Asks it of the program's own text, when that has been read.

@@ -70,7 +70,10 @@ impl<'a> Characters<'a> {
             return Err(quoted("carácter", "character", &wrong.escape_default().to_string()));
         }
         if line.starts_with('%') {
-            let opens = self.lines == 1 && dialect.text.opening != Opening::None;
+            let opens = match dialect.text.opening {
+                Opening::None => false,
+                Opening::Name | Opening::NameAndAttributes => self.lines == 1,
+            };
             return if opens { Ok(()) } else { Err(quoted("carácter", "character", "%")) };
         }
         let inside = match dialect.text.comment {

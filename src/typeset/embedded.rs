@@ -29,6 +29,12 @@ use typst_kit::fonts::{FontStore, embedded};
 use typst_layout::PagedDocument;
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards, Timestamp};
 
+/// The version of the compiler inside.
+#[must_use]
+pub fn version() -> &'static str {
+    typst::utils::version().raw()
+}
+
 /// The arguments after `rodete typst`.
 #[derive(Parser)]
 #[command(name = "rodete typst", about = "The typst compiler that rodete carries for its reports")]

@@ -203,7 +203,8 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
 }
 
 /// What stands in the cell of a choice.
-pub(super) fn label(parameter: &Parameter, key: &'static str, language: Language) -> &'static str {
+#[must_use]
+pub fn label(parameter: &Parameter, key: &'static str, language: Language) -> &'static str {
     match parameter.kind {
         FieldKind::Choice(choices) => {
             choices.iter().find(|choice| choice.key == key).map_or(key, |choice| choice.label.get(language))

@@ -5,13 +5,13 @@ use std::io::{Seek, Write};
 use rust_xlsxwriter::Workbook;
 
 use super::error::WriteError;
-use super::form_sheet::{Filling, LAST};
+use super::form_sheet::{Filling, LAST, Layout};
 use super::list_sheet::ListSheet;
 use super::long_rows::save;
 use super::page::{Page, properties};
 use super::style::Styles;
 use crate::parameter::list::{Naming, Rows};
-use crate::parameter::{Form, Value};
+use crate::parameter::{Form, Sheet, Value};
 use crate::text::{Language, Text, t};
 
 /// How the sheets are filled in; stands under the title of every form.
@@ -51,12 +51,7 @@ pub fn write<W: Write + Seek + Send>(
         workbook.set_properties(&properties(first.title.get(language))?);
     }
     for sheet in form.sheets {
-        let notes = if sheet.optional {
-            [OPTIONAL.get(language), HOW.get(language)]
-        } else {
-            [note.get(language), HOW.get(language)]
-        };
-        let filling = Filling { sheet, values: find, notes: &notes, language };
+        let filling = Filling { sheet, values: find, notes: &notes(sheet, note, language), language };
         let worksheet = workbook.add_worksheet();
         let layout = filling.write(worksheet, &styles)?;
         layout.finish(worksheet, LAST, &page, language)?;
@@ -66,6 +61,24 @@ pub fn write<W: Write + Seek + Send>(
     }
     write_lists(&mut workbook, form, lists, &styles, &page, language, |name| name.to_owned())?;
     save(&mut workbook, Vec::new(), out)
+}
+
+/// What stands under the title of a sheet.
+fn notes<'a>(sheet: &Sheet, note: &'a Text, language: Language) -> [&'a str; 2] {
+    [if sheet.optional { &OPTIONAL } else { note }.get(language), HOW.get(language)]
+}
+
+/// Where the cells of a new workbook's sheets stand, in the order of the form; `note` as in [`write`].
+///
+/// # Errors
+/// For a form that a workbook cannot hold.
+pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<Vec<Layout>, WriteError> {
+    let (mut workbook, styles) = (Workbook::new(), Styles::default());
+    let layout = |sheet| {
+        let notes = notes(sheet, note, language);
+        Filling { sheet, values: |_: &str| None, notes: &notes, language }.write(workbook.add_worksheet(), &styles)
+    };
+    form.sheets.iter().map(layout).collect()
 }
 
 /// Writes the sheets of a form's lists; `take` gives a sheet the name nearest to the one wanted that is free.

@@ -9,11 +9,17 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const TOP: [&str; 10] = [
+const TOP: [&str; 16] = [
     "Cargo.toml",
     "Cargo.lock",
     "README.md",
     "CHANGELOG.md",
+    "CONTRIBUTING.md",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "README.es.md",
+    "SECURITY.md",
+    "THIRD-PARTY.md",
     "src",
     "tests",
     "benches",

@@ -3,11 +3,14 @@
 use proptest::prelude::*;
 use rodete::gcode::control::{ALL, Control, Rotary, Written};
 use rodete::gcode::feed_word::FeedWord;
+use rodete::gcode::in_force::{InForce, Speed, Spindle};
 use rodete::gcode::interpreter::{Interpreter, Setting};
-use rodete::gcode::motion::MotionKind;
+use rodete::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::gcode::word::{Distance, NumberFormat, Word};
 use rodete::gcode::writer::Writer;
+use rodete::geometry::torus::Torus;
+use rodete::kinds::impeller::blank::BlankTurning;
 use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 
@@ -167,5 +170,56 @@ proptest! {
             }
         }
         prop_assert!(controls >= 4, "{controls} controls are written for");
+    }
+
+    /// The turning of a blank, in either layout: every place, the feed, the speed and what turns it.
+    #[test]
+    fn the_turning_of_a_blank_is_what_its_control_reads(
+        (R, share) in (10.0..60.0_f64, 0.1..0.8_f64),
+        (C, F_b, S_b, S_m) in (0.2..3.0_f64, 0.05..0.4_f64, 50_u32..300, prop::option::of(500_u32..4_000)),
+        (T_b, D_b) in (1_u32..99, 1_u32..99),
+        [c_f, c_o, c_c, Z_b, X_e, Z_e] in prop::array::uniform6(0.5..9.0_f64),
+        full in any::<bool>(),
+    ) {
+        let grid = |size: f64| (size * 1000.0).round() / 1000.0;
+        let [R, r] = [R, R * share].map(grid);
+        let [c_f, c_o, c_c, Z_b] = [c_f, c_o, c_c, Z_b].map(grid);
+        let (X_e, Z_e) = (grid(2.0 * R + 10.0 * X_e), grid(10.0 * Z_e));
+        let (C, F_b) = (grid(C), grid(F_b));
+        let turning = BlankTurning { C, F_b, S_b, T_b, D_b, L_b: 50.0, Z_b, c_f, c_o, c_c, X_e, Z_e, S_m };
+        let format = if full { NumberFormat::Fixed } else { NumberFormat::Trimmed };
+        let program = turning.program(Torus { R, r }, format, 10).expect("a program");
+        let text = program.text();
+        let mut interpreter = Interpreter::over(text.as_bytes(), Setting::new(program.control));
+        let mut read = Vec::new();
+        while let Some(motion) = interpreter.next() {
+            prop_assert!(motion.is_ok(), "{motion:?}\n{text}");
+            read.extend(motion.map(|motion| (motion, *interpreter.in_force())));
+        }
+        let (rapid, feed) = (MotionKind::Rapid, MotionKind::Feed(Feed { mode: FeedMode::PerRevolution, value: F_b }));
+        let planned = [
+            (rapid, [2.0 * R, Z_b]),
+            (rapid, [2.0 * R + c_f, 0.0]),
+            (feed, [-c_o, 0.0]),
+            (rapid, [2.0 * R + c_c, 0.0]),
+        ];
+        let at = |motion: &Motion, [X, Z]: [f64; 2]| near(X / 2.0, motion.to.get(Axis::X)) && near(Z, motion.to.get(Axis::Z));
+        prop_assert!(read.len() > planned.len() + 3, "no cycle\n{text}");
+        for ((motion, _), (kind, to)) in read.iter().zip(planned) {
+            prop_assert!(motion.kind == kind && at(motion, to), "{motion:?} is not {kind:?} to {to:?}\n{text}");
+        }
+        let (last, _) = read[read.len() - 1];
+        prop_assert!(last.kind == rapid && at(&last, [X_e, Z_e]), "{last:?}\n{text}");
+        for (motion, _) in &read[planned.len()..read.len() - 1] {
+            let [x, z] = [Axis::X, Axis::Z].map(|axis| motion.to.get(axis));
+            let around = R - r - 1e-6 <= x && x <= R + c_c + 1e-6 && -r - 1e-6 <= z && z <= 1e-6;
+            prop_assert!(around, "{motion:?} is not of the cycle\n{text}");
+        }
+        for (motion, in_force) in &read[2..] {
+            let InForce { tool, offset, spindle, speed, greatest_speed, .. } = *in_force;
+            let greatest = if full { S_m.map(f64::from) } else { None };
+            prop_assert_eq!((tool, offset, spindle), (T_b, D_b, Spindle::CounterClockwise), "{:?}\n{}", motion, text);
+            prop_assert_eq!((speed, greatest_speed), (Speed::Surface(f64::from(S_b)), greatest), "{:?}\n{}", motion, text);
+        }
     }
 }

@@ -23,6 +23,15 @@ impl AcrossWord {
         }
     }
 
+    /// The number of a word of X that says a diameter.
+    #[must_use]
+    pub fn of_diameter(self, diameter: f64) -> f64 {
+        match self {
+            Self::Radius => diameter / 2.0,
+            Self::Diameter => diameter,
+        }
+    }
+
     /// The word of X that says a coordinate.
     #[must_use]
     pub fn word(self, coordinate: Milli) -> Milli {

@@ -1,6 +1,8 @@
 //! The letters and G codes that a control knows.
 
-use crate::gcode::code::G;
+use crate::gcode::code::{G, M};
+use crate::gcode::in_force::Compensation;
+use crate::gcode::motion::{FeedMode, Plane};
 
 /// Letters of the alphabet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,19 +36,57 @@ impl Letters {
     }
 }
 
-/// G codes by their number in tenths, below 1000: G54 is 540, G59.3 is 593.
+/// The meaning of G codes, by their number in tenths, below 1000: G54 is 540, G59.3 is 593.
 #[derive(Debug)]
 pub struct Codes([Option<G>; 1000]);
 
+/// G codes of one meaning.
+pub type Row = (&'static [usize], G);
+
+/// What every control has.
+pub const COMMON: &[Row] = &[
+    (&[0], G::Rapid),
+    (&[10], G::Linear),
+    (&[20], G::Arc(true)),
+    (&[30], G::Arc(false)),
+    (&[40], G::Dwell),
+    (&[180], G::Plane(Plane::ZX)),
+    (&[400], G::Compensation(Compensation::Off)),
+    (&[540], G::WorkOffset(1)),
+    (&[550], G::WorkOffset(2)),
+    (&[560], G::WorkOffset(3)),
+    (&[570], G::WorkOffset(4)),
+    (&[910], G::Incremental),
+];
+
+/// What those have beside it whose increments go by G91.
+pub const BY_MODE: &[Row] = &[
+    (&[170], G::Plane(Plane::XY)),
+    (&[190], G::Plane(Plane::YZ)),
+    (&[900], G::Absolute),
+    (&[940], G::Feed(FeedMode::PerMinute)),
+    (&[950], G::Feed(FeedMode::PerRevolution)),
+];
+
 impl Codes {
-    /// The table of codes given by number and tenths.
+    /// The table of several lists. A code that stands twice does not compile.
     #[must_use]
-    pub const fn new(list: &[(usize, G)]) -> Self {
+    pub const fn new(lists: &[&[Row]]) -> Self {
         let mut table = [None; 1000];
-        let mut at = 0;
-        while at < list.len() {
-            table[list[at].0] = Some(list[at].1);
-            at += 1;
+        let mut list = 0;
+        while list < lists.len() {
+            let mut row = 0;
+            while row < lists[list].len() {
+                let (numbers, code) = lists[list][row];
+                let mut at = 0;
+                while at < numbers.len() {
+                    assert!(table[numbers[at]].is_none(), "a code stands twice");
+                    table[numbers[at]] = Some(code);
+                    at += 1;
+                }
+                row += 1;
+            }
+            list += 1;
         }
         Self(table)
     }
@@ -78,4 +118,19 @@ pub fn code_name(tenths: usize) -> String {
         0 => format!("G{}", tenths / 10),
         tenth => format!("G{}.{tenth}", tenths / 10),
     }
+}
+
+/// The M codes that every control has.
+#[must_use]
+pub const fn common_machine_code(number: u32) -> Option<M> {
+    Some(match number {
+        0 | 1 => M::Pause,
+        2 | 30 => M::End,
+        3 => M::Spindle(true),
+        4 => M::Spindle(false),
+        5 => M::SpindleOff,
+        8 => M::Coolant(true),
+        9 => M::Coolant(false),
+        _ => return None,
+    })
 }

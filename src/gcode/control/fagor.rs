@@ -1,12 +1,13 @@
 //! Fagor CNC 8055 M, 8055 T and 8070: the codes whose motion rodete follows, and the others by name.
 
 use crate::gcode::code::{G, Group, M, Name, TurningCycle};
+use crate::gcode::control::codes::{BY_MODE, COMMON, Row, common_machine_code};
 use crate::gcode::control::{
     Across, AcrossWord, ArcWords, AxisWords, BlockDelete, BuilderCodes, CallBy, Calls, Cancel, Class, Codes,
     CommentForm, Comments, Control, Corners, DimensionPoint, Drilling, DwellWord, FeedChange, FeedCodes, FeedLaw,
     FeedPath, FeedRule, HeightHold, Increments, Language, LengthWord, Letters, Lexis, MachineMove, MissingFeed,
     NoseCorner, OffsetRule, Opening, Order, Percent, RadiusRule, Reference, Retract, Rollover, Rotary, RotaryRule,
-    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing,
+    SpeedLimit, SpindleRule, Start, TextForm, ToolBlocks, ToolCall, ToolChange, Turns, Writing, Written,
 };
 use crate::gcode::in_force::Compensation;
 use crate::gcode::motion::{FeedMode, Plane};
@@ -132,6 +133,9 @@ static WRITING_8055: Writing = Writing {
 static WRITING_8055_T: Writing =
     Writing { safety: &[('G', 71), ('G', 90), ('G', 94)], tool: ToolBlocks::Turret, height: HeightHold::Builder };
 
+/// The 8055 T, to be written for.
+pub const WRITTEN_8055_T: Written = Written { control: &FAGOR_8055_T, writing: &WRITING_8055_T };
+
 /// How rodete writes for the 8070.
 static WRITING_8070: Writing = Writing {
     safety: &[('G', 17), ('G', 40), ('G', 54), ('G', 71), ('G', 90), ('G', 94)],
@@ -177,195 +181,107 @@ const INVERSE: Name = ("avance como inversa del tiempo", "feed as inverse of the
 const CANCEL_ZERO: Name = ("anulación del traslado de origen", "zero offset cancellation");
 
 /// What 8055 M, 8055 T and 8070 have in common.
-const COMMON: [(usize, G); 35] = [
-    (0, G::Rapid),
-    (10, G::Linear),
-    (20, G::Arc(true)),
-    (30, G::Arc(false)),
-    (40, G::Dwell),
-    (50, G::PathControl),
-    (60, G::Refused(Group::Other, &GEOMETRY)),
-    (70, G::PathControl),
-    (80, G::Refused(Group::Motion, &GEOMETRY)),
-    (90, G::Refused(Group::Motion, &GEOMETRY)),
-    (100, G::Refused(Group::Other, &MIRROR)),
-    (110, G::Refused(Group::Other, &MIRROR)),
-    (120, G::Refused(Group::Other, &MIRROR)),
-    (130, G::Refused(Group::Other, &MIRROR)),
-    (140, G::Refused(Group::Other, &MIRROR)),
-    (170, G::Plane(Plane::XY)),
-    (180, G::Plane(Plane::ZX)),
-    (190, G::Plane(Plane::YZ)),
-    (330, G::Refused(Group::Motion, &THREAD)),
-    (360, G::Refused(Group::Other, &GEOMETRY)),
-    (370, G::Refused(Group::Other, &GEOMETRY)),
-    (380, G::Refused(Group::Other, &GEOMETRY)),
-    (390, G::Refused(Group::Other, &GEOMETRY)),
-    (400, G::Compensation(Compensation::Off)),
-    (410, G::Refused(Group::CutterCompensation, &COMPENSATION)),
-    (420, G::Refused(Group::CutterCompensation, &COMPENSATION)),
-    (500, G::PathControl),
-    (700, G::Inch),
-    (710, G::Millimetre),
-    (720, G::Refused(Group::Other, &MIRROR)),
-    (730, G::Refused(Group::Other, &MIRROR)),
-    (740, G::Refused(Group::NonModal, &PROBE)),
-    (900, G::Absolute),
-    (910, G::Incremental),
-    (940, G::Feed(FeedMode::PerMinute)),
+const FAGOR: &[Row] = &[
+    (&[50, 70, 500], G::PathControl),
+    (&[60, 360, 370, 380, 390], G::Refused(Group::Other, &GEOMETRY)),
+    (&[80, 90], G::Refused(Group::Motion, &GEOMETRY)),
+    (&[100, 110, 120, 130, 140, 720, 730], G::Refused(Group::Other, &MIRROR)),
+    (&[330], G::Refused(Group::Motion, &THREAD)),
+    (&[700], G::Inch),
+    (&[710], G::Millimetre),
+    (&[740], G::Refused(Group::NonModal, &PROBE)),
 ];
 
-/// The codes of a table after the common ones.
-const fn with<const N: usize>(own: &[(usize, G)]) -> Codes {
-    let mut list = [(999, G::Rapid); N];
-    let mut at = 0;
-    while at < N {
-        list[at] = if at < COMMON.len() { COMMON[at] } else { own[at - COMMON.len()] };
-        at += 1;
-    }
-    Codes::new(&list)
-}
-
-const OFFSETS_8055: [(usize, G); 7] = [
-    (530, G::MachineCoordinates),
-    (540, G::WorkOffset(1)),
-    (550, G::WorkOffset(2)),
-    (560, G::WorkOffset(3)),
-    (570, G::WorkOffset(4)),
-    (580, G::Refused(Group::WorkOffset, &ADDITIVE)),
-    (590, G::Refused(Group::WorkOffset, &ADDITIVE)),
+/// What 8055 M and 8055 T have beside it.
+const BOTH_8055: &[Row] = &[
+    (&[200, 210, 220], G::Refused(Group::Other, &ZONE)),
+    (&[450], G::Refused(Group::Other, &TRANSFORMATION)),
+    (&[510], G::PathControl),
+    (&[530], G::MachineCoordinates),
+    (&[580, 590], G::Refused(Group::WorkOffset, &ADDITIVE)),
+    (&[750, 760], G::Refused(Group::NonModal, &PROBE)),
+    (&[920], G::SetPositionOrSpeed),
+    (&[930], G::Refused(Group::Other, &POLAR)),
 ];
 
-const OWN_8055: [(usize, G); 38] = [
-    OFFSETS_8055[0],
-    OFFSETS_8055[1],
-    OFFSETS_8055[2],
-    OFFSETS_8055[3],
-    OFFSETS_8055[4],
-    OFFSETS_8055[5],
-    OFFSETS_8055[6],
-    (200, G::Refused(Group::Other, &ZONE)),
-    (210, G::Refused(Group::Other, &ZONE)),
-    (220, G::Refused(Group::Other, &ZONE)),
-    (320, G::Refused(Group::Feed, &INVERSE)),
-    (430, G::Refused(Group::ToolLength, &LENGTH)),
-    (440, G::ToolLengthOff),
-    (450, G::Refused(Group::Other, &TRANSFORMATION)),
-    (480, G::Refused(Group::Other, &TRANSFORMATION)),
-    (490, G::Refused(Group::Other, &TRANSFORMATION)),
-    (510, G::PathControl),
-    (750, G::Refused(Group::NonModal, &PROBE)),
-    (760, G::Refused(Group::NonModal, &PROBE)),
-    (690, G::Refused(Group::Motion, &CYCLE)),
-    (790, G::Refused(Group::Motion, &CYCLE)),
-    (800, G::Cancel),
-    (810, G::Refused(Group::Motion, &CYCLE)),
-    (820, G::Refused(Group::Motion, &CYCLE)),
-    (830, G::Refused(Group::Motion, &CYCLE)),
-    (840, G::Refused(Group::Motion, &CYCLE)),
-    (850, G::Refused(Group::Motion, &CYCLE)),
-    (860, G::Refused(Group::Motion, &CYCLE)),
-    (870, G::Refused(Group::Motion, &CYCLE)),
-    (880, G::Refused(Group::Motion, &CYCLE)),
-    (890, G::Refused(Group::Motion, &CYCLE)),
-    (920, G::SetPositionOrSpeed),
-    (930, G::Refused(Group::Other, &POLAR)),
-    (950, G::Feed(FeedMode::PerRevolution)),
-    (960, G::Refused(Group::Speed, &CUTTING_POINT)),
-    (970, G::PathControl),
-    (980, G::ReturnInitial),
-    (990, G::ReturnR),
+/// What 8055 M and 8070 have beside it.
+const MILLS: &[Row] = &[
+    (&[410, 420], G::Refused(Group::CutterCompensation, &COMPENSATION)),
+    (&[800], G::Cancel),
+    (&[810, 820, 830, 840, 850, 860, 870, 880, 890], G::Refused(Group::Motion, &CYCLE)),
+    (&[980], G::ReturnInitial),
+    (&[990], G::ReturnR),
 ];
 
-static CODES_8055: Codes = with::<{ COMMON.len() + OWN_8055.len() }>(&OWN_8055);
+static CODES_8055: Codes = Codes::new(&[
+    COMMON,
+    BY_MODE,
+    FAGOR,
+    BOTH_8055,
+    MILLS,
+    &[
+        (&[320], G::Refused(Group::Feed, &INVERSE)),
+        (&[430], G::Refused(Group::ToolLength, &LENGTH)),
+        (&[440], G::ToolLengthOff),
+        (&[480, 490], G::Refused(Group::Other, &TRANSFORMATION)),
+        (&[690, 790], G::Refused(Group::Motion, &CYCLE)),
+        (&[960], G::Refused(Group::Speed, &CUTTING_POINT)),
+        (&[970], G::PathControl),
+    ],
+]);
 
-const OWN_8055_T: [(usize, G); 34] = [
-    (410, G::Compensation(Compensation::Left)),
-    (420, G::Compensation(Compensation::Right)),
-    OFFSETS_8055[0],
-    OFFSETS_8055[1],
-    OFFSETS_8055[2],
-    OFFSETS_8055[3],
-    OFFSETS_8055[4],
-    OFFSETS_8055[5],
-    OFFSETS_8055[6],
-    (200, G::Refused(Group::Other, &ZONE)),
-    (210, G::Refused(Group::Other, &ZONE)),
-    (220, G::Refused(Group::Other, &ZONE)),
-    (340, G::Refused(Group::Motion, &THREAD)),
-    (450, G::Refused(Group::Other, &TRANSFORMATION)),
-    (510, G::PathControl),
-    (660, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (680, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (690, G::Refused(Group::Motion, &TURNING_CYCLE)),
-    (750, G::Refused(Group::NonModal, &PROBE)),
-    (760, G::Refused(Group::NonModal, &PROBE)),
-    (810, G::Turning(TurningCycle::Fagor(81))),
-    (820, G::Turning(TurningCycle::Fagor(82))),
-    (830, G::Turning(TurningCycle::Fagor(83))),
-    (840, G::Turning(TurningCycle::Fagor(84))),
-    (850, G::Turning(TurningCycle::Fagor(85))),
-    (860, G::Turning(TurningCycle::Fagor(86))),
-    (870, G::Turning(TurningCycle::Fagor(87))),
-    (880, G::Turning(TurningCycle::Fagor(88))),
-    (890, G::Turning(TurningCycle::Fagor(89))),
-    (920, G::SetPositionOrSpeed),
-    (930, G::Refused(Group::Other, &POLAR)),
-    (950, G::Feed(FeedMode::PerRevolution)),
-    (960, G::ConstantSurfaceSpeed),
-    (970, G::Rpm),
-];
+static CODES_8055_T: Codes = Codes::new(&[
+    COMMON,
+    BY_MODE,
+    FAGOR,
+    BOTH_8055,
+    &[
+        (&[340], G::Refused(Group::Motion, &THREAD)),
+        (&[410], G::Compensation(Compensation::Left)),
+        (&[420], G::Compensation(Compensation::Right)),
+        (&[660, 680, 690], G::Refused(Group::Motion, &TURNING_CYCLE)),
+        (&[810], G::Turning(TurningCycle::Fagor(81))),
+        (&[820], G::Turning(TurningCycle::Fagor(82))),
+        (&[830], G::Turning(TurningCycle::Fagor(83))),
+        (&[840], G::Turning(TurningCycle::Fagor(84))),
+        (&[850], G::Turning(TurningCycle::Fagor(85))),
+        (&[860], G::Turning(TurningCycle::Fagor(86))),
+        (&[870], G::Turning(TurningCycle::Fagor(87))),
+        (&[880], G::Turning(TurningCycle::Fagor(88))),
+        (&[890], G::Turning(TurningCycle::Fagor(89))),
+        (&[960], G::ConstantSurfaceSpeed),
+        (&[970], G::Rpm),
+    ],
+]);
 
-static CODES_8055_T: Codes = with::<{ COMMON.len() + OWN_8055_T.len() }>(&OWN_8055_T);
-
-const OWN_8070: [(usize, G); 30] = [
-    (200, G::Refused(Group::Plane, &TRANSFORMATION)),
-    (300, G::Refused(Group::Other, &POLAR)),
-    (310, G::Refused(Group::Other, &POLAR)),
-    (530, G::Refused(Group::WorkOffset, &CANCEL_ZERO)),
-    (540, G::WorkOffset(1)),
-    (550, G::WorkOffset(2)),
-    (560, G::WorkOffset(3)),
-    (570, G::WorkOffset(4)),
-    (580, G::WorkOffset(5)),
-    (590, G::WorkOffset(6)),
-    (600, G::PathControl),
-    (610, G::PathControl),
-    (630, G::Refused(Group::Motion, &THREAD)),
-    (800, G::Cancel),
-    (810, G::Refused(Group::Motion, &CYCLE)),
-    (820, G::Refused(Group::Motion, &CYCLE)),
-    (830, G::Refused(Group::Motion, &CYCLE)),
-    (840, G::Refused(Group::Motion, &CYCLE)),
-    (850, G::Refused(Group::Motion, &CYCLE)),
-    (860, G::Refused(Group::Motion, &CYCLE)),
-    (870, G::Refused(Group::Motion, &CYCLE)),
-    (880, G::Refused(Group::Motion, &CYCLE)),
-    (890, G::Refused(Group::Motion, &CYCLE)),
-    (920, G::SetPosition),
-    (930, G::Feed(FeedMode::Seconds)),
-    (950, G::Feed(FeedMode::PerRevolution)),
-    (960, G::ConstantSurfaceSpeed),
-    (970, G::Rpm),
-    (980, G::ReturnInitial),
-    (990, G::ReturnR),
-];
-
-static CODES_8070: Codes = with::<{ COMMON.len() + OWN_8070.len() }>(&OWN_8070);
+static CODES_8070: Codes = Codes::new(&[
+    COMMON,
+    BY_MODE,
+    FAGOR,
+    MILLS,
+    &[
+        (&[200], G::Refused(Group::Plane, &TRANSFORMATION)),
+        (&[300, 310], G::Refused(Group::Other, &POLAR)),
+        (&[530], G::Refused(Group::WorkOffset, &CANCEL_ZERO)),
+        (&[580], G::WorkOffset(5)),
+        (&[590], G::WorkOffset(6)),
+        (&[600, 610], G::PathControl),
+        (&[630], G::Refused(Group::Motion, &THREAD)),
+        (&[920], G::SetPosition),
+        (&[930], G::Feed(FeedMode::Seconds)),
+        (&[960], G::ConstantSurfaceSpeed),
+        (&[970], G::Rpm),
+    ],
+]);
 
 fn machine_code(number: u32) -> Option<M> {
-    Some(match number {
-        0 | 1 => M::Pause,
-        2 | 30 => M::End,
-        3 => M::Spindle(true),
-        4 => M::Spindle(false),
-        5 => M::SpindleOff,
-        6 => M::ToolChange,
-        8 => M::Coolant(true),
-        9 => M::Coolant(false),
-        19 => M::SpindleOrient,
-        // The machine's builder defines the others, the clamps M10 to M13 of the published programs among them.
-        7 | 10..=9999 => M::User,
-        _ => return None,
+    common_machine_code(number).or_else(|| {
+        Some(match number {
+            6 => M::ToolChange,
+            19 => M::SpindleOrient,
+            // The machine's builder defines the others, the clamps M10 to M13 of the published programs among them.
+            7 | 10..=9999 => M::User,
+            _ => return None,
+        })
     })
 }

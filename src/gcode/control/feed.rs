@@ -2,6 +2,7 @@
 
 use crate::gcode::feed_word::FeedWord;
 use crate::limits::{FEED_WORD, INVERSE_TIME_WORD};
+use crate::machine::length_unit::LengthUnit;
 
 /// How the control takes the F word of a move that linear and rotary axes make together. In each form the move takes
 /// the time that the tool tip needs over the part at the wanted feed.
@@ -59,6 +60,15 @@ impl FeedLaw {
         }
     }
 
+    /// To which side its numbers grow slower.
+    #[must_use]
+    pub const fn slower(self) -> Slower {
+        match self {
+            Self::Resultant | Self::InverseTime => Slower::Less,
+            Self::Seconds => Slower::More,
+        }
+    }
+
     /// The F word of the fastest move.
     #[must_use]
     pub const fn fastest(self) -> f64 {
@@ -81,6 +91,53 @@ impl FeedLaw {
             Self::Resultant => resultant * 60.0 / word,
             Self::Seconds => word,
             Self::InverseTime => 60.0 / word,
+        }
+    }
+}
+
+/// Which number of an F word makes a move slower.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slower {
+    /// A greater one.
+    More,
+    /// A lesser one.
+    Less,
+}
+
+impl Slower {
+    /// The number of a move without end, which no word has.
+    #[must_use]
+    pub const fn endless(self) -> f64 {
+        match self {
+            Self::More => f64::INFINITY,
+            Self::Less => 0.0,
+        }
+    }
+
+    /// Of two numbers that of the slower move.
+    #[must_use]
+    pub const fn of(self, one: f64, other: f64) -> f64 {
+        match self {
+            Self::More => one.max(other),
+            Self::Less => one.min(other),
+        }
+    }
+
+    /// A whole number, no faster.
+    #[must_use]
+    pub fn whole(self, number: f64) -> f64 {
+        match self {
+            Self::More => number.ceil(),
+            Self::Less => number.floor(),
+        }
+    }
+
+    /// How far a number lies on the slower side of another.
+    #[must_use]
+    pub const fn by(self, number: f64, than: f64) -> f64 {
+        match self {
+            Self::More => number - than,
+            Self::Less => than - number,
         }
     }
 }
@@ -126,12 +183,24 @@ pub enum FeedPath {
 }
 
 impl FeedPath {
-    /// True where linear axes come first.
+    /// The length that F is counted along, of a straight way by X, Y, Z, A, B, C, U, V and W, mm and degrees; a degree alone counts as
+    /// one unit of length.
     #[must_use]
-    pub const fn linear_first(self) -> bool {
+    pub fn length(self, by: &[f64; 9], unit: LengthUnit) -> f64 {
+        let norm = |axes: &[usize]| axes.iter().map(|&axis| by[axis] * by[axis]).sum::<f64>().sqrt();
         match self {
-            Self::AllAxes => false,
-            Self::LinearFirst => true,
+            Self::AllAxes => norm(&[0, 1, 2, 3, 4, 5, 6, 7, 8]),
+            Self::LinearFirst => {
+                let (first, second) = (norm(&[0, 1, 2]), norm(&[6, 7, 8]));
+                if first > 0.0 {
+                    first
+                } else if second > 0.0 {
+                    second
+                } else {
+                    // Degrees per minute, which no unit of length scales.
+                    norm(&[3, 4, 5]) * unit.millimetres()
+                }
+            }
         }
     }
 }

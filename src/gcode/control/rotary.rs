@@ -29,17 +29,6 @@ pub enum Rollover {
     Wrapped,
 }
 
-impl Rollover {
-    /// True where the control's behaviour is known from its source.
-    #[must_use]
-    pub const fn wrapped(self) -> bool {
-        match self {
-            Self::Numbered => false,
-            Self::Wrapped => true,
-        }
-    }
-}
-
 /// Rotary axes.
 #[derive(Clone, Copy, Debug)]
 pub struct RotaryRule {

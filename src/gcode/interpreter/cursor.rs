@@ -30,7 +30,7 @@ impl<'l> Cursor<'l> {
         Self {
             line,
             at: 0,
-            parentheses: !matches!(comments, Comments::Semicolon),
+            parentheses: comments.in_parentheses(),
             semicolon: true,
             parted: None,
             e_words: false,

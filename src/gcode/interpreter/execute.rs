@@ -425,8 +425,12 @@ impl Interpreter<'_> {
                     to.set(onto, self.current.get(onto) + self.control.axes.coordinate(onto, value));
                 } else if self.modal.incremental && !machine {
                     to.set(axis, self.current.get(axis) + value);
-                } else if axis.rotary() && self.setting.rotary == Rotary::Rollover {
-                    to.set(axis, self.rolled(axis, value, to.get(axis)));
+                } else if axis.rotary() {
+                    let at = match self.setting.rotary {
+                        Rotary::Linear => value,
+                        Rotary::Rollover => self.rolled(axis, value, to.get(axis)),
+                    };
+                    to.set(axis, at);
                 } else {
                     to.set(axis, value);
                 }
@@ -443,22 +447,7 @@ impl Interpreter<'_> {
         if self.by_revolution(feed) {
             return self.turned_seconds(to, feed);
         }
-        let by = to.differences(&self.current);
-        let norm = |axes: &[usize]| axes.iter().map(|&axis| by[axis] * by[axis]).sum::<f64>().sqrt();
-        let length = if self.control.feed.path.linear_first() {
-            // F belongs to X, Y, Z; where they stand still to U, V, W; else it is degrees.
-            let (first, second) = (norm(&[0, 1, 2]), norm(&[6, 7, 8]));
-            if first > 0.0 {
-                first
-            } else if second > 0.0 {
-                second
-            } else {
-                // Degrees per minute, which no unit of length scales.
-                norm(&[3, 4, 5]) * self.modal.unit.millimetres()
-            }
-        } else {
-            norm(&[0, 1, 2, 3, 4, 5, 6, 7, 8])
-        };
+        let length = self.control.feed.path.length(&to.differences(&self.current), self.modal.unit);
         self.seconds(length, feed)
     }
 

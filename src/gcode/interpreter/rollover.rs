@@ -8,8 +8,7 @@
 
 use crate::finding::Raise;
 use crate::gcode::code::{G, Group};
-use crate::gcode::control::Letters;
-use crate::gcode::control::Rotary;
+use crate::gcode::control::{Letters, Rollover, Rotary};
 use crate::gcode::interpreter::Interpreter;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::fault::{Fault, Outcome};
@@ -31,8 +30,9 @@ const ROUNDING: f64 = 1e-6;
 impl Interpreter<'_> {
     /// Refuses absolute words of rollover axes that the control refuses, before the block is executed.
     pub(super) fn rotary_words(&self) -> Outcome<()> {
-        if self.setting.rotary == Rotary::Linear || self.block.present & WORDS == 0 {
-            return Ok(());
+        match self.setting.rotary {
+            Rotary::Rollover if self.block.present & WORDS != 0 => {}
+            Rotary::Rollover | Rotary::Linear => return Ok(()),
         }
         let incremental = match self.block.g(Group::Distance) {
             Some(code) => code == G::Incremental,
@@ -48,15 +48,18 @@ impl Interpreter<'_> {
             let Some(word) = self.block.get(index) else { continue };
             let name = axis.letter();
             let column = self.block.column(index);
-            if preset && !self.control.rotary.rollover.wrapped() && !(0.0..360.0).contains(&word) {
-                return Err(Fault::of(&RolloverPreset { axis: name, angle: word }, &[column]));
-            }
-            if self.control.rotary.rollover.wrapped() && self.block.g(Group::NonModal) == Some(G::MachineCoordinates) {
-                return Err(Fault::of(&WrappedInMachine { axis: name }, &[column]));
-            }
+            let alarm = match self.control.rotary.rollover {
+                Rollover::Numbered if preset && !(0.0..360.0).contains(&word) => {
+                    return Err(Fault::of(&RolloverPreset { axis: name, angle: word }, &[column]));
+                }
+                Rollover::Wrapped if self.block.g(Group::NonModal) == Some(G::MachineCoordinates) => {
+                    return Err(Fault::of(&WrappedInMachine { axis: name }, &[column]));
+                }
+                Rollover::Numbered => "0168: ",
+                Rollover::Wrapped => "",
+            };
             if word.abs() >= 360.0 {
-                let number = if self.control.rotary.rollover.wrapped() { "" } else { "0168: " };
-                return Err(Fault::of(&RolloverBeyondTurn { alarm: number, axis: name, angle: word }, &[column]));
+                return Err(Fault::of(&RolloverBeyondTurn { alarm, axis: name, angle: word }, &[column]));
             }
         }
         Ok(())
@@ -87,10 +90,10 @@ impl Interpreter<'_> {
 
     /// Cautions that the control's manuals do not say what a word of a rollover axis does; LinuxCNC's program does.
     fn unclear(&mut self, letter: usize, row: &dyn Raise) {
-        if self.control.rotary.rollover.wrapped() {
-            return;
+        match self.control.rotary.rollover {
+            Rollover::Numbered => self.remarks.row(row, self.line, Some(self.block.column(letter))),
+            Rollover::Wrapped => {}
         }
-        self.remarks.row(row, self.line, Some(self.block.column(letter)));
     }
 
     /// Points out a motion at feed that turns a rotary axis by more than half a turn.

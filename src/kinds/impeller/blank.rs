@@ -4,9 +4,10 @@
 //! The thesis, section 4.1: G85 X = 2R, Z = −r, Q = 2(R − r), R = 0, C = step, I = 0, K = r. Its table prints Z = −R; its
 //! program has −15, which is −r.
 
-use crate::gcode::control::FAGOR_8055_T;
-use crate::gcode::program::{Part, Program};
+use crate::gcode::control::WRITTEN_8055_T;
+use crate::gcode::program::Program;
 use crate::gcode::word::{NumberFormat, Word};
+use crate::gcode::writer::Writer;
 use crate::geometry::torus::Torus;
 use crate::kinds::impeller::parameters as form;
 use crate::machine::axis::Position;
@@ -73,55 +74,53 @@ impl BlankTurning {
     /// For a dimension that no program may carry.
     pub fn program(&self, torus: Torus, format: NumberFormat, block_step: u32) -> Result<Program, OutOfFormat> {
         let Torus { R, r } = torus;
+        let mut writer = Writer::new(WRITTEN_8055_T, Vec::new());
         let size = |letter: char, value: f64| Ok::<_, OutOfFormat>(Word::size(letter, Milli::round(value)?));
         let g = |number| Word::whole('G', number);
-        let block = |words: Vec<Word>| Part::Block(words);
-        let mut parts: Vec<Part> = Vec::new();
         let full = format == NumberFormat::Fixed;
-        let state = [g(0), g(71), g(90), g(95), g(96)];
-        let tool = vec![Word::whole('T', self.T_b), Word::whole('D', self.D_b)];
+        let state = [g(71), g(90), g(95)];
+        let turning = [Word::whole('S', self.S_b), Word::whole('M', 4)];
+        let start = [writer.diameter(2.0 * R)?, size('Z', self.Z_b)?];
+        let approach = [writer.diameter(2.0 * R + self.c_f)?, size('Z', 0.0)?];
+        let mut facing = vec![g(1), writer.diameter(-self.c_o)?, size('F', self.F_b)?];
         if full {
-            parts.push(block(state[1..4].to_vec()));
-            parts.push(block(tool));
+            writer.block(state);
+            writer.tool(self.T_b, self.D_b);
             if let Some(S_m) = self.S_m {
-                parts.push(block(vec![g(92), Word::whole('S', S_m)]));
+                writer.block([g(92), Word::whole('S', S_m)]);
             }
-            parts.push(block(vec![g(96), Word::whole('S', self.S_b), Word::whole('M', 4)]));
-            parts.push(block(vec![g(0), size('X', 2.0 * R)?, size('Z', self.Z_b)?]));
+            writer.block([&[g(96)], turning.as_slice()].concat());
+            writer.rapid(start);
+            writer.rapid(approach);
         } else {
-            let mut first = state.to_vec();
-            first.extend([size('X', 2.0 * R)?, size('Z', self.Z_b)?, Word::whole('M', 4)]);
-            parts.push(block(first));
-            parts.push(block(tool));
+            let [speed, spindle] = turning;
+            writer.rapid([state.as_slice(), &[g(96)], &start, &[spindle]].concat());
+            writer.tool(self.T_b, self.D_b);
+            writer.block(approach);
+            facing.push(speed);
         }
-        let approach = [size('X', 2.0 * R + self.c_f)?, size('Z', 0.0)?];
-        parts.push(block(if full { [vec![g(0)], approach.to_vec()].concat() } else { approach.to_vec() }));
-        let mut facing = vec![g(1), size('X', -self.c_o)?, size('F', self.F_b)?];
-        if !full {
-            facing.push(Word::whole('S', self.S_b));
-        }
-        parts.push(block(facing));
-        parts.push(block(vec![g(0), size('X', 2.0 * R + self.c_c)?, size('Z', 0.0)?]));
-        parts.push(block(vec![
+        writer.block(facing);
+        writer.rapid([writer.diameter(2.0 * R + self.c_c)?, size('Z', 0.0)?]);
+        writer.block([
             g(85),
-            size('X', 2.0 * R)?,
+            writer.diameter(2.0 * R)?,
             size('Z', -r)?,
             size('Q', 2.0 * (R - r))?,
             size('R', 0.0)?,
             size('C', self.C)?,
             size('I', 0.0)?,
             size('K', r)?,
-        ]));
-        parts.push(block(vec![g(0), size('X', self.X_e)?, size('Z', self.Z_e)?]));
-        parts.push(block(vec![Word::whole('M', 30)]));
+        ]);
+        writer.rapid([writer.diameter(self.X_e)?, size('Z', self.Z_e)?]);
+        writer.block([Word::whole('M', 30)]);
         Ok(Program {
             key: "blank",
             title: t("Torneado del bruto", "Turning of the blank"),
-            control: &FAGOR_8055_T,
+            control: writer.control(),
             format,
             block_step: Some(block_step),
             start: Position::default(),
-            parts,
+            parts: writer.finish(),
         })
     }
 }

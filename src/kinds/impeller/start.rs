@@ -24,8 +24,9 @@ fn at(keys: &[&'static str]) -> Place {
 pub(super) fn start(design: &Design) -> Vec<Finding> {
     let mut findings = vec![rotary_axes(design)];
     // Of the clamps of other machines nothing was published.
-    if design.control.rotary.delivered == Rotary::Rollover {
-        findings.push(clamps(design));
+    match design.control.rotary.delivered {
+        Rotary::Rollover => findings.push(clamps(design)),
+        Rotary::Linear => {}
     }
     if design.coolant.is_empty() {
         findings.push(NoCoolant {}.at(at(&["coolant"])));
@@ -44,10 +45,11 @@ fn rotary_axes(design: &Design) -> Finding {
         TurnsByIncrements {}.at(place)
     } else if design.distance == Distance::Incremental {
         IncrementsFromZero {}.at(place)
-    } else if design.control.rotary.delivered == Rotary::Rollover {
-        OnLinearAxesUnproved {}.at(place)
     } else {
-        OnLinearAxes {}.at(place)
+        match design.control.rotary.delivered {
+            Rotary::Rollover => OnLinearAxesUnproved {}.at(place),
+            Rotary::Linear => OnLinearAxes {}.at(place),
+        }
     }
 }
 
@@ -71,6 +73,9 @@ fn retract(design: &Design) -> Option<Finding> {
     }
     let by_machine_zero = holds(&design.retract, 'G', 53);
     let heights = design.retract.iter().filter(|word| matches!(word.number, Number::Size(_))).count();
-    (design.control.rotary.delivered == Rotary::Rollover && by_machine_zero && heights > 0)
-        .then(|| RetractIsAssumed {}.at(at(&["retract"])))
+    let assumed = match design.control.rotary.delivered {
+        Rotary::Rollover => by_machine_zero && heights > 0,
+        Rotary::Linear => false,
+    };
+    assumed.then(|| RetractIsAssumed {}.at(at(&["retract"])))
 }

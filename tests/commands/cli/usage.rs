@@ -99,12 +99,17 @@ fn help_and_version_end_with_0() {
     let folder = folder();
     for flag in ["--version", "-V"] {
         rodete(&folder).arg(flag).assert().code(0).stderr("").stdout(format!(
-            "rodete {}\n\
+            "rodete {}\n{}\n\
              workbook impeller: schema rodete-impeller 2\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
              workbook pipe-insert: schema rodete-pipe-insert 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
              workbook pipe-hole: schema rodete-pipe-hole 1\ndialects: fagor-8055, fagor-8070, linuxcnc\n\
              workbook lathe: schema rodete-lathe 1\ndialects: fanuc-lathe-a, fagor-8055-t\n",
-            env!("CARGO_PKG_VERSION")
+            env!("CARGO_PKG_VERSION"),
+            if cfg!(feature = "embedded-typst") {
+                "features: embedded-typst (typst 0.15.1)"
+            } else {
+                "features: none (an installed typst 0.15 sets the reports)"
+            }
         ));
     }
     for (arguments, wanted) in [
@@ -115,6 +120,31 @@ fn help_and_version_end_with_0() {
     ] {
         rodete(&folder).args(&arguments).assert().code(0).stderr("").stdout(predicate::str::contains(wanted));
     }
+}
+
+#[test]
+fn shells_and_man_are_told_the_whole_command_line() {
+    let folder = folder();
+    let said = |arguments: &[&str]| {
+        let assert = rodete(&folder).args(arguments).assert().code(0).stderr("");
+        String::from_utf8(assert.get_output().stdout.clone()).expect("text")
+    };
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = said(&["completions", shell]);
+        for word in ["simulate", "no-report"] {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+        // The others complete words and not what they take.
+        if ["bash", "zsh"].contains(&shell) {
+            assert!(script.contains("pipe-insert") && script.contains("fagor-8055"), "{shell}");
+        }
+    }
+    let page = said(&["man"]);
+    assert!(page.contains(".TH rodete 1") && page.contains("interrupted"), "{page}");
+    let page = said(&["man", "build"]);
+    assert!(page.contains(".TH rodete\\-build 1") || page.contains(".TH rodete-build 1"), "{page}");
+    assert!(page.contains("Example: rodete build"), "{page}");
+    rodete(&folder).args(["man", "bild"]).assert().code(2).stdout("");
 }
 
 #[test]

@@ -191,3 +191,67 @@ fn a_name_that_is_no_utf8_will_do_too() {
     rodete(&folder).args(["build", "--no-report", "--json"]).arg(name).assert().code(0);
     assert!(folder.path().join(OsStr::from_bytes(b"a\xff-out/a\xff-blade.nc")).is_file());
 }
+
+/// A folder with programs, among them an `xdg-open` that writes down what it is to open.
+#[cfg(unix)]
+fn desktop(folder: &tempfile::TempDir, opener: bool) -> std::path::PathBuf {
+    use std::os::unix::fs::PermissionsExt;
+    let bin = folder.path().join(if opener { "desktop" } else { "bare" });
+    fs::create_dir(&bin).expect("a folder");
+    if opener {
+        let script = bin.join("xdg-open");
+        fs::write(&script, "#!/bin/sh\nprintf '%s' \"$1\" > opened.tmp && /bin/mv opened.tmp opened\n")
+            .expect("a script");
+        fs::set_permissions(&script, fs::Permissions::from_mode(0o755)).expect("permissions");
+    }
+    bin
+}
+
+/// `--open` gives the desktop the report, or the folder where there is none; that it cannot is a caution, with the files written.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_was_built_is_opened_when_asked_for() {
+    let folder = with_impeller();
+    let line = ["build", "impeller.xlsx", "--no-report", "--open"];
+    let build = |bin| rodete(&folder).args(line).env("PATH", bin).assert().code(0);
+    build(desktop(&folder, true));
+    let opened = folder.path().join("opened");
+    // Nobody waits for what is opened.
+    let until = std::time::Instant::now() + std::time::Duration::from_secs(60);
+    while !opened.exists() {
+        assert!(std::time::Instant::now() < until, "nothing was opened");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    assert_eq!(fs::read_to_string(&opened).expect("what was opened"), "impeller-out");
+    build(desktop(&folder, false)).stderr(predicate::str::contains("cannot open impeller-out: "));
+    assert_eq!(names(folder.path().join("impeller-out")), OUTPUTS);
+    // A workbook that is refused leaves nothing to open.
+    fs::remove_file(&opened).expect("the note");
+    let refused = with_refused();
+    rodete(&refused).args(line).env("PATH", folder.path().join("desktop")).assert().code(3);
+    assert!(!refused.path().join("opened").exists());
+}
+
+#[test]
+fn the_last_line_says_what_to_do_next() {
+    let last = |folder: &tempfile::TempDir, words: &[&str], code: i32| {
+        let assert = rodete(folder).args(words).assert().code(code);
+        let output = assert.get_output();
+        let said = if code == 0 { &output.stdout } else { &output.stderr };
+        String::from_utf8_lossy(said).lines().last().unwrap_or_default().to_owned()
+    };
+    let folder = with_impeller();
+    let next = "next: see to the cautions; ";
+    assert_eq!(last(&folder, &["check", "impeller.xlsx"], 0), format!("{next}rodete build impeller.xlsx"));
+    assert_eq!(
+        last(&folder, &["build", "impeller.xlsx", "--no-report"], 0),
+        format!("{next}read impeller-out/impeller-results.xlsx; make a dry run before you cut")
+    );
+    let refused = with_refused();
+    for command in ["check", "build"] {
+        assert_eq!(
+            last(&refused, &[command, "impeller.xlsx", "--lang", "es"], 3),
+            "después: corrija las celdas indicadas, guarde el libro y repita"
+        );
+    }
+}

@@ -1,7 +1,7 @@
 //! The program of the torch, as published or complete.
 
 use crate::finding::{Finding, Raise, Size};
-use crate::gcode::control::{FeedLaw, Rotary};
+use crate::gcode::control::{Rotary, Slower};
 use crate::gcode::feed_word::FeedWord;
 use crate::gcode::header::{Header, Origin, Work};
 use crate::gcode::program::{Part, Program};
@@ -112,8 +112,9 @@ fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
 #[must_use]
 pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
     let (law, F) = (design.control.feed.law, design.F.filter(|_| design.mode == Mode::Rotary)?);
-    if law == FeedLaw::Seconds {
-        return None;
+    match law.slower() {
+        Slower::More => return None,
+        Slower::Less => {}
     }
     let before = std::iter::once(cut.pierce).chain(cut.legs.iter().map(|leg| leg.to));
     let words = before.zip(&cut.legs).map(|(at, leg)| law.word(way(design, at, leg) * 60.0 / F, resultant(at, leg)));

@@ -1,0 +1,25 @@
+//! `build --open`: the report, or the folder where there is none, in the program that the desktop has for it.
+
+use std::path::{Path, PathBuf};
+
+use super::delivery::REPORT;
+use super::rules::NotOpened;
+use super::show;
+use super::verdict::Ending;
+use crate::escape::printable;
+use crate::finding::{Finding, Place, Raise};
+
+/// What is to be opened of a workbook that was built; none where nothing was written.
+pub(super) fn chosen(verdict: &Ending) -> Option<PathBuf> {
+    let report = verdict.files.iter().find(|file| file.name.to_string_lossy().ends_with(REPORT));
+    let folder = || verdict.folder.clone().filter(|_| !verdict.files.is_empty());
+    // The folder of outputs in the current one is the empty path.
+    let seen = |path: PathBuf| if path.as_os_str().is_empty() { PathBuf::from(".") } else { path };
+    report.map(|file| file.path.clone()).or_else(folder).map(seen)
+}
+
+/// Opens it; a caution where the desktop has nothing to do so with.
+pub(super) fn open(path: &Path) -> Option<Finding> {
+    let error = opener::open(path).err()?;
+    Some(NotOpened { path: show::path(path), reason: printable(&error.to_string()) }.at(Place::File))
+}
