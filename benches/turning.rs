@@ -18,6 +18,7 @@ use rodete::geometry::exact::convex::Convex;
 use rodete::geometry::exact::grid::Point;
 use rodete::geometry::exact::meeting::Meeting;
 use rodete::geometry::exact::region::{Region, twice_area};
+use rodete::kinds::lathe::cases;
 use rodete::kinds::lathe::parameters::FORM;
 use rodete::kinds::lathe::text::{Lines, SheetProgram};
 use rodete::kinds::lathe::{Seen, watched};
@@ -149,8 +150,8 @@ fn cycles(depth: f64) -> String {
 /// The values of the example, with a bar of D 200 and 150 mm.
 fn values() -> Values {
     let mut values = Values { language: Language::En, ..Values::default() };
-    values.values.extend(FORM.cases[0].values(Language::En));
-    values.lists.push(rodete::kinds::lathe::cases::turret(Language::En));
+    values.values.extend(cases::CASES[0].values(Language::En));
+    values.lists.push(cases::turret(Language::En));
     for (key, value) in [("D", 200.0), ("L", 150.0), ("L4", 40.0), ("L5", 0.0)] {
         values.values.insert(key, Value::Real(value));
     }

@@ -114,6 +114,26 @@ impl Cells {
     }
 }
 
+/// How the values of a column come about: every column says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// The program computes them as this says, in the source's letters.
+    Told(&'static str),
+    /// No formula of the column's own stands behind them: they are words, counts, what was given, or what a program comes to.
+    None,
+}
+
+impl Law {
+    /// What is said of it; `None` where there is nothing to say.
+    #[must_use]
+    pub const fn told(self) -> Option<&'static str> {
+        match self {
+            Self::Told(told) => Some(told),
+            Self::None => None,
+        }
+    }
+}
+
 /// A column of a table.
 #[derive(Clone, Debug)]
 pub struct Column {
@@ -121,8 +141,8 @@ pub struct Column {
     pub symbol: Text,
     /// The unit.
     pub unit: Unit,
-    /// How the value is computed, as a formula in the source's letters.
-    pub formula: &'static str,
+    /// How the values come about.
+    pub law: Law,
     /// The values.
     pub values: Cells,
 }
@@ -130,8 +150,8 @@ pub struct Column {
 impl Column {
     /// A column of numbers.
     #[must_use]
-    pub fn numbers(symbol: &'static str, unit: Unit, formula: &'static str, values: impl Into<Arc<[f64]>>) -> Self {
-        Self { symbol: t(symbol, symbol), unit, formula, values: Cells::Numbers(values.into()) }
+    pub fn numbers(symbol: &'static str, unit: Unit, law: Law, values: impl Into<Arc<[f64]>>) -> Self {
+        Self { symbol: t(symbol, symbol), unit, law, values: Cells::Numbers(values.into()) }
     }
 
     /// The column under another name.
@@ -143,24 +163,19 @@ impl Column {
 
     /// Three columns from a list of vectors.
     #[must_use]
-    pub fn vectors(
-        symbols: [&'static str; 3],
-        unit: Unit,
-        formula: &'static str,
-        values: &Arc<[Vector3<f64>]>,
-    ) -> [Self; 3] {
+    pub fn vectors(symbols: [&'static str; 3], unit: Unit, law: Law, values: &Arc<[Vector3<f64>]>) -> [Self; 3] {
         [0, 1, 2].map(|axis| Self {
             symbol: t(symbols[axis], symbols[axis]),
             unit,
-            formula,
+            law,
             values: Cells::Component(Arc::clone(values), axis),
         })
     }
 
     /// A column of texts.
     #[must_use]
-    pub fn texts(symbol: Text, formula: &'static str, values: Vec<Text>) -> Self {
-        Self { symbol, unit: Unit::None, formula, values: Cells::Texts(values.into()) }
+    pub fn texts(symbol: Text, law: Law, values: Vec<Text>) -> Self {
+        Self { symbol, unit: Unit::None, law, values: Cells::Texts(values.into()) }
     }
 }
 

@@ -6,7 +6,7 @@
 //! - `motions`: motions, what is in force and the parameters left behind, of every program of the tests under every control;
 //! - `verify`: what is refused and remarked in them and what they come to, in both languages; `view`: their scenes; `simulate`:
 //!   turning programs over their stock, with every file;
-//! - `impeller`, `pipe-insert`, `pipe-hole`, `lathe`: every case in both languages for every control that the kind can be
+//! - one area for each kind of `KINDS`: every case in both languages for every control that the kind can be
 //!   written for: the new workbook and the results part by part, programs, drawings, solid, viewer, what typst is given to
 //!   set (a stand-in keeps it), and the documents of `check`, `build`, `verify` and `simulate`;
 //! - `refused`: every cell of every kind spoilt, contradictions, damaged packages; `offsets`; `help`.
@@ -48,7 +48,8 @@ mod programs;
 #[path = "ledger/refused.rs"]
 mod refused;
 
-use golden::{hold, well_formed};
+use golden::{differing, hold, well_formed};
+use rodete::kinds::KINDS;
 
 #[test]
 fn every_line_has_its_place() {
@@ -56,18 +57,15 @@ fn every_line_has_its_place() {
 }
 
 #[test]
+fn books_of_every_kind() {
+    books::every_exception_is_one();
+    let differing: Vec<_> = KINDS.iter().filter_map(|kind| differing(kind.form().kind, books::of(*kind))).collect();
+    assert!(differing.is_empty(), "{}", differing.concat());
+}
+
+#[test]
 fn help() {
     hold("help", programs::help());
-}
-
-#[test]
-fn impeller() {
-    hold("impeller", books::impeller());
-}
-
-#[test]
-fn lathe() {
-    hold("lathe", books::lathe());
 }
 
 #[test]
@@ -78,16 +76,6 @@ fn motions_under_every_control() {
 #[test]
 fn offsets() {
     hold("offsets", programs::offsets());
-}
-
-#[test]
-fn pipe_hole() {
-    hold("pipe-hole", books::hole());
-}
-
-#[test]
-fn pipe_insert() {
-    hold("pipe-insert", books::insert());
 }
 
 #[test]

@@ -31,7 +31,7 @@ impl Arguments {
     pub(super) fn command(kinds: &[&dyn Kind]) -> clap::Command {
         let forms = || kinds.iter().map(|kind| kind.form());
         let names = PossibleValuesParser::new(forms().map(|form| form.kind));
-        let cases = PossibleValuesParser::new(forms().flat_map(|form| form.cases).map(|case| case.name));
+        let cases = PossibleValuesParser::new(kinds.iter().flat_map(|kind| kind.cases()).map(|case| case.name));
         let kind = forms().next().map_or("KIND", |form| form.kind);
         let others: Vec<&str> = forms().skip(1).map(|form| form.kind).collect();
         let others = match others.as_slice() {
@@ -423,12 +423,12 @@ mod tests {
 
     #[test]
     fn the_command_line_is_well_formed() {
-        Arguments::command(&KINDS).debug_assert();
+        Arguments::command(KINDS).debug_assert();
     }
 
     #[test]
     fn every_command_has_an_example_and_a_man_page() {
-        let whole = Arguments::command(&KINDS);
+        let whole = Arguments::command(KINDS);
         let names: Vec<&str> = whole.get_subcommands().map(clap::Command::get_name).collect();
         assert_eq!(names, COMMANDS);
         for command in whole.get_subcommands() {
@@ -439,7 +439,7 @@ mod tests {
                 .split('\0')
                 .enumerate()
                 .flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
-            let read = Arguments::read(quoted.map(OsString::from), &KINDS);
+            let read = Arguments::read(quoted.map(OsString::from), KINDS);
             assert!(read.is_ok(), "{example}: {read:?}");
         }
     }
@@ -448,7 +448,7 @@ mod tests {
     fn both_languages_are_read_by_their_codes() {
         for wanted in Language::ALL {
             let read =
-                Arguments::read(["rodete", "check", "a.xlsx", "--lang", wanted.code()].map(OsString::from), &KINDS);
+                Arguments::read(["rodete", "check", "a.xlsx", "--lang", wanted.code()].map(OsString::from), KINDS);
             assert!(
                 matches!(read.map(|read| read.command), Ok(Command::Check(Check { lang: Some(l), .. })) if l == wanted)
             );

@@ -96,7 +96,7 @@ impl Delivery<'_> {
             })?;
         }
         if let Some(scene) = scene {
-            let scene = scene.titled(outcome.fields.values().line("part").to_owned(), language);
+            let scene = scene.titled(outcome.part().to_owned(), language);
             set.write(&store::file_name(&item.stem, VIEWER), |out| view::write(&scene, out))?;
         }
         Ok(())

@@ -38,7 +38,7 @@ fn titled<'a>(outcome: &'a Outcome, drawing: &'a Drawing, language: Language) ->
         figure: &drawing.figure,
         arcs: &drawing.arcs,
         title: &drawing.title,
-        part: outcome.fields.values().line("part"),
+        part: outcome.part(),
         source: &outcome.source,
         language,
     }

@@ -15,7 +15,6 @@ use crate::finding::{self, AlarmFamily, Example, Exit, Grade, Place, Raise, Rule
 use crate::gcode::rules::{codes, expressions, flow, geometry, lexis, modes, words};
 use crate::gcode::turning::rules::{contour, corner, cycles, fagor, holes, lathe, nose};
 use crate::kind::{self, Kind};
-use crate::kinds;
 use crate::machine;
 use crate::parameter;
 use crate::proof;
@@ -28,14 +27,10 @@ use crate::typeset;
 use crate::workbook;
 
 /// The rows of every room below the kinds, and of the walls.
-pub const RULES: &[&[&Rule]] = &[
+const RULES: &[&[&Rule]] = &[
     parameter::rules::RULES,
-    kinds::rules::RULES,
-    kinds::impeller::rules::RULES,
-    kinds::pipe::rules::RULES,
-    kinds::pipe::insert::rules::RULES,
-    kinds::pipe::hole::rules::RULES,
-    kinds::lathe::rules::RULES,
+    // `simulate` is a command of every binary.
+    crate::kinds::lathe::rules::RULES,
     alarms::RULES,
     corner::RULES,
     cycles::RULES,
@@ -69,9 +64,15 @@ pub const RULES: &[&[&Rule]] = &[
     codes::RULES,
 ];
 
-/// All rows: those of the rooms below the kinds, and those of the kinds.
-fn all(kinds: &[&dyn Kind]) -> impl Iterator<Item = &'static Rule> + Clone {
-    RULES.iter().copied().chain(kinds.iter().map(|kind| kind.rules())).flatten().copied()
+/// All rows of a binary with these kinds, by their codes: those of its rooms, and those of the kinds.
+#[must_use]
+pub fn rows(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
+    let mut rows: Vec<_> =
+        RULES.iter().chain(kinds.iter().flat_map(|kind| kind.rules())).copied().flatten().copied().collect();
+    rows.sort_by_key(|rule| (rule.code, rule.ident));
+    // Kinds may share rows.
+    rows.dedup_by_key(|rule| (rule.code, rule.ident));
+    rows
 }
 
 pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Terminal) -> Exit {
@@ -97,19 +98,20 @@ pub(super) fn run(arguments: &Explain, kinds: &[&dyn Kind], terminal: &mut Termi
         let told: String = if arguments.markdown {
             reference(kinds, language)
         } else {
-            sorted(kinds).into_iter().map(|rule| told(rule, language)).collect()
+            rows(kinds).into_iter().map(|rule| told(rule, language)).collect()
         };
         terminal.out(&told);
         return Exit::Done;
     }
     if arguments.codes.is_empty() {
-        let lines: String = all(kinds).map(|rule| format!("{}  {}\n", rule.code, rule.what.get(language))).collect();
+        let lines: String =
+            rows(kinds).iter().map(|rule| format!("{}  {}\n", rule.code, rule.what.get(language))).collect();
         terminal.out(&lines);
         return Exit::Done;
     }
     let mut exit = Exit::Done;
     for code in &arguments.codes {
-        let found: Vec<_> = all(kinds).filter(|rule| named(rule, code)).collect();
+        let found: Vec<_> = rows(kinds).into_iter().filter(|rule| named(rule, code)).collect();
         if found.is_empty() {
             let refusal = NoSuchCode { code: printable(code) }.refused(Exit::CommandLine, Place::File);
             exit = refused(&refusal, language, terminal);
@@ -127,15 +129,6 @@ fn named(rule: &Rule, code: &str) -> bool {
         || rule.alarm.iter().any(|(family, number)| family.shown(*number).eq_ignore_ascii_case(code))
 }
 
-/// All rows, by their codes.
-fn sorted(kinds: &[&dyn Kind]) -> Vec<&'static Rule> {
-    let mut rules: Vec<_> = all(kinds).collect();
-    rules.sort_by_key(|rule| rule.code);
-    // Kinds may share rows.
-    rules.dedup();
-    rules
-}
-
 /// Every row on one page in Markdown, by its code.
 #[must_use]
 pub fn reference(kinds: &[&dyn Kind], language: Language) -> String {
@@ -146,7 +139,7 @@ pub fn reference(kinds: &[&dyn Kind], language: Language) -> String {
     );
     let mut page = format!("# {}\n\n{}\n", title.get(language), about.get(language));
     let mut room = "";
-    for rule in sorted(kinds) {
+    for rule in rows(kinds) {
         let letter = rule.code.get(..1).unwrap_or_default();
         if letter != room {
             room = letter;

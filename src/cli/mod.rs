@@ -43,7 +43,7 @@ use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
 pub use self::controls::controls;
-pub use self::explain::{RULES, reference};
+pub use self::explain::{reference, rows};
 use self::locale::spoken;
 pub use self::pages::{exit_codes, parameters};
 use self::rules::OutputNotWritten;

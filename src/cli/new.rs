@@ -9,7 +9,7 @@ use super::terminal::Terminal;
 use super::{fault, finding, refused, show};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::kind::Kind;
-use crate::parameter::{Case, Form};
+use crate::parameter::Case;
 use crate::store::{Existing, Folder, Set, Written};
 use crate::text::Text;
 use crate::workbook::template;
@@ -36,11 +36,12 @@ pub(super) fn run(arguments: &New, kinds: &[&dyn Kind], terminal: &mut Terminal)
 }
 
 fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Option<Finding>), Refusal> {
-    let Some(form) = kinds.iter().map(|kind| kind.form()).find(|form| form.kind == arguments.kind) else {
+    let Some((form, kind)) = kinds.iter().map(|kind| (kind.form(), kind)).find(|(form, _)| form.kind == arguments.kind)
+    else {
         return Err(fault::refusal("a kind without a form"));
     };
-    let case = case(form, arguments.case.as_deref()).ok_or_else(|| {
-        let (kind, cases) = (form.kind, form.cases.iter().map(|case| case.name).collect::<Vec<_>>().join(", "));
+    let case = case(kind.cases(), arguments.case.as_deref()).ok_or_else(|| {
+        let (kind, cases) = (form.kind, kind.cases().iter().map(|case| case.name).collect::<Vec<_>>().join(", "));
         let case = arguments.case.clone().unwrap_or_default();
         NoSuchCase { kind, case, cases }.refused(Exit::CommandLine, Place::File)
     })?;
@@ -53,11 +54,11 @@ fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Option<F
     Ok((set.commit()?, folder.settled().cloned()))
 }
 
-/// The case of a kind with a name, or its usual one; `None` where it has none of that name.
-fn case(form: &Form, name: Option<&str>) -> Option<&'static Case> {
+/// The case with a name, or the usual one; `None` where there is none of that name.
+fn case<'a>(cases: &'a [Case], name: Option<&str>) -> Option<&'a Case> {
     match name {
-        None => form.cases.first(),
-        Some(name) => form.cases.iter().find(|case| case.name == name),
+        None => cases.first(),
+        Some(name) => cases.iter().find(|case| case.name == name),
     }
 }
 

@@ -6,7 +6,7 @@ use super::explain::plain;
 use super::verdict::{ENDS, code, meaning, status};
 use crate::kind::Kind;
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Form, Parameter, Value};
+use crate::parameter::{Parameter, Value};
 use crate::text::{Language, Text, t};
 use crate::workbook::error::WriteError;
 use crate::workbook::form_sheet::label;
@@ -27,8 +27,8 @@ pub fn parameters(kinds: &[&dyn Kind], language: Language) -> Result<String, Wri
         ),
         language,
     );
-    for form in kinds.iter().map(|kind| kind.form()) {
-        write_form(&mut page, form, language)?;
+    for kind in kinds {
+        write_form(&mut page, *kind, language)?;
     }
     Ok(page)
 }
@@ -69,23 +69,24 @@ fn write_head(page: &mut String, rule: &str, heads: &[Text], language: Language)
     let _ = write!(page, "\n| {} |\n{rule}\n", heads.join(" | "));
 }
 
-fn write_form(page: &mut String, form: &'static Form, language: Language) -> Result<(), WriteError> {
+fn write_form(page: &mut String, kind: &dyn Kind, language: Language) -> Result<(), WriteError> {
+    let (form, cases) = (kind.form(), kind.cases());
     let _ = write!(page, "\n## {}\n\n{}: `{}`.", form.kind, t("Esquema", "Schema").get(language), form.schema);
     let _ = writeln!(
         page,
         " {}:\n",
         t("Casos de los que parte un libro nuevo", "Cases that a new workbook starts from").get(language)
     );
-    for case in form.cases {
-        let command = if std::ptr::eq(case, &form.cases[0]) {
+    for (at, case) in cases.iter().enumerate() {
+        let command = if at == 0 {
             format!("rodete new {}", form.kind)
         } else {
             format!("rodete new {} --case {}", form.kind, case.name)
         };
         let _ = writeln!(page, "- `{}` (`{command}`): {}", case.name, plain(case.note.get(language)));
     }
-    let note = form.cases.first().map_or(t("", ""), |case| case.note.clone());
-    let values = form.cases.first().map(|case| case.values(language)).unwrap_or_default();
+    let note = cases.first().map_or(t("", ""), |case| case.note.clone());
+    let values = cases.first().map(|case| case.values(language)).unwrap_or_default();
     let heads = [
         t("símbolo", "symbol"),
         t("celda", "cell"),

@@ -12,6 +12,7 @@ use crate::escape::{printable, printable_path};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess_turning;
+use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::{DecimalPoint, Files, HolePlane, Interpreter, decoded, wide};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::lexis::Utf16;
@@ -27,9 +28,9 @@ use crate::kinds::lathe::{self, Raised, Simulated};
 use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::SHEET_BLOCKS;
 use crate::machine::axis::Axis;
-use crate::parameter::field::{Field, Fields, Required};
+use crate::parameter::Values;
+use crate::parameter::field::{Field, Fields, Required, Stated};
 use crate::parameter::list::{Row, Rows};
-use crate::parameter::{Value, Values};
 use crate::store;
 use crate::text::Language;
 use crate::workbook;
@@ -149,7 +150,7 @@ fn given(wanted: &Wanted<'_>) -> Result<(Values, Vec<Finding>), Refusal> {
     }
     let language = wanted.language;
     let mut values = Values { language, ..Values::default() };
-    if let Some(case) = FORM.cases.first() {
+    if let Some(case) = cases::CASES.first() {
         values.values.extend(case.values(language));
     }
     values.lists.push(cases::turret(language));
@@ -164,24 +165,20 @@ fn for_program(
     dialect: &'static Control,
     program: &text::SheetProgram,
 ) -> Values {
-    values.values.insert(form::DIALECT.key(), Value::Choice(dialect.name));
-    match wanted.point {
-        Some(DecimalPoint::Calculator) => values.values.insert(form::POINT.key(), Value::Choice("calculator")),
-        Some(DecimalPoint::Micrometre) => values.values.insert(form::POINT.key(), Value::Choice("micrometre")),
-        None if wanted.tools.is_none() => values.values.remove(form::POINT.key()),
-        None => None,
-    };
-    if let Some(plane) = wanted.plane {
-        let plane = if plane == HolePlane::Absolute { "absolute" } else { "incremental" };
-        values.values.insert(form::HOLE_R.key(), Value::Choice(plane));
+    values.put(&form::DIALECT, Some(dialect));
+    if wanted.point.is_some() || wanted.tools.is_none() {
+        values.put(&form::POINT, wanted.point);
+    }
+    if wanted.plane.is_some() {
+        values.put(&form::HOLE_R, wanted.plane);
     }
     if wanted.block_delete {
-        values.values.insert(form::BLOCK_DELETE.key(), Value::Choice("yes"));
+        values.put(&form::BLOCK_DELETE, Some(true));
     }
     if wanted.tools.is_none() {
         let name = wanted.program.file_stem().unwrap_or_default().to_string_lossy();
-        values.values.insert(form::PART.key(), Value::Line(printable(&name).chars().take(60).collect()));
-        values.values.remove(form::MATERIAL.key());
+        values.put(&form::PART, Some(printable(&name).chars().take(60).collect()));
+        values.put(&form::MATERIAL, None);
     }
     values.lists.retain(|rows| matches!(rows.list, TOOLS_KEY | PROFILE_KEY));
     if wanted.tools.is_none() && only_left(&program.main.text) {
@@ -189,14 +186,14 @@ fn for_program(
         let rows = values.lists.iter_mut().filter(|rows| rows.list == TOOLS_KEY).flat_map(|rows| &mut rows.rows);
         let faced =
             rows.filter(|row| !matches!(row.found(&tools::TYPE), Some(ToolType::Drill | ToolType::CentreDrill)));
-        faced.for_each(|row| drop(row.values.insert(tools::M.key(), Value::Choice("M4"))));
+        faced.for_each(|row| drop(row.values.insert(tools::M.key(), Spindle::CounterClockwise.stated())));
     }
     let mut put = |list: &'static str, sheet: &str, text: &text::Lines| {
         let lines: Vec<&str> = text.text.lines().map(str::trim_end).filter(|line| !line.is_empty()).collect();
         // A longer program does not go on a sheet.
         if lines.len() <= SHEET_BLOCKS {
             let row = |line: &&str| Row {
-                values: BTreeMap::from([(form::BLOCK.key(), Value::Line((*line).to_owned()))]),
+                values: BTreeMap::from([(form::BLOCK.key(), (*line).to_owned().stated())]),
                 cells: BTreeMap::new(),
             };
             values.lists.push(Rows { list, sheet: sheet.to_owned(), rows: lines.iter().map(row).collect() });
@@ -229,14 +226,10 @@ fn put_stock(values: &mut Values, stock: Stock, of_workbook: bool) {
     let stays = |field: &Field<f64, Required>| values.found(field).filter(|length| of_workbook && *length < stock.L);
     let held = stays(&form::L4).unwrap_or(HELD.min(stock.L / 4.0));
     let faced = stays(&form::L5).filter(|faced| *faced < stock.L - held).unwrap_or(0.0);
-    values.values.insert(form::D.key(), Value::Real(stock.D));
-    values.values.insert(form::L.key(), Value::Real(stock.L));
-    values.values.insert(form::L4.key(), Value::Real(held));
-    values.values.insert(form::L5.key(), Value::Real(faced));
-    match stock.d {
-        Some(d) => values.values.insert(form::STOCK_BORE_D.key(), Value::Real(d)),
-        None => values.values.remove(form::STOCK_BORE_D.key()),
-    };
+    for (field, length) in [(&form::D, stock.D), (&form::L, stock.L), (&form::L4, held), (&form::L5, faced)] {
+        values.put(field, Some(length));
+    }
+    values.put(&form::STOCK_BORE_D, stock.d);
 }
 
 fn stock_of(values: &Values) -> Stock {

@@ -4,7 +4,7 @@ use crate::gcode::control::{Control, Rotary, Written};
 use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word, block, codes};
 use crate::parameter::Value;
-use crate::parameter::field::{Typed, choices};
+use crate::parameter::field::{Stated, Typed, choices};
 
 /// Machine codes, as `M3 M11 M13`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,6 +29,12 @@ impl Typed for Retract {
 impl Typed for &'static Control {
     fn typed(value: &Value) -> Option<Self> {
         if let Value::Choice(name) = value { Control::named(name) } else { None }
+    }
+}
+
+impl Stated for &'static Control {
+    fn stated(self) -> Value {
+        Value::Choice(self.name)
     }
 }
 

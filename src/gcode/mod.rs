@@ -9,6 +9,7 @@ pub mod comment;
 pub mod control;
 pub mod cutter;
 pub mod feed_word;
+pub mod fields;
 pub mod header;
 pub mod in_force;
 pub mod interpreter;

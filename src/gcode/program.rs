@@ -169,6 +169,13 @@ impl<'a> Iterator for Moves<'a> {
 }
 
 impl Program {
+    /// A program with three decimals and blocks numbered by tens, which begins anywhere.
+    #[must_use]
+    pub fn new(key: &'static str, title: Text, control: &'static Control, parts: Vec<Part>) -> Self {
+        let (format, block_step, start) = (NumberFormat::Fixed, Some(10), Position::default());
+        Self { key, title, control, format, block_step, start, parts }
+    }
+
     /// The moves in order. Moves of no length are left out, as they are in the text.
     #[must_use]
     pub fn moves(&self) -> Moves<'_> {

@@ -1,14 +1,15 @@
 //! The findings of an outcome as a table, for sheets and reports.
 
 use crate::finding::{Finding, Grade, Place};
-use crate::table::{Column, Index, Print, Table};
+use crate::table::{Column, Index, Law, Print, Table};
 use crate::text::{Language, Text, t};
 
 /// The table of all findings, in their order: grade, code, place, what, value, limit, remedy.
 #[must_use]
 pub fn table(findings: &[Finding]) -> Table {
-    let column =
-        |symbol: Text, entry: fn(&Finding) -> Text| Column::texts(symbol, "", findings.iter().map(entry).collect());
+    let column = |symbol: Text, entry: fn(&Finding) -> Text| {
+        Column::texts(symbol, Law::None, findings.iter().map(entry).collect())
+    };
     Table {
         key: "checks",
         name: t("Comprobaciones", "Checks"),

@@ -7,11 +7,12 @@ use std::sync::LazyLock;
 use super::{Chapters, Chart, Drawing, End, Kind, Outcome, Proved, Provenance, Wants, not_finite, staging};
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Refusal, Rule};
+use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
-use crate::gcode::program::Program;
-use crate::parameter::Form;
+use crate::gcode::program::{Program, Style};
 use crate::parameter::field::Fields;
+use crate::parameter::{Case, Form};
 use crate::proof;
 use crate::proof::step::{Judge, Plan};
 use crate::proof::verification::Verification;
@@ -39,10 +40,12 @@ pub trait Method: Send + Sync + 'static {
 
     /// What the user fills in.
     const FORM: &'static Form;
+    /// The cases that a new workbook can start from, the usual one first.
+    const CASES: &'static [Case];
     /// What it brings to the report.
     const CHAPTERS: &'static Chapters;
-    /// The rows of its own findings.
-    const RULES: &'static [&'static Rule] = &[];
+    /// The rows of its own findings, one list for each of its `rules.rs`.
+    const RULES: &'static [&'static [&'static Rule]] = &[];
     /// How the proof goes, for the table of the checks.
     const PROVED: Text;
 
@@ -51,6 +54,14 @@ pub trait Method: Send + Sync + 'static {
     /// # Errors
     /// Every contradiction between values.
     fn design(fields: &Fields) -> Result<Self::Design, Vec<Finding>>;
+
+    /// The control that its programs are for.
+    fn control(design: &Self::Design) -> &'static Control;
+
+    /// The layout of its programs, for a kind that has several.
+    fn style(_: &Self::Design) -> Option<Style> {
+        None
+    }
 
     /// What is worked out of a design.
     ///
@@ -135,12 +146,20 @@ impl<M: Method> Kind for Of<M> {
         M::FORM
     }
 
+    fn cases(&self) -> &'static [Case] {
+        M::CASES
+    }
+
     fn chapters(&self) -> &'static Chapters {
         M::CHAPTERS
     }
 
-    fn rules(&self) -> &'static [&'static Rule] {
+    fn rules(&self) -> &'static [&'static [&'static Rule]] {
         M::RULES
+    }
+
+    fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
+        M::design(fields).map(drop)
     }
 
     fn run(&self, fields: Fields, found: Vec<Finding>, source: Provenance, wants: Wants) -> Result<Outcome, Refusal> {
@@ -186,6 +205,8 @@ impl<M: Method> Kind for Of<M> {
         let scene = (wants.scene && whole).then(|| staging::scene(M::part(&design, &model), &programs, &findings));
         Ok(Outcome {
             kind: const { &Self::new() },
+            control: M::control(&design),
+            style: M::style(&design),
             quantities,
             tables,
             programs: programs.into_iter().filter(|_| whole).collect(),

@@ -16,10 +16,11 @@ use self::rules::PositionOutOfFormat;
 use crate::figure::{Arc, Figure, Paper};
 use crate::finding::rules::ValueNotFinite;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
-use crate::gcode::program::Program;
+use crate::gcode::control::Control;
+use crate::gcode::program::{Program, Style};
 use crate::number::grid::OutOfFormat;
-use crate::parameter::Form;
 use crate::parameter::field::Fields;
+use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
 use crate::scene::Scene;
 use crate::table::{Quantity, Table};
@@ -27,16 +28,25 @@ use crate::text::Text;
 
 /// A workbook kind: all that commands and walls see of it.
 pub trait Kind: Send + Sync {
-    /// What the user fills in: sheets, lists, the cases to start from, the keys of what its builds write.
+    /// What the user fills in: sheets, lists, the keys of what its builds write.
     fn form(&self) -> &'static Form;
+
+    /// The cases that a new workbook can start from, the usual one first.
+    fn cases(&self) -> &'static [Case];
 
     /// What it brings to the report.
     fn chapters(&self) -> &'static Chapters;
 
-    /// The rows of its own findings.
-    fn rules(&self) -> &'static [&'static Rule] {
+    /// The rows of its own findings, one list for each of its `rules.rs`. Kinds may share lists.
+    fn rules(&self) -> &'static [&'static [&'static Rule]] {
         &[]
     }
+
+    /// The contradictions between the values of a filled-in form, which are told before anything is computed.
+    ///
+    /// # Errors
+    /// Every one of them.
+    fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>>;
 
     /// Computes a filled-in form, of which `found` was found when it was read. The same values give the same outcome.
     ///
@@ -215,6 +225,10 @@ pub struct Outcome {
     pub fields: Fields,
     /// Where they come from.
     pub source: Provenance,
+    /// The control that its programs are for.
+    pub control: &'static Control,
+    /// The layout of its programs, for a kind that has several.
+    pub style: Option<Style>,
     /// Derived limits, angles and lengths.
     pub quantities: Vec<Quantity>,
     /// The tables, in the order of their sheets.
@@ -256,6 +270,18 @@ impl Outcome {
             End::Stopped => Exit::Refused,
             End::Endless => Exit::Limit,
         }
+    }
+
+    /// The part's name.
+    #[must_use]
+    pub fn part(&self) -> &str {
+        self.fields.values().line(self.fields.form().part)
+    }
+
+    /// The part's material; empty where it is not said.
+    #[must_use]
+    pub fn material(&self) -> &str {
+        self.fields.form().material.map_or("", |material| self.fields.values().line(material))
     }
 
     /// The table with a key.

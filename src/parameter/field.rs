@@ -118,6 +118,14 @@ pub trait Chosen: Copy + 'static {
 
     /// What the key of a choice stands for.
     fn of(key: &str) -> Option<Self>;
+
+    /// Its key.
+    fn key(self) -> &'static str
+    where
+        Self: PartialEq,
+    {
+        Self::CHOICES.iter().map(|choice| choice.key).find(|key| Self::of(key) == Some(self)).unwrap_or_default()
+    }
 }
 
 impl<T: Chosen> Typed for T {
@@ -126,7 +134,38 @@ impl<T: Chosen> Typed for T {
     }
 }
 
+/// A type whose values can be put into a cell.
+pub trait Stated: Typed {
+    /// What the cell holds.
+    fn stated(self) -> Value;
+}
+
+impl Stated for f64 {
+    fn stated(self) -> Value {
+        Value::Real(self)
+    }
+}
+
+impl Stated for u32 {
+    fn stated(self) -> Value {
+        Value::Whole(self)
+    }
+}
+
+impl Stated for String {
+    fn stated(self) -> Value {
+        Value::Line(self)
+    }
+}
+
+impl<T: Chosen + PartialEq> Stated for T {
+    fn stated(self) -> Value {
+        Value::Choice(self.key())
+    }
+}
+
 /// An enum with the keys of its choices and their labels in Spanish and English; or these for a type that is there.
+#[macro_export]
 macro_rules! choices {
     (
         $(#[$about:meta])*
@@ -158,7 +197,8 @@ macro_rules! choices {
     };
 }
 
-pub(crate) use choices;
+#[doc(hidden)]
+pub use choices;
 
 choices! { for bool; "yes" ("sí", "yes") => true, "no" ("no", "no") => false }
 
@@ -187,6 +227,15 @@ impl<T: Typed, P: Presence> Field<T, P> {
     #[must_use]
     pub const fn key(&self) -> &'static str {
         self.row.key
+    }
+
+    /// Its key with a value, for a case.
+    #[must_use]
+    pub fn is(&self, value: T) -> (&'static str, Value)
+    where
+        T: Stated,
+    {
+        (self.row.key, value.stated())
     }
 }
 
@@ -436,6 +485,7 @@ mod tests {
     static EPS: Field<f64, Usual> = Field::real_or(0.5, "eps", "eps", Unit::Millimetre, [0.1, 1.0], NONE, NONE);
     static BORE: Field<f64, Optional> = Field::real("bore", "bore", Unit::Millimetre, [1.0, 9.0], NONE, NONE);
     static WAY: Field<Way, Required> = Field::choice("way", "way", NONE, NONE);
+    static PART: Field<String, Required> = Field::line("part", "part", 9, NONE, NONE);
     static SLOT: Field<u32, WithSheet> = Field::whole("slots/N", "slots_N", Unit::Count, [1, 9], NONE, NONE);
     static X: Field<f64, Required> = Field::real("list/X", "", Unit::Millimetre, [0.0, 9.0], NONE, NONE);
     /// As `R`, of no form.
@@ -446,7 +496,8 @@ mod tests {
         kind: "ring",
         schema: "ring 1",
         earlier: &[],
-        cases: &[],
+        part: &PART,
+        material: None,
         programs: &[],
         drawings: &[],
         solids: &[],

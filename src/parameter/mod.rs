@@ -10,7 +10,7 @@ pub mod rules;
 use std::collections::BTreeMap;
 
 use crate::finding::{CellPlace, Finding, Place};
-use crate::parameter::field::{Field, Typed};
+use crate::parameter::field::{Field, Optional, Required, Stated, Typed};
 use crate::parameter::list::{List, Row, Rows};
 use crate::table::Unit;
 use crate::text::{Language, Text, t};
@@ -121,12 +121,17 @@ pub struct Case {
 }
 
 /// No list has rows.
-#[must_use]
-pub const fn unlisted(_: Language) -> Vec<Rows> {
+const fn unlisted(_: Language) -> Vec<Rows> {
     Vec::new()
 }
 
 impl Case {
+    /// A case of a form without lists.
+    #[must_use]
+    pub const fn new(name: &'static str, note: Text, filled: fn(Language) -> Vec<(&'static str, Value)>) -> Self {
+        Self { name, note, filled, listed: unlisted }
+    }
+
     /// The values by key; parameters not named stay empty.
     #[must_use]
     pub fn values(&self, language: Language) -> Vec<(&'static str, Value)> {
@@ -162,8 +167,10 @@ pub struct Form {
     pub schema: &'static str,
     /// Earlier versions that are still read.
     pub earlier: &'static [Earlier],
-    /// The cases that a new workbook can start from, the usual one first.
-    pub cases: &'static [Case],
+    /// The parameter that names the part, for the headings of sheets, drawings, pages and reports.
+    pub part: &'static Field<String, Required>,
+    /// That of its material.
+    pub material: Option<&'static Field<String, Optional>>,
     /// The keys of the programs that its builds may write, in the order of their sheets.
     pub programs: &'static [&'static str],
     /// The keys of the drawings at 1:1 that its builds may write; other than `report` and other than those of programs.
@@ -179,6 +186,24 @@ pub struct Form {
 }
 
 impl Form {
+    /// A form of nothing: others are this with fields of their own.
+    pub const PLAIN: Self = {
+        static NO_PART: Field<String, Required> = Field::line("", "", 0, t("", ""), t("", ""));
+        Self {
+            kind: "",
+            schema: "",
+            earlier: &[],
+            part: &NO_PART,
+            material: None,
+            programs: &[],
+            drawings: &[],
+            solids: &[],
+            viewer: false,
+            sheets: &[],
+            lists: &[],
+        }
+    };
+
     /// Every parameter with its sheet, in order.
     pub fn parameters(&self) -> impl Iterator<Item = (&'static Sheet, &'static Parameter)> {
         self.sheets.iter().flat_map(|sheet| {
@@ -206,16 +231,6 @@ pub enum Value {
     Line(String),
 }
 
-impl Value {
-    const fn choice(&self) -> Option<&'static str> {
-        if let Self::Choice(value) = self { Some(value) } else { None }
-    }
-
-    fn line(&self) -> Option<&str> {
-        if let Self::Line(value) = self { Some(value) } else { None }
-    }
-}
-
 /// The values of a filled-in form, each known to be within its own limits, with the cells they came from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Values {
@@ -230,22 +245,31 @@ pub struct Values {
 }
 
 impl Values {
+    /// The values of a case.
+    #[must_use]
+    pub fn of(case: &Case, language: Language) -> Self {
+        let values = case.values(language).into_iter().collect();
+        Self { language, values, lists: (case.listed)(language), ..Self::default() }
+    }
+
     /// The value of a field before it is proved to be there; `None` where it is not, or of another type.
     #[must_use]
     pub fn found<T: Typed, P>(&self, field: &Field<T, P>) -> Option<T> {
         self.values.get(field.row.key).and_then(T::typed)
     }
 
-    /// The key of a choice; `None` where the cell is empty.
-    #[must_use]
-    pub fn choice(&self, key: &str) -> Option<&'static str> {
-        self.values.get(key)?.choice()
+    /// Puts a value into the cell of a field, or empties it.
+    pub fn put<T: Stated, P>(&mut self, field: &Field<T, P>, value: Option<T>) {
+        match value {
+            Some(value) => self.values.insert(field.row.key, value.stated()),
+            None => self.values.remove(field.row.key),
+        };
     }
 
-    /// A line of text; empty where the cell is empty.
+    /// The line of a field; empty where its cell is.
     #[must_use]
-    pub fn line(&self, key: &str) -> &str {
-        self.values.get(key).and_then(Value::line).unwrap_or_default()
+    pub fn line<P>(&self, field: &Field<String, P>) -> &str {
+        if let Some(Value::Line(line)) = self.values.get(field.row.key) { line } else { "" }
     }
 
     /// The rows of a list's sheet; none where it is absent.

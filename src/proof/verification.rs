@@ -7,7 +7,7 @@ use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
 use crate::proof::Judged;
 use crate::proof::check::{At, Check, Question};
 use crate::proof::rules::{ChecksPassed, MemoryExceeded, ReadWithRemark, TextRefused};
-use crate::table::{Column, Index, Print, Table};
+use crate::table::{Column, Index, Law, Print, Table};
 use crate::text::{Text, t};
 
 /// What came of the verification.
@@ -79,7 +79,7 @@ impl Verification {
     #[must_use]
     pub fn table(&self, programs: &[Program], source: Text) -> Table {
         let column = |symbol: Text, entry: &dyn Fn(&Check) -> Text| {
-            Column::texts(symbol, "", self.checks.iter().map(entry).collect())
+            Column::texts(symbol, Law::None, self.checks.iter().map(entry).collect())
         };
         let title = |check: &Check| {
             let program = programs.iter().find(|program| program.key == check.program());

@@ -14,10 +14,11 @@ use super::svg::svg;
 use super::{Attachment, Role};
 use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place, Raise};
-use crate::gcode::program::{Part, Program};
+use crate::gcode::program::{Part, Program, Style};
 use crate::gcode::summary::Summary;
 use crate::kind::{Duration, Outcome, Proved, Shown, checks};
 use crate::machine::axis::Axis;
+use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value};
 use crate::proof::account::Account;
 use crate::table::{Entry, Index, Print, Table};
@@ -56,17 +57,16 @@ pub(super) fn write(
             figures.insert(figure.key, drawing);
         }
     }
-    let line = |words: &mut Words, key| words.line(outcome.fields.values().line(key));
     let mut document = Document {
         kind: outcome.fields.form().kind,
         language: language.code(),
-        part: line(&mut words, "part"),
-        material: line(&mut words, "material"),
+        part: words.line(outcome.part()),
+        material: words.line(outcome.material()),
         workbook: words.line(&outcome.source.workbook),
         sha256: outcome.source.sha256.clone(),
         version: outcome.source.version.to_owned(),
-        dialect: outcome.fields.values().choice("dialect").unwrap_or_default().to_owned(),
-        style: outcome.fields.values().choice("style").unwrap_or_default().to_owned(),
+        dialect: outcome.control.name,
+        style: outcome.style.map(Style::key).unwrap_or_default(),
         stopped: outcome.stopped(),
         parameters: parameters(outcome, &mut words),
         values: outcome

@@ -36,7 +36,7 @@ pub fn write<W: Write + Seek + Send>(outcome: &Outcome, language: Language, out:
         language,
         styles: Styles::default(),
         page: Page {
-            part: outcome.fields.values().line("part"),
+            part: outcome.part(),
             origin: &outcome.source.workbook,
             repeat: (0, 0),
             landscape: false,

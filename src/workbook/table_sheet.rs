@@ -154,11 +154,11 @@ impl<'a> TableSheet<'a> {
         write_text(sheet, SYMBOLS, at, symbol, header)?;
         write_text(sheet, UNITS, at, column.unit.label(), unit)?;
         sheet.set_column_width(at, self.width(column))?;
-        if !column.formula.is_empty() {
+        if let Some(told) = column.law.told() {
             let shown = DataValidation::new()
                 .allow_any_value()
                 .set_input_title(shortened(symbol, 32))?
-                .set_input_message(shortened(column.formula, 255))?;
+                .set_input_message(shortened(told, 255))?;
             sheet.add_data_validation(SYMBOLS, at, SYMBOLS, at, &shown)?;
         }
         Ok(())

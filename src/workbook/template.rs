@@ -40,7 +40,7 @@ pub fn write<W: Write + Seek + Send>(
     out: W,
 ) -> Result<(), WriteError> {
     let find = |key: &str| values.iter().find(|(one, _)| *one == key).map(|(_, value)| value);
-    let part = match find("part") {
+    let part = match find(form.part.key()) {
         Some(Value::Line(part)) => part.as_str(),
         _ => "",
     };

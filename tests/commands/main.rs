@@ -3,5 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "tests read and write files, and ask other programs")]
 
 mod cli;
+#[path = "../common/every_kind.rs"]
+mod every_kind;
 mod house;
 mod store;

@@ -6,8 +6,9 @@ pub mod rs274;
 pub mod turned;
 pub mod workbook;
 
-use rodete::kind::{Outcome, Provenance};
+use rodete::kind::{Kind, Outcome, Provenance};
 use rodete::kinds;
+use rodete::kinds::KINDS;
 use rodete::kinds::impeller::blade::Blade;
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::design::Design;
@@ -15,10 +16,23 @@ use rodete::kinds::impeller::parameters::FORM;
 use rodete::machine::axis::{Axis, Position};
 use rodete::number::grid::Milli;
 use rodete::parameter::field::Fields;
-use rodete::parameter::{Value, Values};
+use rodete::parameter::{Case, Value, Values};
 use rodete::text::Language;
 
-/// The values of a shipped case, some of them replaced.
+/// Every case of every kind in every language.
+pub fn cases() -> impl Iterator<Item = (&'static dyn Kind, &'static Case, Language)> {
+    let cases = KINDS.iter().flat_map(|kind| kind.cases().iter().map(move |case| (*kind, case)));
+    cases.flat_map(|(kind, case)| Language::ALL.map(|language| (kind, case, language)))
+}
+
+/// The outcome of a case of any kind, some of its values replaced.
+pub fn outcome_of(kind: &dyn Kind, case: &Case, language: Language, changes: &[(&'static str, Value)]) -> Outcome {
+    let mut values = Values::of(case, language);
+    values.values.extend(changes.iter().cloned());
+    kinds::run(kind.form(), values, source()).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", case.name))
+}
+
+/// The values of a shipped case of the impeller, some of them replaced.
 pub fn values(case: &str, changes: &[(&'static str, Value)]) -> Values {
     let case = CASES.iter().find(|one| one.name == case).expect("a shipped case");
     let mut values = Values { language: Language::En, ..Values::default() };

@@ -12,8 +12,8 @@ use crate::markdown::root;
 fn parameters_and_exit_codes_are_those_of_the_code() {
     let write = std::env::var_os("RODETE_DOCS").is_some_and(|value| value == "write");
     let pages = [
-        ("parameters.md", parameters(&KINDS, Language::En).unwrap()),
-        ("parametros.md", parameters(&KINDS, Language::Es).unwrap()),
+        ("parameters.md", parameters(KINDS, Language::En).unwrap()),
+        ("parametros.md", parameters(KINDS, Language::Es).unwrap()),
         ("exit-codes.md", exit_codes(Language::En)),
         ("codigos-de-salida.md", exit_codes(Language::Es)),
     ];

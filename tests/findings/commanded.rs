@@ -6,10 +6,11 @@ use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::Path;
 use std::process::Command;
 
-use rodete::cli::RULES;
+use rodete::cli::rows;
 use rodete::drawing::{Drawing, template};
 use rodete::figure::{Figure, Ink, Paper, Stroke};
 use rodete::finding::{Example, Finding, Grade, Rule};
+use rodete::kinds::KINDS;
 use rodete::parameter::Value;
 use rodete::report::{self, Attachment, Content, Role};
 use rodete::store::sha256;
@@ -273,11 +274,9 @@ fn wrong(rule: &Rule) -> Option<String> {
 #[test]
 fn the_command_of_every_row_tells_it_in_both_languages_and_nothing_graver() {
     let all = may_read_all();
-    let rules = RULES
-        .iter()
-        .copied()
-        .flatten()
+    let rules = rows(KINDS)
+        .into_iter()
         .filter(|rule| !(all && matches!(rule.example, Example::Made { key: "closed-folder", .. })));
-    let wrong: Vec<_> = rules.filter_map(|rule| wrong(rule)).collect();
+    let wrong: Vec<_> = rules.filter_map(wrong).collect();
     assert!(wrong.is_empty(), "{} rows\n{}", wrong.len(), wrong.join("\n"));
 }

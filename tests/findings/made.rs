@@ -5,11 +5,11 @@ use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
-use rodete::cli::RULES;
+use rodete::cli::rows;
 use rodete::finding::{Example, Exit, Finding, Grade, Refusal, Rule};
-use rodete::kind::Provenance;
+use rodete::kind::{Kind, Provenance};
 use rodete::kinds::lathe::rules::{NothingToCompare, ProgramNotJudged};
-use rodete::kinds::{self, impeller, lathe, pipe};
+use rodete::kinds::{self, KINDS, lathe};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::list::{Row, Rows};
@@ -19,8 +19,6 @@ use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::{self, Input, offsets_sheet, template};
 
 use super::workbook::{DATA, Parts, sound};
-
-const FORMS: [&Form; 2] = [&impeller::parameters::FORM, &lathe::parameters::FORM];
 
 /// What is told of an input, whether it is taken or refused.
 fn told<T>(read: Result<T, Refusal>, findings: impl FnOnce(T) -> Vec<Finding>) -> Vec<Finding> {
@@ -33,11 +31,14 @@ fn told<T>(read: Result<T, Refusal>, findings: impl FnOnce(T) -> Vec<Finding>) -
     }
 }
 
+fn named(kind: &str) -> &'static dyn Kind {
+    *KINDS.iter().find(|one| one.form().kind == kind).unwrap()
+}
+
 /// A kind's usual workbook, as `new` writes it.
 fn usual(kind: &str) -> (&'static Form, Vec<u8>) {
-    let pipes = [&pipe::insert::parameters::FORM, &pipe::hole::parameters::FORM];
-    let form = FORMS.into_iter().chain(pipes).find(|form| form.kind == kind).unwrap();
-    let case = &form.cases[0];
+    let kind = named(kind);
+    let (form, case) = (kind.form(), &kind.cases()[0]);
     let mut out = Cursor::new(Vec::new());
     let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
     template::write(form, &values, &lists, &case.note, Language::En, &mut out).unwrap();
@@ -362,9 +363,9 @@ type Known = BTreeMap<(&'static str, &'static [(&'static str, &'static str)]), V
 
 /// The shipped lathe workbook of an example's key, and the lists that it is filled in with in place of its own.
 fn made_turning(key: &str) -> Option<Vec<u8>> {
-    let form = &lathe::parameters::FORM;
-    let mut values: Vec<_> = form.cases[0].values(Language::En);
-    let mut lists = (form.cases[0].listed)(Language::En);
+    let (form, case) = (&lathe::parameters::FORM, &lathe::cases::CASES[0]);
+    let mut values: Vec<_> = case.values(Language::En);
+    let mut lists = (case.listed)(Language::En);
     let mut put = |list: &'static str, sheet: &str, rows: Vec<Vec<(&'static str, Value)>>| {
         let row = |values: Vec<_>| Row { values: values.into_iter().collect(), cells: BTreeMap::new() };
         lists.retain(|other| !sheet.is_empty() || other.list != list);
@@ -394,7 +395,7 @@ fn made_turning(key: &str) -> Option<Vec<u8>> {
         _ => return None,
     }
     let mut out = Cursor::new(Vec::new());
-    template::write(form, &values, &lists, &form.cases[0].note, Language::En, &mut out).unwrap();
+    template::write(form, &values, &lists, &case.note, Language::En, &mut out).unwrap();
     Some(out.into_inner())
 }
 
@@ -409,7 +410,9 @@ fn computed(kind: &str, bytes: &[u8]) -> Vec<Finding> {
 
 /// What a row's example is told; none where it is of another test.
 fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
-    let read = |bytes: &[u8]| told(workbook::read(bytes, &FORMS), |filled| filled.findings);
+    let read = |bytes: &[u8]| {
+        told(workbook::read(bytes, &KINDS.iter().map(|kind| kind.form()).collect::<Vec<_>>()), |filled| filled.findings)
+    };
     match rule.example {
         // A contradiction is told by the kind, what stands before it by the reading.
         Example::Workbook { kind, cells } if !rule.code.starts_with('W') => {
@@ -443,7 +446,7 @@ fn raised(rule: &Rule, known: &mut Known) -> Option<Vec<Finding>> {
 fn what_is_made_for_every_row_raises_it_and_nothing_graver() {
     let (mut wrong, mut known) = (Vec::new(), Known::new());
     let all = may_read_all();
-    for rule in RULES.iter().copied().flatten().copied() {
+    for rule in rows(KINDS) {
         if all && matches!(rule.example, Example::Made { key: "unreadable" | "unreadable-and-open", .. }) {
             continue;
         }

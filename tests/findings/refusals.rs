@@ -2,14 +2,14 @@
 
 use crate::common;
 
-use rodete::cli::RULES;
+use rodete::cli::rows;
 use rodete::finding::rules::ValueNotFinite;
 use rodete::finding::{CellPlace, Exit, FAULT, Finding, Grade, Place, Raise};
 use rodete::kind::End;
-use rodete::kinds;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::kinds::impeller::rules::AbsoluteOnRollover;
+use rodete::kinds::{self, KINDS};
 use rodete::parameter::Value;
 use rodete::table::Entry;
 
@@ -336,7 +336,7 @@ fn a_fault_in_rodete_never_ends_as_a_refused_input() {
 /// otherwise.
 #[test]
 fn only_rows_of_faults_and_of_the_proof_say_that_rodete_is_to_blame() {
-    for rule in RULES.iter().copied().flatten() {
+    for rule in rows(KINDS) {
         assert!(rule.remedy != FAULT || rule.code.starts_with(['X', 'V']), "{}", rule.code);
     }
     let mut found = Vec::new();

@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use rodete::cli::RULES;
+use rodete::cli::rows;
 use rodete::finding::{Datum, Example, Finding, Grade, Place, Rule};
 use rodete::gcode::control::guess::tools_headed;
 use rodete::gcode::control::{Control, Rotary};
@@ -18,7 +18,7 @@ use rodete::machine::var_file::VarFile;
 use rodete::proof::account::drift;
 
 fn rules() -> impl Iterator<Item = &'static Rule> {
-    RULES.iter().copied().chain(KINDS.iter().map(|kind| kind.rules())).flatten().copied()
+    rows(KINDS).into_iter()
 }
 
 /// Subprograms by the name of their file.

@@ -218,8 +218,8 @@ fn tool_tables_by_chance_are_read_or_refused() {
 #[test]
 fn workbooks_by_chance_are_computed_or_refused() {
     let mut seeds = files("fuzz/corpus/package");
-    for form in targets::FORMS {
-        for case in form.cases {
+    for kind in rodete::kinds::KINDS {
+        for (form, case) in kind.cases().iter().map(|case| (kind.form(), case)) {
             let mut written = std::io::Cursor::new(Vec::new());
             let language = rodete::text::Language::Es;
             let (values, listed) = (case.values(language), (case.listed)(language));

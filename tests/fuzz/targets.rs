@@ -11,10 +11,10 @@ use rodete::gcode::control::{self, Control};
 use rodete::gcode::interpreter::{DecimalPoint, Interpreter, Setting, decoded, findings, tool_table};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::kind::{Provenance, Wants};
-use rodete::kinds;
 use rodete::kinds::lathe::setup::Given;
 use rodete::kinds::lathe::{self, Simulated};
 use rodete::kinds::lathe::{cases, parameters, text};
+use rodete::kinds::{self, KINDS};
 use rodete::machine::axis::Axis;
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
@@ -26,14 +26,6 @@ use rodete::text::Language;
 use rodete::workbook;
 use zip::CompressionMethod;
 use zip::write::SimpleFileOptions;
-
-/// The forms that a workbook may fill in.
-pub const FORMS: [&Form; 4] = [
-    &rodete::kinds::impeller::parameters::FORM,
-    &rodete::kinds::pipe::hole::parameters::FORM,
-    &rodete::kinds::pipe::insert::parameters::FORM,
-    &parameters::FORM,
-];
 
 /// No coordinate that is handed on is greater, mm or degrees: what is written is bounded, and what is added up as well.
 const FARTHEST: f64 = 1e12;
@@ -129,7 +121,7 @@ pub fn simulate(bytes: &[u8]) -> Work {
     let (D, L) = (size(1000.0).unwrap_or(50.0), size(1000.0).unwrap_or(100.0));
     let dialect: &Control = if first.ends_with('1') { &control::FAGOR_8055_T } else { &control::FANUC_LATHE_A };
     let mut values = Values { language: Language::En, ..Values::default() };
-    values.values.extend(parameters::FORM.cases[0].values(Language::En));
+    values.values.extend(cases::CASES[0].values(Language::En));
     values.lists.push(cases::turret(Language::En));
     values.values.insert("dialect", Value::Choice(dialect.name));
     values.values.insert("point", Value::Choice("calculator"));
@@ -229,7 +221,8 @@ pub fn package(bytes: &[u8]) -> Work {
 }
 
 fn book(bytes: &[u8]) -> Work {
-    match workbook::read(bytes, &FORMS) {
+    let forms: Vec<_> = KINDS.iter().map(|kind| kind.form()).collect();
+    match workbook::read(bytes, &forms) {
         Ok(filled) => {
             said(&filled.findings);
             design(filled.form, filled.values);

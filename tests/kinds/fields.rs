@@ -3,24 +3,13 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
-use rodete::finding::Finding;
-use rodete::kinds::{impeller, lathe, pipe};
+use rodete::kinds::KINDS;
 use rodete::parameter::field::Fields;
 use rodete::parameter::list::{Row, Rows};
 use rodete::parameter::{FieldKind, Form, Parameter, Value, Values};
 use rodete::text::Language;
 
-/// What a kind makes of its fields, without computing it.
-type Made = fn(&Fields) -> Result<(), Vec<Finding>>;
-
-fn kinds() -> [(&'static Form, Made); 4] {
-    [
-        (&impeller::parameters::FORM, |fields| impeller::design::Design::new(fields).map(drop)),
-        (&pipe::insert::parameters::FORM, |fields| pipe::insert::design::Design::new(fields).map(drop)),
-        (&pipe::hole::parameters::FORM, |fields| pipe::hole::design::Design::new(fields).map(drop)),
-        (&lathe::parameters::FORM, |fields| lathe::setup::Given::of(fields).map(drop)),
-    ]
-}
+use crate::common;
 
 fn text(pattern: &str) -> impl Strategy<Value = String> + use<> {
     proptest::string::string_regex(pattern).expect("a pattern")
@@ -85,28 +74,23 @@ fn forms(form: &'static Form) -> BoxedStrategy<Values> {
 
 #[test]
 fn every_kind_asks_its_cases_for_fields_of_its_own_form_alone() {
-    let mut cases = 0;
-    for (form, made) in kinds() {
-        for (case, language) in form.cases.iter().flat_map(|case| Language::ALL.map(|language| (case, language))) {
-            let values = case.values(language).into_iter().collect();
-            let values = Values { language, values, lists: (case.listed)(language), ..Values::default() };
-            let fields = Fields::of(form, values).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", case.name));
-            assert_eq!(made(&fields), Ok(()), "{} {}", form.kind, case.name);
-            cases += 1;
-        }
+    for (kind, case, language) in common::cases() {
+        let fields = Fields::of(kind.form(), Values::of(case, language));
+        let fields = fields.unwrap_or_else(|refusal| panic!("{}: {refusal:?}", case.name));
+        assert_eq!(kind.design(&fields), Ok(()), "{kind:?} {}", case.name);
     }
-    assert!(cases >= 14, "{cases} cases");
+    assert!(common::cases().count() >= 14);
 }
 
 #[test]
 fn whatever_the_limits_admit_becomes_the_type_of_its_field() {
-    for (form, made) in kinds() {
+    for (form, kind) in KINDS.iter().map(|kind| (kind.form(), kind)) {
         let mut runner = TestRunner::new(Config { cases: 64, failure_persistence: None, ..Config::default() });
         runner
             .run(&forms(form), |values| {
                 let fields = Fields::of(form, values).map_err(|refusal| TestCaseError::fail(format!("{refusal:?}")))?;
                 // A design, or a reason why there is none; never a field that gives nothing.
-                if let Err(findings) = made(&fields) {
+                if let Err(findings) = kind.design(&fields) {
                     prop_assert!(!findings.is_empty());
                 }
                 Ok(())
@@ -118,7 +102,7 @@ fn whatever_the_limits_admit_becomes_the_type_of_its_field() {
 #[test]
 fn every_word_of_a_list_is_one_of_its_type_and_no_other_word_is() {
     let mut words = 0;
-    for (form, _) in kinds() {
+    for form in KINDS.iter().map(|kind| kind.form()) {
         let columns = form.lists.iter().flat_map(|list| list.columns).copied();
         for parameter in form.parameters().map(|(_, parameter)| parameter).chain(columns) {
             let FieldKind::Choice(list) = parameter.kind else { continue };

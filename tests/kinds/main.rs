@@ -6,6 +6,7 @@
 mod common;
 mod fields;
 mod impeller_shortfalls;
+mod laws;
 mod pipe_designs;
 mod pipe_hole;
 mod pipe_insert;

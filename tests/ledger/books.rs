@@ -4,75 +4,82 @@
 use std::fs;
 
 use rayon::prelude::*;
-use serde_json::Value;
+use rodete::kind::Kind;
+use rodete::kinds::KINDS;
+use rodete::parameter::{FieldKind, Value};
+use rodete::text::Language;
+use serde_json::Value as Json;
 
 use crate::command::Place;
 use crate::golden::Item;
 use crate::package::Parts;
 use crate::plain::{Sums, page};
 
+/// Cells that are given other values: by their defined name, and what stands in them, in Spanish behind `|` where that is
+/// another word.
+type Edits = &'static [(&'static str, &'static str)];
+
 /// A case as it is written for a control.
 struct Variant {
+    kind: &'static str,
     case: &'static str,
     control: &'static str,
     /// What tells it from another of the same case and control.
     name: &'static str,
-    /// Cells that are given other values: by their defined name, and what stands in them, in Spanish behind `|` where that
-    /// is another word.
-    edits: &'static [(&'static str, &'static str)],
-}
-
-const fn variant(case: &'static str, control: &'static str, edits: &'static [(&'static str, &'static str)]) -> Variant {
-    Variant { case, control, name: "", edits }
-}
-
-const fn named(name: &'static str, variant: Variant) -> Variant {
-    Variant { name, ..variant }
+    edits: Vec<(&'static str, &'static str)>,
 }
 
 const FAGOR: &str = "fagor-8055";
 const FAGOR_8070: &str = "fagor-8070";
 const LINUXCNC: &str = "linuxcnc";
 
-/// LinuxCNC knows neither M11 nor M13, and moves only with F: the published layout has none.
-const IMPELLER: [Variant; 7] = [
-    variant("full", FAGOR, &[]),
-    variant("full", FAGOR_8070, &[("dialect", FAGOR_8070), ("retract", "")]),
-    variant("full", LINUXCNC, &[("dialect", LINUXCNC), ("start_codes", "M3")]),
-    named("absolute", variant("full", FAGOR, &[("distance", "G90"), ("rotary_axes", "linear")])),
-    variant("tfg-2021", FAGOR, &[]),
-    variant("tfg-2021", FAGOR_8070, &[("dialect", FAGOR_8070)]),
-    variant(
-        "tfg-2021",
-        LINUXCNC,
-        &[("dialect", LINUXCNC), ("start_codes", "M3"), ("style", "full"), ("feed_F", "300"), ("speed_S", "6000")],
+/// What a kind's case needs to be written for a control that is not its own, beside the control's name. LinuxCNC knows neither
+/// M11 nor M13, and moves only with F: the published layout has none.
+const NEEDS: [([&str; 3], Edits); 4] = [
+    (["impeller", "full", FAGOR_8070], &[("retract", "")]),
+    (["impeller", "full", LINUXCNC], &[("start_codes", "M3")]),
+    (
+        ["impeller", "tfg-2021", LINUXCNC],
+        &[("start_codes", "M3"), ("style", "full"), ("feed_F", "300"), ("speed_S", "6000")],
     ),
+    (["pipe-insert", "3on4-2023", LINUXCNC], &[("style", "full"), ("feed_F", "2000")]),
 ];
 
-const INSERT: [Variant; 9] = [
-    variant("square", LINUXCNC, &[]),
-    variant("square", FAGOR, &[("dialect", FAGOR)]),
-    variant("square", FAGOR_8070, &[("dialect", FAGOR_8070)]),
-    named("flat", variant("square", LINUXCNC, &[("mode", "flat|plano")])),
-    named("flat", variant("square", FAGOR, &[("mode", "flat|plano"), ("dialect", FAGOR)])),
-    named("flat", variant("square", FAGOR_8070, &[("mode", "flat|plano"), ("dialect", FAGOR_8070)])),
-    variant("3on4-2023", FAGOR, &[]),
-    variant("3on4-2023", FAGOR_8070, &[("dialect", FAGOR_8070)]),
-    variant("3on4-2023", LINUXCNC, &[("dialect", LINUXCNC), ("style", "full"), ("feed_F", "2000")]),
+/// A kind's case in another way under a name of its own, for some controls.
+const FURTHER: [([&str; 3], &[&str], Edits); 3] = [
+    (["impeller", "full", "absolute"], &[FAGOR], &[("distance", "G90"), ("rotary_axes", "linear")]),
+    (["pipe-insert", "square", "flat"], &[LINUXCNC, FAGOR, FAGOR_8070], &[("mode", "flat|plano")]),
+    (["lathe", "shaft", "turned-round"], &["fanuc-lathe-a"], &SECOND),
 ];
 
-const HOLE: [Variant; 3] = [
-    variant("set-in", LINUXCNC, &[]),
-    variant("set-in", FAGOR, &[("dialect", FAGOR)]),
-    variant("set-in", FAGOR_8070, &[("dialect", FAGOR_8070)]),
-];
-
-/// A turning program is written by the engineer, for one control.
-const LATHE: [Variant; 3] = [
-    variant("shaft", "fanuc-lathe-a", &[]),
-    variant("blank", "fagor-8055-t", &[]),
-    named("turned-round", variant("shaft", "fanuc-lathe-a", &SECOND)),
-];
+/// Every case of a kind for every control that it can be written for.
+fn variants(kind: &dyn Kind) -> Vec<Variant> {
+    let form = kind.form();
+    // A program that stands on a sheet of its own is written by the engineer, for one control.
+    let own_alone = form.lists.iter().any(|list| list.is_program);
+    let (_, dialect) = form.parameters().find(|(_, one)| one.name == "dialect").unwrap();
+    let FieldKind::Choice(controls) = &dialect.kind else { panic!("{}: a list of controls", form.kind) };
+    let mut made = Vec::new();
+    for case in kind.cases() {
+        let values = case.values(Language::En);
+        let own = |control| values.contains(&(dialect.key, Value::Choice(control)));
+        for control in controls.iter().map(|choice| choice.key).filter(|control| !own_alone || own(control)) {
+            let named = (!own(control)).then_some((dialect.name, control));
+            let needs =
+                NEEDS.iter().find(|(of, _)| *of == [form.kind, case.name, control]).map_or(&[][..], |one| one.1);
+            let edits: Vec<_> = named.into_iter().chain(needs.iter().copied()).collect();
+            let further = FURTHER.iter().filter(|([of, one, _], controls, _)| {
+                *of == form.kind && *one == case.name && controls.contains(&control)
+            });
+            for ([.., name], _, more) in further {
+                let edits = edits.iter().chain(*more).copied().collect();
+                made.push(Variant { kind: form.kind, case: case.name, control, name, edits });
+            }
+            made.push(Variant { kind: form.kind, case: case.name, control, name: "", edits });
+        }
+    }
+    made
+}
 
 /// The other end of the shaft is faced, and a wanted profile.
 const SECOND: [(&str, &str); 13] = [
@@ -92,8 +99,8 @@ const SECOND: [(&str, &str); 13] = [
 ];
 
 /// The workbook of a variant, and what every command makes of it.
-fn made(kind: &str, variant: &Variant, language: &str) -> Vec<Item> {
-    let Variant { case, control, name, edits } = variant;
+fn made(variant: &Variant, language: &str) -> Vec<Item> {
+    let Variant { kind, case, control, name, edits } = variant;
     let place = Place::new();
     let stem = "book";
     let (book, other) = (format!("{stem}.xlsx"), format!("{stem}-new.xlsx"));
@@ -161,7 +168,7 @@ fn made(kind: &str, variant: &Variant, language: &str) -> Vec<Item> {
         files.iter().filter(|file| file.ends_with(".nc")).map(|file| format!("out/{file}")).collect();
     let mut words: Vec<_> =
         ["verify", "--dialect", control].into_iter().chain(programs.iter().map(String::as_str)).collect();
-    if kind == "lathe" {
+    if *kind == "lathe" {
         words.extend(["--tools", &book]);
         for program in &programs {
             let simulated = place.json(&["simulate", program, "--dialect", control, "--tools", &book]);
@@ -184,7 +191,7 @@ fn kept(place: &Place, sums: &Sums) -> Vec<(String, Vec<u8>)> {
             templates.extend_from_slice(name.as_bytes());
             templates.extend(bytes);
         } else if name == "contents.json" {
-            let contents: Value = serde_json::from_slice(&bytes).unwrap();
+            let contents: Json = serde_json::from_slice(&bytes).unwrap();
             for (key, figure) in contents["figures"].as_object().into_iter().flatten() {
                 let picture = format!("kept/{document}.typ/{}", figure["file"].as_str().unwrap());
                 texts.push((format!("{document}/{key}.svg"), sums.named(&place.read(&picture))));
@@ -198,23 +205,20 @@ fn kept(place: &Place, sums: &Sums) -> Vec<(String, Vec<u8>)> {
     texts
 }
 
-fn all(kind: &str, variants: &[Variant]) -> Vec<Item> {
+/// Every case of a kind in both languages for every control.
+pub fn of(kind: &dyn Kind) -> Vec<Item> {
+    let variants = variants(kind);
     let pairs: Vec<_> = variants.iter().flat_map(|variant| ["en", "es"].map(|language| (variant, language))).collect();
-    pairs.par_iter().flat_map_iter(|(variant, language)| made(kind, variant, language)).collect()
+    pairs.par_iter().flat_map_iter(|(variant, language)| made(variant, language)).collect()
 }
 
-pub fn impeller() -> Vec<Item> {
-    all("impeller", &IMPELLER)
-}
-
-pub fn insert() -> Vec<Item> {
-    all("pipe-insert", &INSERT)
-}
-
-pub fn hole() -> Vec<Item> {
-    all("pipe-hole", &HOLE)
-}
-
-pub fn lathe() -> Vec<Item> {
-    all("lathe", &LATHE)
+/// Fails where an exception names a case that no kind has.
+pub fn every_exception_is_one() {
+    let made: Vec<_> = KINDS.iter().flat_map(|kind| variants(*kind)).collect();
+    for (of, _) in NEEDS {
+        assert!(made.iter().any(|one| [one.kind, one.case, one.control] == of), "{of:?}");
+    }
+    for (of, controls, _) in FURTHER {
+        assert_eq!(made.iter().filter(|one| [one.kind, one.case, one.name] == of).count(), controls.len(), "{of:?}");
+    }
 }

@@ -9,6 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
+use rodete::kinds::KINDS;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -78,7 +79,7 @@ fn drawn(browser: &Browser, name: &str) {
 #[test]
 fn a_page_names_no_other_place() {
     let folder = folder();
-    for kind in ["impeller", "pipe-insert"] {
+    for kind in KINDS.iter().map(|kind| kind.form().kind) {
         let text = fs::read_to_string(page_of(folder.path(), kind)).expect("a page");
         for outside in ["://", "fetch(", "XMLHttp", "import(", "@import", "src=\"", "url("] {
             assert!(!text.contains(outside), "{kind}: {outside}");

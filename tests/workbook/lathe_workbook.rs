@@ -9,6 +9,7 @@ use rodete::figure::Ink;
 use rodete::finding::{CellPlace, Place, Refusal};
 use rodete::kind::{Provenance, Shown};
 use rodete::kinds;
+use rodete::kinds::lathe::cases::CASES;
 use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
 use rodete::kinds::lathe::setup::Given;
 use rodete::kinds::lathe::{Simulated, catalogue, watched};
@@ -22,7 +23,7 @@ use rodete::workbook::{self, template};
 
 /// A workbook with the values of a case and lists that `change` has been at.
 fn book(case: usize, language: Language, change: impl FnOnce(&mut Vec<Rows>)) -> Vec<u8> {
-    let case = &FORM.cases[case];
+    let case = &CASES[case];
     let mut lists = (case.listed)(language);
     change(&mut lists);
     let mut out = Cursor::new(Vec::new());
@@ -56,7 +57,7 @@ fn stops(bytes: &[u8]) -> Vec<(String, String)> {
 
 #[test]
 fn every_row_of_every_list_comes_back_with_its_cells() {
-    for (index, case) in FORM.cases.iter().enumerate() {
+    for (index, case) in CASES.iter().enumerate() {
         for language in Language::ALL {
             let values = read(&book(index, language, |_| ())).unwrap();
             let written = (case.listed)(language);
@@ -146,7 +147,7 @@ fn a_list_without_rows_is_refused_where_it_is_needed() {
 fn every_tool_of_the_catalogue_can_be_mounted() {
     let language = Language::En;
     let mut values = Values { language, ..Values::default() };
-    values.values.extend(FORM.cases[0].values(language));
+    values.values.extend(CASES[0].values(language));
     let rows = catalogue::rows(language);
     assert!(rows.len() > 80, "{}", rows.len());
     for mut row in rows {
@@ -161,7 +162,7 @@ fn every_tool_of_the_catalogue_can_be_mounted() {
 
 #[test]
 fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_among_them() {
-    for (index, case) in FORM.cases.iter().enumerate() {
+    for (index, case) in CASES.iter().enumerate() {
         let values = read(&book(index, Language::En, |_| ())).unwrap();
         let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
         let outcome = kinds::run(&FORM, values, source).unwrap();

@@ -8,17 +8,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use calamine::{Data, Reader, Xlsx, open_workbook};
-use rodete::kind::Provenance;
-use rodete::kinds;
-use rodete::kinds::impeller::cases::CASES;
-use rodete::kinds::impeller::parameters::FORM;
-use rodete::kinds::lathe::parameters as lathe;
-use rodete::kinds::pipe::hole::parameters as hole;
-use rodete::kinds::pipe::insert::parameters as insert;
+use rodete::kinds::lathe::{cases as lathe_cases, parameters as lathe};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
+use rodete::parameter::Value;
 use rodete::parameter::list::{Row, Rows};
-use rodete::parameter::{Value, Values};
 use rodete::text::Language;
 use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::{self, offsets_sheet, results, template};
@@ -67,44 +61,14 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
         std::fs::File::create(path).expect("a file")
     };
     let hostile = ("part", Value::Line("=1/0 & <b> \u{7} +álabe".to_owned()));
+    for (kind, case, language) in common::cases() {
+        let name = format!("{kind:?}-{}-{}", case.name, language.code());
+        let (form, values, lists) = (kind.form(), case.values(language), (case.listed)(language));
+        template::write(form, &values, &lists, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
+        let outcome = common::outcome_of(kind, case, language, std::slice::from_ref(&hostile));
+        results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
+    }
     for language in Language::ALL {
-        for case in &CASES {
-            let name = format!("{}-{}", case.name, language.code());
-            let values = case.values(language);
-            template::write(
-                &FORM,
-                &values,
-                &(case.listed)(language),
-                &case.note,
-                language,
-                create(format!("{name}.xlsx")),
-            )
-            .expect("a form");
-            let outcome = common::outcome(case.name, std::slice::from_ref(&hostile));
-            results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
-        }
-        for form in [&insert::FORM, &hole::FORM, &lathe::FORM] {
-            for case in form.cases {
-                let name = format!("{}-{}-{}", form.kind, case.name, language.code());
-                let filled = case.values(language);
-                template::write(
-                    form,
-                    &filled,
-                    &(case.listed)(language),
-                    &case.note,
-                    language,
-                    create(format!("{name}.xlsx")),
-                )
-                .expect("a form");
-                let mut values = Values { language, ..Values::default() };
-                values.values.extend(filled);
-                values.lists = (case.listed)(language);
-                values.values.insert(hostile.0, hostile.1.clone());
-                let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "test" };
-                let outcome = kinds::run(form, values, source).expect("an outcome");
-                results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
-            }
-        }
         let unit = LengthUnit::Inch;
         let to = create(format!("offsets-{}.xlsx", language.code()));
         offsets_sheet::write(&var_file(), unit, "a.var", language, to).expect("offsets");
@@ -154,7 +118,7 @@ fn the_lists_of_a_lathe_come_back_from_libreoffice_row_by_row() {
         cells: BTreeMap::new(),
     };
     let folder = tempfile::tempdir().expect("a folder");
-    for (case, language) in lathe::FORM.cases.iter().flat_map(|case| Language::ALL.map(|language| (case, language))) {
+    for (case, language) in lathe_cases::CASES.iter().flat_map(|case| Language::ALL.map(|language| (case, language))) {
         let path = folder.path().join(format!("{}-{}.xlsx", case.name, language.code()));
         let mut lists = (case.listed)(language);
         lists.push(Rows { list: "subprogram", sheet: "O0005".to_owned(), rows: odd.iter().map(block).collect() });

@@ -12,7 +12,7 @@ use rodete::kind::{Outcome, checks};
 use rodete::kinds::impeller::parameters::FORM;
 use rodete::kinds::impeller::rules::NoRetract;
 use rodete::parameter::Value;
-use rodete::table::{Column, Entry, Index, Print, Table, Unit};
+use rodete::table::{Column, Entry, Index, Law, Print, Table, Unit};
 use rodete::text::{Language, Text, t};
 use rodete::workbook::error::WriteError;
 use rodete::workbook::program_sheet::ProgramSheet;
@@ -129,8 +129,8 @@ fn a_long_table_of_numbers_and_texts_keeps_the_smallest_and_largest_of_each() {
         index: Index::Point,
         print: Print::Short,
         columns: vec![
-            Column::numbers("x", Unit::Millimetre, "", numbers),
-            Column::texts(Text::same("word"), "", texts),
+            Column::numbers("x", Unit::Millimetre, Law::None, numbers),
+            Column::texts(Text::same("word"), Law::None, texts),
         ],
     }];
     outcome.charts.clear();
@@ -315,7 +315,7 @@ fn no_sheet_has_a_number_that_is_not_one() {
             let mut outcome = common::outcome("full", &[]);
             let mut values = vec![1.0; rows];
             values[rows - 1] = value;
-            outcome.tables[0].columns = vec![Column::numbers("x", Unit::One, "", values)];
+            outcome.tables[0].columns = vec![Column::numbers("x", Unit::One, Law::None, values)];
             let written = results::write(&outcome, Language::En, Cursor::new(Vec::new()));
             assert!(matches!(written, Err(WriteError::NotFinite { .. })), "{value} in {rows} rows: {written:?}");
         }

@@ -1,29 +1,27 @@
 //! The cases that a new impeller workbook can start from.
 
 use crate::kinds::impeller::parameters::SCHEMA;
-use crate::parameter::{Case, Value, unlisted};
+use crate::parameter::{Case, Value};
 use crate::text::{Language, t};
 
 /// The cases that a new workbook can start from, the usual one first.
 pub static CASES: [Case; 2] = [
-    Case {
-        name: "full",
-        note: t(
+    Case::new(
+        "full",
+        t(
             "La pieza publicada, con programas completos y álabes intermedios cuyas pasadas libran a sus vecinos. F, S y F_max están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
             "The published part, with complete programs and splitters whose passes clear their neighbours. F, S and F_max are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
         ),
-        filled: full,
-        listed: unlisted,
-    },
-    Case {
-        name: "tfg-2021",
-        note: t(
+        full,
+    ),
+    Case::new(
+        "tfg-2021",
+        t(
             "El caso publicado (UPCT, 2021). Las tablas fijan e + d_t = 8 y d_s + d_t/2 = 8; aquí d_t = 6, e = 2, d_s = 5. L = R_B + H = 147.5 + 95.4 = 242.9.",
             "The published case (UPCT, 2021). Its tables fix e + d_t = 8 and d_s + d_t/2 = 8; here d_t = 6, e = 2, d_s = 5. L = R_B + H = 147.5 + 95.4 = 242.9.",
         ),
-        filled: published,
-        listed: unlisted,
-    },
+        published,
+    ),
 ];
 
 fn published(language: Language) -> Vec<(&'static str, Value)> {

@@ -43,12 +43,14 @@ pub mod undercut;
 
 use crate::figure::Figure;
 use crate::finding::{Finding, Rule};
+use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
-use crate::gcode::program::Program;
+use crate::gcode::program::{Program, Style};
 use crate::gcode::word::NumberFormat;
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Proved, out_of_format};
+use crate::kinds;
 use crate::kinds::impeller::blade::Blade;
 use crate::kinds::impeller::blade_count::{N_max, e_max, hub_circumference, least_gap};
 use crate::kinds::impeller::design::Design;
@@ -66,8 +68,8 @@ use crate::kinds::impeller::tables::ToolPaths;
 use crate::machine::axis::Axis;
 use crate::machine::calibration::Axis as Calibrated;
 use crate::number::grid::OutOfFormat;
-use crate::parameter::Form;
 use crate::parameter::field::Fields;
+use crate::parameter::{Case, Form};
 use crate::proof::step::Judge;
 use crate::scene::part::Part;
 use crate::table::{Quantity, Table, Unit};
@@ -103,7 +105,8 @@ impl Method for Impeller {
     type Memo = Known;
 
     const FORM: &'static Form = &FORM;
-    const RULES: &'static [&'static Rule] = proof::rules::RULES;
+    const CASES: &'static [Case] = &cases::CASES;
+    const RULES: &'static [&'static [&'static Rule]] = &[kinds::rules::RULES, rules::RULES, proof::rules::RULES];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../report-templates/impeller/labels.typ"),
         method: [
@@ -117,6 +120,14 @@ impl Method for Impeller {
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
         Design::new(fields)
+    }
+
+    fn control(design: &Design) -> &'static Control {
+        design.written.control
+    }
+
+    fn style(design: &Design) -> Option<Style> {
+        Some(design.style)
     }
 
     fn model(design: &Design) -> Result<Model, Vec<Finding>> {

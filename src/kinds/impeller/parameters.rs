@@ -6,14 +6,15 @@
 
 use crate::finding::Raise;
 use crate::gcode::chosen::{Codes, Retract};
-use crate::gcode::control::{Rotary, Written};
+use crate::gcode::control::Rotary;
+use crate::gcode::fields;
+pub(super) use crate::gcode::fields::{DIALECT, MATERIAL, PART};
 use crate::gcode::program::Style;
 use crate::gcode::word::Distance;
-use crate::kinds::impeller::cases::CASES;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::rules::HeightCalledLength;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
-use crate::parameter::{DIALECTS, Earlier, FieldKind, Form, Parameter, Section, Sheet};
+use crate::parameter::{Earlier, FieldKind, Form, Parameter, Section, Sheet};
 use crate::table::Unit;
 use crate::text::{Text, t};
 
@@ -251,9 +252,6 @@ pub(super) static TOL: Field<f64, Optional> = Field::real(
 
 const CUTTING: &[&Parameter] = &[&D_S.row, &F.row, &S.row, &TOL.row];
 
-pub(super) static PART: Field<String, Required> = Field::line("part", "part", 200, t("Pieza", "Part"), t("", ""));
-pub(super) static MATERIAL: Field<String, Optional> =
-    Field::line("material", "material", 200, t("Material", "Material"), t("", ""));
 pub(super) static NUMBER: Field<u32, Required> = Field::whole(
     "program",
     "program_number",
@@ -262,8 +260,6 @@ pub(super) static NUMBER: Field<u32, Required> = Field::whole(
     t("Número de programa", "Program number"),
     t("En la cabecera de los programas", "In the programs' header"),
 );
-pub(super) static DIALECT: Field<Written, Required> =
-    Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
 pub(super) static STYLE: Field<Style, Required> = Field::choice(
     "style",
     "style",
@@ -513,8 +509,6 @@ const CALIBRATION: &[&Parameter] = &[
     &CALIBRATION_Z0.row,
 ];
 
-static SCHEMA_CELL: Field<String, Required> = Field::schema();
-
 /// The impeller workbook.
 pub static FORM: Form = Form {
     kind: "impeller",
@@ -524,18 +518,16 @@ pub static FORM: Form = Form {
         renamed: &[("R_B", "R_p"), ("H", "L_t")],
         told: |place| HeightCalledLength {}.at(place),
     }],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["blade", "splitter", "impeller", "blank"],
-    drawings: &[],
-    solids: &[],
-    viewer: false,
     sheets: &[
         Sheet {
             name: t("DATOS", "DATA"),
             title: t("Parámetros de diseño del rodete", "Design parameters of the impeller"),
             optional: false,
             sections: &[
-                Section { title: t("Esquema", "Schema"), parameters: &[&SCHEMA_CELL.row] },
+                Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
                 Section { title: t("Geometría", "Geometry"), parameters: GEOMETRY },
                 Section { title: t("Herramienta", "Tool"), parameters: TOOL },
                 Section { title: t("Máquina", "Machine"), parameters: MACHINE },
@@ -551,5 +543,5 @@ pub static FORM: Form = Form {
             sections: &[Section { title: t("Ranuras de prueba", "Test slots"), parameters: CALIBRATION }],
         },
     ],
-    lists: &[],
+    ..Form::PLAIN
 };

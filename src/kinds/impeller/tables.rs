@@ -11,7 +11,7 @@ use crate::kinds::impeller::safety::{End, SafeEnd, safe_end};
 use crate::kinds::impeller::splitter::{Side, Splitter};
 use crate::kinds::impeller::tool_path::tool_path;
 use crate::machine::calibration::{Axis, Slots, nearest};
-use crate::table::{Column, Index, Print, Table, Unit};
+use crate::table::{Column, Index, Law, Print, Table, Unit};
 use crate::text::{Text, t};
 
 const MM: Unit = Unit::Millimetre;
@@ -51,16 +51,21 @@ fn annex(key: &'static str, name: Text, title: Text, source: Text, columns: Vec<
 #[must_use]
 pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
     let xyz = ["x", "y", "z"];
-    let path = |formula, points: &Vectors| -> Vec<Column> {
-        let mut columns: Vec<Column> = Column::vectors(xyz, MM, formula, points).into();
-        columns.push(Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)));
-        columns.push(Column::numbers("C", RAD, "C = u − 2π", Arc::clone(&blade.C)));
+    let path = |law, points: &Vectors| -> Vec<Column> {
+        let mut columns: Vec<Column> = Column::vectors(xyz, MM, law, points).into();
+        columns.push(Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)));
+        columns.push(Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)));
         columns
     };
     let frame = [
-        Column::vectors(["N_x", "N_y", "N_z"], Unit::One, "N = −(cos v·cos u, cos v·sin u, sin v)", &blade.N),
-        Column::vectors(["t_x", "t_y", "t_z"], Unit::One, "t = (X_u·k/ρ + X_v)/R", &blade.t),
-        Column::vectors(["b_x", "b_y", "b_z"], Unit::One, "b = t × N", &blade.b),
+        Column::vectors(
+            ["N_x", "N_y", "N_z"],
+            Unit::One,
+            Law::Told("N = −(cos v·cos u, cos v·sin u, sin v)"),
+            &blade.N,
+        ),
+        Column::vectors(["t_x", "t_y", "t_z"], Unit::One, Law::Told("t = (X_u·k/ρ + X_v)/R"), &blade.t),
+        Column::vectors(["b_x", "b_y", "b_z"], Unit::One, Law::Told("b = t × N"), &blade.b),
     ];
     vec![
         annex(
@@ -69,8 +74,13 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             t("Discretización de los ángulos v y u", "Discretisation of the angles v and u"),
             t("Anexo 1, ecuación (6) corregida", "Annex 1, equation (6) corrected"),
             vec![
-                Column::numbers("v", RAD, "v = π + i·h, h = (π/2)/n", Arc::clone(&blade.v)),
-                Column::numbers("u", RAD, "u = atan2(−(r + R·cos v), k·sin v), k = √(R² − r²)", Arc::clone(&blade.u)),
+                Column::numbers("v", RAD, Law::Told("v = π + i·h, h = (π/2)/n"), Arc::clone(&blade.v)),
+                Column::numbers(
+                    "u",
+                    RAD,
+                    Law::Told("u = atan2(−(r + R·cos v), k·sin v), k = √(R² − r²)"),
+                    Arc::clone(&blade.u),
+                ),
             ],
         ),
         annex(
@@ -78,7 +88,7 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             t("Anexo 2", "Annex 2"),
             t("Geometría de la fibra media de un álabe", "Mean line of a blade"),
             t("Anexo 2, ecuación (4)", "Annex 2, equation (4)"),
-            Column::vectors(xyz, MM, "P = (ρ·cos u, ρ·sin u, r·sin v), ρ = R + r·cos v", &blade.P).into(),
+            Column::vectors(xyz, MM, Law::Told("P = (ρ·cos u, ρ·sin u, r·sin v), ρ = R + r·cos v"), &blade.P).into(),
         ),
         annex(
             "annex-3",
@@ -93,8 +103,8 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             t("Ángulos de giro C y B", "Rotary angles C and B"),
             t("Anexo 4, ecuaciones (7) y (14) corregidas", "Annex 4, equations (7) and (14) corrected"),
             vec![
-                Column::numbers("C", RAD, "C = u − 2π", Arc::clone(&blade.C)),
-                Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)),
+                Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)),
+                Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)),
             ],
         ),
         annex(
@@ -105,21 +115,21 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
                 "Anexo 5, ecuación (16) corregida con la longitud de pivote",
                 "Annex 5, equation (16) corrected with the pivot length",
             ),
-            Column::vectors(xyz, MM, "P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂", &blade.machine).into(),
+            Column::vectors(xyz, MM, Law::Told("P″ = M2(B)·(M1(−C)·P + L·k̂) − L·k̂"), &blade.machine).into(),
         ),
         annex(
             "annex-6",
             t("Anexo 6", "Annex 6"),
             t("Trayectoria de la herramienta, anverso", "Tool path along the obverse"),
             t("Anexo 6, ecuación (20) corregida", "Annex 6, equation (20) corrected"),
-            path("P″ + w·b″ − a_p·N″, w = (e + d_t)/2", &passes.obverse),
+            path(Law::Told("P″ + w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.obverse),
         ),
         annex(
             "annex-7",
             t("Anexo 7", "Annex 7"),
             t("Trayectoria de la herramienta, reverso", "Tool path along the reverse"),
             t("Anexo 7, ecuación (21) corregida", "Annex 7, equation (21) corrected"),
-            path("P″ − w·b″ − a_p·N″, w = (e + d_t)/2", &passes.reverse),
+            path(Law::Told("P″ − w·b″ − a_p·N″, w = (e + d_t)/2"), &passes.reverse),
         ),
         safety(passes),
     ]
@@ -128,13 +138,8 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
 fn safety(passes: &ToolPaths) -> Table {
     let rows: [(&SafeEnd, bool); 4] =
         [(&passes.entry, true), (&passes.entry, false), (&passes.exit, true), (&passes.exit, false)];
-    let column = |symbol, unit, formula, value: fn(&SafeEnd, bool) -> f64| {
-        Column::numbers(
-            symbol,
-            unit,
-            formula,
-            rows.iter().map(|&(end, obverse)| value(end, obverse)).collect::<Vec<_>>(),
-        )
+    let column = |symbol, unit, law, value: fn(&SafeEnd, bool) -> f64| {
+        Column::numbers(symbol, unit, law, rows.iter().map(|&(end, obverse)| value(end, obverse)).collect::<Vec<_>>())
     };
     Table {
         key: "annex-8",
@@ -146,12 +151,12 @@ fn safety(passes: &ToolPaths) -> Table {
         columns: vec![
             Column::texts(
                 t("extremo", "end"),
-                "",
+                Law::None,
                 vec![t("entrada", "entry"), t("entrada", "entry"), t("salida", "exit"), t("salida", "exit")],
             ),
             Column::texts(
                 t("pasada", "side"),
-                "",
+                Law::None,
                 vec![
                     t("anverso", "obverse"),
                     t("reverso", "reverse"),
@@ -159,19 +164,21 @@ fn safety(passes: &ToolPaths) -> Table {
                     t("reverso", "reverse"),
                 ],
             ),
-            column("β", Unit::Degree, "tan β = (y_r − y_a)/(x_a − x_r)", |end, _| end.beta.to_degrees()),
-            column("Δx", MM, "∓(d_s + d_t/2 ± w·cos β)", |end, obverse| {
+            column("β", Unit::Degree, Law::Told("tan β = (y_r − y_a)/(x_a − x_r)"), |end, _| {
+                end.beta.to_degrees()
+            }),
+            column("Δx", MM, Law::Told("∓(d_s + d_t/2 ± w·cos β)"), |end, obverse| {
                 if obverse { end.step_obverse[0] } else { end.step_reverse[0] }
             }),
             column(
                 "Δy",
                 MM,
-                "Δx/tan β",
+                Law::Told("Δx/tan β"),
                 |end, obverse| if obverse { end.step_obverse[1] } else { end.step_reverse[1] },
             ),
-            column("x", MM, "x + Δx", |end, obverse| if obverse { end.obverse.x } else { end.reverse.x }),
-            column("y", MM, "y + Δy", |end, obverse| if obverse { end.obverse.y } else { end.reverse.y }),
-            column("z", MM, "z", |end, obverse| if obverse { end.obverse.z } else { end.reverse.z }),
+            column("x", MM, Law::Told("x + Δx"), |end, obverse| if obverse { end.obverse.x } else { end.reverse.x }),
+            column("y", MM, Law::Told("y + Δy"), |end, obverse| if obverse { end.obverse.y } else { end.reverse.y }),
+            column("z", MM, Law::Told("z"), |end, obverse| if obverse { end.obverse.z } else { end.reverse.z }),
         ],
     }
 }
@@ -183,11 +190,15 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
     let plan = |points: &[nalgebra::Vector2<f64>]| -> Vectors {
         points.iter().map(|point| Vector3::new(point.x, point.y, 0.0)).collect()
     };
-    let take_two = |symbols: [&'static str; 3], formula, points: &Vectors| {
-        Column::vectors(symbols, MM, formula, points).into_iter().take(2).collect::<Vec<_>>()
+    let take_two = |symbols: [&'static str; 3], law, points: &Vectors| {
+        Column::vectors(symbols, MM, law, points).into_iter().take(2).collect::<Vec<_>>()
     };
-    let mut columns = take_two(["x_own", "y_own", ""], "P + w·b − a_p·N", &plan(&own));
-    columns.extend(take_two(["x_neighbour", "y_neighbour", ""], "Rz(−π/N)·(P − w·b − a_p·N)", &plan(&neighbour)));
+    let mut columns = take_two(["x_own", "y_own", ""], Law::Told("P + w·b − a_p·N"), &plan(&own));
+    columns.extend(take_two(
+        ["x_neighbour", "y_neighbour", ""],
+        Law::Told("Rz(−π/N)·(P − w·b − a_p·N)"),
+        &plan(&neighbour),
+    ));
     let intersection = Table {
         key: "intersection",
         name: t("Intersección", "Intersection"),
@@ -197,24 +208,25 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
         print: Print::Short,
         columns,
     };
-    let fraction = |symbol, formula, side: &Side| Column::numbers(symbol, Unit::One, formula, side.fraction.clone());
+    let fraction = |symbol, law, side: &Side| Column::numbers(symbol, Unit::One, law, side.fraction.clone());
     let Splitter { out, back, .. } = splitter;
     let (mut columns, paths) = match splitter.fade {
-        Fade::Published => {
-            (vec![fraction("f", "f_j = ((j+1)/(m+1))⁵, j ≤ m", out)], ["P″ − w·f·b″ − a_p·N″", "P″ + w·f·b″ − a_p·N″"])
-        }
+        Fade::Published => (
+            vec![fraction("f", Law::Told("f_j = ((j+1)/(m+1))⁵, j ≤ m"), out)],
+            ["P″ − w·f·b″ − a_p·N″", "P″ + w·f·b″ − a_p·N″"],
+        ),
         Fade::EachSide => (
             vec![
-                fraction("f_1", "f_1 = ((j+1)/(m_1+1))⁵, j ≤ m_1", out),
-                fraction("f_2", "f_2 = ((j+1)/(m_2+1))⁵, j ≤ m_2", back),
+                fraction("f_1", Law::Told("f_1 = ((j+1)/(m_1+1))⁵, j ≤ m_1"), out),
+                fraction("f_2", Law::Told("f_2 = ((j+1)/(m_2+1))⁵, j ≤ m_2"), back),
             ],
             ["P″ − w·f_1·b″ − a_p·N″", "P″ + w·f_2·b″ − a_p·N″"],
         ),
     };
-    columns.extend(Column::vectors(["x_1", "y_1", "z_1"], MM, paths[0], &out.path));
-    columns.extend(Column::vectors(["x_2", "y_2", "z_2"], MM, paths[1], &back.path));
-    columns.push(Column::numbers("B", RAD, "B = 3π/2 − v", Arc::clone(&blade.B)));
-    columns.push(Column::numbers("C", RAD, "C = u − 2π", Arc::clone(&blade.C)));
+    columns.extend(Column::vectors(["x_1", "y_1", "z_1"], MM, Law::Told(paths[0]), &out.path));
+    columns.extend(Column::vectors(["x_2", "y_2", "z_2"], MM, Law::Told(paths[1]), &back.path));
+    columns.push(Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)));
+    columns.push(Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)));
     let paths = Table {
         key: "splitter",
         name: t("Álabe intermedio", "Splitter"),
@@ -282,9 +294,9 @@ pub fn blank(design: &Design) -> Table {
         index: Index::None,
         print: Print::Short,
         columns: vec![
-            Column::texts(t("parámetro", "parameter"), "", rows.iter().map(|row| t(row.0, row.0)).collect()),
-            Column::texts(t("significado", "meaning"), "", rows.iter().map(|row| row.1.clone()).collect()),
-            Column::numbers("value", MM, "", rows.iter().map(|row| row.2).collect::<Vec<_>>())
+            Column::texts(t("parámetro", "parameter"), Law::None, rows.iter().map(|row| t(row.0, row.0)).collect()),
+            Column::texts(t("significado", "meaning"), Law::None, rows.iter().map(|row| row.1.clone()).collect()),
+            Column::numbers("value", MM, Law::None, rows.iter().map(|row| row.2).collect::<Vec<_>>())
                 .named(t("valor", "value")),
         ],
     }
@@ -293,9 +305,9 @@ pub fn blank(design: &Design) -> Table {
 /// The blade in plan and in the meridian plane, for the charts.
 #[must_use]
 pub fn views(blade: &Blade) -> Table {
-    let mut columns: Vec<Column> = Column::vectors(["x", "y", "z"], MM, "P", &blade.P).into();
+    let mut columns: Vec<Column> = Column::vectors(["x", "y", "z"], MM, Law::Told("P"), &blade.P).into();
     let rho: Vec<f64> = blade.v.iter().map(|&v| blade.circle.torus.rho(v)).collect();
-    columns.insert(2, Column::numbers("ρ", MM, "ρ = R + r·cos v", rho));
+    columns.insert(2, Column::numbers("ρ", MM, Law::Told("ρ = R + r·cos v"), rho));
     Table {
         key: "views",
         name: t("Vistas", "Views"),
@@ -325,8 +337,8 @@ pub fn calibration(slots: &Slots, nominal: f64) -> Option<(Table, Axis)> {
     if let Some(small) = slots.small_angle() {
         add(t("ángulo pequeño", "small angle"), small);
     }
-    let number = |symbol, unit, formula, value: fn(&(Text, bool, Axis)) -> f64| {
-        Column::numbers(symbol, unit, formula, rows.iter().map(value).collect::<Vec<_>>())
+    let number = |symbol, unit, law, value: fn(&(Text, bool, Axis)) -> f64| {
+        Column::numbers(symbol, unit, law, rows.iter().map(value).collect::<Vec<_>>())
     };
     let table = Table {
         key: "calibration",
@@ -340,13 +352,13 @@ pub fn calibration(slots: &Slots, nominal: f64) -> Option<(Table, Axis)> {
         index: Index::None,
         print: Print::Short,
         columns: vec![
-            Column::texts(t("forma", "form"), "", rows.iter().map(|row| row.0.clone()).collect()),
-            number("R_B", MM, "2R_B² + 2(a+b)R_B + a² + b² − x0² − z0² = 0", |row| row.2.R_B),
-            number("B", RAD, "−x0 = D·cos B − E·sin B, −z0 = D·sin B + E·cos B", |row| row.2.B),
-            number("B", Unit::Degree, "", |row| row.2.B.to_degrees()).named(t("B (°)", "B (°)")),
+            Column::texts(t("forma", "form"), Law::None, rows.iter().map(|row| row.0.clone()).collect()),
+            number("R_B", MM, Law::Told("2R_B² + 2(a+b)R_B + a² + b² − x0² − z0² = 0"), |row| row.2.R_B),
+            number("B", RAD, Law::Told("−x0 = D·cos B − E·sin B, −z0 = D·sin B + E·cos B"), |row| row.2.B),
+            number("B", Unit::Degree, Law::None, |row| row.2.B.to_degrees()).named(t("B (°)", "B (°)")),
             Column::texts(
                 t("elegida", "chosen"),
-                "",
+                Law::None,
                 rows.iter().map(|row| if row.1 { t("sí", "yes") } else { t("no", "no") }).collect(),
             ),
         ],

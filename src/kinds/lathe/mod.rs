@@ -20,7 +20,7 @@ pub mod tool_sheet;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Said, Size};
+use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
 use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::MotionKind;
 use crate::gcode::program::Program;
@@ -40,8 +40,8 @@ use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::PROGRAM_FINDINGS;
 use crate::machine::axis::Position;
 use crate::number::shown;
-use crate::parameter::Form;
 use crate::parameter::field::Fields;
+use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
 use crate::removal::turning::alarm::{Alarm, Cause};
 use crate::removal::turning::deviation::Profile;
@@ -135,6 +135,10 @@ impl Kind for Lathe {
         &FORM
     }
 
+    fn cases(&self) -> &'static [Case] {
+        &cases::CASES
+    }
+
     fn chapters(&self) -> &'static Chapters {
         const {
             &Chapters {
@@ -147,6 +151,14 @@ impl Kind for Lathe {
                 further: &[("equations.typ", include_str!("../../../report-templates/lathe/equations.typ"))],
             }
         }
+    }
+
+    fn rules(&self) -> &'static [&'static [&'static Rule]] {
+        &[rules::RULES]
+    }
+
+    fn design(&self, fields: &Fields) -> Result<(), Vec<Finding>> {
+        Given::of(fields).map(drop)
     }
 
     /// Follows the programs of a filled-in form.
@@ -499,6 +511,8 @@ fn outcome(
     let outcome = Outcome {
         kind: &Lathe,
         fields,
+        control: given.control,
+        style: None,
         quantities,
         tables,
         charts: Vec::new(),

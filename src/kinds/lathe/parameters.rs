@@ -4,8 +4,8 @@
 //! needs beside them is added here. The tools have a file of their own.
 
 use crate::gcode::control::Control;
+use crate::gcode::fields;
 use crate::gcode::interpreter::{DecimalPoint, HolePlane};
-use crate::kinds::lathe::cases::CASES;
 use crate::kinds::lathe::tool_sheet;
 pub use crate::kinds::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::limits::SHEET_BLOCKS;
@@ -400,14 +400,12 @@ const BLOCKS_NOTE: Text = t(
     "One block a row in column BLOCK; empty rows are skipped. External subprograms go on sheets called O and their number, such as O0005.",
 );
 
-static SCHEMA_CELL: Field<String, Required> = Field::schema();
-
 /// The lathe workbook.
 pub static FORM: Form = Form {
     kind: "lathe",
     schema: SCHEMA,
-    earlier: &[],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["program", "program-2"],
     drawings: &["contour"],
     solids: &[("part", t("Pieza torneada, STL en mm", "Turned part, STL in mm"))],
@@ -417,7 +415,7 @@ pub static FORM: Form = Form {
         title: t("Datos del torneado", "Data of the turning"),
         optional: false,
         sections: &[
-            Section { title: t("Esquema", "Schema"), parameters: &[&SCHEMA_CELL.row] },
+            Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
             Section { title: t("Pieza", "Part"), parameters: PIECE },
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
             Section { title: t("Bruto", "Stock"), parameters: STOCK },
@@ -485,4 +483,5 @@ pub static FORM: Form = Form {
             most: 2_000,
         },
     ],
+    ..Form::PLAIN
 };

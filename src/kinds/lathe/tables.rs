@@ -10,7 +10,7 @@ use crate::machine::axis::Axis;
 use crate::removal::turning::alarm::Alarm;
 use crate::removal::turning::step::{Step, Total, Totals};
 use crate::removal::turning::turret::Turret;
-use crate::table::{Column, Index, Print, Table, Unit};
+use crate::table::{Column, Index, Law, Print, Table, Unit};
 use crate::text::Text;
 use crate::text::t;
 
@@ -147,20 +147,20 @@ impl Rows {
                 index: Index::None,
                 print: Print::No,
                 columns: vec![
-                    Column::numbers("line", Unit::Count, "", rows.line).named(t("línea", "line")),
-                    Column::texts(t("bloque", "block"), "", rows.block),
-                    Column::texts(t("mov.", "motion"), "", rows.motion),
-                    Column::numbers("T", Unit::Count, "", rows.tool),
-                    Column::numbers("X", Unit::Millimetre, "", rows.X),
-                    Column::numbers("Z", Unit::Millimetre, "", rows.Z),
-                    Column::numbers("t", Unit::Second, "", rows.seconds),
-                    Column::numbers("S", Unit::RevolutionPerMinute, "", rows.S),
-                    Column::numbers("F", Unit::MillimetrePerRevolution, "F; F/S (mm/min)", rows.F),
-                    Column::numbers("V_c", Unit::MetrePerMinute, "π d_c n/1000", rows.V_c),
-                    Column::numbers("a_p", Unit::Millimetre, "", rows.a_p),
-                    Column::numbers("V", Unit::CubicMillimetre, "", rows.volume),
-                    Column::numbers("Q", Unit::CubicCentimetrePerMinute, "V/t", rows.rate),
-                    Column::texts(t("alarmas", "alarms"), "", rows.alarms),
+                    Column::numbers("line", Unit::Count, Law::None, rows.line).named(t("línea", "line")),
+                    Column::texts(t("bloque", "block"), Law::None, rows.block),
+                    Column::texts(t("mov.", "motion"), Law::None, rows.motion),
+                    Column::numbers("T", Unit::Count, Law::None, rows.tool),
+                    Column::numbers("X", Unit::Millimetre, Law::None, rows.X),
+                    Column::numbers("Z", Unit::Millimetre, Law::None, rows.Z),
+                    Column::numbers("t", Unit::Second, Law::None, rows.seconds),
+                    Column::numbers("S", Unit::RevolutionPerMinute, Law::None, rows.S),
+                    Column::numbers("F", Unit::MillimetrePerRevolution, Law::Told("F; F/S (mm/min)"), rows.F),
+                    Column::numbers("V_c", Unit::MetrePerMinute, Law::Told("π d_c n/1000"), rows.V_c),
+                    Column::numbers("a_p", Unit::Millimetre, Law::None, rows.a_p),
+                    Column::numbers("V", Unit::CubicMillimetre, Law::None, rows.volume),
+                    Column::numbers("Q", Unit::CubicCentimetrePerMinute, Law::Told("V/t"), rows.rate),
+                    Column::texts(t("alarmas", "alarms"), Law::None, rows.alarms),
                 ],
             })
             .collect()
@@ -227,23 +227,23 @@ pub fn lines_table(motions: &[Table]) -> Table {
             Column::numbers(
                 "program",
                 Unit::Count,
-                "",
+                Law::None,
                 lines.iter().map(|line| count(line.program)).collect::<Vec<f64>>(),
             )
             .named(t("prog.", "program")),
-            Column::numbers("line", Unit::Count, "", lines.iter().map(|line| line.line).collect::<Vec<f64>>())
+            Column::numbers("line", Unit::Count, Law::None, lines.iter().map(|line| line.line).collect::<Vec<f64>>())
                 .named(t("línea", "line")),
-            Column::texts(t("bloque", "block"), "", lines.iter().map(|line| line.block.clone()).collect()),
-            Column::numbers("motions", Unit::Count, "", sum(0)).named(t("mov.", "motions")),
-            Column::numbers("t", Unit::Second, "", sum(1)),
-            Column::numbers("t_c", Unit::Second, "", sum(2)),
-            Column::numbers("V", Unit::CubicMillimetre, "", sum(3)),
-            Column::numbers("a_p", Unit::Millimetre, "", sum(4)),
-            Column::numbers("V_c", Unit::MetrePerMinute, "", sum(5)),
-            Column::numbers("Q", Unit::CubicCentimetrePerMinute, "", sum(6)),
+            Column::texts(t("bloque", "block"), Law::None, lines.iter().map(|line| line.block.clone()).collect()),
+            Column::numbers("motions", Unit::Count, Law::None, sum(0)).named(t("mov.", "motions")),
+            Column::numbers("t", Unit::Second, Law::None, sum(1)),
+            Column::numbers("t_c", Unit::Second, Law::None, sum(2)),
+            Column::numbers("V", Unit::CubicMillimetre, Law::None, sum(3)),
+            Column::numbers("a_p", Unit::Millimetre, Law::None, sum(4)),
+            Column::numbers("V_c", Unit::MetrePerMinute, Law::None, sum(5)),
+            Column::numbers("Q", Unit::CubicCentimetrePerMinute, Law::None, sum(6)),
             Column::texts(
                 t("alarmas", "alarms"),
-                "",
+                Law::None,
                 lines.iter().map(|line| Text::same(line.alarms.join(", "))).collect(),
             ),
         ],
@@ -264,16 +264,16 @@ pub fn alarms_table<'a>(alarms: impl Iterator<Item = &'a Raised>) -> Table {
         index: Index::None,
         print: Print::Short,
         columns: vec![
-            Column::numbers("number", Unit::Count, "", numbers(|alarm| f64::from(alarm.cause.number())))
+            Column::numbers("number", Unit::Count, Law::None, numbers(|alarm| f64::from(alarm.cause.number())))
                 .named(t("número", "number")),
-            Column::texts(t("grado", "grade"), "", texts(|one| one.alarm.cause.grade().name())),
-            Column::texts(t("alarma", "alarm"), "", texts(|one| one.alarm.cause.text())),
-            Column::texts(t("lugar", "place"), "", texts(|one| checks::place(&one.place))),
-            Column::numbers("X", Unit::Millimetre, "", numbers(|alarm| alarm.place[0])),
-            Column::numbers("Z", Unit::Millimetre, "", numbers(|alarm| alarm.place[1])),
-            Column::numbers("depth", Unit::Millimetre, "", numbers(|alarm| alarm.depth.unwrap_or_default()))
+            Column::texts(t("grado", "grade"), Law::None, texts(|one| one.alarm.cause.grade().name())),
+            Column::texts(t("alarma", "alarm"), Law::None, texts(|one| one.alarm.cause.text())),
+            Column::texts(t("lugar", "place"), Law::None, texts(|one| checks::place(&one.place))),
+            Column::numbers("X", Unit::Millimetre, Law::None, numbers(|alarm| alarm.place[0])),
+            Column::numbers("Z", Unit::Millimetre, Law::None, numbers(|alarm| alarm.place[1])),
+            Column::numbers("depth", Unit::Millimetre, Law::None, numbers(|alarm| alarm.depth.unwrap_or_default()))
                 .named(t("profundidad", "depth")),
-            Column::texts(t("remedio", "remedy"), "", texts(|one| one.alarm.cause.remedy())),
+            Column::texts(t("remedio", "remedy"), Law::None, texts(|one| one.alarm.cause.remedy())),
         ],
     }
 }
@@ -300,16 +300,21 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
         index: Index::None,
         print: Print::Short,
         columns: vec![
-            Column::numbers("T", Unit::Count, "", places.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>()),
-            Column::texts(t("herramienta", "tool"), "", places.keys().map(name).collect()),
-            Column::numbers("motions", Unit::Count, "", numbers(|total| count(total.motions)))
+            Column::numbers(
+                "T",
+                Unit::Count,
+                Law::None,
+                places.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>(),
+            ),
+            Column::texts(t("herramienta", "tool"), Law::None, places.keys().map(name).collect()),
+            Column::numbers("motions", Unit::Count, Law::None, numbers(|total| count(total.motions)))
                 .named(t("mov.", "motions")),
-            Column::numbers("t", Unit::Second, "", numbers(|total| total.seconds)),
-            Column::numbers("t_c", Unit::Second, "", numbers(|total| total.cutting_seconds)),
-            Column::numbers("V", Unit::CubicMillimetre, "", numbers(|total| total.volume)),
-            Column::numbers("a_p", Unit::Millimetre, "", numbers(|total| total.depth)),
-            Column::numbers("V_c", Unit::MetrePerMinute, "", numbers(|total| total.cutting_speed)),
-            Column::numbers("Q", Unit::CubicCentimetrePerMinute, "", numbers(|total| total.rate)),
+            Column::numbers("t", Unit::Second, Law::None, numbers(|total| total.seconds)),
+            Column::numbers("t_c", Unit::Second, Law::None, numbers(|total| total.cutting_seconds)),
+            Column::numbers("V", Unit::CubicMillimetre, Law::None, numbers(|total| total.volume)),
+            Column::numbers("a_p", Unit::Millimetre, Law::None, numbers(|total| total.depth)),
+            Column::numbers("V_c", Unit::MetrePerMinute, Law::None, numbers(|total| total.cutting_speed)),
+            Column::numbers("Q", Unit::CubicCentimetrePerMinute, Law::None, numbers(|total| total.rate)),
         ],
     }
 }
@@ -331,14 +336,19 @@ pub fn turret_table(turret: &Turret) -> Table {
             Column::numbers(
                 "T",
                 Unit::Count,
-                "",
+                Law::None,
                 turret.tools.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>(),
             ),
-            Column::texts(t("herramienta", "tool"), "", turret.tools.values().map(|tool| tool.name.clone()).collect()),
-            Column::numbers("Q_x", Unit::Millimetre, "", of(|tool| tool.overhang[0])),
-            Column::numbers("Q_z", Unit::Millimetre, "", of(|tool| tool.overhang[1])),
-            Column::numbers("R", Unit::Millimetre, "", of(crate::removal::turning::tool::TurningTool::nose)),
-            Column::numbers("tip", Unit::Count, "", of(|tool| f64::from(tool.tip.number()))).named(t("punta", "tip")),
+            Column::texts(
+                t("herramienta", "tool"),
+                Law::None,
+                turret.tools.values().map(|tool| tool.name.clone()).collect(),
+            ),
+            Column::numbers("Q_x", Unit::Millimetre, Law::None, of(|tool| tool.overhang[0])),
+            Column::numbers("Q_z", Unit::Millimetre, Law::None, of(|tool| tool.overhang[1])),
+            Column::numbers("R", Unit::Millimetre, Law::None, of(crate::removal::turning::tool::TurningTool::nose)),
+            Column::numbers("tip", Unit::Count, Law::None, of(|tool| f64::from(tool.tip.number())))
+                .named(t("punta", "tip")),
         ],
     }
 }
@@ -360,9 +370,10 @@ pub fn contour_table(contours: &[Ring]) -> Table {
         index: Index::None,
         print: Print::Short,
         columns: vec![
-            Column::numbers("contour", Unit::Count, "", numbers(|at, _| count(at + 1))).named(t("contorno", "contour")),
-            Column::numbers("X", Unit::Millimetre, "", numbers(|_, point| 2.0 * point[1])),
-            Column::numbers("Z", Unit::Millimetre, "", numbers(|_, point| point[0])),
+            Column::numbers("contour", Unit::Count, Law::None, numbers(|at, _| count(at + 1)))
+                .named(t("contorno", "contour")),
+            Column::numbers("X", Unit::Millimetre, Law::None, numbers(|_, point| 2.0 * point[1])),
+            Column::numbers("Z", Unit::Millimetre, Law::None, numbers(|_, point| point[0])),
         ],
     }
 }

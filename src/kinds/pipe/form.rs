@@ -2,10 +2,10 @@
 
 use crate::figure::Paper;
 use crate::gcode::chosen::Codes;
-use crate::gcode::control::Written;
+pub(in crate::kinds) use crate::gcode::fields::{DIALECT, MATERIAL, PART};
 use crate::kinds::pipe::size::{NPS, SCHEDULES, Schedule, Size};
 use crate::parameter::field::{Field, Optional, Required, Usual};
-use crate::parameter::{DIALECTS, FieldKind, Parameter};
+use crate::parameter::{FieldKind, Parameter};
 use crate::table::Unit;
 use crate::text::t;
 
@@ -119,14 +119,6 @@ pub(in crate::kinds) static PIERCE_DELAY: Field<f64, Required> = Field::real(
     t("0: sin espera", "0: none"),
 );
 
-/// The part.
-pub(in crate::kinds) static PART: Field<String, Required> =
-    Field::line("part", "part", 200, t("Pieza", "Part"), t("", ""));
-
-/// The material.
-pub(in crate::kinds) static MATERIAL: Field<String, Optional> =
-    Field::line("material", "material", 200, t("Material", "Material"), t("", ""));
-
 /// The program number.
 pub(in crate::kinds) static NUMBER: Field<u32, Required> = Field::whole(
     "program",
@@ -136,10 +128,6 @@ pub(in crate::kinds) static NUMBER: Field<u32, Required> = Field::whole(
     t("Número de programa", "Program number"),
     t("En la cabecera del programa", "In the program's header"),
 );
-
-/// The dialect.
-pub(in crate::kinds) static DIALECT: Field<Written, Required> =
-    Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
 
 /// The codes that turn the torch on.
 pub(in crate::kinds) static TORCH_ON: Field<Codes, Required> = Field::other(

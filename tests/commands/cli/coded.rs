@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use rodete::cli::RULES;
+use rodete::cli::rows;
+use rodete::kinds::KINDS;
 use rodete::text::Language;
 use serde_json::Value as Json;
 use tempfile::TempDir;
@@ -113,7 +114,7 @@ fn the_last_line_tells_how_to_learn_more_of_the_first_code_that_needs_attention(
         vec!["new", "impeller", "good.xlsx"],
     ]);
     let mut told = 0;
-    let known: Vec<_> = RULES.iter().copied().flatten().map(|rule| rule.code).collect();
+    let known: Vec<_> = rows(KINDS).into_iter().map(|rule| rule.code).collect();
     for command in commands {
         for (language, more) in
             [("en", "says what it means, with an example"), ("es", "dice qué significa, con un ejemplo")]

@@ -1,11 +1,15 @@
 //! What the commands do when all is well, or nearly.
 
 use std::fs;
+use std::process::Command;
 
 use predicates::prelude::*;
+use rodete::kinds::KINDS;
 use rodete::parameter::Value;
 use rodete::store::sha256;
 use serde_json::Value as Json;
+
+use crate::every_kind::every_command;
 
 use super::common::{OUTPUTS, contents, folder, names, rodete, with_impeller, with_refused, workbook};
 
@@ -37,15 +41,11 @@ fn a_new_workbook_can_be_checked_and_built() {
 }
 
 #[test]
-fn both_cases_in_both_languages_can_be_built() {
-    let folder = folder();
-    for case in ["full", "tfg-2021"] {
-        for lang in ["es", "en"] {
-            let name = format!("{case}-{lang}.xlsx");
-            rodete(&folder).args(["new", "impeller", &name, "--case", case, "--lang", lang]).assert().code(0);
-            rodete(&folder).args(["build", &name, "--no-report", "--lang", lang]).assert().code(0);
-        }
-    }
+fn every_command_runs_on_every_case_of_every_kind_in_both_languages() {
+    every_command(KINDS, &|folder, words| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rodete"));
+        command.args(words).current_dir(folder).env("LC_ALL", "C").env("KEPT", folder).output().expect("the command")
+    });
 }
 
 #[test]

@@ -6,6 +6,7 @@ use std::io::Cursor;
 use std::path::Path;
 use std::process::Command;
 
+use rodete::kinds::lathe::cases::CASES;
 use rodete::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
 use rodete::parameter::Value;
 use rodete::parameter::list::{Row, Rows};
@@ -47,7 +48,7 @@ impl Book {
 
     /// The shipped case.
     pub fn of(language: Language) -> Self {
-        let case = &FORM.cases[0];
+        let case = &CASES[0];
         Self { values: case.values(language), lists: (case.listed)(language), language }
     }
 
@@ -100,7 +101,7 @@ impl Book {
 
     pub fn bytes(&self) -> Vec<u8> {
         let mut out = Cursor::new(Vec::new());
-        template::write(&FORM, &self.values, &self.lists, &FORM.cases[0].note, self.language, &mut out).unwrap();
+        template::write(&FORM, &self.values, &self.lists, &CASES[0].note, self.language, &mut out).unwrap();
         out.into_inner()
     }
 }

@@ -1,6 +1,7 @@
 //! Short programs that nobody would write, each with what must be said of it.
 
 use rodete::gcode::interpreter::Interpreter;
+use rodete::kinds::lathe::cases::CASES;
 use rodete::kinds::lathe::parameters::FORM;
 use rodete::kinds::lathe::setup::Given;
 use rodete::parameter::field::Fields;
@@ -66,8 +67,8 @@ fn of_a_part_that_is_all_gone_no_deviation_of_0_is_told() {
 /// The machine of the shipped case.
 fn shaft() -> Given {
     let mut values = Values::default();
-    values.values.extend(FORM.cases[0].values(Language::En));
-    values.lists.extend((FORM.cases[0].listed)(Language::En));
+    values.values.extend(CASES[0].values(Language::En));
+    values.lists.extend((CASES[0].listed)(Language::En));
     Given::of(&Fields::of(&FORM, values).unwrap()).unwrap()
 }
 

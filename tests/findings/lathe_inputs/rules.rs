@@ -2,15 +2,16 @@
 
 use std::collections::BTreeSet;
 
-use rodete::cli::RULES;
+use rodete::cli::rows;
 use rodete::finding::{Example, Grade, Rule};
+use rodete::kinds::KINDS;
 use rodete::kinds::lathe::rules::{MoreAlarms, NotJudgedFromHere};
 use rodete::parameter::Value;
 
 use super::bench::{Book, build};
 
 fn rules() -> impl Iterator<Item = &'static Rule> {
-    RULES.iter().copied().flatten().copied()
+    rows(KINDS).into_iter()
 }
 
 /// Code and grade of what a build says of an example.

@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use rodete::kinds::lathe::parameters::{FORM, PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
+use rodete::kinds::lathe::cases::CASES;
+use rodete::kinds::lathe::parameters::{PROFILE_KEY, PROGRAM_KEY, TOOLS_KEY};
 use rodete::parameter::Value;
 use rodete::parameter::list::Row;
 use rodete::text::Language;
@@ -420,7 +421,7 @@ fn the_results_are_an_input_that_comes_to_the_same() {
         assert_eq!(read(&folder), read(&again), "{name}");
     }
     assert_eq!(document["quantities"], repeated["quantities"]);
-    for case in FORM.cases {
+    for case in &CASES {
         for language in Language::ALL {
             let book = Book { values: case.values(language), lists: (case.listed)(language), language };
             let (folder, first, exit) = build(&book.bytes());

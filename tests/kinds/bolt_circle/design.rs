@@ -1,11 +1,13 @@
 //! The checked values, and where the holes are.
 
-use rodete::finding::{Finding, Place, Raise, Size};
+use rodete::finding::{Finding, Raise, Size};
 use rodete::gcode::control::Written;
+use rodete::gcode::fields::{DIALECT, PART};
 use rodete::number::trig::sin_cos;
+use rodete::parameter::at;
 use rodete::parameter::field::Fields;
 
-use crate::form::{DEPTH, DIALECT, DRILL, FEED, FIRST, N, PART, PITCH, SPEED};
+use crate::form::{DEPTH, DRILL, FEED, FIRST, N, PITCH, SPEED, WAY, Way};
 use crate::rules::{HolesMeet, TooDeep};
 
 /// The deepest hole that is drilled in one go, in diameters.
@@ -16,6 +18,8 @@ pub struct BoltCircle {
     pub N: u32,
     pub D: f64,
     pub alpha: f64,
+    /// The angle from a hole to the next, degrees.
+    pub step: f64,
     pub d: f64,
     pub h: f64,
     pub F: f64,
@@ -26,7 +30,12 @@ pub struct BoltCircle {
 
 impl BoltCircle {
     pub fn new(fields: &Fields) -> Result<Self, Vec<Finding>> {
+        let turn = match fields.get(&WAY) {
+            Way::Left => 360.0,
+            Way::Right => -360.0,
+        };
         let circle = Self {
+            step: turn / f64::from(fields.get(&N)),
             N: fields.get(&N),
             D: fields.get(&PITCH),
             alpha: fields.get(&FIRST),
@@ -40,19 +49,19 @@ impl BoltCircle {
         let mut found = Vec::new();
         let (between, most) = (circle.D * sin_cos(std::f64::consts::PI / f64::from(circle.N)).0, IN_ONE_GO * circle.d);
         if between <= circle.d {
-            let at = Place::Parameters(vec![DRILL.key(), N.key(), PITCH.key()]);
-            found.push(HolesMeet { between: Size::mm(between), d: Size::mm(circle.d) }.at(at));
+            let place = at([DRILL.key(), N.key(), PITCH.key()]);
+            found.push(HolesMeet { between: Size::mm(between), d: Size::mm(circle.d) }.at(place));
         }
         if circle.h > most {
-            let at = Place::Parameters(vec![DEPTH.key(), DRILL.key()]);
-            found.push(TooDeep { h: Size::mm(circle.h), most: Size::mm(most) }.at(at));
+            let place = at([DEPTH.key(), DRILL.key()]);
+            found.push(TooDeep { h: Size::mm(circle.h), most: Size::mm(most) }.at(place));
         }
         if found.is_empty() { Ok(circle) } else { Err(found) }
     }
 
     /// The angle of a hole, counted from 0, in degrees.
     pub fn angle(&self, hole: u32) -> f64 {
-        self.alpha + 360.0 * f64::from(hole) / f64::from(self.N)
+        self.alpha + self.step * f64::from(hole)
     }
 
     /// Where it stands, mm.

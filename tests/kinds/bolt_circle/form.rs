@@ -1,16 +1,22 @@
 //! What the user fills in: a row for each parameter, with its Rust type.
 
-use rodete::gcode::control::Written;
+use rodete::gcode::fields::{DIALECT, PART, SCHEMA};
 use rodete::parameter::field::{Field, Required};
-use rodete::parameter::{Case, DIALECTS, Form, Parameter, Section, Sheet, Value, unlisted};
+use rodete::parameter::{Case, Form, Parameter, Section, Sheet, Value};
 use rodete::table::Unit;
 use rodete::text::{Language, Text, t};
 
-const SCHEMA: &str = "bolt-circle 1";
 const MM: Unit = Unit::Millimetre;
 const NONE: Text = t("", "");
 
-static CELL: Field<String, Required> = Field::schema();
+rodete::choices! {
+    /// Which way the holes follow one another, seen from above.
+    pub enum Way {
+        Left = "left" ("a izquierdas", "counter-clockwise"),
+        Right = "right" ("a derechas", "clockwise"),
+    }
+}
+
 pub static N: Field<u32, Required> =
     Field::whole("N", "holes_N", Unit::Count, [2, 360], t("Número de agujeros", "Number of holes"), NONE);
 pub static PITCH: Field<f64, Required> =
@@ -23,6 +29,7 @@ pub static FIRST: Field<f64, Required> = Field::real(
     t("Ángulo del primero", "Angle of the first"),
     t("Desde X, hacia Y", "From X towards Y"),
 );
+pub static WAY: Field<Way, Required> = Field::choice("way", "way", t("Sentido", "Way round"), NONE);
 pub static DRILL: Field<f64, Required> =
     Field::real("d", "drill_d", MM, [0.5, 100.0], t("Diámetro de la broca", "Diameter of the drill"), NONE);
 pub static DEPTH: Field<f64, Required> = Field::real(
@@ -37,57 +44,42 @@ pub static FEED: Field<f64, Required> =
     Field::real("F", "feed_F", Unit::MillimetrePerMinute, [1.0, 10_000.0], t("Avance F", "Feed F"), NONE);
 pub static SPEED: Field<u32, Required> =
     Field::whole("S", "speed_S", Unit::RevolutionPerMinute, [1, 60_000], t("Husillo S", "Spindle S"), NONE);
-pub static PART: Field<String, Required> = Field::line("part", "part", 60, t("Pieza", "Part"), NONE);
-pub static DIALECT: Field<Written, Required> =
-    Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), NONE);
 
-static PARAMETERS: &[&Parameter] = &[
-    &CELL.row,
-    &PART.row,
-    &N.row,
-    &PITCH.row,
-    &FIRST.row,
-    &DRILL.row,
-    &DEPTH.row,
-    &FEED.row,
-    &SPEED.row,
-    &DIALECT.row,
-];
+const CIRCLE: &[&Parameter] = &[&N.row, &PITCH.row, &FIRST.row, &WAY.row];
+const DRILLING: &[&Parameter] = &[&DRILL.row, &DEPTH.row, &FEED.row, &SPEED.row, &DIALECT.row];
 
 pub static FORM: Form = Form {
     kind: "bolt-circle",
-    schema: SCHEMA,
-    earlier: &[],
-    cases: &[Case {
-        name: "six",
-        note: t("Una brida de seis agujeros.", "A flange of six holes."),
-        filled: six,
-        listed: unlisted,
-    }],
+    schema: "bolt-circle 1",
+    part: &PART,
     programs: &["holes"],
-    drawings: &[],
-    solids: &[],
     viewer: true,
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Agujeros en círculo", "Holes on a circle"),
         optional: false,
-        sections: &[Section { title: t("Parámetros", "Parameters"), parameters: PARAMETERS }],
+        sections: &[
+            Section { title: t("Pieza", "Part"), parameters: &[&SCHEMA.row, &PART.row] },
+            Section { title: t("Círculo", "Circle"), parameters: CIRCLE },
+            Section { title: t("Taladrado", "Drilling"), parameters: DRILLING },
+        ],
     }],
-    lists: &[],
+    ..Form::PLAIN
 };
 
-fn six(_: Language) -> Vec<(&'static str, Value)> {
-    vec![
-        ("schema", Value::Line(SCHEMA.to_owned())),
-        ("part", Value::Line("FLANGE".to_owned())),
-        ("N", Value::Whole(6)),
-        ("D", Value::Real(80.0)),
-        ("alpha", Value::Real(30.0)),
-        ("d", Value::Real(8.0)),
-        ("h", Value::Real(12.0)),
-        ("F", Value::Real(120.0)),
-        ("S", Value::Whole(1200)),
-        ("dialect", Value::Choice("linuxcnc")),
-    ]
-}
+pub static CASES: [Case; 1] =
+    [Case::new("six", t("Una brida de seis agujeros.", "A flange of six holes."), |_: Language| {
+        vec![
+            ("schema", Value::Line(FORM.schema.to_owned())),
+            ("part", Value::Line("FLANGE".to_owned())),
+            N.is(6),
+            PITCH.is(80.0),
+            FIRST.is(30.0),
+            WAY.is(Way::Left),
+            DRILL.is(8.0),
+            DEPTH.is(12.0),
+            FEED.is(120.0),
+            SPEED.is(1200),
+            ("dialect", Value::Choice("linuxcnc")),
+        ]
+    })];

@@ -8,6 +8,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::disallowed_methods, reason = "it tests itself")]
 
 mod design;
+#[path = "../../common/every_kind.rs"]
+mod every_kind;
 mod form;
 mod program;
 mod proof;
@@ -17,18 +19,19 @@ mod tried;
 use std::process::ExitCode;
 
 use rodete::finding::{Finding, Rule};
+use rodete::gcode::control::Control;
 use rodete::gcode::header::Origin;
 use rodete::gcode::program::Program;
 use rodete::kind::method::{Method, Of, Written};
 use rodete::kind::{Chapters, Proved, out_of_format};
-use rodete::parameter::Form;
 use rodete::parameter::field::Fields;
+use rodete::parameter::{Case, Form};
 use rodete::proof::step::Judge;
-use rodete::table::{Column, Index, Print, Quantity, Table, Unit};
+use rodete::table::{Column, Index, Law, Print, Quantity, Table, Unit};
 use rodete::text::{Text, t};
 
 use crate::design::BoltCircle;
-use crate::form::FORM;
+use crate::form::{CASES, FORM};
 use crate::proof::HolesAtAngles;
 
 /// The kind.
@@ -46,11 +49,16 @@ impl Method for Kind {
         setup: include_str!("setup.typ"),
         further: &[],
     };
-    const RULES: &'static [&'static Rule] = rules::RULES;
+    const CASES: &'static [Case] = &CASES;
+    const RULES: &'static [&'static [&'static Rule]] = &[rules::RULES];
     const PROVED: Text = t("Leída del programa, agujero a agujero", "Read back from the program, hole by hole");
 
     fn design(fields: &Fields) -> Result<BoltCircle, Vec<Finding>> {
         BoltCircle::new(fields)
+    }
+
+    fn control(circle: &BoltCircle) -> &'static Control {
+        circle.written.control
     }
 
     fn model(_: &BoltCircle) -> Result<(), Vec<Finding>> {
@@ -59,8 +67,8 @@ impl Method for Kind {
 
     fn tables(circle: &BoltCircle, (): &()) -> Vec<Table> {
         let holes = || 0..circle.N;
-        let column = |symbol, unit, formula, value: &dyn Fn(u32) -> f64| {
-            Column::numbers(symbol, unit, formula, holes().map(value).collect::<Vec<_>>())
+        let column = |symbol, unit, law, value: &dyn Fn(u32) -> f64| {
+            Column::numbers(symbol, unit, law, holes().map(value).collect::<Vec<_>>())
         };
         vec![Table {
             key: "holes",
@@ -70,9 +78,9 @@ impl Method for Kind {
             index: Index::Point,
             print: Print::Short,
             columns: vec![
-                column("φ", Unit::Degree, "φ = α + 360·i/N", &|hole| circle.angle(hole)),
-                column("x", Unit::Millimetre, "x = D/2·cos φ", &|hole| circle.at(hole)[0]),
-                column("y", Unit::Millimetre, "y = D/2·sin φ", &|hole| circle.at(hole)[1]),
+                column("φ", Unit::Degree, Law::Told("φ = α ± 360·i/N"), &|hole| circle.angle(hole)),
+                column("x", Unit::Millimetre, Law::Told("x = D/2·cos φ"), &|hole| circle.at(hole)[0]),
+                column("y", Unit::Millimetre, Law::Told("y = D/2·sin φ"), &|hole| circle.at(hole)[1]),
             ],
         }]
     }
@@ -109,6 +117,6 @@ fn main() -> ExitCode {
     if ["new", "check", "build", "view", "verify", "explain", "typst", "--version"].contains(&first.as_str()) {
         return rodete::cli::run(std::env::args_os(), &[&Of::<Kind>::new()]);
     }
-    tried::every_command();
+    tried::tried();
     ExitCode::SUCCESS
 }

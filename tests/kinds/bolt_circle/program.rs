@@ -3,9 +3,8 @@
 use rodete::gcode::feed_word::FeedWord;
 use rodete::gcode::header::{Header, Origin, Work};
 use rodete::gcode::program::Program;
-use rodete::gcode::word::{NumberFormat, Word};
+use rodete::gcode::word::Word;
 use rodete::gcode::writer::Writer;
-use rodete::machine::axis::Position;
 use rodete::number::grid::{Milli, OutOfFormat};
 use rodete::text::t;
 
@@ -34,13 +33,5 @@ pub fn program(circle: &BoltCircle, origin: &Origin<'_>) -> Result<Program, OutO
     }
     writer.block([Word::whole('M', 5)]);
     writer.block([Word::whole('M', 30)]);
-    Ok(Program {
-        key: "holes",
-        title,
-        control,
-        format: NumberFormat::Fixed,
-        block_step: Some(10),
-        start: Position::default(),
-        parts: writer.finish(),
-    })
+    Ok(Program::new("holes", title, control, writer.finish()))
 }

@@ -1,19 +1,18 @@
 //! The cases that a new pipe-hole workbook can start from.
 
 use crate::kinds::pipe::hole::parameters::SCHEMA;
-use crate::parameter::{Case, Value, unlisted};
+use crate::parameter::{Case, Value};
 use crate::text::{Language, t};
 
 /// The cases, the usual one first.
-pub static CASES: [Case; 1] = [Case {
-    name: "set-in",
-    note: t(
+pub static CASES: [Case; 1] = [Case::new(
+    "set-in",
+    t(
         "Injerto de 3\" metido en un tubo de 6\", cédula 40, con bisel de 30°. Las medidas de la antorcha, F y la espera son de ejemplo: compruébelas para su equipo.",
         "A 3\" branch set into a 6\" header, schedule 40, with a groove of 30°. The sizes of the torch, F and the delay are examples: check them for your equipment.",
     ),
     filled,
-    listed: unlisted,
-}];
+)];
 
 fn filled(language: Language) -> Vec<(&'static str, Value)> {
     let line = |es: &str, en: &str| {

@@ -19,6 +19,7 @@ pub mod tables;
 
 use crate::figure::Figure;
 use crate::finding::{Finding, Place, Raise, Rule, Said, Size};
+use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::program::Program;
 use crate::gcode::word::Distance;
@@ -36,10 +37,10 @@ use crate::kinds::pipe::hole::rules::{
 };
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{account, scene};
+use crate::kinds::pipe::{self, account, scene};
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
-use crate::parameter::{Form, at};
+use crate::parameter::{Case, Form, at};
 use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
@@ -63,7 +64,8 @@ impl Method for Hole {
     type Memo = Curve;
 
     const FORM: &'static Form = &FORM;
-    const RULES: &'static [&'static Rule] = proof::rules::RULES;
+    const CASES: &'static [Case] = &cases::CASES;
+    const RULES: &'static [&'static [&'static Rule]] = &[pipe::rules::RULES, rules::RULES, proof::rules::RULES];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-hole/labels.typ"),
         method: [
@@ -80,6 +82,10 @@ impl Method for Hole {
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
         Design::new(fields)
+    }
+
+    fn control(design: &Design) -> &'static Control {
+        design.written.control
     }
 
     fn model(design: &Design) -> Result<Model, Vec<Finding>> {

@@ -4,10 +4,10 @@
 //! the land h, the torch's r_g, R_g, Ψ and m, the heights d₀ and g₀; what a machine needs beside them is added here.
 
 use crate::gcode::chosen::Codes;
+use crate::gcode::fields;
 use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
-use crate::kinds::pipe::hole::cases::CASES;
 use crate::parameter::field::{Field, Optional, Required};
 use crate::parameter::{FieldKind, Form, Parameter, Section, Sheet};
 use crate::table::Unit;
@@ -189,24 +189,20 @@ const PROGRAM: &[&Parameter] = &[
     &BLOCK_STEP.row,
 ];
 
-static SCHEMA_CELL: Field<String, Required> = Field::schema();
-
 /// The pipe-hole workbook.
 pub static FORM: Form = Form {
     kind: "pipe-hole",
     schema: SCHEMA,
-    earlier: &[],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["hole"],
     drawings: &["template"],
-    solids: &[],
-    viewer: false,
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Agujero biselado en un tubo: parámetros", "Bevelled hole in a pipe: parameters"),
         optional: false,
         sections: &[
-            Section { title: t("Esquema", "Schema"), parameters: &[&SCHEMA_CELL.row] },
+            Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
             Section { title: t("Tubos", "Pipes"), parameters: PIPES },
             Section { title: t("Unión", "Joint"), parameters: JOINT },
             Section { title: t("Antorcha", "Torch"), parameters: TORCH },
@@ -214,5 +210,5 @@ pub static FORM: Form = Form {
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
         ],
     }],
-    lists: &[],
+    ..Form::PLAIN
 };

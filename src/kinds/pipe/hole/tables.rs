@@ -10,7 +10,7 @@ use crate::kinds::pipe::hole::height::Rule;
 use crate::kinds::pipe::hole::program::{AXES, follows};
 use crate::kinds::pipe::hole::station::Station;
 use crate::machine::torch::TorchAxes;
-use crate::table::{Column, Index, Print, Table, Unit};
+use crate::table::{Column, Index, Law, Print, Table, Unit};
 use crate::text::{Text, t};
 
 const MM: Unit = Unit::Millimetre;
@@ -23,8 +23,8 @@ pub fn stations(design: &Design) -> Vec<Station> {
     (0..=design.N).filter_map(|j| groove.at(TAU * f64::from(j) / f64::from(design.N))).collect()
 }
 
-fn numbers(symbol: &'static str, unit: Unit, formula: &'static str, values: impl Iterator<Item = f64>) -> Column {
-    Column::numbers(symbol, unit, formula, values.collect::<Vec<_>>())
+fn numbers(symbol: &'static str, unit: Unit, law: Law, values: impl Iterator<Item = f64>) -> Column {
+    Column::numbers(symbol, unit, law, values.collect::<Vec<_>>())
 }
 
 fn rule(rule: Rule) -> Text {
@@ -38,14 +38,20 @@ fn rule(rule: Rule) -> Text {
 /// The curve with the angle between the pipes.
 #[must_use]
 pub fn curve(stations: &[Station]) -> Table {
-    let points = |of: fn(&Station) -> Vector3<f64>, symbols, formula| {
+    let points = |of: fn(&Station) -> Vector3<f64>, symbols, law| {
         let points: std::sync::Arc<[Vector3<f64>]> = stations.iter().map(of).collect();
-        Column::vectors(symbols, MM, formula, &points)
+        Column::vectors(symbols, MM, law, &points)
     };
-    let mut columns = vec![numbers("α", DEGREE, "α = 360·j/N", stations.iter().map(|one| one.alpha.to_degrees()))];
-    columns.extend(points(|one| one.root, ["x", "y", "z"], "(r_b + b) ∩ (R_i + h)"));
-    columns.push(numbers("φ", DEGREE, "φ = π − ∠(n_b, n_h)", stations.iter().map(|one| one.phi.to_degrees())));
-    columns.extend(points(|one| one.face, ["x_o", "y_o", "z_o"], "Q = P + s·a, |Q| = R_o"));
+    let mut columns =
+        vec![numbers("α", DEGREE, Law::Told("α = 360·j/N"), stations.iter().map(|one| one.alpha.to_degrees()))];
+    columns.extend(points(|one| one.root, ["x", "y", "z"], Law::Told("(r_b + b) ∩ (R_i + h)")));
+    columns.push(numbers(
+        "φ",
+        DEGREE,
+        Law::Told("φ = π − ∠(n_b, n_h)"),
+        stations.iter().map(|one| one.phi.to_degrees()),
+    ));
+    columns.extend(points(|one| one.face, ["x_o", "y_o", "z_o"], Law::Told("Q = P + s·a, |Q| = R_o")));
     Table {
         key: "curve",
         name: t("Curva", "Curve"),
@@ -71,17 +77,17 @@ pub fn height(stations: &[Station]) -> Table {
         index: Index::Point,
         print: Print::Short,
         columns: vec![
-            numbers("α", DEGREE, "", stations.iter().map(|one| one.alpha.to_degrees())),
-            numbers("σ", DEGREE, "σ = asin(sin(φ − γ))", stations.iter().map(|one| one.sigma.to_degrees())),
-            numbers("σ_o", DEGREE, "", stations.iter().map(|one| one.sigma_o.to_degrees())),
+            numbers("α", DEGREE, Law::None, stations.iter().map(|one| one.alpha.to_degrees())),
+            numbers("σ", DEGREE, Law::Told("σ = asin(sin(φ − γ))"), stations.iter().map(|one| one.sigma.to_degrees())),
+            numbers("σ_o", DEGREE, Law::None, stations.iter().map(|one| one.sigma_o.to_degrees())),
             numbers(
                 "D",
                 MM,
-                "max(d0, (g0 + r_g cos σ_o)/sin σ_o, (g0 + R_g cos σ_o)/sin σ_o − h_s)",
+                Law::Told("max(d0, (g0 + r_g cos σ_o)/sin σ_o, (g0 + R_g cos σ_o)/sin σ_o − h_s)"),
                 stations.iter().map(|one| one.D),
             ),
-            numbers("g", MM, "", stations.iter().map(|one| one.gap)),
-            Column::texts(t("manda", "rule"), "", stations.iter().map(|one| rule(one.rule)).collect()),
+            numbers("g", MM, Law::None, stations.iter().map(|one| one.gap)),
+            Column::texts(t("manda", "rule"), Law::None, stations.iter().map(|one| rule(one.rule)).collect()),
         ],
     }
 }
@@ -89,9 +95,9 @@ pub fn height(stations: &[Station]) -> Table {
 /// The torch's pose and the machine's axes.
 #[must_use]
 pub fn pose(stations: &[Station], beside: f64) -> Table {
-    let vectors = |of: fn(&Station) -> Vector3<f64>, symbols, unit, formula| {
+    let vectors = |of: fn(&Station) -> Vector3<f64>, symbols, unit, law| {
         let values: std::sync::Arc<[Vector3<f64>]> = stations.iter().map(of).collect();
-        Column::vectors(symbols, unit, formula, &values)
+        Column::vectors(symbols, unit, law, &values)
     };
     // Turns go on, as in the program.
     let mut before: Option<TorchAxes> = None;
@@ -103,15 +109,20 @@ pub fn pose(stations: &[Station], beside: f64) -> Table {
             axes
         })
         .collect();
-    let mut columns = vec![numbers("α", DEGREE, "", stations.iter().map(|one| one.alpha.to_degrees()))];
-    columns.extend(vectors(|one| one.pose.tip, ["x_t", "y_t", "z_t"], MM, "T = Q + D·a"));
-    columns.extend(vectors(|one| one.pose.axis, ["a_x", "a_y", "a_z"], Unit::One, "a = m cos(φ − γ) + n sin(φ − γ)"));
+    let mut columns = vec![numbers("α", DEGREE, Law::None, stations.iter().map(|one| one.alpha.to_degrees()))];
+    columns.extend(vectors(|one| one.pose.tip, ["x_t", "y_t", "z_t"], MM, Law::Told("T = Q + D·a")));
+    columns.extend(vectors(
+        |one| one.pose.axis,
+        ["a_x", "a_y", "a_z"],
+        Unit::One,
+        Law::Told("a = m cos(φ − γ) + n sin(φ − γ)"),
+    ));
     columns.extend([
-        numbers("A", DEGREE, "A = atan2(−y_t, z_t)", axes.iter().map(|one| one.A.to_degrees())),
-        numbers("X", MM, "X = x_t", axes.iter().map(|one| one.X)),
-        numbers("Z", MM, "Z = √(y_t² + z_t²)", axes.iter().map(|one| one.Z)),
-        numbers("B", DEGREE, "B = ±acos(a′_z)", axes.iter().map(|one| one.B.to_degrees())),
-        numbers("C", DEGREE, "C = atan2(a′_y, a′_x)", axes.iter().map(|one| one.C.to_degrees())),
+        numbers("A", DEGREE, Law::Told("A = atan2(−y_t, z_t)"), axes.iter().map(|one| one.A.to_degrees())),
+        numbers("X", MM, Law::Told("X = x_t"), axes.iter().map(|one| one.X)),
+        numbers("Z", MM, Law::Told("Z = √(y_t² + z_t²)"), axes.iter().map(|one| one.Z)),
+        numbers("B", DEGREE, Law::Told("B = ±acos(a′_z)"), axes.iter().map(|one| one.B.to_degrees())),
+        numbers("C", DEGREE, Law::Told("C = atan2(a′_y, a′_x)"), axes.iter().map(|one| one.C.to_degrees())),
     ]);
     Table {
         key: "pose",
@@ -134,17 +145,17 @@ pub fn way(cut: &Cut) -> Table {
         .enumerate()
         .map(|(at, axis)| {
             let unit = if axis.rotary() { DEGREE } else { MM };
-            numbers(symbols[at], unit, "", places.clone().map(move |place| place[at].value()))
+            numbers(symbols[at], unit, Law::None, places.clone().map(move |place| place[at].value()))
         })
         .collect();
     let held = std::iter::once(cut.pierce_held).chain(cut.legs.iter().map(|leg| leg.held));
     columns.push(Column::texts(
         t("altura", "height"),
-        "",
+        Law::None,
         held.map(|held| if held { t("bloqueada", "held") } else { t("libre", "free") }).collect(),
     ));
     let words = std::iter::once(t("perforación", "pierce")).chain(cut.legs.iter().map(|leg| follows(leg.follows)));
-    columns.push(Column::texts(t("sigue", "follows"), "", words.collect()));
+    columns.push(Column::texts(t("sigue", "follows"), Law::None, words.collect()));
     Table {
         key: "way",
         name: t("Corte", "Cut"),

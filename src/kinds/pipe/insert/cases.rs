@@ -1,29 +1,27 @@
 //! The cases that a new pipe-insert workbook can start from.
 
 use crate::kinds::pipe::insert::parameters::SCHEMA;
-use crate::parameter::{Case, Value, unlisted};
+use crate::parameter::{Case, Value};
 use crate::text::{Language, t};
 
 /// The cases, the usual one first.
 pub static CASES: [Case; 2] = [
-    Case {
-        name: "square",
-        note: t(
+    Case::new(
+        "square",
+        t(
             "Injerto de 3\" sobre 4\", cédula 40, a 90°, cortado en el tubo que gira. F, espera y ancho de corte son de un plasma de 45 A en acero de 5.5 mm: compruébelos para su equipo.",
             "A 3\" branch on a 4\" header, schedule 40, at 90°, cut on the turning pipe. F, delay and kerf are those of a 45 A plasma in 5.5 mm steel: check them for your equipment.",
         ),
-        filled: square,
-        listed: unlisted,
-    },
-    Case {
-        name: "3on4-2023",
-        note: t(
+        square,
+    ),
+    Case::new(
+        "3on4-2023",
+        t(
             "El caso publicado (Universidad de Guanajuato, 2023), con los valores tal como se escribieron: r = 44.45 es ya el radio exterior del tubo de 3\", escrito donde se pide el interior, y el desarrollo sale 5.49 mm demasiado fuera.",
             "The published case (Universidad de Guanajuato, 2023), with the values as they were typed: r = 44.45 is already the outside radius of the 3\" pipe, typed where the inside one is asked for, and the development is 5.49 mm too far out.",
         ),
-        filled: published,
-        listed: unlisted,
-    },
+        published,
+    ),
 ];
 
 fn line(language: Language, es: &str, en: &str) -> Value {

@@ -30,12 +30,14 @@ pub mod tables;
 
 use crate::figure::Figure;
 use crate::finding::{Finding, Place, Raise, Rule, Size};
+use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::word::Distance;
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Drawing, Proved, Series, out_of_format};
+use crate::kinds;
 use crate::kinds::pipe::insert::cut::{Cut, cut};
 use crate::kinds::pipe::insert::design::{Contact, Design, Mode};
 use crate::kinds::pipe::insert::figures::{figures, template};
@@ -46,10 +48,10 @@ use crate::kinds::pipe::insert::rules::{
     AnnexAsPublished, AnnexWithoutKerf, KerfOnOutside, KerfZero, OutsideForInside, PipeByIncrements, PipeOnLinearAxis,
 };
 use crate::kinds::pipe::rules::NoLeadIn;
-use crate::kinds::pipe::{account, scene};
+use crate::kinds::pipe::{self, account, scene};
 use crate::number::grid::OutOfFormat;
-use crate::parameter::Form;
 use crate::parameter::field::Fields;
+use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::scene::part::Part;
@@ -74,7 +76,9 @@ impl Method for Insert {
     type Memo = Curve;
 
     const FORM: &'static Form = &FORM;
-    const RULES: &'static [&'static Rule] = proof::rules::RULES;
+    const CASES: &'static [Case] = &cases::CASES;
+    const RULES: &'static [&'static [&'static Rule]] =
+        &[kinds::rules::RULES, pipe::rules::RULES, rules::RULES, proof::rules::RULES];
     const CHAPTERS: &'static Chapters = &Chapters {
         labels: include_str!("../../../../report-templates/pipe-insert/labels.typ"),
         method: [
@@ -91,6 +95,14 @@ impl Method for Insert {
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
         Design::new(fields)
+    }
+
+    fn control(design: &Design) -> &'static Control {
+        design.written.control
+    }
+
+    fn style(design: &Design) -> Option<Style> {
+        Some(design.style)
     }
 
     fn model(design: &Design) -> Result<Model, Vec<Finding>> {

@@ -4,11 +4,11 @@
 //! machine needs beside them is added here. The published form asks for an inside and an outside radius; this one asks for
 //! what is stamped on a pipe, and keeps the radii as an override.
 
+use crate::gcode::fields;
 use crate::gcode::program::Style;
 use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
-use crate::kinds::pipe::insert::cases::CASES;
 use crate::parameter::field::{Field, Optional, Required, choices};
 use crate::parameter::{Form, Parameter, Section, Sheet};
 use crate::table::Unit;
@@ -177,29 +177,25 @@ const PROGRAM: &[&Parameter] = &[
     &BLOCK_STEP.row,
 ];
 
-static SCHEMA_CELL: Field<String, Required> = Field::schema();
-
 /// The pipe-insert workbook.
 pub static FORM: Form = Form {
     kind: "pipe-insert",
     schema: SCHEMA,
-    earlier: &[],
-    cases: &CASES,
+    part: &PART,
+    material: Some(&MATERIAL),
     programs: &["insert"],
     drawings: &["template"],
-    solids: &[],
-    viewer: false,
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
         title: t("Injerto de tubo: parámetros", "Branch pipe: parameters"),
         optional: false,
         sections: &[
-            Section { title: t("Esquema", "Schema"), parameters: &[&SCHEMA_CELL.row] },
+            Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
             Section { title: t("Tubos", "Pipes"), parameters: PIPES },
             Section { title: t("Unión", "Joint"), parameters: JOINT },
             Section { title: t("Corte", "Cut"), parameters: CUTTING },
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
         ],
     }],
-    lists: &[],
+    ..Form::PLAIN
 };

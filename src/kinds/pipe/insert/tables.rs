@@ -6,7 +6,7 @@ use crate::kinds::pipe::insert::arcs::triples;
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Design, Mode};
 use crate::kinds::pipe::insert::program::template_points;
-use crate::table::{Column, Index, Print, Table, Unit};
+use crate::table::{Column, Index, Law, Print, Table, Unit};
 use crate::text::t;
 
 const MM: Unit = Unit::Millimetre;
@@ -24,12 +24,12 @@ pub fn template(design: &Design) -> Table {
         index: Index::Point,
         print: Print::Short,
         columns: vec![
-            Column::numbers("φ", Unit::Degree, "φ = 360·j/N", phi),
-            Column::numbers("x", MM, "x = r_dev·φ", points.iter().map(|point| point.x).collect::<Vec<_>>()),
+            Column::numbers("φ", Unit::Degree, Law::Told("φ = 360·j/N"), phi),
+            Column::numbers("x", MM, Law::Told("x = r_dev·φ"), points.iter().map(|point| point.x).collect::<Vec<_>>()),
             Column::numbers(
                 "y",
                 MM,
-                "y = r/tan θ·(1 − cos φ) + R/sin θ·(cos asin(e/R) − cos asin((r sin φ + e)/R)) + Z",
+                Law::Told("y = r/tan θ·(1 − cos φ) + R/sin θ·(cos asin(e/R) − cos asin((r sin φ + e)/R)) + Z"),
                 points.iter().map(|point| point.y).collect::<Vec<_>>(),
             ),
         ],
@@ -40,8 +40,8 @@ pub fn template(design: &Design) -> Table {
 #[must_use]
 pub fn arcs(design: &Design) -> Table {
     let triples = triples(&template_points(design), design.arc_tolerance);
-    let numbers = |symbol, unit, formula, value: &dyn Fn(&crate::kinds::pipe::insert::arcs::Triple) -> f64| {
-        Column::numbers(symbol, unit, formula, triples.iter().map(value).collect::<Vec<_>>())
+    let numbers = |symbol, unit, law, value: &dyn Fn(&crate::kinds::pipe::insert::arcs::Triple) -> f64| {
+        Column::numbers(symbol, unit, law, triples.iter().map(value).collect::<Vec<_>>())
     };
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^52")]
     let j = triples.iter().map(|triple| triple.j as f64).collect::<Vec<_>>();
@@ -59,24 +59,28 @@ pub fn arcs(design: &Design) -> Table {
         index: Index::None,
         print: Print::Short,
         columns: vec![
-            Column::numbers("j", Unit::Count, "", j),
-            numbers("x", MM, "", &|triple| triple.to.x),
-            numbers("y", MM, "", &|triple| triple.to.y),
-            numbers("D", MM, "x² + y² + Dx + Ey + F = 0", &|triple| triple.D_E()[0]),
-            numbers("E", MM, "", &|triple| triple.D_E()[1]),
-            numbers("F", MM, "mm²", &|triple| triple.F()),
-            numbers("h", MM, "h = −D/2", &centre(0)),
-            numbers("k", MM, "k = −E/2", &centre(1)),
-            numbers("R", MM, "R = √(h² + k² − F)", &|triple| triple.circle.map_or(0.0, |circle| circle.radius)),
-            numbers("y″", Unit::One, "y″ = −2(1 + y′²)/(2y + E)", &|triple| triple.second_derivative()),
+            Column::numbers("j", Unit::Count, Law::None, j),
+            numbers("x", MM, Law::None, &|triple| triple.to.x),
+            numbers("y", MM, Law::None, &|triple| triple.to.y),
+            numbers("D", MM, Law::Told("x² + y² + Dx + Ey + F = 0"), &|triple| triple.D_E()[0]),
+            numbers("E", MM, Law::None, &|triple| triple.D_E()[1]),
+            numbers("F", MM, Law::Told("mm²"), &|triple| triple.F()),
+            numbers("h", MM, Law::Told("h = −D/2"), &centre(0)),
+            numbers("k", MM, Law::Told("k = −E/2"), &centre(1)),
+            numbers("R", MM, Law::Told("R = √(h² + k² − F)"), &|triple| {
+                triple.circle.map_or(0.0, |circle| circle.radius)
+            }),
+            numbers("y″", Unit::One, Law::Told("y″ = −2(1 + y′²)/(2y + E)"), &|triple| {
+                triple.second_derivative()
+            }),
             Column::texts(
                 t("código", "code"),
-                "",
+                Law::None,
                 triples.iter().map(|triple| t(triple.code(), triple.code())).collect(),
             ),
-            numbers("D/2", MM, "", &|triple| triple.D_E()[0] / 2.0).named(t("D impresa", "D as printed")),
-            numbers("E/2", MM, "", &|triple| triple.D_E()[1] / 2.0).named(t("E impresa", "E as printed")),
-            numbers("eq", Unit::One, "", &|triple| triple.equation_18_as_printed())
+            numbers("D/2", MM, Law::None, &|triple| triple.D_E()[0] / 2.0).named(t("D impresa", "D as printed")),
+            numbers("E/2", MM, Law::None, &|triple| triple.D_E()[1] / 2.0).named(t("E impresa", "E as printed")),
+            numbers("eq", Unit::One, Law::None, &|triple| triple.equation_18_as_printed())
                 .named(t("ec. 18 impresa", "eq. 18 as printed")),
         ],
     }
@@ -121,14 +125,14 @@ pub fn way(design: &Design, cut: &Cut) -> Table {
         index: Index::Point,
         print: Print::Short,
         columns: vec![
-            Column::numbers(first.0, first.1, "", axis(0)),
-            Column::numbers(second.0, second.1, "", axis(1)),
-            Column::numbers("R", MM, "", std::iter::once(0.0).chain(radius).collect::<Vec<_>>()),
-            Column::numbers("φ", Unit::Degree, "", std::iter::once(0.0).chain(phi).collect::<Vec<_>>()),
-            Column::texts(t("código", "code"), "", std::iter::once(t("G0", "G0")).chain(code).collect()),
+            Column::numbers(first.0, first.1, Law::None, axis(0)),
+            Column::numbers(second.0, second.1, Law::None, axis(1)),
+            Column::numbers("R", MM, Law::None, std::iter::once(0.0).chain(radius).collect::<Vec<_>>()),
+            Column::numbers("φ", Unit::Degree, Law::None, std::iter::once(0.0).chain(phi).collect::<Vec<_>>()),
+            Column::texts(t("código", "code"), Law::None, std::iter::once(t("G0", "G0")).chain(code).collect()),
             Column::texts(
                 t("sigue", "follows"),
-                "",
+                Law::None,
                 std::iter::once(t("perforación", "pierce")).chain(follows).collect(),
             ),
         ],
