@@ -12,7 +12,7 @@ use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
 use super::verdict::{Ending, code, status};
 use super::{finding, interrupt, json, quantity, reading, refused, show};
-use crate::finding::{Exit, Finding, Place, Refusal};
+use crate::finding::{Exit, Place, Refusal};
 use crate::gcode::control::Control;
 use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
@@ -88,7 +88,7 @@ fn alarm(Raised { alarm, place, .. }: &Raised) -> Map<String, Value> {
         _ => None,
     };
     let [x, z] = alarm.place;
-    let finding = Finding { place: place.clone(), ..alarm.finding() };
+    let finding = alarm.finding().placed(place.clone());
     let figures = json!({
         "number": alarm.cause.number(),
         "text": alarm.cause.text(),

@@ -151,9 +151,8 @@ pub struct ShownTool {
 pub struct Remark {
     /// How grave.
     pub grade: Grade,
-    /// The code by which `rodete explain` knows it, where it has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub code: Option<&'static str>,
+    /// The code by which `rodete explain` knows it.
+    pub code: &'static str,
     /// The alarm's number, where it has one.
     pub number: Option<u32>,
     /// What.
@@ -186,7 +185,7 @@ impl From<&Finding> for Remark {
         };
         Self {
             grade: finding.grade,
-            code: finding.rule.map(|rule| rule.code),
+            code: finding.code(),
             number: None,
             what,
             value: finding.value.clone(),

@@ -114,7 +114,7 @@ pub fn scene(repeat: usize) -> Scene {
     }];
     shown.remarks = vec![Remark {
         grade: rodete::finding::Grade::Stop,
-        code: Some("L0114"),
+        code: "L0114",
         number: Some(2101),
         what: t("la herramienta choca con la garra", "the tool meets the jaw"),
         value: "1.5 mm".to_owned(),
