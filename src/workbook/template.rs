@@ -68,7 +68,7 @@ fn notes<'a>(sheet: &Sheet, note: &'a Text, language: Language) -> [&'a str; 2] 
     [if sheet.optional { &OPTIONAL } else { note }.get(language), HOW.get(language)]
 }
 
-/// Where the cells of a new workbook's sheets stand, in the order of the form; `note` as in [`write`].
+/// Where the cells of a new workbook's sheets stand, in the order of the form; `note` as in [`write()`].
 ///
 /// # Errors
 /// For a form that a workbook cannot hold.
