@@ -157,7 +157,7 @@ pub fn help() -> Vec<Item> {
         .iter()
         .map(|command| Item::new(format!("help/{command}"), &place.said(&[command, "--help"])))
         .collect();
-    for word in ["--help", "--version", "-h", "nonsense"] {
+    for word in ["--help", "-h", "nonsense"] {
         items.push(Item::new(format!("help/rodete/{}", word.trim_matches('-')), &place.said(&[word])));
     }
     items
