@@ -1,7 +1,7 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
 use crate::finding::{FAULT, Finding, Grade, Place, Raise};
-use crate::gcode::interpreter::{Fault, Interpreter};
+use crate::gcode::interpreter::{Refused, Interpreter};
 use crate::gcode::program::Program;
 use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
 use crate::proof::Judged;
@@ -21,7 +21,7 @@ pub struct Verification {
 
 /// How the interpreter took the text.
 #[must_use]
-pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>) -> Check {
+pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Refused>) -> Check {
     let lines = text.lines();
     let name = t("Leído de nuevo por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
