@@ -21,20 +21,6 @@ crate::finding::rule::rules! {
         why "Cada programa tiene una lista de lo que se le pregunta: lo que falta en las respuestas no se ha comprobado.",
             "Every program has a list of what it is asked: what is missing among the answers was not checked.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
-    "V0003" TextRefused Stop { line: usize, program: Text, fault: Text, todo: Text }
-        es "el control no toma la línea {line} de «{program}»: {fault}"
-        en "the control does not take line {line} of \"{program}\": {fault}"
-        remedy "{todo}", "{todo}";
-        why "El programa se lee de nuevo como lo lee el control: un bloque que no toma lo para.",
-            "The program is read back as the control reads it: a block that it does not take stops it.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N90 G91", to: "N90 G91 G90" };
-    "V0004" ReadWithRemark Caution { program: Text, remark: Text, todo: Text }
-        es "«{program}»: {remark}"
-        en "\"{program}\": {remark}"
-        remedy "{todo}", "{todo}";
-        why "El control toma el programa, pero quizá no haga lo que se espera.",
-            "The control takes the program, but may not do what is expected.";
-        example Example::Slip { kind: "impeller", cells: &[("style", "annex")], program: "blank", from: "", to: "" };
     "V0005" MemoryExceeded Caution { program: Text, bytes: u64 }
         es "el programa «{program}» ocupa {bytes} bytes, más que la memoria habitual del control"
         en "program \"{program}\" takes {bytes} bytes, more than the control's usual memory"

@@ -188,13 +188,6 @@ crate::finding::rule::rules! {
         why "En rápido la herramienta no corta: se rompe, o arranca la pieza.",
             "At rapid the tool does not cut: it breaks, or tears the work out.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "G0 X51.000 Z0.000", to: "G0 X31.000 Z0.000" };
-    "V0409" TurningAlarm Caution { alarm: Text, todo: Text }
-        es "{alarm}"
-        en "{alarm}"
-        remedy "{todo}", "{todo}";
-        why "Herramienta y torno son aquí supuestos: una persona debe juzgarlo.",
-            "Tool and lathe are assumed here: a person must judge it.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "S300 M4", to: "S300 M3" };
     "V0410" BlankNotFollowed Caution {}
         es "el torneado del bruto no se sigue sobre la pieza: su diámetro pasa de lo que se calcula"
         en "the turning of the blank is not followed over the part: its diameter is beyond what is worked out"
