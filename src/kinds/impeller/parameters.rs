@@ -14,7 +14,7 @@ use crate::gcode::word::Distance;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::rules::HeightCalledLength;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
-use crate::parameter::{Earlier, FieldKind, Form, Parameter, Section, Sheet};
+use crate::parameter::{Earlier, FieldKind, Form, Parameter, Section, Sheet, title_block};
 use crate::table::Unit;
 use crate::text::{Text, t};
 
@@ -534,6 +534,7 @@ pub static FORM: Form = Form {
                 Section { title: t("Corte", "Cutting"), parameters: CUTTING },
                 Section { title: t("Programa", "Program"), parameters: PROGRAM },
                 Section { title: t("Torneado del bruto", "Turning of the blank"), parameters: BLANK },
+                title_block::SECTION,
             ],
         },
         Sheet {
