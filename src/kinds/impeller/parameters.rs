@@ -426,13 +426,13 @@ pub(super) static C_C: Field<f64, Required> = Field::real(
     t("Holgura en diámetro antes del ciclo", "Clearance on the diameter before the cycle"),
     t("Publicado: 5", "Published: 5"),
 );
-pub(super) static X_E: Field<f64, Required> = Field::real(
+pub(super) static X_E: Field<f64, Optional> = Field::real(
     "X_e",
     "blank_end_X_e",
     MM,
     [1.0, 5000.0],
     t("X final, en diámetro", "End X, on the diameter"),
-    t("Publicado: 80; mayor que 2·R", "Published: 80; greater than 2·R"),
+    t("Mayor que 2·R; vacía: 2·R + 30. Publicado: 80", "Greater than 2·R; empty: 2·R + 30. Published: 80"),
 );
 pub(super) static Z_E: Field<f64, Required> =
     Field::real("Z_e", "blank_end_Z_e", MM, [1.0, 5000.0], t("Z final", "End Z"), t("Publicado: 80", "Published: 80"));
