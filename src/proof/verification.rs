@@ -1,6 +1,6 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
-use crate::finding::{FAULT, Finding, Grade, Place, Raise};
+use crate::finding::{Finding, Grade, Place, Raise};
 use crate::gcode::interpreter::{Interpreter, Refused};
 use crate::gcode::program::Program;
 use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
@@ -33,10 +33,7 @@ pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refus
     };
     if let Some(refused) = refused {
         let asked = asked.at(Some(At::line(refused.line))).seen(1);
-        let mut found = Finding::from(refused.clone());
-        if found.remedy.is_empty() {
-            found.remedy = FAULT;
-        }
+        let found = Finding::from(refused.clone());
         return asked.unless(Some(|place| of_program(found, place)));
     }
     // Of feeds and of the limit of the speed their judges speak.
