@@ -14,7 +14,7 @@ use super::{finding, interrupt, json, plan, refused};
 use crate::finding::{Exit, Finding, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::tools_headed;
-use crate::gcode::interpreter::{Bytes, Fault, Interpreter, Rotary, findings};
+use crate::gcode::interpreter::{Bytes, Interpreter, Refused, Rotary, findings};
 use crate::gcode::motion::{FeedMode, Motion, MotionKind};
 use crate::limits::LISTED_REFUSALS;
 use crate::machine::axis::{Axis, Pose};
@@ -118,7 +118,7 @@ fn follow(
     let mut interpreter = Interpreter::new(bytes, setting);
     let start = interpreter.position().1;
     let mut before = start;
-    let (mut faults, mut total): (Vec<Fault>, usize) = (Vec::new(), 0);
+    let (mut faults, mut total): (Vec<Refused>, usize) = (Vec::new(), 0);
     let mut canon = String::new();
     while let Some(item) = interpreter.next() {
         match item {

@@ -6,6 +6,7 @@
 pub mod field;
 pub mod list;
 pub mod rules;
+pub mod title_block;
 
 use std::collections::BTreeMap;
 
@@ -48,6 +49,8 @@ pub enum FieldKind {
         /// Most characters.
         max: usize,
     },
+    /// A date as it is to be printed: one line of text, or a cell that the spreadsheet formats as a date.
+    Date,
     /// Machine codes as `M3 M11 M13`: letters G or M with whole numbers, separated by blanks.
     Codes,
     /// One block that takes the tool away as `G0 G53 Z0`: codes, then X, Y and Z, then M codes.

@@ -21,20 +21,6 @@ crate::finding::rule::rules! {
         why "Cada programa tiene una lista de comprobaciones: la que no tiene respuesta no se ha hecho.",
             "Every program has a list of checks: a check without an answer was not made.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
-    "V0003" TextRefused Stop { line: usize, program: Text, fault: Text, todo: Text }
-        es "el control no admite la línea {line} de «{program}»: {fault}"
-        en "the control does not accept line {line} of \"{program}\": {fault}"
-        remedy "{todo}", "{todo}";
-        why "rodete relee el programa como lo lee el control: un bloque que no admite lo para.",
-            "rodete reads the program back as the control reads it: the control stops at a block that it does not accept.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N90 G91", to: "N90 G91 G90" };
-    "V0004" ReadWithRemark Caution { program: Text, remark: Text, todo: Text }
-        es "«{program}»: {remark}"
-        en "\"{program}\": {remark}"
-        remedy "{todo}", "{todo}";
-        why "El control admite el programa, pero quizá no haga lo que se espera.",
-            "The control accepts the program, but may not do what is expected.";
-        example Example::Slip { kind: "impeller", cells: &[("style", "annex")], program: "blank", from: "", to: "" };
     "V0005" MemoryExceeded Caution { program: Text, bytes: u64 }
         es "el programa «{program}» ocupa {bytes} bytes, más que la memoria habitual del control"
         en "program \"{program}\" takes {bytes} bytes, more than the control's usual memory"

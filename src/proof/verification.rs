@@ -1,12 +1,12 @@
 //! What the judges of a workbook kind answered: checks, findings, and the table of them.
 
-use crate::finding::{FAULT, Finding, Grade, Place, Raise};
-use crate::gcode::interpreter::{Fault, Interpreter};
+use crate::finding::{Finding, Grade, Place, Raise};
+use crate::gcode::interpreter::{Interpreter, Refused};
 use crate::gcode::program::Program;
 use crate::gcode::rules::modes::{NoFeed, NoSpeedLimit};
 use crate::proof::Judged;
 use crate::proof::check::{At, Check, Question};
-use crate::proof::rules::{ChecksPassed, MemoryExceeded, ReadWithRemark, TextRefused};
+use crate::proof::rules::{ChecksPassed, MemoryExceeded};
 use crate::table::{Column, Index, Law, Print, Table};
 use crate::text::{Text, t};
 
@@ -21,26 +21,26 @@ pub struct Verification {
 
 /// How the interpreter took the text.
 #[must_use]
-pub fn reading(program: &Program, text: &Interpreter<'_>, fault: Option<&Fault>) -> Check {
+pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refused>) -> Check {
     let lines = text.lines();
     let name = t("Leído de nuevo por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
     let asked = Question::new("reading", name, program).showing(value, Text::same(program.control.name));
-    let title = || program.title.clone();
-    if let Some(fault) = fault {
-        let asked = asked.at(Some(At::line(fault.line))).seen(1);
-        let todo = if fault.remedy.is_empty() { FAULT } else { fault.remedy.clone() };
-        let refused = TextRefused { line: fault.line, program: title(), fault: fault.what.clone(), todo };
-        return asked.holds(false, |place| refused.at(place));
+    let of_program = |mut found: Finding, place| {
+        let (Text { es, en }, title) = (&found.what, &program.title);
+        found.what = Text::new(format!("«{}»: {es}", title.es), format!("\"{}\": {en}", title.en));
+        found.placed(place)
+    };
+    if let Some(refused) = refused {
+        let asked = asked.at(Some(At::line(refused.line))).seen(1);
+        let found = Finding::from(refused.clone());
+        return asked.unless(Some(|place| of_program(found, place)));
     }
     // Of feeds and of the limit of the speed their judges speak.
     let theirs = [NoFeed::RULE, NoSpeedLimit::RULE];
     let own = |remark: &Finding| remark.grade >= Grade::Caution && !theirs.iter().any(|rule| remark.is(rule));
     let remark = text.remarks().into_iter().find(own);
-    asked.seen(lines).unless(remark.map(|Finding { what, remedy, .. }| {
-        let program = title();
-        move |place| ReadWithRemark { program, remark: what, todo: remedy }.at(place)
-    }))
+    asked.seen(lines).unless(remark.map(|remark| move |place| of_program(remark, place)))
 }
 
 /// The caution for a program that its control may not hold.

@@ -6,7 +6,7 @@ use std::io;
 use std::path::Path;
 
 use super::attachments::files;
-use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet};
+use super::document::{Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Title};
 use super::number;
 use super::rules::CharactersByCode;
 use super::shorten::{self, Listing};
@@ -19,7 +19,7 @@ use crate::gcode::summary::Summary;
 use crate::kind::{Duration, Outcome, Proved, Shown, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::field::Chosen;
-use crate::parameter::{FieldKind, Parameter, Value};
+use crate::parameter::{FieldKind, Parameter, Value, title_block};
 use crate::proof::account::Account;
 use crate::table::{Entry, Index, Print, Table};
 use crate::text::{Language, Text};
@@ -67,6 +67,7 @@ pub(super) fn write(
         version: outcome.source.version.to_owned(),
         dialect: outcome.control.name,
         style: outcome.style.map(Style::key).unwrap_or_default(),
+        title: title(outcome, &mut words),
         stopped: outcome.stopped(),
         parameters: parameters(outcome, &mut words),
         values: outcome
@@ -129,7 +130,19 @@ fn value(outcome: &Outcome, parameter: &Parameter, words: &mut Words) -> Option<
     }
 }
 
-/// The parameters by section; a sheet without any value is left out.
+fn title(outcome: &Outcome, words: &mut Words) -> Title {
+    let mut line = |field| words.line(outcome.fields.values().line(field));
+    Title {
+        customer: line(&title_block::CUSTOMER),
+        drawing: line(&title_block::DRAWING),
+        revision: line(&title_block::REVISION),
+        date: line(&title_block::DATE),
+        author: line(&title_block::AUTHOR),
+        checker: line(&title_block::CHECKER),
+    }
+}
+
+/// The parameters by section; a sheet without any value is left out, and the title block, which has its own place.
 fn parameters(outcome: &Outcome, words: &mut Words) -> Vec<Group> {
     let mut groups = Vec::new();
     for (number, sheet) in outcome.fields.form().sheets.iter().enumerate() {
@@ -141,7 +154,7 @@ fn parameters(outcome: &Outcome, words: &mut Words) -> Vec<Group> {
             let rows: Vec<Row> = section
                 .parameters
                 .iter()
-                .filter(|parameter| !matches!(parameter.kind, FieldKind::Schema))
+                .filter(|parameter| !matches!(parameter.kind, FieldKind::Schema) && !title_block::holds(parameter))
                 .map(|parameter| Row {
                     symbol: parameter.symbol().to_owned(),
                     meaning: words.text(&parameter.meaning),

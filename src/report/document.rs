@@ -18,6 +18,7 @@ pub(super) struct Document {
     pub version: String,
     pub dialect: &'static str,
     pub style: &'static str,
+    pub title: Title,
     pub stopped: bool,
     pub parameters: Vec<Group>,
     pub values: BTreeMap<&'static str, String>,
@@ -29,6 +30,17 @@ pub(super) struct Document {
     pub setup: BTreeMap<&'static str, SetUp>,
     pub checks: Vec<Check>,
     pub files: Vec<File>,
+}
+
+/// The title block; what is not given is empty.
+#[derive(Serialize)]
+pub(super) struct Title {
+    pub customer: String,
+    pub drawing: String,
+    pub revision: String,
+    pub date: String,
+    pub author: String,
+    pub checker: String,
 }
 
 /// A value of the set-up.

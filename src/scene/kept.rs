@@ -4,7 +4,7 @@ use super::Remark;
 use super::program::Program;
 use super::rules::TooManyMotions;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
-use crate::gcode::interpreter::{Fault, Interpreter, findings};
+use crate::gcode::interpreter::{Interpreter, Refused, findings};
 use crate::limits::{SHOWN_MOTIONS, SHOWN_REMARKS};
 use crate::text::{Text, t};
 
@@ -14,7 +14,7 @@ use crate::text::{Text, t};
 /// # Errors
 /// Exit 7 for more motions than [`SHOWN_MOTIONS`].
 pub fn following(program: &mut Program, text: &mut Interpreter<'_>) -> Result<(Exit, Vec<Finding>), Refusal> {
-    let (mut faults, mut total, mut exit): (Vec<Fault>, usize, Exit) = (Vec::new(), 0, Exit::Done);
+    let (mut faults, mut total, mut exit): (Vec<Refused>, usize, Exit) = (Vec::new(), 0, Exit::Done);
     text.keep_stood();
     let mut moved = false;
     loop {

@@ -173,7 +173,9 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         write_text(sheet, row, RANGE, &range, &styles.faint)?;
         let format = match parameter.kind {
             FieldKind::Real { .. } | FieldKind::Whole { .. } => &styles.input_number,
-            FieldKind::Choice(_) | FieldKind::Line { .. } | FieldKind::Codes | FieldKind::Block => &styles.input_text,
+            FieldKind::Choice(_) | FieldKind::Line { .. } | FieldKind::Date | FieldKind::Codes | FieldKind::Block => {
+                &styles.input_text
+            }
             FieldKind::Schema => &styles.fixed,
         };
         match value {

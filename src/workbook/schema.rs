@@ -333,7 +333,7 @@ fn form_of(sheet: &SheetCells, forms: &[&'static Form], language: Language) -> R
         Some(Content::Text(text, _)) => excerpt(text.trim(), SHOWN),
         Some(Content::Number(number)) => decimal(*number),
         Some(Content::Error(error)) => excerpt(error, SHOWN),
-        Some(Content::Truth(_) | Content::Date) | None => String::new(),
+        Some(Content::Truth(_) | Content::Date(_)) | None => String::new(),
     };
     for (form, _) in &wanted {
         if form.schema == found {

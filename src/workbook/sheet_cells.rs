@@ -25,8 +25,8 @@ pub enum Content {
     Text(String, usize),
     /// A truth value.
     Truth(bool),
-    /// A date or a time: a number in a cell formatted as one.
-    Date,
+    /// A date or a time: a number in a cell formatted as one; the day as `2026-11-23`, empty where it says none.
+    Date(String),
     /// An error of the spreadsheet, as `#DIV/0!`.
     Error(String),
 }
@@ -133,7 +133,12 @@ fn content(value: &DataRef<'_>) -> Option<Content> {
         DataRef::String(string) => text(string),
         DataRef::SharedString(string) => text(string),
         DataRef::Bool(truth) => Some(Content::Truth(*truth)),
-        DataRef::DateTime(_) | DataRef::DateTimeIso(_) | DataRef::DurationIso(_) => Some(Content::Date),
+        DataRef::DateTime(date) if date.is_datetime() => {
+            let (year, month, day, ..) = date.to_ymd_hms_milli();
+            Some(Content::Date(format!("{year:04}-{month:02}-{day:02}")))
+        }
+        DataRef::DateTimeIso(date) => Some(Content::Date(date.split('T').next().unwrap_or_default().to_owned())),
+        DataRef::DateTime(_) | DataRef::DurationIso(_) => Some(Content::Date(String::new())),
         DataRef::Error(error) => Some(Content::Error(error.to_string())),
     }
 }

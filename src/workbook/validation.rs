@@ -3,6 +3,7 @@
 use rust_xlsxwriter::{DataValidation, DataValidationRule, XlsxError};
 
 use super::cell::shortened;
+use super::value::DATE;
 use crate::parameter::{FieldKind, Parameter};
 use crate::text::{Language, Text, t};
 
@@ -32,6 +33,7 @@ pub fn range(parameter: &Parameter) -> Text {
             Text::new(join(Language::Es, "o"), join(Language::En, "or"))
         }
         FieldKind::Line { max } => Text::new(format!("hasta {max} caracteres"), format!("up to {max} characters")),
+        FieldKind::Date => t("una fecha, como 2026-11-23", "a date, such as 2026-11-23"),
         FieldKind::Codes => t(
             "códigos G o M con número entero, separados por espacios",
             "codes G or M with a whole number, separated by blanks",
@@ -80,6 +82,9 @@ pub fn validation(parameter: &Parameter, optional: bool, language: Language) -> 
         }
         FieldKind::Line { max } => {
             rule.allow_text_length(DataValidationRule::Between(1, u32::try_from(*max).unwrap_or(u32::MAX)))
+        }
+        FieldKind::Date => {
+            rule.allow_text_length(DataValidationRule::Between(1, u32::try_from(DATE).unwrap_or(u32::MAX)))
         }
         FieldKind::Codes | FieldKind::Block => rule.allow_text_length(DataValidationRule::Between(1, CODES)),
         FieldKind::Schema => rule.allow_any_value(),

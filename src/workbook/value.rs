@@ -19,6 +19,8 @@ pub const VALUE: u32 = 2;
 const UNIT: u32 = 3;
 /// Most characters of machine codes.
 const CODES: usize = 200;
+/// Most characters of a date.
+pub const DATE: usize = 40;
 /// Characters of a cell's text shown in a message.
 const SHOWN: usize = 40;
 
@@ -81,6 +83,7 @@ pub fn expected(parameter: &Parameter) -> Text {
         FieldKind::Line { max } => {
             Text::new(format!("un texto de hasta {max} caracteres"), format!("a text of up to {max} characters"))
         }
+        FieldKind::Date => t("una fecha, como 2026-11-23", "a date, such as 2026-11-23"),
         FieldKind::Codes => t("códigos de máquina, como M3 M11 M13", "machine codes, such as M3 M11 M13"),
         FieldKind::Block => t(
             "un bloque que retira la herramienta, como G0 G53 Z0",
@@ -130,7 +133,10 @@ impl Reading<'_> {
                     let truth = if *truth { t("VERDADERO", "TRUE") } else { t("FALSO", "FALSE") };
                     Box::new(ValueIsTruth { name, truth, cell, expected: expected() })
                 }
-                Some((Content::Date, _)) => Box::new(ValueIsDate { name, cell }),
+                Some((Content::Date(day), _)) if matches!(self.parameter.kind, FieldKind::Date) && !day.is_empty() => {
+                    return self.text(day, day.chars().count());
+                }
+                Some((Content::Date(_), _)) => Box::new(ValueIsDate { name, cell }),
                 Some((Content::Number(number), percent)) => return self.number(*number, percent),
                 Some((Content::Text(text, characters), _)) => return self.text(text.trim(), *characters),
             }
@@ -173,7 +179,7 @@ impl Reading<'_> {
                 whole.map(Value::Whole)
             }
             // A part number, a material number: Excel makes numbers of them.
-            FieldKind::Line { .. } | FieldKind::Choice(_) | FieldKind::Codes | FieldKind::Block => {
+            FieldKind::Line { .. } | FieldKind::Date | FieldKind::Choice(_) | FieldKind::Codes | FieldKind::Block => {
                 let text = decimal(number);
                 self.text(&text, text.chars().count())
             }
@@ -190,20 +196,23 @@ impl Reading<'_> {
                 None
             }
             FieldKind::Choice(choices) => self.choice(choices, text),
-            FieldKind::Line { max } => {
-                if characters > *max {
-                    self.long(characters, *max);
-                    return None;
-                }
-                if crate::escape::printable(text) != text {
-                    self.caution(&HiddenCharacters { name, text: shown });
-                }
-                Some(Value::Line(text.to_owned()))
-            }
+            FieldKind::Line { max } => self.line(text, characters, *max),
+            FieldKind::Date => self.line(text, characters, DATE),
             FieldKind::Codes => self.codes(text, characters, words::codes(text)),
             FieldKind::Block => self.codes(text, characters, words::block(text)),
             FieldKind::Schema => None,
         }
+    }
+
+    fn line(&mut self, text: &str, characters: usize, most: usize) -> Option<Value> {
+        if characters > most {
+            self.long(characters, most);
+            return None;
+        }
+        if crate::escape::printable(text) != text {
+            self.caution(&HiddenCharacters { name: named(self.parameter), text: excerpt(text, SHOWN) });
+        }
+        Some(Value::Line(text.to_owned()))
     }
 
     fn choice(&mut self, choices: &'static [Choice], text: &str) -> Option<Value> {
@@ -246,7 +255,7 @@ impl Reading<'_> {
             None => String::new(),
             Some(Content::Text(text, _)) => text.trim().to_owned(),
             Some(Content::Number(number)) => decimal(*number),
-            Some(Content::Truth(_) | Content::Date | Content::Error(_)) => "?".to_owned(),
+            Some(Content::Truth(_) | Content::Date(_) | Content::Error(_)) => "?".to_owned(),
         };
         let unit = self.parameter.unit;
         if unit::says(unit, &written) {

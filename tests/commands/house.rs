@@ -189,5 +189,5 @@ fn what_a_finding_says_is_its_rows() {
     assert!(beside(&"let mut finding = Finding::of(rule, data, place, what, remedy);".to_owned()));
     let beside = sources("").into_iter().filter(|(path, code)| !path.starts_with("finding") && code.iter().any(beside));
     let files: Vec<_> = beside.map(|(path, _)| path).collect();
-    assert_eq!(files, [Path::new("gcode/interpreter/fault.rs")]);
+    assert_eq!(files, [Path::new("gcode/interpreter/refused.rs")]);
 }

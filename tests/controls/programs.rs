@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use rodete::gcode::control::{ALL, Control};
-use rodete::gcode::interpreter::{Fault, Interpreter, Setting, tool_table};
+use rodete::gcode::interpreter::{Interpreter, Refused, Setting, tool_table};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 
@@ -38,7 +38,7 @@ fn setting(control: &'static Control, program: &Path) -> Setting {
 }
 
 /// How many motions a program has, and its refusals.
-fn read(control: &'static Control, program: &Path) -> (usize, Vec<Fault>) {
+fn read(control: &'static Control, program: &Path) -> (usize, Vec<Refused>) {
     let (mut motions, mut faults) = (0, Vec::new());
     for item in Interpreter::over(&fs::read(program).unwrap(), setting(control, program)) {
         match item {

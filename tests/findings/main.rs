@@ -13,5 +13,6 @@ mod reference;
 mod refusals;
 mod rules;
 mod slips;
+mod title_block;
 
 use common::workbook;

@@ -184,6 +184,17 @@ fn a_stock_too_small_for_the_torus_is_refused() {
 }
 
 #[test]
+fn an_end_x_left_empty_lies_outside_whatever_stock() {
+    for (R, end) in [(25.0, 80.0), (40.0, 110.0), (60.0, 150.0)] {
+        let outcome = common::outcome("full", &[real("R", R), real("H", 120.0), ("splitters", Value::Choice("no"))]);
+        let derived = outcome.quantities.iter().find(|one| one.symbol == "X_e").unwrap();
+        assert!((derived.value - end).abs() < 1e-9, "{R}: {}", derived.value);
+        let blank = common::program(&outcome, "blank");
+        assert!(blank.contains(&format!("X{end:.3} Z80.000")), "{blank}");
+    }
+}
+
+#[test]
 fn a_splitter_whose_path_crosses_nothing_is_refused() {
     let changes = [("N", Value::Whole(1)), real("e", 0.1), real("d_t", 0.5), real("d_s", 5.0)];
     let refusal = kinds::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();

@@ -196,15 +196,13 @@ fn a_refusal_carries_its_row_and_the_alarm_of_a_control_that_has_one() {
     assert_eq!(twice.data, [("first", word("K")), ("second", word("R"))]);
 }
 
-/// A remedy is written in its row, so that one code has one remedy. These tell what another row found, with the remedy that it
-/// has.
+/// A remedy is written in its row, so that one code has one remedy: no row tells another's.
 #[test]
 fn a_code_has_one_remedy() {
     let told_by_another = |rule: &&Rule| {
         let bare = rule.remedy.en.trim();
         bare.starts_with('{') && bare.ends_with('}') && !bare[1..].contains('{')
     };
-    let mut codes: Vec<_> = rules().filter(told_by_another).map(|rule| rule.code).collect();
-    codes.sort_unstable();
-    assert_eq!(codes, ["V0003", "V0004", "V0409"]);
+    let codes: Vec<_> = rules().filter(told_by_another).map(|rule| rule.code).collect();
+    assert!(codes.is_empty(), "{codes:?}");
 }

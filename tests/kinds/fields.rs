@@ -28,6 +28,7 @@ fn admitted(form: &'static Form, parameter: &'static Parameter) -> BoxedStrategy
         FieldKind::Whole { min, max } => (*min..=*max).prop_map(Value::Whole).boxed(),
         FieldKind::Choice(list) => (0..list.len()).prop_map(|at| Value::Choice(list[at].key)).boxed(),
         FieldKind::Line { max } => text(&format!(".{{0,{max}}}")).prop_map(Value::Line).boxed(),
+        FieldKind::Date => text(".{0,40}").prop_map(Value::Line).boxed(),
         FieldKind::Codes => {
             text("([GM][0-9]{1,4} ){0,5}").prop_map(|codes| Value::Line(codes.trim().to_owned())).boxed()
         }

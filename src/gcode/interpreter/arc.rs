@@ -12,7 +12,7 @@ use crate::gcode::code::G;
 use crate::gcode::control::Across;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Arc, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
@@ -48,7 +48,7 @@ fn name(letter: usize) -> char {
 
 impl Reader<'_, '_> {
     /// An arc of the block in hand.
-    pub(super) fn arc(&mut self, clockwise: bool) -> Outcome<()> {
+    pub(super) fn arc(&mut self, clockwise: bool) -> Result<()> {
         let plane = self.state.modal.plane;
         self.arc_form()?;
         let feed = self.feed()?;
@@ -73,24 +73,24 @@ impl Reader<'_, '_> {
     }
 
     /// The centre of the block's arc along the plane's first and second axis, and its end; the block's words are checked.
-    pub(super) fn arc_geometry(&mut self, clockwise: bool) -> Outcome<([f64; 2], Pose)> {
+    pub(super) fn arc_geometry(&mut self, clockwise: bool) -> Result<([f64; 2], Pose)> {
         self.arc_form()?;
         self.arc_letters()?;
         self.arc_centre(clockwise)
     }
 
     /// Refuses an arc with neither a centre nor a radius, or with both.
-    fn arc_form(&self) -> Outcome<()> {
+    fn arc_form(&self) -> Result<()> {
         let centred = self.state.modal.plane.centre_letters().into_iter().any(|letter| self.block.has(letter));
         match (self.block.has(letter::R), centred) {
-            (false, false) => Err(Fault::of(&ArcWithoutCentre {}, &[])),
-            (true, true) => Err(Fault::of(&ArcTwoForms {}, &[self.block.column(letter::R)])),
+            (false, false) => Err(Refused::of(&ArcWithoutCentre {}, &[])),
+            (true, true) => Err(Refused::of(&ArcTwoForms {}, &[self.block.column(letter::R)])),
             _ => Ok(()),
         }
     }
 
     /// Refuses a centre word of another plane, but for a 0 that comes to nothing whatever it means.
-    fn arc_letters(&mut self) -> Outcome<()> {
+    fn arc_letters(&mut self) -> Result<()> {
         let plane = self.state.modal.plane;
         let [first, second, across] = plane.centre_letters();
         let Some(value) = self.block.get(across) else { return Ok(()) };
@@ -100,22 +100,22 @@ impl Reader<'_, '_> {
         let planar = self.end_point().get(axis) == self.state.at.get(axis);
         match self.memory.control.arcs.across {
             Across::Pitch if value > 0.0 => {
-                Err(Fault::of(&HelixPitch { word, plane: name, axis: axis.letter() }, &[column]))
+                Err(Refused::of(&HelixPitch { word, plane: name, axis: axis.letter() }, &[column]))
             }
-            Across::Pitch => Err(Fault::of(&HelixPitchNotPositive { word, value, plane: name }, &[column])),
+            Across::Pitch => Err(Refused::of(&HelixPitchNotPositive { word, value, plane: name }, &[column])),
             Across::Unknown if value == 0.0 && planar => {
                 let spot = self.block.spot;
                 self.memory.remarks.row(&CentreWordOfOtherPlane { word, plane: name }, spot, Some(column));
                 Ok(())
             }
-            Across::Foreign | Across::Unknown => Err(Fault::of(
+            Across::Foreign | Across::Unknown => Err(Refused::of(
                 &CentreWordForeign { word, plane: name, first: self::name(first), second: self::name(second) },
                 &[column],
             )),
         }
     }
 
-    fn arc_centre(&mut self, clockwise: bool) -> Outcome<([f64; 2], Pose)> {
+    fn arc_centre(&mut self, clockwise: bool) -> Result<([f64; 2], Pose)> {
         let plane = self.state.modal.plane;
         let to = self.end_point();
         let [a, b, _] = plane.axes();
@@ -129,7 +129,7 @@ impl Reader<'_, '_> {
                 let incremental =
                     self.memory.control.axes.by_letters() && (self.block.has(letter::U) || self.block.has(letter::W));
                 if !named && !incremental {
-                    return Err(Fault::of(
+                    return Err(Refused::of(
                         &RadiusWithoutEnd { first: a.letter(), second: b.letter() },
                         &[self.block.column(letter::R)],
                     ));
@@ -143,15 +143,15 @@ impl Reader<'_, '_> {
     }
 
     /// P, the number of turns.
-    fn turns(&self) -> Outcome<i32> {
+    fn turns(&self) -> Result<i32> {
         let Some(P) = self.block.get(letter::P) else { return Ok(1) };
         whole(P)
             .filter(|&turns| turns >= 1)
             .and_then(|turns| i32::try_from(turns).ok())
-            .ok_or_else(|| Fault::of(&TurnsNotWhole { turns: P }, &[self.block.column(letter::P)]))
+            .ok_or_else(|| Refused::of(&TurnsNotWhole { turns: P }, &[self.block.column(letter::P)]))
     }
 
-    fn centre_by_offsets(&self, start: [f64; 2], end: [f64; 2], letters: [usize; 2]) -> Outcome<[f64; 2]> {
+    fn centre_by_offsets(&self, start: [f64; 2], end: [f64; 2], letters: [usize; 2]) -> Result<[f64; 2]> {
         let unit = self.state.modal.unit;
         let mut centre = [0.0; 2];
         for (along, letter) in letters.into_iter().enumerate() {
@@ -160,7 +160,7 @@ impl Reader<'_, '_> {
                 (Some(word), false) => start[along] + unit.to_mm(word),
                 (None, false) => start[along],
                 (None, true) => {
-                    return Err(Fault::of(&AbsoluteCentreHalf { word: name(letter) }, &[]));
+                    return Err(Refused::of(&AbsoluteCentreHalf { word: name(letter) }, &[]));
                 }
             };
         }
@@ -169,17 +169,17 @@ impl Reader<'_, '_> {
     }
 
     /// The centre of an arc with a radius: to the left of the chord for a counter-clockwise arc up to half a circle.
-    fn centre_by_radius(&self, start: [f64; 2], end: [f64; 2], R: f64, clockwise: bool) -> Outcome<[f64; 2]> {
+    fn centre_by_radius(&self, start: [f64; 2], end: [f64; 2], R: f64, clockwise: bool) -> Result<[f64; 2]> {
         let chord = [end[0] - start[0], end[1] - start[1]];
         let half = (chord[0] * chord[0] + chord[1] * chord[1]).sqrt() / 2.0;
         let column = self.block.column(letter::R);
         let unit = self.state.modal.unit;
         let radius = R.abs();
         if half == 0.0 {
-            return Err(Fault::of(&RadiusOfFullCircle {}, &[column]));
+            return Err(Refused::of(&RadiusOfFullCircle {}, &[column]));
         }
         if half - radius > LEAST || radius == 0.0 {
-            return Err(Fault::of(&RadiusTooSmall { radius: size(radius, unit), half: size(half, unit) }, &[column]));
+            return Err(Refused::of(&RadiusTooSmall { radius: size(radius, unit), half: size(half, unit) }, &[column]));
         }
         let offset = if half / radius > 1.0 - TINY { 0.0 } else { (radius * radius - half * half).sqrt() };
         let side = if clockwise == (R > 0.0) { -offset } else { offset };
@@ -207,14 +207,14 @@ pub const fn radii_tolerance(unit: LengthUnit) -> f64 {
 ///
 /// # Errors
 /// With both radii and their difference.
-fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Outcome<()> {
+fn check_radii(start: f64, end: f64, unit: LengthUnit) -> Result<()> {
     let tolerance = radii_tolerance(unit);
     let difference = (start - end).abs();
     if start < LEAST || end < LEAST {
-        return Err(Fault::of(&ArcOfNoRadius { start: size(start, unit), end: size(end, unit) }, &[]));
+        return Err(Refused::of(&ArcOfNoRadius { start: size(start, unit), end: size(end, unit) }, &[]));
     }
     if difference > 100.0 * tolerance || (difference > tolerance && difference > RELATIVE * start.max(end)) {
-        return Err(Fault::of(
+        return Err(Refused::of(
             &EndOffCircle { start: size(start, unit), end: size(end, unit), difference: size(difference, unit) },
             &[],
         ));

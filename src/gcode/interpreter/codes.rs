@@ -6,7 +6,7 @@ use crate::gcode::control::{FeedChange, SpeedLimit};
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{FeedMode, MotionKind};
 use crate::gcode::rules::modes::{
     DwellNegative, DwellTwice, DwellWithoutTime, NoSpeedLimit, SurfaceSpeedMissing, UnitsChange,
@@ -16,7 +16,7 @@ use crate::machine::axis::Axis;
 use crate::machine::length_unit::LengthUnit;
 
 impl Reader<'_, '_> {
-    pub(super) fn set_speed_mode(&mut self) -> Outcome<()> {
+    pub(super) fn set_speed_mode(&mut self) -> Result<()> {
         match self.block.g(Group::Speed) {
             Some(G::ConstantSurfaceSpeed) => {
                 if !self.block.has(letter::S) {
@@ -47,10 +47,10 @@ impl Reader<'_, '_> {
     }
 
     /// G96 without S: a lathe takes the S that follows.
-    fn surface_speed_missing(&mut self) -> Outcome<()> {
+    fn surface_speed_missing(&mut self) -> Result<()> {
         let column = self.block.g_column(Group::Speed);
         if !self.memory.control.spindle.turns.part() {
-            return Err(Fault::of(&SurfaceSpeedMissing {}, &[column]));
+            return Err(Refused::of(&SurfaceSpeedMissing {}, &[column]));
         }
         if !self.state.modal.constant_surface_speed {
             self.state.modal.speed = 0.0;
@@ -60,7 +60,7 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    pub(super) fn take_feed_and_speed(&mut self) -> Outcome<()> {
+    pub(super) fn take_feed_and_speed(&mut self) -> Result<()> {
         // They are parameters of the cycle.
         if let Some(G::Turning(TurningCycle::Fagor(_))) = self.block.g(Group::NonModal) {
             return Ok(());
@@ -103,7 +103,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    pub(super) fn machine_codes(&mut self) -> Outcome<()> {
+    pub(super) fn machine_codes(&mut self) -> Result<()> {
         self.inputs_and_outputs()?;
         if let Some((code @ (M::ToolChange | M::SetTool), _)) = self.block.m(6) {
             self.change_tool(code)?;
@@ -126,7 +126,7 @@ impl Reader<'_, '_> {
     }
 
     /// What a lathe does after the motion of the block: spindle and coolant off.
-    pub(super) fn machine_codes_after(&mut self) -> Outcome<()> {
+    pub(super) fn machine_codes_after(&mut self) -> Result<()> {
         let off = matches!(self.block.m(7), Some((M::SpindleOff, _)));
         let dry = matches!(self.block.m(8), Some((M::Coolant(false), _)));
         if off || dry {
@@ -137,7 +137,7 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    pub(super) fn dwell(&mut self) -> Outcome<()> {
+    pub(super) fn dwell(&mut self) -> Result<()> {
         let (letter, seconds) = self.dwell_time()?;
         if letter != super::block::letter::P || self.memory.control.lexis.dwell.len() > 1 {
             self.block.take(letter);
@@ -147,7 +147,7 @@ impl Reader<'_, '_> {
     }
 
     /// The letter of a dwell's time, and the time in seconds.
-    pub(super) fn dwell_time(&self) -> Outcome<(usize, f64)> {
+    pub(super) fn dwell_time(&self) -> Result<(usize, f64)> {
         let found = self
             .memory
             .control
@@ -158,11 +158,13 @@ impl Reader<'_, '_> {
         let column = self.block.g_column(Group::NonModal);
         let times = self.memory.control.lexis.dwell.iter().filter(|dwell| self.block.has(dwell.index())).count();
         if times > 1 {
-            return Err(Fault::of(&DwellTwice {}, &[column]));
+            return Err(Refused::of(&DwellTwice {}, &[column]));
         }
         match found {
-            None => Err(Fault::of(&DwellWithoutTime {}, &[column])),
-            Some((letter, seconds)) if seconds < 0.0 => Err(Fault::of(&DwellNegative {}, &[self.block.column(letter)])),
+            None => Err(Refused::of(&DwellWithoutTime {}, &[column])),
+            Some((letter, seconds)) if seconds < 0.0 => {
+                Err(Refused::of(&DwellNegative {}, &[self.block.column(letter)]))
+            }
             Some(found) => Ok(found),
         }
     }

@@ -25,8 +25,8 @@ use crate::gcode::control::{NoseCorner, RadiusRule};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::contour::ContourBlock;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::library::Spot;
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{Arc, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::turning::nose::{Element, Misfit, Nose, Path, Point, STRAIGHT, Stage, Step};
 use crate::gcode::turning::pace::Pace;
@@ -102,9 +102,9 @@ fn place(pose: &mut Pose, [z, x]: Point) {
 
 impl Reader<'_, '_> {
     /// G40, G41 and G42.
-    pub(super) fn set_compensation(&mut self, side: Compensation) -> Outcome<()> {
+    pub(super) fn set_compensation(&mut self, side: Compensation) -> Result<()> {
         if side != Compensation::Off && self.state.modal.plane != Plane::ZX {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &CompensationPlane { plane: self.state.modal.plane.name() },
                 &[self.block.g_column(Group::CutterCompensation)],
             ));
@@ -129,7 +129,7 @@ impl Reader<'_, '_> {
     ///
     /// # Errors
     /// For a tip that lies neither before nor behind the cut, and without a nose in the table.
-    pub(super) fn pass_aside(&mut self, pass: SinglePassCycle, slope: f64) -> Outcome<f64> {
+    pub(super) fn pass_aside(&mut self, pass: SinglePassCycle, slope: f64) -> Result<f64> {
         if self.state.modal.compensation == Compensation::Off
             || self.state.modal.offset == 0
             || pass == SinglePassCycle::Thread
@@ -141,7 +141,7 @@ impl Reader<'_, '_> {
         let (along, across) = if pass == SinglePassCycle::Radial { (x, z) } else { (z, x) };
         if across == 0.0 && nose.radius > 0.0 {
             let (number, tip) = (pass.number(), nose.tip.number());
-            return Err(Fault::of(&PassTip { cycle: number, tip }, &[self.block.g_column(Group::Motion)]));
+            return Err(Refused::of(&PassTip { cycle: number, tip }, &[self.block.g_column(Group::Motion)]));
         }
         let aside = -nose.radius * (slope * along + across * ((1.0 + slope * slope).sqrt() - 1.0));
         Ok(if slope == 0.0 || !aside.is_finite() { 0.0 } else { aside })
@@ -233,15 +233,15 @@ impl Reader<'_, '_> {
     }
 
     /// The nose of the offset in force, for a motion on a side.
-    fn nose(&mut self, side: Compensation, motion: &Motion) -> Outcome<Nose> {
+    fn nose(&mut self, side: Compensation, motion: &Motion) -> Result<Nose> {
         if side == Compensation::Off {
             return Ok(Nose::default());
         }
         if let MotionKind::Thread(_) = motion.kind {
-            return Err(Fault::of(&ThreadUnderCompensation {}, &[]));
+            return Err(Refused::of(&ThreadUnderCompensation {}, &[]));
         }
         if matches!(motion.kind, MotionKind::Arc(arc, _) if arc.plane != Plane::ZX) {
-            return Err(Fault::of(&ArcOfOtherPlane {}, &[]));
+            return Err(Refused::of(&ArcOfOtherPlane {}, &[]));
         }
         let nose = self.known_nose()?;
         if nose.radius == 0.0 {
@@ -252,13 +252,13 @@ impl Reader<'_, '_> {
     }
 
     /// The nose that the table gives the offset in force.
-    fn known_nose(&self) -> Outcome<Nose> {
+    fn known_nose(&self) -> Result<Nose> {
         let offset = self.state.modal.offset;
         self.memory.tools.get(&offset).and_then(|tool| tool.nose).ok_or_else(|| {
             if self.memory.setting.tools.is_some() {
-                Fault::of(&NoseNotInTable { offset }, &[])
+                Refused::of(&NoseNotInTable { offset }, &[])
             } else {
-                Fault::of(&NoseWithoutTable { offset }, &[])
+                Refused::of(&NoseWithoutTable { offset }, &[])
             }
         })
     }
@@ -352,17 +352,17 @@ fn time(motion: &Motion, control: &InForce) -> Option<f64> {
     seconds.is_finite().then_some(seconds)
 }
 
-fn refusal(misfit: &Misfit) -> Box<Fault> {
+fn refusal(misfit: &Misfit) -> Box<Refused> {
     match *misfit {
-        Misfit::ArcEntry => Fault::of(&CompensationBeginsOnArc {}, &[]),
-        Misfit::ArcExit => Fault::of(&CompensationEndsOnArc {}, &[]),
+        Misfit::ArcEntry => Refused::of(&CompensationBeginsOnArc {}, &[]),
+        Misfit::ArcExit => Refused::of(&CompensationEndsOnArc {}, &[]),
         Misfit::Arc { radius, arc } => {
-            Fault::of(&NoseInArc { radius: Size::plain(radius, 4), arc: Size::plain(arc, 4) }, &[])
+            Refused::of(&NoseInArc { radius: Size::plain(radius, 4), arc: Size::plain(arc, 4) }, &[])
         }
         Misfit::Corner { radius, turn } => {
-            Fault::of(&NoseInCorner { radius: Size::plain(radius, 4), turn: Size::plain(turn.to_degrees(), 2) }, &[])
+            Refused::of(&NoseInCorner { radius: Size::plain(radius, 4), turn: Size::plain(turn.to_degrees(), 2) }, &[])
         }
-        Misfit::Short { radius, length, taken } => Fault::of(
+        Misfit::Short { radius, length, taken } => Refused::of(
             &NoseInShortPiece {
                 radius: Size::plain(radius, 4),
                 length: Size::plain(length, 4),
@@ -371,7 +371,7 @@ fn refusal(misfit: &Misfit) -> Box<Fault> {
             },
             &[],
         ),
-        Misfit::Changed => Fault::of(&NoseChanges {}, &[]),
-        Misfit::Still => Fault::of(&TooManyStillBlocks { most: STILL_PIECES }, &[]),
+        Misfit::Changed => Refused::of(&NoseChanges {}, &[]),
+        Misfit::Still => Refused::of(&TooManyStillBlocks { most: STILL_PIECES }, &[]),
     }
 }

@@ -8,7 +8,7 @@ use crate::finding::Raise;
 use crate::gcode::code::{G, M};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::Reader;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{FeedMode, Plane};
 use crate::gcode::rules::modes::{RestoreOfLength, RestoreRounds, RestoreWithWords, RestoreWithoutSave};
 use crate::machine::axis::Pose;
@@ -50,7 +50,7 @@ fn written(number: f64, decimals: usize) -> f64 {
 
 impl Reader<'_, '_> {
     /// M70 to M73.
-    pub(super) fn context_code(&mut self, code: M) -> Outcome<()> {
+    pub(super) fn context_code(&mut self, code: M) -> Result<()> {
         match code {
             M::SaveState(at_return) => {
                 let state = self.kept();
@@ -65,14 +65,14 @@ impl Reader<'_, '_> {
                 Ok(())
             }
             _ if self.block.present != 0 || self.block.groups != 0 || self.block.machine_codes > 1 => {
-                Err(Fault::of(&RestoreWithWords {}, &[self.block.m_column(7)]))
+                Err(Refused::of(&RestoreWithWords {}, &[self.block.m_column(7)]))
             }
             _ => match self.memory.flow.context().state.clone() {
                 Some(state) => {
                     self.give_state_back(&state);
                     Ok(())
                 }
-                None => Err(Fault::of(&RestoreWithoutSave {}, &[self.block.m_column(7)])),
+                None => Err(Refused::of(&RestoreWithoutSave {}, &[self.block.m_column(7)])),
             },
         }
     }

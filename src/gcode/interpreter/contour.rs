@@ -20,9 +20,9 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, Block, EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::numbers::Numbered;
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::rules::flow::ContourBlockMissing;
 use crate::gcode::turning::profile::{Element, Profile};
@@ -89,7 +89,7 @@ impl Ends {
 
 impl Reader<'_, '_> {
     /// The blocks that two words of the block in hand name, P and Q of Fanuc's cycles, S and E of Fagor's.
-    pub(super) fn contour_ends(&mut self, cycle: u8, letters: [usize; 2]) -> Outcome<Ends> {
+    pub(super) fn contour_ends(&mut self, cycle: u8, letters: [usize; 2]) -> Result<Ends> {
         let mut numbers = [0; 2];
         for (number, letter) in numbers.iter_mut().zip(letters) {
             *number = self.number_of_block(cycle, letter)?;
@@ -99,7 +99,7 @@ impl Reader<'_, '_> {
         let first = self.block_numbered(numbers[0], columns[0], &missing(0))?;
         let last = self.block_numbered(numbers[1], columns[1], &missing(1))?;
         if last.line() < first.line() {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &ContourEndsBeforeItBegins { cycle, last: numbers[1], first: numbers[0] },
                 &[columns[1], columns[0]],
             )
@@ -108,10 +108,10 @@ impl Reader<'_, '_> {
         Ok(Ends { first, last, numbers })
     }
 
-    fn number_of_block(&self, cycle: u8, letter: usize) -> Outcome<u32> {
+    fn number_of_block(&self, cycle: u8, letter: usize) -> Result<u32> {
         let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
         let Some(value) = self.block.get(letter) else {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &ContourBlockNotNamed { letter: name, cycle },
                 &[self.block.g_column(Group::NonModal)],
             )
@@ -119,11 +119,11 @@ impl Reader<'_, '_> {
         };
         whole(value)
             .and_then(|number| u32::try_from(number).ok())
-            .ok_or_else(|| Fault::of(&NoBlockNumber { letter: name, value }, &[self.block.column(letter)]))
+            .ok_or_else(|| Refused::of(&NoBlockNumber { letter: name, value }, &[self.block.column(letter)]))
     }
 
     /// Reads the contour of a cycle from where the tool stands, on a state of its own. The program stays where it is.
-    pub(super) fn contour(&mut self, cycle: u8, ends: Ends) -> Outcome<Contour> {
+    pub(super) fn contour(&mut self, cycle: u8, ends: Ends) -> Result<Contour> {
         let (mut block, mut probe) = (Block::at(self.block.spot), self.state.clone());
         let mut reader = Reader { memory: &mut *self.memory, block: &mut block, state: &mut probe };
         reader.read_contour(cycle, ends).map_err(|mut fault| {
@@ -132,7 +132,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn read_contour(&mut self, cycle: u8, ends: Ends) -> Outcome<Contour> {
+    fn read_contour(&mut self, cycle: u8, ends: Ends) -> Result<Contour> {
         let start = [self.state.at.get(Axis::X), self.state.at.get(Axis::Z)];
         let mut contour = Contour {
             profile: Profile { start, elements: Vec::new() },
@@ -150,12 +150,12 @@ impl Reader<'_, '_> {
             self.count_line(behind)?;
             let Some(mut cursor) = self.open_line(&line)? else { continue };
             if matches!(cursor.peek(), b'%' | b'o') {
-                return Err(Fault::of(&ContourWithoutEnd { cycle }, &[cursor.column()]));
+                return Err(Refused::of(&ContourWithoutEnd { cycle }, &[cursor.column()]));
             }
             self.read_words(&mut cursor)?;
             self.contour_block(cycle, &mut contour)?;
             if contour.blocks.len() > CONTOUR_BLOCKS {
-                return Err(Fault::of(&ContourTooLong { cycle, most: CONTOUR_BLOCKS }, &[]));
+                return Err(Refused::of(&ContourTooLong { cycle, most: CONTOUR_BLOCKS }, &[]));
             }
         }
         contour.behind = next.line;
@@ -164,13 +164,13 @@ impl Reader<'_, '_> {
         }
         if contour.profile.elements.is_empty() {
             let [P, Q] = ends.numbers;
-            return Err(Fault::of(&ContourStandsStill { cycle, first: P, last: Q }, &[]).as_alarm_of(self.alarms()));
+            return Err(Refused::of(&ContourStandsStill { cycle, first: P, last: Q }, &[]).as_alarm_of(self.alarms()));
         }
         Ok(contour)
     }
 
     /// One block of a contour, in hand.
-    fn contour_block(&mut self, cycle: u8, contour: &mut Contour) -> Outcome<()> {
+    fn contour_block(&mut self, cycle: u8, contour: &mut Contour) -> Result<()> {
         let first = contour.profile.elements.is_empty();
         self.contour_refuses(cycle, first)?;
         let dwell = self.contour_dwell()?;
@@ -246,18 +246,18 @@ impl Reader<'_, '_> {
     }
 
     /// A contour that begins with neither G0 nor G1.
-    fn contour_begins(&self, cycle: u8, (es, en): (&'static str, &'static str)) -> Box<Fault> {
-        Fault::of(&ContourBegins { part: t(es, en), cycle }, &[]).as_alarm_of(self.alarms())
+    fn contour_begins(&self, cycle: u8, (es, en): (&'static str, &'static str)) -> Box<Refused> {
+        Refused::of(&ContourBegins { part: t(es, en), cycle }, &[]).as_alarm_of(self.alarms())
     }
 
     /// The letter of the time of a dwell in a contour, one bit; a dwell stands without a motion.
-    fn contour_dwell(&self) -> Outcome<u32> {
+    fn contour_dwell(&self) -> Result<u32> {
         if self.block.g(Group::NonModal) != Some(G::Dwell) {
             return Ok(0);
         }
         let time = 1 << self.dwell_time()?.0;
         if self.block.present & MOVES.mask() & !time != 0 {
-            return Err(Fault::of(&ContourDwellAndMotion {}, &[self.block.g_column(Group::NonModal)]));
+            return Err(Refused::of(&ContourDwellAndMotion {}, &[self.block.g_column(Group::NonModal)]));
         }
         Ok(time)
     }
@@ -273,9 +273,9 @@ impl Reader<'_, '_> {
     }
 
     /// Refuses what may not stand in a contour.
-    fn contour_refuses(&self, cycle: u8, first: bool) -> Outcome<()> {
+    fn contour_refuses(&self, cycle: u8, first: bool) -> Result<()> {
         let refuse = |column: usize, (es, en): (&'static str, &'static str)| {
-            Err(Fault::of(&NotInContour { code: t(es, en), cycle }, &[column]).as_alarm_of(self.alarms()))
+            Err(Refused::of(&NotInContour { code: t(es, en), cycle }, &[column]).as_alarm_of(self.alarms()))
         };
         let block = &self.block;
         if let Some((M::Call | M::CallBlock | M::Return, _)) = block.m(4) {
@@ -286,7 +286,7 @@ impl Reader<'_, '_> {
         }
         self.turret_place()?;
         if block.has(letter::T) && !first {
-            return Err(Fault::of(&ContourToolChange { cycle }, &[block.column(letter::T)]));
+            return Err(Refused::of(&ContourToolChange { cycle }, &[block.column(letter::T)]));
         }
         let groups = block.groups & !(1 << Group::Motion as u16) & !(1 << Group::CutterCompensation as u16);
         let odd = match block.g(Group::Motion) {
@@ -305,7 +305,7 @@ impl Reader<'_, '_> {
 
     /// Goes on behind a contour that stands behind its cycle; a contour that has been read before stays where it is, as
     /// going on behind it would repeat the program without end.
-    pub(super) fn go_behind(&mut self, cycle: u8, contour: &Contour) -> Outcome<()> {
+    pub(super) fn go_behind(&mut self, cycle: u8, contour: &Contour) -> Result<()> {
         if contour.last <= self.block.spot.line {
             return Ok(());
         }
@@ -328,7 +328,7 @@ impl Reader<'_, '_> {
     }
 
     /// Goes on behind the contour of a cycle that was refused: its blocks are none of the program's own motions.
-    pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Outcome<()> {
+    pub(super) fn pass_over_contour(&mut self, cycle: u8) -> Result<()> {
         // Where the blocks are not found there is no contour to pass over, and the cycle was refused for that.
         let Ok(ends) = self.contour_ends(cycle, [letter::P, letter::Q]) else { return Ok(()) };
         let next = self.memory.flow.next;

@@ -15,9 +15,9 @@ use crate::finding::{AlarmFamily, Raise};
 use crate::gcode::code::{G, Group, M};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::block::{Block, EdgeWord, letter};
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::library::Spot;
 use crate::gcode::interpreter::modal::Modal;
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, State};
 use crate::gcode::motion::Feed;
 use crate::gcode::turning::edge::{Broken, Edge, Square, broken};
@@ -52,21 +52,21 @@ impl EdgeWord {
     }
 
     /// A refusal at the corner's own line.
-    pub(super) fn refusal(&self, line: usize, row: &dyn Raise) -> Box<Fault> {
-        let fault = Fault::of(row, &[self.column]).as_alarm_of(Some(AlarmFamily::Fanuc));
-        Box::new(Fault { line, ..*fault })
+    pub(super) fn refusal(&self, line: usize, row: &dyn Raise) -> Box<Refused> {
+        let fault = Refused::of(row, &[self.column]).as_alarm_of(Some(AlarmFamily::Fanuc));
+        Box::new(Refused { line, ..*fault })
     }
 
     /// The refusal of a corner that cannot be broken.
-    pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Fault> {
+    pub(super) fn trouble(&self, line: usize, trouble: &Trouble) -> Box<Refused> {
         let (name, Text { es, en }) = (self.name, &trouble.what);
         let what = Text::new(format!("{es} ({name})"), format!("{en} ({name})"));
-        let fault = Fault::from(Trouble { what, line: Some(line), ..trouble.clone() });
-        Box::new(Fault { columns: vec![self.column + 1], ..fault }).as_alarm_of(Some(AlarmFamily::Fanuc))
+        let fault = Refused::from(Trouble { what, line: Some(line), ..trouble.clone() });
+        Box::new(Refused { columns: vec![self.column + 1], ..fault }).as_alarm_of(Some(AlarmFamily::Fanuc))
     }
 
     /// The refusal of a corner behind which no line at feed comes.
-    pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Fault> {
+    pub(super) fn alone(&self, line: usize, motion: bool) -> Box<Refused> {
         let word = self.name;
         if motion {
             self.refusal(line, &CornerBeforeOtherMotion { word })
@@ -85,7 +85,7 @@ impl Block {
 
 impl Reader<'_, '_> {
     /// Refuses `,C` and `,R` of the block in hand beside anything but a line at feed.
-    pub(super) fn edge_fits(&self, motion: Option<G>) -> Outcome<()> {
+    pub(super) fn edge_fits(&self, motion: Option<G>) -> Result<()> {
         let Some(word) = self.block.edge else { return Ok(()) };
         let line = motion == Some(G::Linear) && self.block.present & AXES != 0;
         if line && self.block.g(Group::NonModal).is_none() {
@@ -95,7 +95,7 @@ impl Reader<'_, '_> {
     }
 
     /// I, K or R of a line at feed in hand becomes its edge.
-    pub(super) fn take_square_edge(&mut self, motion: Option<G>) -> Outcome<()> {
+    pub(super) fn take_square_edge(&mut self, motion: Option<G>) -> Result<()> {
         let line = motion == Some(G::Linear) && self.block.present & AXES != 0;
         if !self.memory.control.corners.by_words() || !line || self.block.g(Group::NonModal).is_some() {
             return Ok(());
@@ -107,7 +107,7 @@ impl Reader<'_, '_> {
             let word = EdgeWord { name, round: axis.is_none(), value: value.abs(), square, column, pointless: false };
             if let Some(first) = self.block.edge.replace(word) {
                 let twice = CornerTwice { first: first.name, second: name };
-                return Err(Fault::of(&twice, &[first.column, column]).as_alarm_of(self.alarms()));
+                return Err(Refused::of(&twice, &[first.column, column]).as_alarm_of(self.alarms()));
             }
         }
         Ok(())
@@ -140,7 +140,7 @@ impl Reader<'_, '_> {
     }
 
     /// Hands out the refusal of a corner, and its line, which is made whole. The program goes on.
-    fn refuse_corner(&mut self, corner: Corner, mut fault: Box<Fault>) {
+    fn refuse_corner(&mut self, corner: Corner, mut fault: Box<Refused>) {
         fault.file = self.memory.library.file(corner.spot.text).cloned();
         self.memory.queue.push_back(Err(fault));
         self.make_corner(corner, None);
@@ -154,7 +154,7 @@ impl Reader<'_, '_> {
     }
 
     /// A line at feed, behind a corner and before one.
-    pub(super) fn line_at_feed(&mut self, to: Pose, feed: Feed) -> Outcome<()> {
+    pub(super) fn line_at_feed(&mut self, to: Pose, feed: Feed) -> Result<()> {
         if let Some(corner) = self.memory.corner.take() {
             let points = [corner.from, self.state.at, to].map(|pose| point(&pose));
             match broken(points, corner.edge, corner.word.square) {
@@ -201,8 +201,8 @@ impl Reader<'_, '_> {
 }
 
 /// The refusal of a word of a corner whose block is no line at feed.
-pub(super) fn without_line(name: &str, column: usize) -> Box<Fault> {
-    Fault::of(&CornerWithoutLine { word: name.to_owned() }, &[column])
+pub(super) fn without_line(name: &str, column: usize) -> Box<Refused> {
+    Refused::of(&CornerWithoutLine { word: name.to_owned() }, &[column])
 }
 
 /// A pose as `[X, Z]`.

@@ -1,7 +1,7 @@
 //! The characters of a line as the control sees them: blanks and comments passed over, letters alike in both cases.
 
 use crate::gcode::control::Comments;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::rules::lexis::{
     BlockAfterEnd, Comma, CommentInWord, CommentNested, CommentNotOpened, CommentOpen, EdgeNotSupported, Exponent,
     HighLevel, NameEmpty, NameOpen, NoNumber, Strange, TooGreat, TwoPoints,
@@ -91,7 +91,7 @@ impl<'l> Cursor<'l> {
     }
 
     /// Refuses a comment here: it would part a word from its number, which controls read in more than one way.
-    pub(super) fn no_comment(&self) -> Outcome<()> {
+    pub(super) fn no_comment(&self) -> Result<()> {
         let mut column = self.at;
         while let Some(b' ' | b'\t') = self.line.get(column) {
             column += 1;
@@ -133,7 +133,7 @@ impl<'l> Cursor<'l> {
     }
 
     /// A decimal number without a sign: digits with at most one point among them.
-    pub(super) fn number(&mut self) -> Outcome<Decimal> {
+    pub(super) fn number(&mut self) -> Result<Decimal> {
         self.short_number().map_or_else(|| self.any_number(), Ok)
     }
 
@@ -169,7 +169,7 @@ impl<'l> Cursor<'l> {
         Some(Decimal { value: decimal(mantissa, decimals), point })
     }
 
-    fn any_number(&mut self) -> Outcome<Decimal> {
+    fn any_number(&mut self) -> Result<Decimal> {
         let start = self.at;
         let (mut mantissa, mut digits, mut decimals, mut point, mut long) = (0_u64, 0_usize, 0_usize, false, false);
         loop {
@@ -241,7 +241,7 @@ impl<'l> Cursor<'l> {
     }
 
     /// The text inside `<` and `>`, in lower case and without blanks; the cursor stands on `<`.
-    pub(super) fn name(&mut self) -> Outcome<String> {
+    pub(super) fn name(&mut self) -> Result<String> {
         let start = self.at;
         self.pass();
         let mut name = String::new();
@@ -252,7 +252,7 @@ impl<'l> Cursor<'l> {
                     break;
                 }
                 0 => {
-                    return Err(Fault::of(&NameOpen {}, &[start]));
+                    return Err(Refused::of(&NameOpen {}, &[start]));
                 }
                 character if character.is_ascii_graphic() => {
                     name.push(char::from(character));
@@ -262,13 +262,13 @@ impl<'l> Cursor<'l> {
             }
         }
         if name.is_empty() {
-            return Err(Fault::of(&NameEmpty {}, &[start]));
+            return Err(Refused::of(&NameEmpty {}, &[start]));
         }
         Ok(name)
     }
 
     /// The refusal of the character in hand.
-    pub(super) fn refuse_character(&mut self) -> Box<Fault> {
+    pub(super) fn refuse_character(&mut self) -> Box<Refused> {
         let character = self.peek();
         strange(self.line, self.at, character)
     }
@@ -295,36 +295,36 @@ fn decimal(mantissa: u64, decimals: usize) -> f64 {
 }
 
 /// The comments of a line, each with its column; refuses what is nested, unclosed or no text.
-pub(super) fn comments(line: &[u8], form: Comments) -> Outcome<Vec<(usize, &[u8])>> {
+pub(super) fn comments(line: &[u8], form: Comments) -> Result<Vec<(usize, &[u8])>> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(next) = line.get(at..).and_then(|rest| memchr::memchr3(b'(', b')', b';', rest)) {
         let start = at + next;
         match (line[start], form) {
             (b';', Comments::Parentheses) if reads_as_words(&line[start + 1..]) => {
-                return Err(Fault::of(&BlockAfterEnd {}, &[start]));
+                return Err(Refused::of(&BlockAfterEnd {}, &[start]));
             }
             (b';', _) => {
                 found.push((start, &line[start + 1..]));
                 break;
             }
             (b'(', Comments::Semicolon) => {
-                return Err(Fault::of(&HighLevel {}, &[start]));
+                return Err(Refused::of(&HighLevel {}, &[start]));
             }
             (b'(', _) => {
                 let Some(length) = memchr::memchr2(b'(', b')', &line[start + 1..]) else {
-                    return Err(Fault::of(&CommentOpen {}, &[start]));
+                    return Err(Refused::of(&CommentOpen {}, &[start]));
                 };
                 let end = start + 1 + length;
                 if line[end] == b'(' {
-                    return Err(Fault::of(&CommentNested {}, &[start, end]));
+                    return Err(Refused::of(&CommentNested {}, &[start, end]));
                 }
                 found.push((start, &line[start + 1..end]));
                 at = end + 1;
                 continue;
             }
             _ => {
-                return Err(Fault::of(&CommentNotOpened {}, &[start]));
+                return Err(Refused::of(&CommentNotOpened {}, &[start]));
             }
         }
     }
@@ -352,14 +352,14 @@ fn reads_as_words(text: &[u8]) -> bool {
 }
 
 /// A character that no block may hold, by its name.
-fn strange(line: &[u8], column: usize, character: u8) -> Box<Fault> {
+fn strange(line: &[u8], column: usize, character: u8) -> Box<Refused> {
     if character == b',' {
         let next = line.get(column + 1).map(u8::to_ascii_uppercase);
         if let Some(letter) = next.filter(|letter| b"CRA".contains(letter)) {
             let name = char::from(letter);
-            return Fault::of(&EdgeNotSupported { edge: name }, &[column]);
+            return Refused::of(&EdgeNotSupported { edge: name }, &[column]);
         }
-        return Fault::of(&Comma {}, &[column]);
+        return Refused::of(&Comma {}, &[column]);
     }
     let rest = line.get(column..).unwrap_or_default();
     let text = rest.utf8_chunks().next().map_or("", |chunk| chunk.valid());
@@ -372,27 +372,27 @@ fn strange(line: &[u8], column: usize, character: u8) -> Box<Fault> {
         Some(letter) => format!("U+{:04X}", u32::from(letter)),
         None => format!("byte 0x{:02X}", rest.first().copied().unwrap_or(character)),
     };
-    Fault::of(&Strange { character: name }, &[column])
+    Refused::of(&Strange { character: name }, &[column])
 }
 
 /// Something stands where a number should.
-pub(super) fn no_number(column: usize) -> Box<Fault> {
-    Fault::of(&NoNumber {}, &[column])
+pub(super) fn no_number(column: usize) -> Box<Refused> {
+    Refused::of(&NoNumber {}, &[column])
 }
 
-fn too_great(column: usize) -> Box<Fault> {
-    Fault::of(&TooGreat {}, &[column])
+fn too_great(column: usize) -> Box<Refused> {
+    Refused::of(&TooGreat {}, &[column])
 }
 
-fn comment_inside(column: usize) -> Box<Fault> {
-    Fault::of(&CommentInWord {}, &[column])
+fn comment_inside(column: usize) -> Box<Refused> {
+    Refused::of(&CommentInWord {}, &[column])
 }
 
-fn two_points(column: usize) -> Box<Fault> {
-    Fault::of(&TwoPoints {}, &[column])
+fn two_points(column: usize) -> Box<Refused> {
+    Refused::of(&TwoPoints {}, &[column])
 }
 
 /// An exponent, which no control's numbers have.
-pub(super) fn exponent(column: usize) -> Box<Fault> {
-    Fault::of(&Exponent {}, &[column])
+pub(super) fn exponent(column: usize) -> Box<Refused> {
+    Refused::of(&Exponent {}, &[column])
 }

@@ -10,7 +10,7 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::AXES;
 use crate::gcode::interpreter::block::letter::{F, S, T, U, W};
 use crate::gcode::interpreter::cursor::comments;
-use crate::gcode::interpreter::fault::{Fault, place};
+use crate::gcode::interpreter::refused::{Refused, place};
 use crate::gcode::rules::flow::FollowingErrors;
 use crate::machine::axis::Axis;
 use crate::text::{Text, t};
@@ -59,7 +59,7 @@ pub(super) struct Doubts {
     because: State,
 }
 
-impl Fault {
+impl Refused {
     /// A refusal that may follow from what is in doubt.
     pub(super) fn hanging_on(mut self: Box<Self>, state: State) -> Box<Self> {
         self.hangs |= state;
@@ -138,7 +138,7 @@ impl Reader<'_, '_> {
 
     /// True where a refusal follows from what is in doubt: it is counted and not told. What its block would have put into
     /// force is in doubt in any case.
-    pub(super) fn follows(&mut self, fault: &Fault, line: &[u8]) -> bool {
+    pub(super) fn follows(&mut self, fault: &Refused, line: &[u8]) -> bool {
         // What a control does not make of a cycle changes the part: that is told.
         let follows = self.memory.doubts.state & fault.hangs != 0 && !fault.fatal && !fault.uncut;
         if follows {

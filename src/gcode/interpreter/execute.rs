@@ -10,7 +10,7 @@ use crate::gcode::control::{RadiusRule, Rotary};
 use crate::gcode::in_force::Compensation;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::corner::without_line;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, FeedMode, Motion, MotionKind};
 use crate::gcode::rules::modes::{
@@ -34,7 +34,7 @@ struct Plan {
 
 impl Reader<'_, '_> {
     /// Executes the block in hand.
-    pub(super) fn execute(&mut self) -> Outcome<()> {
+    pub(super) fn execute(&mut self) -> Result<()> {
         self.corner_goes_on();
         if let Some((M::Call | M::CallBlock | M::Return, _)) = self.block.m(4) {
             self.calls_alone()?;
@@ -64,7 +64,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn execute_codes(&mut self, motion: Option<G>) -> Outcome<()> {
+    fn execute_codes(&mut self, motion: Option<G>) -> Result<()> {
         let unit_first = self.memory.control.order.unit_first();
         if unit_first {
             self.take_unit();
@@ -116,7 +116,7 @@ impl Reader<'_, '_> {
             Some(G::SetPositionOrSpeed) => self.set_position_or_speed()?,
             Some(G::Turning(cycle)) => self.turning(cycle)?,
             Some(G::MachineCoordinates) if self.state.modal.incremental => {
-                return Err(Fault::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]));
+                return Err(Refused::of(&MachineMoveIncremental {}, &[self.block.g_column(Group::NonModal)]));
             }
             _ => {}
         }
@@ -152,7 +152,7 @@ impl Reader<'_, '_> {
     }
 
     /// The codes that a block obeys first, in their order: what the speed and the feed mean, F and S, T, M, the dwell.
-    pub(super) fn begin_codes(&mut self) -> Outcome<()> {
+    pub(super) fn begin_codes(&mut self) -> Result<()> {
         self.set_speed_mode()?;
         if let Some(G::Feed(mode)) = self.block.g(Group::Feed) {
             self.set_feed_mode(mode);
@@ -167,7 +167,7 @@ impl Reader<'_, '_> {
     }
 
     /// Which motion the block makes, and which letters its codes use.
-    fn plan(&self) -> Outcome<Plan> {
+    fn plan(&self) -> Result<Plan> {
         let block = &self.block;
         let axes = block.present & AXIS_WORDS;
         let explicit = block.g(Group::Motion);
@@ -201,13 +201,13 @@ impl Reader<'_, '_> {
                 None
             }
             Some(_) if takes_axes => {
-                return Err(Fault::of(
+                return Err(Refused::of(
                     &AxesClaimedTwice {},
                     &[block.g_column(Group::NonModal), block.g_column(Group::Motion)],
                 ));
             }
             Some(G::Cycle(cycle)) if axes == 0 => {
-                return Err(Fault::of(&CycleWithoutAxes { cycle: cycle.number() }, &[block.g_column(Group::Motion)]));
+                return Err(Refused::of(&CycleWithoutAxes { cycle: cycle.number() }, &[block.g_column(Group::Motion)]));
             }
             Some(motion) => Some(motion),
             None if takes_axes || (given && axes != 0) => None,
@@ -224,13 +224,13 @@ impl Reader<'_, '_> {
             None => None,
         };
         if axes == 0 && matches!(at_once, Some(G::LocalOffset | G::SetPosition)) {
-            return Err(Fault::of(&SetPositionWithoutAxes {}, &[block.g_column(Group::NonModal)]));
+            return Err(Refused::of(&SetPositionWithoutAxes {}, &[block.g_column(Group::NonModal)]));
         }
         let by_rapid = self.memory.control.machine_move.by_itself()
             && explicit.is_none_or(|code| matches!(code, G::Rapid | G::Linear));
         if at_once == Some(G::MachineCoordinates) && !by_rapid && !matches!(motion, Some(G::Rapid | G::Linear)) {
             return Err(
-                Fault::of(&MachineMoveWithoutMotion {}, &[block.g_column(Group::NonModal)]).hanging_on(doubt::MOTION)
+                Refused::of(&MachineMoveWithoutMotion {}, &[block.g_column(Group::NonModal)]).hanging_on(doubt::MOTION)
             );
         }
         let mut used = dwell;
@@ -306,12 +306,12 @@ impl Reader<'_, '_> {
         used
     }
 
-    fn axes_without_use(&self, row: &dyn Raise) -> Box<Fault> {
+    fn axes_without_use(&self, row: &dyn Raise) -> Box<Refused> {
         let column = AXES.into_iter().find(|&axis| self.block.has(axis)).map_or(0, |axis| self.block.column(axis));
-        Fault::of(row, &[column]).hanging_on(doubt::MOTION)
+        Refused::of(row, &[column]).hanging_on(doubt::MOTION)
     }
 
-    pub(super) fn unused(&self, idle: u32) -> Box<Fault> {
+    pub(super) fn unused(&self, idle: u32) -> Box<Refused> {
         let index = idle.trailing_zeros() as usize;
         let name = char::from(b'A' + u8::try_from(index).unwrap_or(0));
         let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
@@ -319,16 +319,16 @@ impl Reader<'_, '_> {
             (G::Linear, 'I' | 'K' | 'R') if self.memory.control.corners.by_words() => {
                 Some(without_line(&name.to_string(), self.block.column(index)))
             }
-            (G::Thread(_), 'Q') => Some(Fault::of(&ThreadStartAngle {}, &[self.block.column(index)])),
+            (G::Thread(_), 'Q') => Some(Refused::of(&ThreadStartAngle {}, &[self.block.column(index)])),
             _ => None,
         };
         if let Some(fault) = meant {
             return fault;
         }
-        Fault::of(&WordWithoutUse { letter: name }, &[self.block.column(index)]).hanging_on(doubt::MOTION)
+        Refused::of(&WordWithoutUse { letter: name }, &[self.block.column(index)]).hanging_on(doubt::MOTION)
     }
 
-    fn make_motion(&mut self, motion: G) -> Outcome<()> {
+    fn make_motion(&mut self, motion: G) -> Result<()> {
         let moves = motion != G::Cancel && self.block.present & AXIS_WORDS != 0;
         self.memory.distances[usize::from(self.state.modal.incremental)] |= moves;
         if !matches!(motion, G::Cycle(_)) {
@@ -382,26 +382,26 @@ impl Reader<'_, '_> {
     }
 
     /// The feed in force, for a motion at feed.
-    pub(super) fn feed(&mut self) -> Outcome<Feed> {
+    pub(super) fn feed(&mut self) -> Result<Feed> {
         let mode = self.state.modal.feed_mode;
         match mode {
             FeedMode::InverseTime | FeedMode::Seconds if self.block.get(letter::F).is_none_or(|F| F <= 0.0) => {
                 let fault = if self.block.has(letter::F) {
-                    Fault::of(&InverseTimeZero {}, &[])
+                    Refused::of(&InverseTimeZero {}, &[])
                 } else {
-                    Fault::of(&InverseTimeWithoutF {}, &[])
+                    Refused::of(&InverseTimeWithoutF {}, &[])
                 };
                 return Err(fault.hanging_on(doubt::FEED));
             }
             FeedMode::PerMinute | FeedMode::PerRevolution if self.state.modal.feed <= 0.0 => {
                 if self.memory.control.feed.missing.refused() || self.block.has(letter::F) {
-                    return Err(Fault::of(&FeedMissing {}, &[]).hanging_on(doubt::FEED));
+                    return Err(Refused::of(&FeedMissing {}, &[]).hanging_on(doubt::FEED));
                 }
                 let spot = self.block.spot;
                 self.memory.remarks.row(&NoFeed {}, spot, None);
             }
             FeedMode::PerRevolution if self.state.modal.speed <= 0.0 && self.memory.control.feed.missing.refused() => {
-                return Err(Fault::of(&SpindleStill {}, &[]).hanging_on(doubt::SPEED));
+                return Err(Refused::of(&SpindleStill {}, &[]).hanging_on(doubt::SPEED));
             }
             _ => {}
         }

@@ -7,8 +7,8 @@ use crate::finding::Exit;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, no_number};
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::parameters::COUNT;
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::rules::expressions::{
     AtanWithoutSlash, BracketMissing, DivisionByZero, EqualsMissing, Exists, ExpressionOpen, FunctionUndefined,
     FunctionUnknown, InputUsed, NameUnset, NegativePower, NotFinite, OperatorUnknown, ParameterOutOfRange,
@@ -64,19 +64,19 @@ fn truth(value: bool) -> f64 {
 }
 
 /// A result that is a number; overflow and what has no value is refused.
-fn finite(value: f64, column: usize) -> Outcome<f64> {
-    if value.is_finite() { Ok(value) } else { Err(Fault::of(&NotFinite {}, &[column])) }
+fn finite(value: f64, column: usize) -> Result<f64> {
+    if value.is_finite() { Ok(value) } else { Err(Refused::of(&NotFinite {}, &[column])) }
 }
 
 impl Operator {
-    fn apply(self, left: f64, right: f64, column: usize) -> Outcome<f64> {
+    fn apply(self, left: f64, right: f64, column: usize) -> Result<f64> {
         let close = (left - right).abs() < EQUAL;
         let value = match self {
             Self::Power if left < 0.0 && right.fract() != 0.0 => {
-                return Err(Fault::of(&NegativePower {}, &[column]));
+                return Err(Refused::of(&NegativePower {}, &[column]));
             }
             Self::Divide | Self::Modulo if right == 0.0 => {
-                return Err(Fault::of(&DivisionByZero {}, &[column]));
+                return Err(Refused::of(&DivisionByZero {}, &[column]));
             }
             Self::Power => trig::pow(left, right),
             Self::Times => left * right,
@@ -103,7 +103,7 @@ impl Operator {
 
 impl Reader<'_, '_> {
     /// The number after a letter: decimal, expression, parameter or function, with its sign.
-    pub(super) fn value(&mut self, cursor: &mut Cursor<'_>) -> Outcome<Decimal> {
+    pub(super) fn value(&mut self, cursor: &mut Cursor<'_>) -> Result<Decimal> {
         cursor.no_comment()?;
         match cursor.peek() {
             b'0'..=b'9' | b'.' => cursor.number(),
@@ -114,7 +114,7 @@ impl Reader<'_, '_> {
                 let number = match cursor.peek() {
                     b'0'..=b'9' | b'.' => cursor.number()?,
                     b'-' | b'+' => {
-                        return Err(Fault::of(&TwoSigns {}, &[column, cursor.column()]));
+                        return Err(Refused::of(&TwoSigns {}, &[column, cursor.column()]));
                     }
                     _ if self.memory.control.lexis.language.computes() => self.computed(cursor)?,
                     _ => return Err(no_value(cursor)),
@@ -127,11 +127,11 @@ impl Reader<'_, '_> {
     }
 
     /// A value that is computed: expression, parameter, function.
-    fn computed(&mut self, cursor: &mut Cursor<'_>) -> Outcome<Decimal> {
+    fn computed(&mut self, cursor: &mut Cursor<'_>) -> Result<Decimal> {
         let column = cursor.column();
         cursor.depth += 1;
         if cursor.depth > DEEPEST {
-            let mut fault = Fault::of(&TooDeep { most: DEEPEST }, &[column]);
+            let mut fault = Refused::of(&TooDeep { most: DEEPEST }, &[column]);
             fault.exit = Exit::Limit;
             return Err(fault);
         }
@@ -146,10 +146,10 @@ impl Reader<'_, '_> {
     }
 
     /// An expression in brackets; operators of one binding are applied from left to right.
-    pub(super) fn expression(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+    pub(super) fn expression(&mut self, cursor: &mut Cursor<'_>) -> Result<f64> {
         let open = cursor.column();
         if !cursor.accept(b'[') {
-            return Err(Fault::of(&BracketMissing {}, &[open]));
+            return Err(Refused::of(&BracketMissing {}, &[open]));
         }
         // At most one operator waits for each binding.
         let mut waiting: Vec<(f64, Operator, u8, usize)> = Vec::new();
@@ -160,11 +160,11 @@ impl Reader<'_, '_> {
             let next = if cursor.accept(b']') {
                 None
             } else if cursor.peek() == 0 {
-                return Err(Fault::of(&ExpressionOpen {}, &[open]));
+                return Err(Refused::of(&ExpressionOpen {}, &[open]));
             } else {
                 let found = OPERATORS.iter().find(|(text, ..)| cursor.accept_word(text));
                 let Some(&(_, operator, binding)) = found else {
-                    return Err(Fault::of(&OperatorUnknown {}, &[column]));
+                    return Err(Refused::of(&OperatorUnknown {}, &[column]));
                 };
                 Some((operator, binding))
             };
@@ -184,7 +184,7 @@ impl Reader<'_, '_> {
     }
 
     /// A function of the expression in brackets behind its name. Angles in degrees.
-    fn function(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+    fn function(&mut self, cursor: &mut Cursor<'_>) -> Result<f64> {
         const FUNCTIONS: [&str; 14] =
             ["abs", "acos", "asin", "atan", "cos", "exists", "exp", "fix", "fup", "ln", "round", "sin", "sqrt", "tan"];
         let column = cursor.column();
@@ -199,7 +199,7 @@ impl Reader<'_, '_> {
             return self.exists(cursor);
         }
         let x = self.expression(cursor)?;
-        let outside = || Fault::of(&FunctionUndefined { function: name.to_uppercase(), argument: x }, &[column]);
+        let outside = || Refused::of(&FunctionUndefined { function: name.to_uppercase(), argument: x }, &[column]);
         let value = match name {
             "abs" => x.abs(),
             "acos" | "asin" if !(-1.0..=1.0).contains(&x) => return Err(outside()),
@@ -207,7 +207,7 @@ impl Reader<'_, '_> {
             "asin" => trig::asin(x).to_degrees(),
             "atan" => {
                 if !cursor.accept(b'/') {
-                    return Err(Fault::of(&AtanWithoutSlash {}, &[cursor.column()]));
+                    return Err(Refused::of(&AtanWithoutSlash {}, &[cursor.column()]));
                 }
                 trig::atan2(x, self.expression(cursor)?).to_degrees()
             }
@@ -227,9 +227,9 @@ impl Reader<'_, '_> {
     }
 
     /// 1 where the parameter in brackets exists, else 0.
-    fn exists(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+    fn exists(&mut self, cursor: &mut Cursor<'_>) -> Result<f64> {
         let column = cursor.column();
-        let wanted = || Fault::of(&Exists {}, &[column]);
+        let wanted = || Refused::of(&Exists {}, &[column]);
         if !cursor.accept(b'[') || !cursor.accept(b'#') {
             return Err(wanted());
         }
@@ -243,7 +243,7 @@ impl Reader<'_, '_> {
     }
 
     /// A whole number of at least 0 behind a letter or `#`.
-    fn parameter_number(&mut self, cursor: &mut Cursor<'_>) -> Outcome<usize> {
+    fn parameter_number(&mut self, cursor: &mut Cursor<'_>) -> Result<usize> {
         cursor.peek();
         let column = cursor.column();
         let value = self.value(cursor)?.value;
@@ -251,7 +251,7 @@ impl Reader<'_, '_> {
     }
 
     /// The value of a parameter; the cursor stands on `#`.
-    fn parameter(&mut self, cursor: &mut Cursor<'_>) -> Outcome<f64> {
+    fn parameter(&mut self, cursor: &mut Cursor<'_>) -> Result<f64> {
         let column = cursor.column();
         cursor.pass();
         if cursor.peek() == b'<' {
@@ -262,7 +262,7 @@ impl Reader<'_, '_> {
             }
             return self.memory.parameters.named(&name).or_else(|| self.system_name(&name)).ok_or_else(|| {
                 let doubt = self.doubt_of(&format!("<{name}>"));
-                Fault::of(&NameUnset { name }, &[column]).hanging_on(doubt)
+                Refused::of(&NameUnset { name }, &[column]).hanging_on(doubt)
             });
         }
         let number = self.parameter_number(cursor)?;
@@ -277,7 +277,7 @@ impl Reader<'_, '_> {
             return Ok(value);
         }
         if self.is_input(number) {
-            return Err(Fault::of(&InputUsed { number }, &[column]));
+            return Err(Refused::of(&InputUsed { number }, &[column]));
         }
         if !self.memory.parameters.known(number) {
             let spot = self.block.spot;
@@ -287,7 +287,7 @@ impl Reader<'_, '_> {
     }
 
     /// A parameter that is set: the cursor stands on `#`. The value takes effect after the block is read.
-    pub(super) fn setting(&mut self, cursor: &mut Cursor<'_>) -> Outcome<(Parameter, f64)> {
+    pub(super) fn setting(&mut self, cursor: &mut Cursor<'_>) -> Result<(Parameter, f64)> {
         let column = cursor.column();
         cursor.pass();
         let parameter = if cursor.peek() == b'<' {
@@ -308,7 +308,7 @@ impl Reader<'_, '_> {
             Parameter::Number(number)
         };
         if !cursor.accept(b'=') {
-            return Err(Fault::of(&EqualsMissing {}, &[cursor.column()]));
+            return Err(Refused::of(&EqualsMissing {}, &[cursor.column()]));
         }
         let value = self.value(cursor)?.value;
         Ok((parameter, value))
@@ -316,24 +316,24 @@ impl Reader<'_, '_> {
 }
 
 /// What stands where a number should: nothing, another word, or a character that no block may hold.
-fn no_value(cursor: &mut Cursor<'_>) -> Box<Fault> {
+fn no_value(cursor: &mut Cursor<'_>) -> Box<Refused> {
     match cursor.peek() {
         0 | b'a'..=b'z' => no_number(cursor.column()),
-        b']' => Fault::of(&ValueMissing {}, &[cursor.column()]),
+        b']' => Refused::of(&ValueMissing {}, &[cursor.column()]),
         _ => cursor.refuse_character(),
     }
 }
 
-fn unknown_function(column: usize) -> Box<Fault> {
-    Fault::of(&FunctionUnknown {}, &[column])
+fn unknown_function(column: usize) -> Box<Refused> {
+    Refused::of(&FunctionUnknown {}, &[column])
 }
 
-fn out_of_range(column: usize, number: f64) -> Box<Fault> {
-    Fault::of(&ParameterOutOfRange { number, most: COUNT - 1 }, &[column])
+fn out_of_range(column: usize, number: f64) -> Box<Refused> {
+    Refused::of(&ParameterOutOfRange { number, most: COUNT - 1 }, &[column])
 }
 
-fn read_only(column: usize, name: &str) -> Box<Fault> {
-    Fault::of(&ParameterReadOnly { name: name.to_owned() }, &[column])
+fn read_only(column: usize, name: &str) -> Box<Refused> {
+    Refused::of(&ParameterReadOnly { name: name.to_owned() }, &[column])
 }
 
 /// The whole number that a value is meant to be; `None` where it is none.

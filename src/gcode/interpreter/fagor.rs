@@ -9,7 +9,7 @@ use crate::gcode::code::Group;
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::turning::Move;
 use crate::gcode::turning::fagor::Along;
 use crate::gcode::turning::fagor::drill::{Drill, drill};
@@ -37,7 +37,7 @@ const fn letters(number: u8) -> (Letters, Letters) {
 
 impl Reader<'_, '_> {
     /// A cycle of the block in hand.
-    pub(super) fn fagor(&mut self, number: u8) -> Outcome<()> {
+    pub(super) fn fagor(&mut self, number: u8) -> Result<()> {
         self.fagor_letters(number)?;
         let along = if matches!(number, 81 | 84 | 86 | 88) { Along::Cylinder } else { Along::Face };
         let moves = match number {
@@ -54,7 +54,7 @@ impl Reader<'_, '_> {
     }
 
     /// Refuses a cycle that lacks a word, or has one that is not followed.
-    fn fagor_letters(&self, number: u8) -> Outcome<()> {
+    fn fagor_letters(&self, number: u8) -> Result<()> {
         let (needed, may) = letters(number);
         let name = |index: u8| char::from(b'A' + index);
         for index in 0..26_u8 {
@@ -62,15 +62,15 @@ impl Reader<'_, '_> {
             if needed.has(index) && !self.block.has(at) {
                 let (letter, at) = (name(index), [self.block.g_column(Group::NonModal)]);
                 return Err(if matches!(number, 88 | 89) && letter == 'C' {
-                    Fault::of(&FagorGrooveStepMissing { number }, &at)
+                    Refused::of(&FagorGrooveStepMissing { number }, &at)
                 } else {
-                    Fault::of(&FagorLetterMissing { letter, number }, &at)
+                    Refused::of(&FagorLetterMissing { letter, number }, &at)
                 });
             }
             let parameter = crate::gcode::code::TurningCycle::Fagor(number).letters().has(index);
             if parameter && self.block.has(at) && !needed.has(index) && !may.has(index) {
                 let letter = name(index);
-                return Err(Fault::of(&FagorLetterNotSupported { letter, number }, &[self.block.column(at)]));
+                return Err(Refused::of(&FagorLetterNotSupported { letter, number }, &[self.block.column(at)]));
             }
         }
         Ok(())
@@ -101,7 +101,7 @@ impl Reader<'_, '_> {
     }
 
     /// G81, G82, G84, G85.
-    fn fagor_section(&self, number: u8, along: Along) -> Outcome<Vec<Move>> {
+    fn fagor_section(&self, number: u8, along: Along) -> Result<Vec<Move>> {
         let round = matches!(number, 84 | 85);
         let parameters = Section {
             from: self.initial(),
@@ -117,7 +117,7 @@ impl Reader<'_, '_> {
     }
 
     /// G83.
-    fn fagor_drill(&self) -> Outcome<Vec<Move>> {
+    fn fagor_drill(&self) -> Result<Vec<Move>> {
         let step = self.length(letter::B);
         let tapping_words = [letter::C, letter::H, letter::L, letter::R];
         if step == 0.0
@@ -126,7 +126,7 @@ impl Reader<'_, '_> {
             let name = char::from(b'A' + u8::try_from(word).unwrap_or(0));
             // Written with 0, as the examples of the control do, they say nothing.
             if name == 'R' || self.length(word) != 0.0 && name != 'C' {
-                return Err(Fault::of(&FagorTapping { letter: name }, &[self.block.column(word)]));
+                return Err(Refused::of(&FagorTapping { letter: name }, &[self.block.column(word)]));
             }
         }
         let parameters = Drill {
@@ -144,7 +144,7 @@ impl Reader<'_, '_> {
     }
 
     /// G86, G87.
-    fn fagor_thread(&self, along: Along) -> Outcome<Vec<Move>> {
+    fn fagor_thread(&self, along: Along) -> Result<Vec<Move>> {
         let parameters = Threading {
             from: self.initial(),
             to: self.last_point(),
@@ -161,7 +161,7 @@ impl Reader<'_, '_> {
     }
 
     /// G88, G89.
-    fn fagor_groove(&mut self, number: u8, along: Along) -> Outcome<Vec<Move>> {
+    fn fagor_groove(&mut self, number: u8, along: Along) -> Result<Vec<Move>> {
         let parameters = Groove {
             from: self.initial(),
             to: self.last_point(),

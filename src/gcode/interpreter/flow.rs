@@ -7,9 +7,9 @@ use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::context::Context;
 use crate::gcode::interpreter::cursor::Cursor;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::library::Mark;
 use crate::gcode::interpreter::parameters::LOCAL;
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::interpreter::structure::{OWord, Structure, Word, label, shown, word};
 use crate::gcode::rules::flow::{
@@ -82,17 +82,17 @@ impl Flow {
 
 impl Reader<'_, '_> {
     /// The O-words of the file in hand.
-    fn structure(&mut self) -> Outcome<&Structure> {
+    fn structure(&mut self) -> Result<&Structure> {
         let at = self.memory.flow.next.text;
         self.memory.library.structure(at, &self.memory.control.lexis)
     }
 
-    fn mark(&mut self, index: Option<usize>) -> Outcome<OWord> {
+    fn mark(&mut self, index: Option<usize>) -> Result<OWord> {
         let structure = self.structure()?;
         index
             .and_then(|index| structure.o_word(index))
             .cloned()
-            .ok_or_else(|| Fault::of(&WithoutCounterpart {}, &[]).fatal())
+            .ok_or_else(|| Refused::of(&WithoutCounterpart {}, &[]).fatal())
     }
 
     /// Goes on with a line of the text in hand.
@@ -106,13 +106,13 @@ impl Reader<'_, '_> {
     }
 
     /// An O-word line; the cursor stands on O.
-    pub(super) fn o_word(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    pub(super) fn o_word(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let result = self.steer(cursor);
         // Where the flow is not known, nothing after it is.
-        result.map_err(Fault::fatal)
+        result.map_err(Refused::fatal)
     }
 
-    fn steer(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    fn steer(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let clause = std::mem::take(&mut self.memory.flow.clause);
         let column = cursor.column();
         cursor.pass();
@@ -120,12 +120,12 @@ impl Reader<'_, '_> {
             Some(name) => name,
             None => {
                 let value = self.value(cursor)?.value;
-                whole(value).ok_or_else(|| Fault::of(&LabelNotWhole { label: value }, &[column]))?.to_string()
+                whole(value).ok_or_else(|| Refused::of(&LabelNotWhole { label: value }, &[column]))?.to_string()
             }
         };
         let place = cursor.column();
         let Some(kind) = word(cursor) else {
-            return Err(Fault::of(&OWordUnknown {}, &[place]));
+            return Err(Refused::of(&OWordUnknown {}, &[place]));
         };
         if kind == Word::Call {
             return self.call(cursor, &name);
@@ -210,20 +210,20 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn nothing_more(&self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    fn nothing_more(&self, cursor: &mut Cursor<'_>) -> Result<()> {
         if cursor.peek() == 0 {
             return Ok(());
         }
-        Err(Fault::of(&BehindOWord {}, &[cursor.column()]))
+        Err(Refused::of(&BehindOWord {}, &[cursor.column()]))
     }
 
-    fn condition(&mut self, cursor: &mut Cursor<'_>) -> Outcome<bool> {
+    fn condition(&mut self, cursor: &mut Cursor<'_>) -> Result<bool> {
         let value = self.expression(cursor)?;
         self.nothing_more(cursor)?;
         Ok(value != 0.0)
     }
 
-    fn next_clause(&mut self, mark: &OWord) -> Outcome<()> {
+    fn next_clause(&mut self, mark: &OWord) -> Result<()> {
         let next = self.mark(mark.next)?;
         if next.word == Word::EndIf {
             self.go_to(next.after);
@@ -235,7 +235,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn leave_clauses(&mut self, index: Option<usize>) -> Outcome<()> {
+    fn leave_clauses(&mut self, index: Option<usize>) -> Result<()> {
         let structure = self.structure()?;
         let end = index.and_then(|index| structure.end_of_clauses(index));
         let end = self.mark(end)?;
@@ -243,7 +243,7 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    fn repeat(&mut self, cursor: &mut Cursor<'_>, mark: &OWord, index: Option<usize>) -> Outcome<()> {
+    fn repeat(&mut self, cursor: &mut Cursor<'_>, mark: &OWord, index: Option<usize>) -> Result<()> {
         let value = self.expression(cursor)?;
         self.nothing_more(cursor)?;
         #[expect(clippy::cast_possible_truncation, reason = "clamped; the budget ends more rounds than that")]
@@ -260,7 +260,7 @@ impl Reader<'_, '_> {
     }
 
     /// BREAK and CONTINUE of a WHILE or DO; REPEAT loops inside it are left.
-    fn leave_round(&mut self, mark: &OWord, leave: bool) -> Outcome<()> {
+    fn leave_round(&mut self, mark: &OWord, leave: bool) -> Result<()> {
         let opens = self.mark(mark.opens)?;
         let closes = self.mark(opens.next)?;
         let start = opens.at.lines;
@@ -296,11 +296,11 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn call(&mut self, cursor: &mut Cursor<'_>, name: &str) -> Outcome<()> {
+    fn call(&mut self, cursor: &mut Cursor<'_>, name: &str) -> Result<()> {
         let mut arguments = Vec::new();
         while cursor.peek() == b'[' {
             if arguments.len() == LOCAL {
-                return Err(Fault::of(&ArgumentsTooMany { most: LOCAL }, &[cursor.column()]));
+                return Err(Refused::of(&ArgumentsTooMany { most: LOCAL }, &[cursor.column()]));
             }
             let value = self.expression(cursor)?;
             arguments.push(value);
@@ -326,25 +326,25 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    pub(super) fn enter(&mut self, call: Call) -> Outcome<()> {
+    pub(super) fn enter(&mut self, call: Call) -> Result<()> {
         let most = self.memory.setting.budget.call_depth.min(self.memory.control.calls.depth);
         if self.memory.flow.frames.len() >= most {
             let mut stack: Vec<String> = self.memory.flow.frames.iter().map(|call| shown(&call.label)).collect();
             stack.push(shown(&call.label));
             let stack = stack.join(" → ");
-            return Err(Fault::ended(&CallsTooDeep { most, stack }));
+            return Err(Refused::ended(&CallsTooDeep { most, stack }));
         }
         self.memory.flow.frames.push(call);
         Ok(())
     }
 
     /// Where the subprogram of a file of its own begins.
-    fn file_of(&mut self, name: &str) -> Outcome<Mark> {
-        let unknown = || Fault::of(&SubprogramMissing { label: shown(name) }, &[]);
+    fn file_of(&mut self, name: &str) -> Result<Mark> {
+        let unknown = || Refused::of(&SubprogramMissing { label: shown(name) }, &[]);
         let plain =
             !name.starts_with('.') && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"_-.".contains(&byte));
         if !plain {
-            return Err(Fault::of(&SubprogramOutside { name: name.to_owned() }, &[]));
+            return Err(Refused::of(&SubprogramOutside { name: name.to_owned() }, &[]));
         }
         let known = self.memory.library.find(|file| file == name);
         let text =
@@ -353,11 +353,11 @@ impl Reader<'_, '_> {
                 None => {
                     let bytes =
                         self.memory.setting.files.find(name).map_err(|reason| {
-                            Fault::of(&SubprogramUnreadable { name: name.to_owned(), reason }, &[])
+                            Refused::of(&SubprogramUnreadable { name: name.to_owned(), reason }, &[])
                         })?;
                     let bytes = bytes.ok_or_else(unknown)?;
                     if bytes.len() > LARGEST_FILE {
-                        return Err(Fault::ended(&SubprogramTooLarge { name: name.to_owned() }));
+                        return Err(Refused::ended(&SubprogramTooLarge { name: name.to_owned() }));
                     }
                     self.memory.library.add(bytes, name.to_owned())
                 }
@@ -368,12 +368,12 @@ impl Reader<'_, '_> {
     }
 
     /// ENDSUB and RETURN, with their value.
-    fn give_back(&mut self, cursor: &mut Cursor<'_>, name: &str) -> Outcome<()> {
+    fn give_back(&mut self, cursor: &mut Cursor<'_>, name: &str) -> Result<()> {
         let value = if cursor.peek() == b'[' { Some(self.expression(cursor)?) } else { None };
         self.nothing_more(cursor)?;
         let fits = self.memory.flow.frames.last().is_some_and(|call| call.own && call.label == name);
         if !fits {
-            return Err(Fault::of(&NotCalled { label: shown(name) }, &[]));
+            return Err(Refused::of(&NotCalled { label: shown(name) }, &[]));
         }
         self.leave();
         self.memory.parameters.set_named("_value".to_owned(), value.unwrap_or(0.0));
@@ -392,7 +392,7 @@ impl Reader<'_, '_> {
 
     /// M98 and M99 of the block in hand.
     #[deny(clippy::wildcard_enum_match_arm)]
-    pub(super) fn call_or_return(&mut self) -> Outcome<()> {
+    pub(super) fn call_or_return(&mut self) -> Result<()> {
         let result = match self.memory.control.calls.by {
             CallBy::Number => self.call_by_number(),
             CallBy::Label => match self.block.m(4) {
@@ -405,18 +405,18 @@ impl Reader<'_, '_> {
                 Err(self.unknown('M', number.into(), self.block.m_column(4)))
             }
         };
-        result.map_err(Fault::fatal)
+        result.map_err(Refused::fatal)
     }
 
-    fn call_program(&mut self) -> Outcome<()> {
+    fn call_program(&mut self) -> Result<()> {
         let column = self.block.m_column(4);
         let Some(P) = self.block.get(letter::P) else {
-            return Err(Fault::of(&CallWithoutP {}, &[column]));
+            return Err(Refused::of(&CallWithoutP {}, &[column]));
         };
         let repeats = match self.block.get(letter::L) {
             None => 1,
             Some(L) => whole(L).filter(|repeats| (0..=CALL_REPEATS).contains(repeats)).ok_or_else(|| {
-                Fault::of(&RepeatsTooMany { repeats: L, most: CALL_REPEATS }, &[self.block.column(letter::L)])
+                Refused::of(&RepeatsTooMany { repeats: L, most: CALL_REPEATS }, &[self.block.column(letter::L)])
             })?,
         };
         let name = whole(P).map_or_else(|| P.to_string(), |number| number.to_string());
@@ -426,7 +426,7 @@ impl Reader<'_, '_> {
         let back = self.memory.flow.next;
         let found = self.structure()?.program(&name);
         let Some(index) = found else {
-            return Err(Fault::of(&ProgramMissing { number: name }, &[self.block.column(letter::P)]));
+            return Err(Refused::of(&ProgramMissing { number: name }, &[self.block.column(letter::P)]));
         };
         let start = Mark { line: self.mark(Some(index))?.after, ..back };
         self.enter(Call::of(name, back, repeats, start))?;
@@ -434,10 +434,10 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    fn return_from_program(&mut self) -> Outcome<()> {
+    fn return_from_program(&mut self) -> Result<()> {
         match self.memory.flow.frames.last_mut() {
-            None => Err(Fault::ended(&MainReturns {})),
-            Some(call) if call.own => Err(Fault::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
+            None => Err(Refused::ended(&MainReturns {})),
+            Some(call) if call.own => Err(Refused::of(&ReturnInsideSub {}, &[self.block.m_column(4)])),
             Some(call) => match call.repeat() {
                 Some(start) => {
                     // Each round keeps its own state.
@@ -455,7 +455,7 @@ impl Reader<'_, '_> {
     }
 
     /// Refuses words beside M98 and M99 that are not theirs.
-    pub(super) fn calls_alone(&self) -> Outcome<()> {
+    pub(super) fn calls_alone(&self) -> Result<()> {
         let words = self.block.present & !((1 << letter::P) | (1 << letter::L));
         if words == 0 && self.block.groups == 0 {
             return Ok(());
@@ -468,6 +468,6 @@ impl Reader<'_, '_> {
         {
             return Ok(());
         }
-        Err(Fault::of(&CallWithWords {}, &[self.block.m_column(4)]))
+        Err(Refused::of(&CallWithWords {}, &[self.block.m_column(4)]))
     }
 }

@@ -13,7 +13,7 @@ use crate::gcode::code::{G, Group};
 use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::{Arc, Feed, FeedMode, MotionKind, Thread};
 use crate::gcode::turning::pace::Pace;
 use crate::gcode::turning::rules::{
@@ -32,7 +32,7 @@ const FACING: f64 = 6.0;
 
 impl Reader<'_, '_> {
     /// Refuses X with U and Z with W, and increments in machine coordinates.
-    pub(super) fn one_word_an_axis(&self) -> Outcome<()> {
+    pub(super) fn one_word_an_axis(&self) -> Result<()> {
         let at_once = self.block.g(Group::NonModal);
         if at_once == Some(G::Dwell) {
             return Ok(());
@@ -41,17 +41,17 @@ impl Reader<'_, '_> {
             let column = self.block.column(incremental);
             if self.block.has(absolute) && self.block.has(incremental) {
                 let (name, step) = (axis.letter(), if axis == Axis::X { 'U' } else { 'W' });
-                return Err(Fault::of(&TwoWordsAnAxis { axis: name, step }, &[self.block.column(absolute), column]));
+                return Err(Refused::of(&TwoWordsAnAxis { axis: name, step }, &[self.block.column(absolute), column]));
             }
             if at_once == Some(G::MachineCoordinates) && self.block.has(incremental) {
-                return Err(Fault::of(&MachineMoveByIncrements {}, &[column]));
+                return Err(Refused::of(&MachineMoveByIncrements {}, &[column]));
             }
         }
         Ok(())
     }
 
     /// G91, which system A does not have: told where it stands without axes, else refused.
-    pub(super) fn no_increments(&mut self) -> Outcome<()> {
+    pub(super) fn no_increments(&mut self) -> Result<()> {
         if self.block.g(Group::Distance) != Some(G::Incremental) {
             return Ok(());
         }
@@ -118,7 +118,7 @@ impl Reader<'_, '_> {
     }
 
     /// G28 and G30: over the point of the words to the reference point, in the axes named.
-    pub(super) fn return_to_reference(&mut self, second: bool) -> Outcome<()> {
+    pub(super) fn return_to_reference(&mut self, second: bool) -> Result<()> {
         let column = self.block.g_column(Group::NonModal);
         let number = if second { 30 } else { 28 };
         let named: Vec<Axis> = WORDS
@@ -127,10 +127,10 @@ impl Reader<'_, '_> {
             .map(|(axis, ..)| axis)
             .collect();
         if let Some(P) = self.block.get(letter::P).filter(|&P| second && P != 2.0) {
-            return Err(Fault::of(&ReferencePointNotSupported { value: P }, &[self.block.column(letter::P)]));
+            return Err(Refused::of(&ReferencePointNotSupported { value: P }, &[self.block.column(letter::P)]));
         }
         if named.is_empty() {
-            return Err(Fault::of(&ReferenceWithoutAxes { code: number }, &[column]));
+            return Err(Refused::of(&ReferenceWithoutAxes { code: number }, &[column]));
         }
         let first = if second { G30_FIRST } else { G28_FIRST };
         if !self.memory.setting.var_file.iter().any(|(parameter, _)| (first..first + 3).contains(&parameter)) {

@@ -2,8 +2,8 @@
 //! in each.
 
 use crate::gcode::control::Lexis;
-use crate::gcode::interpreter::fault::Outcome;
 use crate::gcode::interpreter::numbers::Numbers;
+use crate::gcode::interpreter::refused::Result;
 use crate::gcode::interpreter::source::{Bytes, Position, SourceText};
 use crate::gcode::interpreter::structure::Structure;
 
@@ -71,12 +71,12 @@ impl<'a> Library<'a> {
     }
 
     /// Reads the line at a mark into `line`, without its end; gives the mark behind it, `None` where there is none.
-    pub(super) fn line(&mut self, at: Mark, line: &mut Vec<u8>) -> Outcome<Option<Mark>> {
+    pub(super) fn line(&mut self, at: Mark, line: &mut Vec<u8>) -> Result<Option<Mark>> {
         Ok(self.text(at.text).line(at.line, line)?.map(|behind| Mark { line: behind, ..at }))
     }
 
     /// The O-words of a text.
-    pub(super) fn structure(&mut self, text: usize, lexis: &Lexis) -> Outcome<&Structure> {
+    pub(super) fn structure(&mut self, text: usize, lexis: &Lexis) -> Result<&Structure> {
         let Indexed { source, structure, .. } = &mut self.texts[text];
         match structure {
             Some(known) => Ok(known),
@@ -90,7 +90,7 @@ impl<'a> Library<'a> {
     }
 
     /// The block numbers and program numbers of a text.
-    pub(super) fn numbers(&mut self, text: usize, lexis: &Lexis) -> Outcome<&Numbers> {
+    pub(super) fn numbers(&mut self, text: usize, lexis: &Lexis) -> Result<&Numbers> {
         let Indexed { source, numbers, .. } = &mut self.texts[text];
         match numbers {
             Some(known) => Ok(known),

@@ -3,8 +3,8 @@
 use crate::escape::excerpt;
 use crate::gcode::interpreter::block::Parameter;
 use crate::gcode::interpreter::cursor::{Cursor, comments};
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::library::{Mark, Spot};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::tape::has_code;
 use crate::gcode::interpreter::{Reader, Stage, block_number, without_end};
 use crate::gcode::rules::lexis::{
@@ -18,7 +18,7 @@ const LONGEST_LEADER: usize = 1_000;
 
 impl Reader<'_, '_> {
     /// Counts the line that has just been read, behind which a mark lies; it is the block in hand.
-    pub(super) fn count_line(&mut self, behind: Mark) -> Outcome<()> {
+    pub(super) fn count_line(&mut self, behind: Mark) -> Result<()> {
         let number = behind.line.lines;
         let again = !self.memory.library.text(behind.text).first_time(number);
         (self.block.spot.text, self.block.spot.line) = (behind.text, number);
@@ -35,10 +35,10 @@ impl Reader<'_, '_> {
 
     /// The beginning of a line's words, its block number read; at `%` where the line begins with it. `None` where there is
     /// nothing to execute.
-    pub(super) fn open_line<'l>(&mut self, line: &'l [u8]) -> Outcome<Option<Cursor<'l>>> {
+    pub(super) fn open_line<'l>(&mut self, line: &'l [u8]) -> Result<Option<Cursor<'l>>> {
         if line.len() > self.memory.control.lexis.longest_line {
             let most = self.memory.control.lexis.longest_line;
-            return Err(Fault::of(&LineTooLong { most }, &[most]));
+            return Err(Refused::of(&LineTooLong { most }, &[most]));
         }
         if memchr::memchr3(b'(', b')', b';', line).is_some() {
             self.see_comments(line)?;
@@ -61,7 +61,7 @@ impl Reader<'_, '_> {
         Ok(Some(cursor))
     }
 
-    pub(super) fn execute_line(&mut self, line: &[u8]) -> Outcome<()> {
+    pub(super) fn execute_line(&mut self, line: &[u8]) -> Result<()> {
         let Some(mut cursor) = self.open_line(line)? else { return Ok(()) };
         if cursor.peek() == b'%' && self.block.spot.n.is_none() && !line.trim_ascii_start().starts_with(b"/") {
             return self.percent_line(&mut cursor);
@@ -88,7 +88,7 @@ impl Reader<'_, '_> {
     }
 
     /// `%` begins and ends a program; a Fagor program begins with `%` and its name.
-    fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    fn percent_line(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let opening = self.memory.stage == Stage::Opening && !self.memory.percent;
         cursor.pass();
         if self.memory.control.lexis.percent.named() {
@@ -111,7 +111,7 @@ impl Reader<'_, '_> {
                 return self.end();
             }
         }
-        Err(Fault::of(&Percent {}, &[cursor.column().saturating_sub(1)]))
+        Err(Refused::of(&Percent {}, &[cursor.column().saturating_sub(1)]))
     }
 
     /// A lathe's program has come to the end of its text without a code that ends it.
@@ -120,7 +120,7 @@ impl Reader<'_, '_> {
     }
 
     /// Passes over what stands before the first `%`, as a Fanuc does: text that is no block, with a program behind it.
-    pub(super) fn pass_leader(&mut self) -> Outcome<()> {
+    pub(super) fn pass_leader(&mut self) -> Result<()> {
         let mut line = Vec::new();
         let (mut text, mut at) = (false, self.memory.flow.next);
         while at.line.lines < LONGEST_LEADER {
@@ -145,7 +145,7 @@ impl Reader<'_, '_> {
     }
 
     /// The number and name of a program without O-words.
-    fn program_number(&mut self, cursor: &mut Cursor<'_>, opening: bool) -> Outcome<()> {
+    fn program_number(&mut self, cursor: &mut Cursor<'_>, opening: bool) -> Result<()> {
         let column = cursor.column();
         cursor.pass();
         block_number(cursor)?;
@@ -155,13 +155,13 @@ impl Reader<'_, '_> {
         if self.memory.control.lexis.percent.leader() && cursor.peek() == 0 {
             // What follows is another program: whether a control goes on into it is not known.
             let inside = self.memory.flow.next.text != 0 || !self.memory.flow.frames.is_empty();
-            return if inside { self.end_of_file().map_err(Fault::fatal) } else { Err(without_end(false).fatal()) };
+            return if inside { self.end_of_file().map_err(Refused::fatal) } else { Err(without_end(false).fatal()) };
         }
-        Err(Fault::of(&ProgramNumber {}, &[column]))
+        Err(Refused::of(&ProgramNumber {}, &[column]))
     }
 
     /// Shows the comments that a control would obey; none is executed.
-    fn see_comments(&mut self, line: &[u8]) -> Outcome<()> {
+    fn see_comments(&mut self, line: &[u8]) -> Result<()> {
         const ACTIVE: [&str; 11] = [
             "MSG,",
             "DEBUG,",

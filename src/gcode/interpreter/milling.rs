@@ -13,7 +13,7 @@ use crate::gcode::code::{G, Group, M};
 use crate::gcode::cutter::{Misfit, Placed, Stage, Step};
 use crate::gcode::in_force::{Compensation, InForce};
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, State};
 use crate::gcode::motion::{Arc, Feed, FeedMode, Motion, MotionKind, Plane};
 use crate::gcode::rules::geometry::{
@@ -71,7 +71,7 @@ fn place(pose: &mut Pose, [x, y]: Point) {
 
 impl Reader<'_, '_> {
     /// G40 to G42.1 of a milling program.
-    pub(super) fn cutter_compensation(&mut self, code: G) -> Outcome<()> {
+    pub(super) fn cutter_compensation(&mut self, code: G) -> Result<()> {
         let (side, given) = match code {
             G::CompensationGiven(side) => (side, true),
             G::Compensation(side) => (side, false),
@@ -83,19 +83,19 @@ impl Reader<'_, '_> {
         }
         let column = self.block.g_column(Group::CutterCompensation);
         if self.state.modal.compensation != Compensation::Off {
-            return Err(Fault::of(&CompensationTwice {}, &[column]));
+            return Err(Refused::of(&CompensationTwice {}, &[column]));
         }
         if self.state.modal.plane != Plane::XY {
             let name = self.state.modal.plane.name();
-            return Err(Fault::of(&CutterPlane { plane: name }, &[column]));
+            return Err(Refused::of(&CutterPlane { plane: name }, &[column]));
         }
         if self.block.has(letter::L) {
-            return Err(Fault::of(&CompensationWithL {}, &[column]));
+            return Err(Refused::of(&CompensationWithL {}, &[column]));
         }
         let diameter = match (given, self.block.get(letter::D)) {
             (true, Some(D)) => self.state.modal.unit.to_mm(D),
             (true, None) => {
-                return Err(Fault::of(&CompensationWithoutD {}, &[column]));
+                return Err(Refused::of(&CompensationWithoutD {}, &[column]));
             }
             (false, D) => self.cutter_diameter(D)?,
         };
@@ -112,7 +112,7 @@ impl Reader<'_, '_> {
     }
 
     /// The diameter that the tool table gives for D, or for the tool in the spindle; mm.
-    fn cutter_diameter(&mut self, D: Option<f64>) -> Outcome<f64> {
+    fn cutter_diameter(&mut self, D: Option<f64>) -> Result<f64> {
         let number = match D {
             Some(D) => self.tool_number(letter::D, D)?,
             None => 0,
@@ -121,17 +121,17 @@ impl Reader<'_, '_> {
         let column = self.block.g_column(Group::CutterCompensation);
         match self.memory.tools.get(&number) {
             Some(tool) if tool.nose.is_some_and(|nose| nose.tip.number() != 9) => {
-                Err(Fault::of(&CompensationOfTurningTool { tool: number }, &[column]))
+                Err(Refused::of(&CompensationOfTurningTool { tool: number }, &[column]))
             }
             Some(tool) => Ok(tool.diameter),
-            None if number == 0 => Err(Fault::of(&CompensationOfNoTool {}, &[column])),
-            None => Err(Fault::of(&CompensationDiameterUnknown { tool: number }, &[column])),
+            None if number == 0 => Err(Refused::of(&CompensationOfNoTool {}, &[column])),
+            None => Err(Refused::of(&CompensationDiameterUnknown { tool: number }, &[column])),
         }
     }
 
     /// Refuses what LinuxCNC does not do under compensation, beside what rodete does not. Plane and M codes of a block come
     /// before its G40 to G42, all else behind.
-    pub(super) fn beside_cutter(&self, motion: Option<G>) -> Outcome<()> {
+    pub(super) fn beside_cutter(&self, motion: Option<G>) -> Result<()> {
         const BEHIND: [Group; 5] =
             [Group::WorkOffset, Group::ToolLength, Group::Path, Group::Retract, Group::SetPosition];
         let block = &self.block;
@@ -159,15 +159,15 @@ impl Reader<'_, '_> {
                 None => return Ok(()),
             },
         };
-        Err(Fault::of(&BesideCompensation {}, &[column]))
+        Err(Refused::of(&BesideCompensation {}, &[column]))
     }
 
     /// Refuses the position where the cutter is aside of it, as LinuxCNC does.
-    pub(super) fn position_is_known(&self, column: usize) -> Outcome<()> {
+    pub(super) fn position_is_known(&self, column: usize) -> Result<()> {
         if !self.memory.control.radius.cutter() || self.state.modal.compensation == Compensation::Off {
             return Ok(());
         }
-        Err(Fault::of(&PositionUnderCompensation {}, &[column]))
+        Err(Refused::of(&PositionUnderCompensation {}, &[column]))
     }
 
     /// The compensation is over: what is held back is made, and the cutter stays aside of the program.
@@ -298,7 +298,7 @@ impl Reader<'_, '_> {
     }
 
     fn refuse_here(&mut self, line: usize, row: &dyn Raise) {
-        let mut fault = Fault::of(row, &[]);
+        let mut fault = Refused::of(row, &[]);
         (fault.line, fault.file) = (line, self.memory.library.file(self.block.spot.text).cloned());
         self.memory.queue.push_back(Err(fault));
     }

@@ -12,7 +12,7 @@
 //! Motions are in millimetres, degrees and seconds, whatever the program's unit.
 //!
 //! # Refusals
-//! A block that the control does not know, or that says two things at once, is a [`Fault`] with its line and columns; the
+//! A block that the control does not know, or that says two things at once, is a [`Refused`] with its line and columns; the
 //! iterator goes on with the next block unless nothing can be read after it. A word is never passed over in silence.
 //!
 //! # References
@@ -43,7 +43,6 @@ mod doubt;
 mod execute;
 mod expression;
 mod fagor;
-mod fault;
 mod flow;
 mod inputs;
 mod lathe;
@@ -58,6 +57,7 @@ mod parameters;
 mod point;
 mod polar;
 mod read;
+mod refused;
 mod rollover;
 mod round;
 mod setting;
@@ -81,15 +81,15 @@ use self::corner::Corner;
 use self::cursor::Cursor;
 use self::doubt::Doubts;
 pub use self::expression::DEEPEST;
-pub use self::fault::Fault;
-use self::fault::Outcome;
-use self::fault::Remarks;
 use self::flow::Flow;
 use self::library::{Library, Spot};
 use self::milling::Milling;
 use self::modal::Modal;
 use self::out::Pending;
 use self::parameters::Parameters;
+pub use self::refused::Refused;
+use self::refused::Remarks;
+use self::refused::Result;
 use self::round::Rounds;
 pub use self::setting::{Budget, DecimalPoint, Files, HolePlane, NoFiles, Setting, Start, ToolOffset, Tools};
 pub use self::source::{Bytes, LARGEST_PROGRAM, LONGEST_LINE, decoded, line_feeds, wide};
@@ -130,7 +130,7 @@ struct Memory<'a> {
     parameters: Parameters,
     tools: Tools,
     /// Motions with what was in force, and their numbers among those that the program has made.
-    queue: VecDeque<Result<(Motion, InForce, u64), Box<Fault>>>,
+    queue: VecDeque<Result<(Motion, InForce, u64)>>,
     compensator: Compensator,
     milling: Milling,
     run: Option<Pending>,
@@ -312,7 +312,7 @@ impl<'a> Interpreter<'a> {
 
 impl Reader<'_, '_> {
     /// Reads and executes one line.
-    fn step(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
+    fn step(&mut self, line: &mut Vec<u8>) -> Result<()> {
         let result = self.next_line(line);
         if result.is_err() {
             self.leave_corner();
@@ -331,7 +331,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn next_line(&mut self, line: &mut Vec<u8>) -> Outcome<()> {
+    fn next_line(&mut self, line: &mut Vec<u8>) -> Result<()> {
         if self.memory.control.lexis.percent.leader() && self.block.spot.line == 0 {
             self.pass_leader()?;
         }
@@ -342,7 +342,7 @@ impl Reader<'_, '_> {
         self.count_line(behind)?;
         let first = self.block.spot.line == 1;
         if first && wide(line) {
-            return Err(Fault::of(&Utf16 {}, &[]).fatal());
+            return Err(Refused::of(&Utf16 {}, &[]).fatal());
         }
         if first && line.starts_with(b"\xEF\xBB\xBF") {
             line.drain(..3);
@@ -351,15 +351,15 @@ impl Reader<'_, '_> {
         self.execute_line(line)
     }
 
-    fn end_of_file(&mut self) -> Outcome<()> {
+    fn end_of_file(&mut self) -> Result<()> {
         let (stage, percent) = (self.memory.stage, self.memory.percent);
         self.memory.stage = Stage::Ended;
         self.lose_corner(false);
         if self.memory.flow.next.text != 0 || !self.memory.flow.frames.is_empty() {
-            return Err(Fault::of(&EndsInSubprogram {}, &[]));
+            return Err(Refused::of(&EndsInSubprogram {}, &[]));
         }
         if stage == Stage::Opening {
-            return Err(Fault::of(&NoProgram {}, &[]));
+            return Err(Refused::of(&NoProgram {}, &[]));
         }
         if self.memory.setting.part {
             return Ok(());
@@ -371,13 +371,13 @@ impl Reader<'_, '_> {
         self.block.spot.line = self.memory.flow.next.line.lines;
         let subprograms = self.memory.library.known_structure().is_some_and(Structure::has_subprograms);
         if subprograms && self.made() == 0 {
-            return Err(Fault::of(&SubprogramsAlone {}, &[]));
+            return Err(Refused::of(&SubprogramsAlone {}, &[]));
         }
         Err(without_end(percent))
     }
 
     /// The program has come to its end: the first work offset is in force again, and what G92 leaves is remarked.
-    fn end(&mut self) -> Outcome<()> {
+    fn end(&mut self) -> Result<()> {
         self.memory.stage = Stage::Ended;
         self.lose_corner(false);
         if self.memory.control.radius.cutter() {
@@ -387,9 +387,9 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    fn endless(&self) -> Box<Fault> {
+    fn endless(&self) -> Box<Refused> {
         let most = self.memory.setting.budget.repeated_blocks;
-        Fault::ended(&EndlessProgram { most })
+        Refused::ended(&EndlessProgram { most })
     }
 
     /// The switch and the registers of G92.
@@ -400,12 +400,12 @@ impl Reader<'_, '_> {
 }
 
 /// The refusal of a program without the code that ends it; `percent` where a `%` opens it.
-fn without_end(percent: bool) -> Box<Fault> {
-    if percent { Fault::of(&NoEndOrPercent {}, &[]) } else { Fault::of(&NoEnd {}, &[]) }
+fn without_end(percent: bool) -> Box<Refused> {
+    if percent { Refused::of(&NoEndOrPercent {}, &[]) } else { Refused::of(&NoEnd {}, &[]) }
 }
 
 /// A block number behind its N.
-fn block_number(cursor: &mut Cursor<'_>) -> Outcome<u32> {
+fn block_number(cursor: &mut Cursor<'_>) -> Result<u32> {
     let (mut number, mut digits) = (0_u32, 0);
     let column = cursor.column();
     loop {
@@ -417,13 +417,13 @@ fn block_number(cursor: &mut Cursor<'_>) -> Outcome<u32> {
         number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
     }
     if digits == 0 || digits > 9 {
-        return Err(Fault::of(&BlockNumberInvalid {}, &[column]));
+        return Err(Refused::of(&BlockNumberInvalid {}, &[column]));
     }
     Ok(number)
 }
 
 impl Iterator for Interpreter<'_> {
-    type Item = Result<Motion, Box<Fault>>;
+    type Item = Result<Motion>;
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
@@ -467,7 +467,7 @@ impl Iterator for Interpreter<'_> {
 
 /// The findings of a program that is read to its end: refusals first (at most `most`, then a count), then remarks.
 #[must_use]
-pub fn findings(faults: Vec<Fault>, total: usize, remarks: Vec<Finding>) -> Vec<Finding> {
+pub fn findings(faults: Vec<Refused>, total: usize, remarks: Vec<Finding>) -> Vec<Finding> {
     let shown = faults.len();
     let mut findings: Vec<Finding> = faults.into_iter().map(Finding::from).collect();
     if total > shown {

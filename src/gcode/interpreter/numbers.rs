@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::finding::Raise;
 use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::cursor::Cursor;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::interpreter::{Reader, block_number};
@@ -39,7 +39,7 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Looks through a file up to the second `%`.
-    pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
+    pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Result<Self> {
         let mut numbers = Self::default();
         let mut tape = Tape::new(lexis);
         let mut line = Vec::new();
@@ -68,7 +68,7 @@ impl Numbers {
                     })
                     .or_insert(Numbered { at, again: None });
                 if numbers.blocks.len() > BLOCK_NUMBERS {
-                    return Err(Fault::ended(&BlockNumbersTooMany { most: BLOCK_NUMBERS }));
+                    return Err(Refused::ended(&BlockNumbersTooMany { most: BLOCK_NUMBERS }));
                 }
             }
         }
@@ -95,7 +95,7 @@ impl Numbers {
 impl Reader<'_, '_> {
     /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
     /// `missing` what is told where there is none.
-    pub(super) fn block_numbered(&mut self, number: u32, column: usize, missing: &dyn Raise) -> Outcome<Numbered> {
+    pub(super) fn block_numbered(&mut self, number: u32, column: usize, missing: &dyn Raise) -> Result<Numbered> {
         self.block_near(self.block.spot.line, number, column, missing)
     }
 
@@ -106,13 +106,13 @@ impl Reader<'_, '_> {
         number: u32,
         column: usize,
         missing: &dyn Raise,
-    ) -> Outcome<Numbered> {
+    ) -> Result<Numbered> {
         let text = self.memory.flow.next.text;
         let found = self.memory.library.numbers(text, &self.memory.control.lexis)?.block(number, near);
         match found {
-            None => Err(Fault::of(missing, &[column]).as_alarm_of(self.alarms())),
+            None => Err(Refused::of(missing, &[column]).as_alarm_of(self.alarms())),
             Some(Numbered { again: Some(again), at }) => {
-                let mut fault = Fault::of(&BlockTwice { number }, &[column]);
+                let mut fault = Refused::of(&BlockTwice { number }, &[column]);
                 let file = self.memory.library.file(text).cloned();
                 fault.others = [at.lines + 1, again].map(|line| (file.clone(), line)).to_vec();
                 Err(fault)

@@ -10,7 +10,7 @@ use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::geometry::{
     AxesOrSpeed, OffsetsPNotWhole, OffsetsPTooGreat, OffsetsRotation, OffsetsWithTurning, OffsetsWithoutL,
@@ -56,7 +56,7 @@ impl Reader<'_, '_> {
     }
 
     /// G10: work offsets and tool table.
-    pub(super) fn set_offsets(&mut self) -> Outcome<()> {
+    pub(super) fn set_offsets(&mut self) -> Result<()> {
         let column = self.block.g_column(crate::gcode::code::Group::NonModal);
         let L = self.block.get(letter::L).and_then(whole);
         if L == Some(0) {
@@ -65,13 +65,13 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         if !matches!(L, Some(1 | 2 | 10 | 11 | 20)) {
-            return Err(Fault::of(&OffsetsWithoutL {}, &[column]));
+            return Err(Refused::of(&OffsetsWithoutL {}, &[column]));
         }
         let Some(P) = self.block.get(letter::P) else {
-            return Err(Fault::of(&OffsetsWithoutP {}, &[column]));
+            return Err(Refused::of(&OffsetsWithoutP {}, &[column]));
         };
         let Some(number) = whole(P).and_then(|number| u32::try_from(number).ok()) else {
-            return Err(Fault::of(&OffsetsPNotWhole { number: P }, &[column]));
+            return Err(Refused::of(&OffsetsPNotWhole { number: P }, &[column]));
         };
         match L {
             Some(2 | 20) => {
@@ -79,14 +79,14 @@ impl Reader<'_, '_> {
                     0 => self.state.modal.system,
                     1..=9 => u8::try_from(number).unwrap_or(1),
                     _ => {
-                        return Err(Fault::of(&OffsetsPTooGreat { number }, &[column]));
+                        return Err(Refused::of(&OffsetsPTooGreat { number }, &[column]));
                     }
                 };
                 if self.block.has(letter::I) || self.block.has(letter::J) || self.block.has(letter::Q) {
-                    return Err(Fault::of(&OffsetsWithTurning {}, &[column]));
+                    return Err(Refused::of(&OffsetsWithTurning {}, &[column]));
                 }
                 if L == Some(20) && self.block.has(letter::R) {
-                    return Err(Fault::of(&OffsetsRotation {}, &[column]));
+                    return Err(Refused::of(&OffsetsRotation {}, &[column]));
                 }
                 self.set_system(system, L == Some(20));
                 Ok(())
@@ -147,7 +147,7 @@ impl Reader<'_, '_> {
 
     /// G28 and G30.
     #[deny(clippy::wildcard_enum_match_arm)]
-    pub(super) fn reference_point(&mut self, second: bool) -> Outcome<()> {
+    pub(super) fn reference_point(&mut self, second: bool) -> Result<()> {
         match self.memory.control.reference {
             Reference::Named => self.return_to_reference(second),
             Reference::NamedOrAll => self.go_to_reference(second),
@@ -160,7 +160,7 @@ impl Reader<'_, '_> {
 
     /// G28 and G30: over the point of the axis words to the reference point, in the axes named or in all. LinuxCNC 2.9 ends
     /// off it, by the tool's offset, in A, B and C; its reference promises the point itself.
-    fn go_to_reference(&mut self, second: bool) -> Outcome<()> {
+    fn go_to_reference(&mut self, second: bool) -> Result<()> {
         let named: Vec<Axis> = Axis::ALL.into_iter().filter(|&axis| self.block.has(AXES[axis as usize])).collect();
         if !named.is_empty() {
             let over = self.end_point();
@@ -217,7 +217,7 @@ impl Reader<'_, '_> {
     }
 
     /// G92 or G50 of a lathe: with S alone the greatest spindle speed.
-    pub(super) fn set_position_or_speed(&mut self) -> Outcome<()> {
+    pub(super) fn set_position_or_speed(&mut self) -> Result<()> {
         let axes = AXES.into_iter().any(|axis| self.block.has(axis));
         match (axes, self.block.get(letter::S)) {
             (false, Some(S)) => {
@@ -232,7 +232,7 @@ impl Reader<'_, '_> {
                 }
                 Ok(())
             }
-            _ => Err(Fault::of(&AxesOrSpeed {}, &[self.block.g_column(crate::gcode::code::Group::NonModal)])),
+            _ => Err(Refused::of(&AxesOrSpeed {}, &[self.block.g_column(crate::gcode::code::Group::NonModal)])),
         }
     }
 

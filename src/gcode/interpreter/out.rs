@@ -6,8 +6,8 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::Block;
 use crate::gcode::interpreter::contour::ContourBlock;
 use crate::gcode::interpreter::cycle;
-use crate::gcode::interpreter::fault::Outcome;
 use crate::gcode::interpreter::library::Spot;
+use crate::gcode::interpreter::refused::Result;
 use crate::gcode::motion::{Arc, Feed, MotionKind, Plane};
 use crate::gcode::turning::{Move, Way};
 use crate::machine::axis::{Axis, Pose};
@@ -62,7 +62,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// The feed of the moves that do not say their own: it need not be given where there are none.
-    pub(super) fn feed_of(&mut self, moves: &[Move]) -> Outcome<Feed> {
+    pub(super) fn feed_of(&mut self, moves: &[Move]) -> Result<Feed> {
         if moves.iter().any(|one| matches!(one.way, Way::Feed(None) | Way::Arc { feed: None, .. })) {
             return self.feed();
         }
@@ -70,7 +70,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// Makes the next motions of the run in hand.
-    pub(super) fn go_on(&mut self) -> Outcome<()> {
+    pub(super) fn go_on(&mut self) -> Result<()> {
         match self.memory.run.take() {
             None => Ok(()),
             Some(Pending::Holes(run)) => self.next_hole(run),
@@ -87,7 +87,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// Makes all that is left of the run in hand.
-    pub(super) fn finish_run(&mut self) -> Outcome<()> {
+    pub(super) fn finish_run(&mut self) -> Result<()> {
         while self.memory.run.is_some() {
             self.go_on()?;
         }
@@ -100,7 +100,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// A move at the cycle's feed, and as it is: only finishing follows a contour with the nose.
-    fn make_move(&mut self, next: &Move, feed: Feed, run: &Moves) -> Outcome<()> {
+    fn make_move(&mut self, next: &Move, feed: Feed, run: &Moves) -> Result<()> {
         let mut own = run.own.clone();
         if let Some(line) = next.line {
             let block = run.blocks.binary_search_by_key(&line, ContourBlock::line).ok();
@@ -111,7 +111,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// A move along the contour: the blocks up to its own are obeyed first. The last move is the cycle's own and goes back.
-    fn finish_move(&mut self, next: &Move, run: &mut Moves) -> Outcome<()> {
+    fn finish_move(&mut self, next: &Move, run: &mut Moves) -> Result<()> {
         let until = next.line.unwrap_or(usize::MAX);
         while let Some(block) = run.blocks.get(run.obeyed).filter(|block| block.line() < until) {
             self.of_contour(block, |reader| {
@@ -138,11 +138,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// Does something with a block of a contour in hand. What is refused of it leaves the contour uncut.
-    fn of_contour(
-        &mut self,
-        block: &ContourBlock,
-        obey: impl FnOnce(&mut Reader<'_, 'a>) -> Outcome<()>,
-    ) -> Outcome<()> {
+    fn of_contour(&mut self, block: &ContourBlock, obey: impl FnOnce(&mut Reader<'_, 'a>) -> Result<()>) -> Result<()> {
         let mut words = block.words.of_cycle(block.side);
         obey(&mut self.with(&mut words)).map_err(|mut fault| {
             fault.line = if fault.line == 0 { block.line() } else { fault.line };
@@ -153,7 +149,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// What a block of a contour puts into force before its motion, in the order of a block of the program.
-    fn obey_before(&mut self) -> Outcome<()> {
+    fn obey_before(&mut self) -> Result<()> {
         self.begin_codes()?;
         if let Some(G::Compensation(side)) = self.block.g(Group::CutterCompensation) {
             self.set_compensation(side)?;
@@ -162,14 +158,14 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// What it puts out of force behind its motion.
-    fn obey_after(&mut self) -> Outcome<()> {
+    fn obey_after(&mut self) -> Result<()> {
         self.machine_codes_after()?;
         self.executed();
         Ok(())
     }
 
     /// The motion of a move, at a feed or at the one in force.
-    pub(super) fn make_way(&mut self, next: &Move, feed: Option<Feed>) -> Outcome<()> {
+    pub(super) fn make_way(&mut self, next: &Move, feed: Option<Feed>) -> Result<()> {
         let mut to = self.state.at;
         to.set(Axis::X, next.to[0]);
         to.set(Axis::Z, next.to[1]);
@@ -200,7 +196,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// The feed of a move: its own in the meaning of the cycle's, the cycle's, or the one in force.
-    fn feed_of_move(&mut self, feed: Option<Feed>, own: Option<f64>) -> Outcome<Feed> {
+    fn feed_of_move(&mut self, feed: Option<Feed>, own: Option<f64>) -> Result<Feed> {
         let feed = feed.map_or_else(|| self.feed(), Ok)?;
         Ok(Feed { value: own.unwrap_or(feed.value), ..feed })
     }

@@ -9,7 +9,7 @@ use crate::gcode::control::Letters;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::Decimal;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::setting::DecimalPoint;
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
@@ -26,10 +26,10 @@ const WHOLE: Letters = Letters::of("LPQ");
 impl Reader<'_, '_> {
     /// Marks a number without a decimal point, and refuses a decimal point where none may be.
     #[inline(never)]
-    pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Outcome<()> {
+    pub(super) fn see_point(&mut self, index: u8, number: &Decimal, column: usize) -> Result<()> {
         if number.point && WHOLE.has(index) {
             let name = char::from(b'A' + index);
-            return Err(Fault::of(&PointNotTaken { letter: name, value: number.value }, &[column]));
+            return Err(Refused::of(&PointNotTaken { letter: name, value: number.value }, &[column]));
         }
         if !number.point && number.value != 0.0 && SCALED.has(index) {
             self.block.pointless |= 1 << index;
@@ -39,7 +39,7 @@ impl Reader<'_, '_> {
 
     /// Gives the numbers of the block that have no decimal point their value.
     #[inline(never)]
-    pub(super) fn settle_points(&mut self) -> Outcome<()> {
+    pub(super) fn settle_points(&mut self) -> Result<()> {
         if self.block.g(Group::NonModal) == Some(G::Turning(TurningCycle::Repeat)) && !self.block.has(letter::P) {
             // How many times.
             self.block.pointless &= !(1 << letter::R);
@@ -63,7 +63,7 @@ impl Reader<'_, '_> {
     }
 
     /// By what a number without a decimal point is divided.
-    fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Outcome<f64> {
+    fn unpointed(&mut self, word: &str, column: usize, feed: bool) -> Result<f64> {
         let dwell = self.block.g(Group::NonModal) == Some(G::Dwell);
         let by = match self.memory.setting.point {
             None => {
@@ -72,11 +72,11 @@ impl Reader<'_, '_> {
                     true => ("pulgadas o diezmilésimas", "inches or ten-thousandths"),
                     false => ("mm o µm", "mm or µm"),
                 };
-                return Err(Fault::of(&PointMissing { word: word.to_owned(), reading: t(es, en) }, &[column]));
+                return Err(Refused::of(&PointMissing { word: word.to_owned(), reading: t(es, en) }, &[column]));
             }
             Some(DecimalPoint::Calculator) => 1.0,
             Some(DecimalPoint::Micrometre) if feed => {
-                return Err(Fault::of(&PointMissingInFeed { word: word.to_owned() }, &[column]));
+                return Err(Refused::of(&PointMissingInFeed { word: word.to_owned() }, &[column]));
             }
             Some(DecimalPoint::Micrometre) => {
                 if self.inch() && !dwell {

@@ -8,7 +8,7 @@ use crate::gcode::code::{G, Group};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cursor::Cursor;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::Plane;
 use crate::gcode::rules::geometry::{
     PolarAtOrigin, PolarBesideAxes, PolarBesideCode, PolarPlane, PolarRepeated, PolarTooGreat, PolarTwice,
@@ -25,32 +25,32 @@ const BESIDE: [Group; 5] = [Group::Motion, Group::Distance, Group::Feed, Group::
 
 impl Reader<'_, '_> {
     /// Reads `@` or `^`, on which the cursor stands.
-    pub(super) fn read_polar(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    pub(super) fn read_polar(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let (column, angle) = (cursor.column(), cursor.peek() == b'^');
         cursor.pass();
         let value = self.value(cursor)?.value;
         if value.abs() > f64::from(LIMIT) / 1000.0 {
-            return Err(Fault::of(&PolarTooGreat {}, &[column]));
+            return Err(Refused::of(&PolarTooGreat {}, &[column]));
         }
         match self.block.polar[usize::from(angle)].replace((value, column)) {
             None => Ok(()),
-            Some(_) => Err(Fault::of(&PolarTwice {}, &[column])),
+            Some(_) => Err(Refused::of(&PolarTwice {}, &[column])),
         }
     }
 
     /// Puts the X and the Y in place of the polar words of the block.
-    pub(super) fn settle_polar(&mut self) -> Outcome<()> {
+    pub(super) fn settle_polar(&mut self) -> Result<()> {
         let [radius, angle] = self.block.polar;
         let Some((_, column)) = radius.or(angle) else { return Ok(()) };
         if self.block.has(letter::X) || self.block.has(letter::Y) {
-            return Err(Fault::of(&PolarBesideAxes {}, &[column]));
+            return Err(Refused::of(&PolarBesideAxes {}, &[column]));
         }
         if self.state.modal.plane != Plane::XY {
-            return Err(Fault::of(&PolarPlane {}, &[column]));
+            return Err(Refused::of(&PolarPlane {}, &[column]));
         }
         let others = BESIDE.iter().fold(self.block.groups, |groups, group| groups & !(1 << *group as u16));
         if others != 0 {
-            return Err(Fault::of(&PolarBesideCode {}, &[column]));
+            return Err(Refused::of(&PolarBesideCode {}, &[column]));
         }
         let motion = self.block.g(Group::Motion).unwrap_or(self.state.modal.motion);
         let incremental = match self.block.g(Group::Distance) {
@@ -58,13 +58,13 @@ impl Reader<'_, '_> {
             None => self.state.modal.incremental,
         };
         if incremental && matches!(motion, G::Cycle(_)) && self.block.get(letter::L).is_some_and(|holes| holes != 1.0) {
-            return Err(Fault::of(&PolarRepeated {}, &[column]));
+            return Err(Refused::of(&PolarRepeated {}, &[column]));
         }
         let unit = self.state.modal.unit;
         let at = [Axis::X, Axis::Y].map(|axis| unit.from_mm(self.state.at.get(axis)));
         let [here, turned] = [trig::hypot(at[0], at[1]), trig::atan2(at[1], at[0])];
         if (incremental || angle.is_none()) && at == [0.0; 2] {
-            return Err(Fault::of(&PolarAtOrigin {}, &[column]));
+            return Err(Refused::of(&PolarAtOrigin {}, &[column]));
         }
         let [radius, angle] = [radius, angle].map(|word| word.map(|(value, _)| value));
         let (radius, angle) = if incremental {

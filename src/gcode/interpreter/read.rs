@@ -6,7 +6,7 @@ use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{EdgeWord, letter};
 use crate::gcode::interpreter::cursor::{Cursor, Decimal, exponent};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::FeedMode;
 use crate::gcode::rules::words::{
     CodeNotSupported, CoordinateTooGreat, EdgeNoSize, EdgeTwice, FeedOrSpeedTooGreat, LetterNotSupported,
@@ -22,8 +22,8 @@ const DIMENSIONS: Letters = Letters::of("ABCIJKRUVWXYZ");
 /// The letter E, counted from A = 0.
 const E: u8 = b'E' - b'A';
 
-fn macros(column: usize) -> Box<Fault> {
-    Fault::of(&Macros {}, &[column])
+fn macros(column: usize) -> Box<Refused> {
+    Refused::of(&Macros {}, &[column])
 }
 
 fn name(letter: u8) -> char {
@@ -31,18 +31,18 @@ fn name(letter: u8) -> char {
 }
 
 #[cold]
-fn negative(name: char, value: f64, column: usize) -> Box<Fault> {
-    Fault::of(&Negative { letter: name, value }, &[column])
+fn negative(name: char, value: f64, column: usize) -> Box<Refused> {
+    Refused::of(&Negative { letter: name, value }, &[column])
 }
 
 #[cold]
-fn twice(letter: char, first: usize, second: usize) -> Box<Fault> {
-    Fault::of(&WordTwice { letter }, &[first, second])
+fn twice(letter: char, first: usize, second: usize) -> Box<Refused> {
+    Refused::of(&WordTwice { letter }, &[first, second])
 }
 
 impl Reader<'_, '_> {
     /// Reads the words of a line behind its block number into the block in hand.
-    pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    pub(super) fn read_words(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         cursor.e_words = self.memory.control.lexis.letters.has(E);
         loop {
             match cursor.peek() {
@@ -86,7 +86,7 @@ impl Reader<'_, '_> {
     }
 
     /// Refuses an F or S beyond what a coordinate may be; an F that is an inverse time may be greater.
-    fn feed_and_speed_in_bounds(&self) -> Outcome<()> {
+    fn feed_and_speed_in_bounds(&self) -> Result<()> {
         for index in [letter::F, letter::S] {
             let Some(value) = self.block.get(index).filter(|value| *value > f64::from(LIMIT) / 1000.0) else {
                 continue;
@@ -99,7 +99,7 @@ impl Reader<'_, '_> {
                 continue;
             }
             let name = if index == letter::F { 'F' } else { 'S' };
-            return Err(Fault::of(&FeedOrSpeedTooGreat { letter: name, value }, &[self.block.column(index)]));
+            return Err(Refused::of(&FeedOrSpeedTooGreat { letter: name, value }, &[self.block.column(index)]));
         }
         Ok(())
     }
@@ -109,7 +109,7 @@ impl Reader<'_, '_> {
         matches!(self.block.g(Group::NonModal), Some(G::Turning(TurningCycle::Fagor(_))))
     }
 
-    fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    fn read_g(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let column = cursor.column();
         cursor.pass();
         let value = self.value(cursor)?.value;
@@ -117,17 +117,17 @@ impl Reader<'_, '_> {
         let found = tenths.and_then(|tenths| self.memory.control.codes.get(tenths));
         match found {
             Some(G::Refused(_, name)) => {
-                Err(Fault::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
+                Err(Refused::of(&CodeNotSupported { code: value, reason: t(name.0, name.1) }, &[column]))
             }
             Some(g) => self.block.put_g(g, column).map_err(|first| {
                 let group = g.group().name();
-                Fault::of(&TwoCodesOfGroup { group }, &[first, column])
+                Refused::of(&TwoCodesOfGroup { group }, &[first, column])
             }),
             None => Err(self.unknown('G', value, column)),
         }
     }
 
-    fn read_m(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    fn read_m(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let column = cursor.column();
         cursor.pass();
         let value = self.value(cursor)?.value;
@@ -135,7 +135,7 @@ impl Reader<'_, '_> {
         let found = number.and_then(|number| Some((number, (self.memory.control.machine_code)(number)?)));
         match found {
             Some((number, M::Refused(name))) => {
-                Err(Fault::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
+                Err(Refused::of(&MachineCodeNotSupported { code: number, reason: t(name.0, name.1) }, &[column]))
             }
             Some((number, m)) => {
                 if m == M::User {
@@ -149,29 +149,29 @@ impl Reader<'_, '_> {
                 }
                 self.block
                     .put_m(m, number, column)
-                    .map_err(|first| Fault::of(&TwoMachineCodesOfGroup {}, &[first, column]))?;
+                    .map_err(|first| Refused::of(&TwoMachineCodesOfGroup {}, &[first, column]))?;
                 self.machine_code_count(column)
             }
             None => Err(self.unknown('M', value, column)),
         }
     }
 
-    fn machine_code_count(&self, column: usize) -> Outcome<()> {
+    fn machine_code_count(&self, column: usize) -> Result<()> {
         let most = self.memory.control.lexis.most_machine_codes;
         if self.block.machine_codes <= most {
             return Ok(());
         }
-        Err(Fault::of(&MachineCodesTooMany { most }, &[column]))
+        Err(Refused::of(&MachineCodesTooMany { most }, &[column]))
     }
 
     #[cold]
-    pub(super) fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Fault> {
+    pub(super) fn unknown(&self, letter: char, value: f64, column: usize) -> Box<Refused> {
         let dialect = self.memory.setting.control.name;
-        Fault::of(&Unknown { letter, value, dialect }, &[column])
+        Refused::of(&Unknown { letter, value, dialect }, &[column])
     }
 
     /// `,C` and `,R`.
-    fn read_edge(&mut self, cursor: &mut Cursor<'_>) -> Outcome<()> {
+    fn read_edge(&mut self, cursor: &mut Cursor<'_>) -> Result<()> {
         let column = cursor.column();
         let Some(round) = cursor.edge() else { return Err(cursor.refuse_character()) };
         cursor.no_comment()?;
@@ -190,16 +190,16 @@ impl Reader<'_, '_> {
             pointless: !point && value != 0.0,
         };
         if let Some(first) = self.block.edge.replace(edge) {
-            return Err(Fault::of(&EdgeTwice {}, &[first.column, column]).as_alarm_of(self.alarms()));
+            return Err(Refused::of(&EdgeTwice {}, &[first.column, column]).as_alarm_of(self.alarms()));
         }
         if value.abs() > f64::from(LIMIT) / 1000.0 || value < 0.0 {
             let name = edge.name;
-            return Err(Fault::of(&EdgeNoSize { edge: name, value }, &[number_column]));
+            return Err(Refused::of(&EdgeNoSize { edge: name, value }, &[number_column]));
         }
         Ok(())
     }
 
-    fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Outcome<()> {
+    fn read_word(&mut self, cursor: &mut Cursor<'_>, letter: u8) -> Result<()> {
         let column = cursor.column();
         let index = letter - b'a';
         let known = self.memory.control.lexis.letters.has(index);
@@ -217,10 +217,10 @@ impl Reader<'_, '_> {
         let value = number.value;
         if DIMENSIONS.has(index) || self.fagor_cycle() {
             if value.abs() > f64::from(LIMIT) / 1000.0 {
-                return Err(Fault::of(&CoordinateTooGreat { letter: name(letter), value }, &[number_column]));
+                return Err(Refused::of(&CoordinateTooGreat { letter: name(letter), value }, &[number_column]));
             }
         } else if value.abs() > COUNT {
-            return Err(Fault::of(&WordTooGreat { letter: name(letter), value }, &[number_column]));
+            return Err(Refused::of(&WordTooGreat { letter: name(letter), value }, &[number_column]));
         } else if value < 0.0
             && matches!(letter, b'f' | b's' | b't' | b'd' | b'l' | b'q')
             && !self.memory.control.lexis.negative.has(index)
@@ -239,12 +239,12 @@ impl Reader<'_, '_> {
     }
 
     #[cold]
-    fn unknown_letter(&self, letter: u8, column: usize) -> Box<Fault> {
+    fn unknown_letter(&self, letter: u8, column: usize) -> Box<Refused> {
         let (name, dialect) = (name(letter), self.memory.setting.control.name);
         if self.memory.control.lexis.refused.has(letter - b'a') {
-            Fault::of(&LetterNotSupported { letter: name, dialect }, &[column])
+            Refused::of(&LetterNotSupported { letter: name, dialect }, &[column])
         } else {
-            Fault::of(&LetterUnknown { letter: name, dialect }, &[column])
+            Refused::of(&LetterUnknown { letter: name, dialect }, &[column])
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::gcode::code::{G, Group};
 use crate::gcode::control::{Letters, Rollover, Rotary};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::{AXES, letter};
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::MotionKind;
 use crate::gcode::rules::geometry::{
     RolloverBeyondTurn, RolloverMinusZero, RolloverPreset, RolloverReached, WrappedInMachine,
@@ -29,7 +29,7 @@ const ROUNDING: f64 = 1e-6;
 
 impl Reader<'_, '_> {
     /// Refuses absolute words of rollover axes that the control refuses, before the block is executed.
-    pub(super) fn rotary_words(&self) -> Outcome<()> {
+    pub(super) fn rotary_words(&self) -> Result<()> {
         match self.memory.setting.rotary {
             Rotary::Rollover if self.block.present & WORDS != 0 => {}
             Rotary::Rollover | Rotary::Linear => return Ok(()),
@@ -50,16 +50,16 @@ impl Reader<'_, '_> {
             let column = self.block.column(index);
             let alarm = match self.memory.control.rotary.rollover {
                 Rollover::Numbered if preset && !(0.0..360.0).contains(&word) => {
-                    return Err(Fault::of(&RolloverPreset { axis: name, angle: word }, &[column]));
+                    return Err(Refused::of(&RolloverPreset { axis: name, angle: word }, &[column]));
                 }
                 Rollover::Wrapped if self.block.g(Group::NonModal) == Some(G::MachineCoordinates) => {
-                    return Err(Fault::of(&WrappedInMachine { axis: name }, &[column]));
+                    return Err(Refused::of(&WrappedInMachine { axis: name }, &[column]));
                 }
                 Rollover::Numbered => "0168: ",
                 Rollover::Wrapped => "",
             };
             if word.abs() >= 360.0 {
-                return Err(Fault::of(&RolloverBeyondTurn { alarm, axis: name, angle: word }, &[column]));
+                return Err(Refused::of(&RolloverBeyondTurn { alarm, axis: name, angle: word }, &[column]));
             }
         }
         Ok(())

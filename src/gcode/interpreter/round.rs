@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::gcode::in_force::InForce;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, Stage};
 use crate::gcode::turning::rules::{EndlessLoop, RefusedInLoop, TooManyCycleMotions};
 use crate::limits::{BLOCK_REFUSALS, IDLE_ROUNDS, REFUSED_LINES};
@@ -22,7 +22,7 @@ pub(super) struct Rounds {
 
 impl Reader<'_, '_> {
     /// A refusal as it is to be told: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
-    pub(super) fn told_once(&mut self, fault: Box<Fault>, line: &[u8]) -> Option<Box<Fault>> {
+    pub(super) fn told_once(&mut self, fault: Box<Refused>, line: &[u8]) -> Option<Box<Refused>> {
         let key = (self.block.spot.text, fault.line);
         if fault.fatal {
             return Some(fault);
@@ -37,7 +37,7 @@ impl Reader<'_, '_> {
             1 => (!follows).then_some(fault),
             BLOCK_REFUSALS => {
                 self.memory.stage = Stage::Ended;
-                let mut limit = Fault::ended(&RefusedInLoop { times: BLOCK_REFUSALS });
+                let mut limit = Refused::ended(&RefusedInLoop { times: BLOCK_REFUSALS });
                 (limit.line, limit.file) = (fault.line, fault.file);
                 Some(limit)
             }
@@ -46,14 +46,14 @@ impl Reader<'_, '_> {
     }
 
     /// A loop goes round again because of its condition: where nothing has happened since it did so last, it never ends.
-    pub(super) fn round_again(&mut self) -> Outcome<()> {
+    pub(super) fn round_again(&mut self) -> Result<()> {
         let now = (self.made(), self.memory.parameters.changes(), self.state.modal.in_force());
         let rounds = &mut self.memory.rounds;
         rounds.idle = if rounds.last.replace(now) == Some(now) { rounds.idle + 1 } else { 0 };
         if rounds.idle < IDLE_ROUNDS {
             return Ok(());
         }
-        Err(Fault::ended(&EndlessLoop { rounds: IDLE_ROUNDS }))
+        Err(Refused::ended(&EndlessLoop { rounds: IDLE_ROUNDS }))
     }
 
     /// A cycle has gone on, from so many motions made.
@@ -65,7 +65,7 @@ impl Reader<'_, '_> {
         }
         self.memory.run = None;
         self.memory.stage = Stage::Ended;
-        let mut limit = Fault::ended(&TooManyCycleMotions { most });
+        let mut limit = Refused::ended(&TooManyCycleMotions { most });
         limit.line = self.block.spot.line;
         self.memory.queue.push_back(Err(limit));
     }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, BufRead, Seek, SeekFrom};
 
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::rules::lexis::{LineEndless, ProgramTooLarge, Unreadable};
 
 /// Most bytes of a line.
@@ -59,7 +59,7 @@ impl<'a> SourceText<'a> {
 
     /// Reads the line at a place into `line`, without its end; gives where the next one begins, `None` where there is none.
     /// Lines end with a line feed, a carriage return, or both.
-    pub(super) fn line(&mut self, at: Position, line: &mut Vec<u8>) -> Outcome<Option<Position>> {
+    pub(super) fn line(&mut self, at: Position, line: &mut Vec<u8>) -> Result<Option<Position>> {
         line.clear();
         if self.at != at {
             self.bytes.seek(SeekFrom::Start(at.offset)).map_err(|error| unreadable(&error))?;
@@ -121,16 +121,16 @@ pub fn line_feeds(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\r', "\n")
 }
 
-fn unreadable(error: &io::Error) -> Box<Fault> {
-    let mut fault = Fault::of(&Unreadable { reason: error.to_string() }, &[]).fatal();
+fn unreadable(error: &io::Error) -> Box<Refused> {
+    let mut fault = Refused::of(&Unreadable { reason: error.to_string() }, &[]).fatal();
     fault.exit = crate::finding::Exit::Unreadable;
     fault
 }
 
-fn too_long_a_line() -> Box<Fault> {
-    Fault::ended(&LineEndless { most: LONGEST_LINE })
+fn too_long_a_line() -> Box<Refused> {
+    Refused::ended(&LineEndless { most: LONGEST_LINE })
 }
 
-fn too_large() -> Box<Fault> {
-    Fault::ended(&ProgramTooLarge { most: LARGEST_PROGRAM / 1_000_000 })
+fn too_large() -> Box<Refused> {
+    Refused::ended(&ProgramTooLarge { most: LARGEST_PROGRAM / 1_000_000 })
 }

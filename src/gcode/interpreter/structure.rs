@@ -10,7 +10,7 @@ use crate::finding::Raise;
 use crate::gcode::control::Lexis;
 use crate::gcode::interpreter::block_number;
 use crate::gcode::interpreter::cursor::Cursor;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::{Position, SourceText};
 use crate::gcode::interpreter::tape::Tape;
 use crate::gcode::rules::flow::{
@@ -123,12 +123,12 @@ pub(super) struct Structure {
 }
 
 /// A label: a number, or a name in `<` and `>`. `None` where it is computed, as only calls may have it.
-pub(super) fn label(cursor: &mut Cursor<'_>) -> Outcome<Option<String>> {
+pub(super) fn label(cursor: &mut Cursor<'_>) -> Result<Option<String>> {
     match cursor.peek() {
         b'<' => cursor.name().map(Some),
         b'0'..=b'9' => block_number(cursor).map(|number| Some(number.to_string())),
         b'#' | b'[' => Ok(None),
-        _ => Err(Fault::of(&LabelMissing {}, &[cursor.column()])),
+        _ => Err(Refused::of(&LabelMissing {}, &[cursor.column()])),
     }
 }
 
@@ -140,14 +140,14 @@ pub(super) fn word(cursor: &mut Cursor<'_>) -> Option<Word> {
     Word::ALL.into_iter().find(|(text, _)| cursor.accept_word(text)).map(|(_, word)| word)
 }
 
-fn refused(line: usize, row: &dyn Raise) -> Box<Fault> {
-    let mut fault = Fault::of(row, &[]).fatal();
+fn refused(line: usize, row: &dyn Raise) -> Box<Refused> {
+    let mut fault = Refused::of(row, &[]).fatal();
     fault.line = line;
     fault
 }
 
 /// A word that stands in nothing it belongs to, with what is open around it.
-fn stray(mark: &OWord, open: Option<&OWord>) -> Box<Fault> {
+fn stray(mark: &OWord, open: Option<&OWord>) -> Box<Refused> {
     let (label, word, home) = (shown(&mark.label), mark.word.name(), mark.word.belongs_to());
     let clause = matches!(mark.word, Word::Else | Word::ElseIf);
     if let Some(open) = open.filter(|open| clause && open.word == Word::Else && open.label == mark.label) {
@@ -165,7 +165,7 @@ fn stray(mark: &OWord, open: Option<&OWord>) -> Box<Fault> {
 }
 
 /// A subprogram or program that begins inside something else.
-fn inside(mark: &OWord, outer: &OWord) -> Box<Fault> {
+fn inside(mark: &OWord, outer: &OWord) -> Box<Refused> {
     let (label, around, line) = (shown(&mark.label), shown(&outer.label), outer.at.lines + 1);
     refused(
         mark.at.lines + 1,
@@ -178,7 +178,7 @@ impl Structure {
     ///
     /// # Errors
     /// For words that do not belong together, two subprograms of one label, and too many words.
-    pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Outcome<Self> {
+    pub(super) fn of(source: &mut SourceText<'_>, lexis: &Lexis) -> Result<Self> {
         let mut structure = Self::default();
         let mut open: Vec<usize> = Vec::new();
         let mut tape = Tape::new(lexis);
@@ -205,7 +205,7 @@ impl Structure {
             let mark = OWord { word, label, at, after: behind, next: None, opens: None };
             structure.add(mark, &mut open)?;
             if structure.words.len() > O_WORDS {
-                return Err(Fault::ended(&OWordsTooMany { most: O_WORDS }));
+                return Err(Refused::ended(&OWordsTooMany { most: O_WORDS }));
             }
         }
         if let Some(mark) = open.last().and_then(|&index| structure.words.get(index)) {
@@ -215,7 +215,7 @@ impl Structure {
         Ok(structure)
     }
 
-    fn add(&mut self, mut mark: OWord, open: &mut Vec<usize>) -> Outcome<()> {
+    fn add(&mut self, mut mark: OWord, open: &mut Vec<usize>) -> Result<()> {
         let index = self.words.len();
         let line = mark.at.lines + 1;
         let top = open.last().copied().filter(|&top| self.words.get(top).is_some_and(|one| one.label == mark.label));
@@ -280,7 +280,7 @@ impl Structure {
         Ok(())
     }
 
-    fn define(&mut self, mark: &OWord, index: usize) -> Outcome<()> {
+    fn define(&mut self, mark: &OWord, index: usize) -> Result<()> {
         let list = if mark.word == Word::Sub { &mut self.subs } else { &mut self.programs };
         let Some(first) = list.insert(mark.label.clone(), index) else { return Ok(()) };
         let line = self.words.get(first).map_or(0, |first| first.at.lines + 1);

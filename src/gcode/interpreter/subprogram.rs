@@ -12,9 +12,9 @@ use crate::gcode::code::M;
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::flow::{Call, LARGEST_FILE};
 use crate::gcode::interpreter::library::Mark;
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::source::Position;
 use crate::gcode::rules::flow::{
     BlockCallWithoutP, BlockMissing, CallWithoutP, FileOfAnother, MainReturns, NotAProgramNumber, ProgramNowhere,
@@ -25,7 +25,7 @@ use crate::text::Text;
 
 impl Reader<'_, '_> {
     /// M97, M98 and M99 of the block in hand.
-    pub(super) fn call_by_number(&mut self) -> Outcome<()> {
+    pub(super) fn call_by_number(&mut self) -> Result<()> {
         match self.block.m(4) {
             Some((M::CallBlock, _)) => self.call_block(),
             Some((M::Call, _)) => self.call_numbered_program(),
@@ -34,31 +34,31 @@ impl Reader<'_, '_> {
     }
 
     /// P of a call, a whole number from 1 on.
-    fn called(&self, code: u8) -> Outcome<u32> {
+    fn called(&self, code: u8) -> Result<u32> {
         let Some(P) = self.block.get(letter::P) else {
             let column = &[self.block.m_column(4)];
             return Err(if code == 97 {
-                Fault::of(&BlockCallWithoutP {}, column)
+                Refused::of(&BlockCallWithoutP {}, column)
             } else {
-                Fault::of(&CallWithoutP {}, column)
+                Refused::of(&CallWithoutP {}, column)
             });
         };
         whole(P)
             .and_then(|number| u32::try_from(number).ok())
             .filter(|&number| number > 0)
-            .ok_or_else(|| Fault::of(&NotAProgramNumber { number: P }, &[self.block.column(letter::P)]))
+            .ok_or_else(|| Refused::of(&NotAProgramNumber { number: P }, &[self.block.column(letter::P)]))
     }
 
     /// L of a call.
-    fn repeats(&self) -> Outcome<Option<i64>> {
+    fn repeats(&self) -> Result<Option<i64>> {
         let Some(L) = self.block.get(letter::L) else { return Ok(None) };
         let repeats = whole(L).filter(|repeats| (0..=CALL_REPEATS).contains(repeats));
         repeats.map(Some).ok_or_else(|| {
-            Fault::of(&RepeatsTooMany { repeats: L, most: CALL_REPEATS }, &[self.block.column(letter::L)])
+            Refused::of(&RepeatsTooMany { repeats: L, most: CALL_REPEATS }, &[self.block.column(letter::L)])
         })
     }
 
-    fn call_block(&mut self) -> Outcome<()> {
+    fn call_block(&mut self) -> Result<()> {
         let number = self.called(97)?;
         let repeats = self.repeats()?.unwrap_or(1);
         let block = self.block_numbered(number, self.block.column(letter::P), &BlockMissing { number })?;
@@ -72,7 +72,7 @@ impl Reader<'_, '_> {
         Ok(())
     }
 
-    fn call_numbered_program(&mut self) -> Outcome<()> {
+    fn call_numbered_program(&mut self) -> Result<()> {
         let P = self.called(98)?;
         let L = self.repeats()?;
         let (number, repeats) = match (L, P / 10_000) {
@@ -80,14 +80,14 @@ impl Reader<'_, '_> {
             (None, 0) => (P, 1),
             (None, times) => (P % 10_000, times.into()),
             (Some(_), _) => {
-                return Err(Fault::of(
+                return Err(Refused::of(
                     &RepeatsTwice { number: P },
                     &[self.block.column(letter::P), self.block.column(letter::L)],
                 ));
             }
         };
         if !(0..=CALL_REPEATS).contains(&repeats) {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &RepeatsOfP { number: P, repeats, most: CALL_REPEATS },
                 &[self.block.column(letter::P)],
             ));
@@ -103,9 +103,9 @@ impl Reader<'_, '_> {
     }
 
     /// Where a program begins: behind the line of its number.
-    fn program_numbered(&mut self, number: u32) -> Outcome<Mark> {
+    fn program_numbered(&mut self, number: u32) -> Result<Mark> {
         let column = self.block.column(letter::P);
-        let twice = |places: String| Fault::of(&ProgramTwice { number: format!("{number:04}"), places }, &[column]);
+        let twice = |places: String| Refused::of(&ProgramTwice { number: format!("{number:04}"), places }, &[column]);
         // The file in hand, then the program's own file.
         for text in [self.memory.flow.next.text, 0] {
             let found: Vec<_> =
@@ -129,7 +129,7 @@ impl Reader<'_, '_> {
                 .setting
                 .files
                 .find(&name)
-                .map_err(|reason| Fault::of(&SubprogramUnreadable { name: name.clone(), reason }, &[column]))?;
+                .map_err(|reason| Refused::of(&SubprogramUnreadable { name: name.clone(), reason }, &[column]))?;
             match (bytes, &found) {
                 (None, _) => {}
                 (Some(bytes), None) => found = Some((name, bytes)),
@@ -140,24 +140,24 @@ impl Reader<'_, '_> {
         }
         let Some((name, bytes)) = found else {
             let nowhere = ProgramNowhere { number: format!("{number:04}") };
-            return Err(Fault::of(&nowhere, &[column]).as_alarm_of(self.alarms()));
+            return Err(Refused::of(&nowhere, &[column]).as_alarm_of(self.alarms()));
         };
         if bytes.len() > LARGEST_FILE {
-            return Err(Fault::ended(&SubprogramTooLarge { name }));
+            return Err(Refused::ended(&SubprogramTooLarge { name }));
         }
         let text = self.memory.library.add(bytes, name);
         self.beginning(text, number)
     }
 
     /// Where the program of a file of its own begins: behind its number, or behind `%`, or with its first line.
-    fn beginning(&mut self, text: usize, number: u32) -> Outcome<Mark> {
+    fn beginning(&mut self, text: usize, number: u32) -> Result<Mark> {
         let numbers = self.memory.library.numbers(text, &self.memory.control.lexis)?;
         if let Some(line) = numbers.programs(number).next() {
             return Ok(Mark { text, line });
         }
         if let Some(other) = numbers.first_program() {
             let name = self.memory.library.file(text).cloned().unwrap_or_default();
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &FileOfAnother { name, other: format!("{other:04}"), number: format!("{number:04}") },
                 &[self.block.column(letter::P)],
             ));
@@ -169,10 +169,10 @@ impl Reader<'_, '_> {
     }
 
     /// M99: again, or back to the caller.
-    fn return_to_caller(&mut self) -> Outcome<()> {
+    fn return_to_caller(&mut self) -> Result<()> {
         let P = if self.block.has(letter::P) { Some(self.called(99)?) } else { None };
         match (self.memory.flow.frames.last_mut(), P) {
-            (None, _) => Err(Fault::ended(&MainReturns {})),
+            (None, _) => Err(Refused::ended(&MainReturns {})),
             (Some(call), None) => match call.repeat() {
                 Some(start) => {
                     self.open(start);

@@ -5,7 +5,7 @@ use crate::gcode::control::{ToolCall, ToolChange};
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::setting::ToolOffset;
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::turning::rules::{
@@ -19,7 +19,7 @@ use crate::number::trig::sin_cos;
 impl Reader<'_, '_> {
     /// T: the tool that the next change brings, or the turret's place.
     #[deny(clippy::wildcard_enum_match_arm)]
-    pub(super) fn take_tool(&mut self) -> Outcome<()> {
+    pub(super) fn take_tool(&mut self) -> Result<()> {
         match self.memory.control.tool {
             ToolCall::Change => {}
             ToolCall::Words => return self.turn_by_words(),
@@ -32,24 +32,24 @@ impl Reader<'_, '_> {
     }
 
     /// The number of a tool that the table holds, if it is known; 0 is none.
-    pub(super) fn tool_number(&mut self, letter: usize, value: f64) -> Outcome<u32> {
+    pub(super) fn tool_number(&mut self, letter: usize, value: f64) -> Result<u32> {
         let column = self.block.column(letter);
         let Some(number) = whole(value).and_then(|number| u32::try_from(number).ok()) else {
-            return Err(Fault::of(&NoToolNumber { value }, &[column]));
+            return Err(Refused::of(&NoToolNumber { value }, &[column]));
         };
         if !self.has_place(number) {
-            return Err(Fault::of(&ToolNotInTable { tool: number }, &[column]));
+            return Err(Refused::of(&ToolNotInTable { tool: number }, &[column]));
         }
         Ok(number)
     }
 
     /// M6 and M61.
     #[deny(clippy::wildcard_enum_match_arm)]
-    pub(super) fn change_tool(&mut self, code: M) -> Outcome<()> {
+    pub(super) fn change_tool(&mut self, code: M) -> Result<()> {
         let column = self.block.m_column(6);
         if code == M::SetTool {
             let Some(Q) = self.block.get(letter::Q) else {
-                return Err(Fault::of(&SetToolWithoutQ {}, &[column]));
+                return Err(Refused::of(&SetToolWithoutQ {}, &[column]));
             };
             self.state.modal.tool = self.tool_number(letter::Q, Q)?;
             return Ok(());
@@ -59,7 +59,7 @@ impl Reader<'_, '_> {
         match self.memory.control.change {
             ToolChange::Routine => {}
             ToolChange::Selected if selected.is_none() => {
-                return Err(Fault::of(&ChangeWithoutTool {}, &[column]).hanging_on(doubt::TOOL));
+                return Err(Refused::of(&ChangeWithoutTool {}, &[column]).hanging_on(doubt::TOOL));
             }
             ToolChange::Selected => self.state.modal.spindle = Spindle::Stopped,
         }
@@ -79,7 +79,7 @@ impl Reader<'_, '_> {
     }
 
     /// G43, G43.1, G43.2 and G49.
-    pub(super) fn tool_length(&mut self, code: G) -> Outcome<()> {
+    pub(super) fn tool_length(&mut self, code: G) -> Result<()> {
         let column = self.block.g_column(Group::ToolLength);
         let H = self.block.get(letter::H);
         let axes = AXES.into_iter().any(|axis| self.block.has(axis));
@@ -95,7 +95,7 @@ impl Reader<'_, '_> {
                 self.offset_of(number)
             }
             (G::ToolLengthGiven, _) if !axes => {
-                return Err(Fault::of(&LengthWithoutAxes {}, &[column]));
+                return Err(Refused::of(&LengthWithoutAxes {}, &[column]));
             }
             (G::ToolLengthGiven, _) => {
                 let mut tool = self.state.frame.tool;
@@ -114,7 +114,7 @@ impl Reader<'_, '_> {
                 tool
             }
             _ => {
-                return Err(Fault::of(&AddedLength {}, &[column]));
+                return Err(Refused::of(&AddedLength {}, &[column]));
             }
         };
         let machine = self.state.frame.to_machine(&self.state.at);
@@ -134,22 +134,22 @@ impl Reader<'_, '_> {
 
     /// G10 L1 (the tool gets these offsets), L10 and L11 (so that this position reads the axis words in the system in force,
     /// or in G59.3 without G92).
-    pub(super) fn set_tool_offset(&mut self, number: u32, system: Option<u8>) -> Outcome<()> {
+    pub(super) fn set_tool_offset(&mut self, number: u32, system: Option<u8>) -> Result<()> {
         let column = self.block.g_column(Group::NonModal);
         if self.memory.setting.tools.is_none() {
-            return Err(Fault::of(&ToolTableNotKnown {}, &[column]));
+            return Err(Refused::of(&ToolTableNotKnown {}, &[column]));
         }
         let Some(&old) = self.memory.tools.get(&number) else {
-            return Err(Fault::of(&ToolNotInTable { tool: number }, &[column]));
+            return Err(Refused::of(&ToolNotInTable { tool: number }, &[column]));
         };
         let words = [letter::R, letter::Q, letter::I, letter::J];
         if !AXES.into_iter().chain(words).any(|letter| self.block.has(letter)) {
-            return Err(Fault::of(&ToolOffsetWithoutValues {}, &[column]));
+            return Err(Refused::of(&ToolOffsetWithoutValues {}, &[column]));
         }
         if let Some(Q) = self.block.get(letter::Q)
             && whole(Q).is_none_or(|orientation| !(0..=9).contains(&orientation))
         {
-            return Err(Fault::of(&NoOrientation { value: Q }, &[self.block.column(letter::Q)]));
+            return Err(Refused::of(&NoOrientation { value: Q }, &[self.block.column(letter::Q)]));
         }
         let mut tool: ToolOffset = old;
         match system {

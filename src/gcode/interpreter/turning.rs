@@ -11,7 +11,7 @@ use crate::gcode::code::{G, Group, TurningCycle};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::motion::Feed;
 use crate::gcode::turning::Move;
 use crate::gcode::turning::finish::finish;
@@ -33,14 +33,14 @@ const FIRST: [usize; 5] = [letter::P, letter::Q, letter::R, letter::U, letter::W
 
 impl Reader<'_, '_> {
     /// The turning cycle of the block in hand.
-    pub(super) fn turning(&mut self, cycle: TurningCycle) -> Outcome<()> {
+    pub(super) fn turning(&mut self, cycle: TurningCycle) -> Result<()> {
         self.turn(cycle).map_err(|mut fault| {
             fault.uncut = true;
             fault
         })
     }
 
-    fn turn(&mut self, cycle: TurningCycle) -> Outcome<()> {
+    fn turn(&mut self, cycle: TurningCycle) -> Result<()> {
         match cycle {
             TurningCycle::Finish => {
                 let ends = self.contour_ends(cycle.number(), [letter::P, letter::Q])?;
@@ -67,7 +67,7 @@ impl Reader<'_, '_> {
     }
 
     /// G71, G72, G73.
-    fn roughing(&mut self, cycle: TurningCycle) -> Outcome<()> {
+    fn roughing(&mut self, cycle: TurningCycle) -> Result<()> {
         if !self.block.has(letter::P) && !self.block.has(letter::Q) {
             self.keep_first(cycle);
             return Ok(());
@@ -91,7 +91,7 @@ impl Reader<'_, '_> {
             TurningCycle::Radial => rough::radial(&contour.profile, &rough),
             _ => {
                 let passes = whole(retract).ok_or_else(|| {
-                    Fault::of(&RepeatPassesNotWhole { value: retract }, &[self.block.g_column(Group::NonModal)])
+                    Refused::of(&RepeatPassesNotWhole { value: retract }, &[self.block.g_column(Group::NonModal)])
                 })?;
                 let relief = [depth, axial];
                 repeat(&contour.profile, &Repeat { relief, passes, allowance: [U, W], feed: None })
@@ -103,7 +103,7 @@ impl Reader<'_, '_> {
     }
 
     /// G74 and G75.
-    fn grooving(&mut self, cycle: TurningCycle) -> Outcome<()> {
+    fn grooving(&mut self, cycle: TurningCycle) -> Result<()> {
         if !self.has_axes() {
             self.keep_first(cycle);
             return Ok(());
@@ -125,7 +125,7 @@ impl Reader<'_, '_> {
     }
 
     /// G76.
-    fn threading(&mut self, cycle: TurningCycle) -> Outcome<()> {
+    fn threading(&mut self, cycle: TurningCycle) -> Result<()> {
         if !self.has_axes() {
             self.keep_first(cycle);
             return Ok(());
@@ -134,9 +134,9 @@ impl Reader<'_, '_> {
         let P = self.first(cycle, letter::P)?;
         let digits = whole(P).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 999_999);
         let Some(digits) = digits else {
-            return Err(Fault::of(&ThreadFirstBlockDigits { value: P }, &[column]));
+            return Err(Refused::of(&ThreadFirstBlockDigits { value: P }, &[column]));
         };
-        let missing = |name: char| Fault::of(&ThreadWordMissing { letter: name }, &[column]);
+        let missing = |name: char| Refused::of(&ThreadWordMissing { letter: name }, &[column]);
         let height = self.block.get(letter::P).ok_or_else(|| missing('P'))?;
         let first = self.block.get(letter::Q).ok_or_else(|| missing('Q'))?;
         let least = self.first(cycle, letter::Q)?;
@@ -175,11 +175,11 @@ impl Reader<'_, '_> {
     }
 
     /// The moves of a cycle, or its trouble as a refusal at its place.
-    pub(super) fn told(&self, moves: Result<Vec<Move>, Box<Trouble>>) -> Outcome<Vec<Move>> {
+    pub(super) fn told(&self, moves: Result<Vec<Move>, Box<Trouble>>) -> Result<Vec<Move>> {
         moves.map_err(|trouble| {
             let columns =
                 if trouble.line.is_none() { vec![self.block.g_column(Group::NonModal) + 1] } else { Vec::new() };
-            Box::new(Fault { columns, ..Fault::from(*trouble) }).as_alarm_of(self.alarms())
+            Box::new(Refused { columns, ..Refused::from(*trouble) }).as_alarm_of(self.alarms())
         })
     }
 
@@ -197,7 +197,7 @@ impl Reader<'_, '_> {
     }
 
     /// A word of the first block of a cycle.
-    fn first(&self, cycle: TurningCycle, letter: usize) -> Outcome<f64> {
+    fn first(&self, cycle: TurningCycle, letter: usize) -> Result<f64> {
         let number = cycle.number();
         let kept = self.state.modal.first.iter().find(|(of, _)| *of == cycle).map(|(_, first)| first);
         let at = FIRST.iter().position(|one| *one == letter);
@@ -206,9 +206,9 @@ impl Reader<'_, '_> {
             let name = char::from(b'A' + u8::try_from(letter).unwrap_or(0));
             let at = [self.block.g_column(Group::NonModal)];
             if kept.is_none() {
-                Fault::of(&FirstBlockMissing { cycle: number }, &at)
+                Refused::of(&FirstBlockMissing { cycle: number }, &at)
             } else {
-                Fault::of(&FirstBlockWordMissing { letter: name, cycle: number }, &at)
+                Refused::of(&FirstBlockWordMissing { letter: name, cycle: number }, &at)
             }
         })
     }

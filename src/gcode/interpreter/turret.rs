@@ -11,14 +11,14 @@
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::turning::rules::{NoTurretPlace, OffsetAlone, OffsetNotInTable, ToolNotInTurret};
 use crate::machine::axis::Pose;
 use crate::machine::work_offset::ActiveOffsets;
 
 impl Reader<'_, '_> {
     /// T and D of a lathe.
-    pub(super) fn turn_by_words(&mut self) -> Outcome<()> {
+    pub(super) fn turn_by_words(&mut self) -> Result<()> {
         let T = self.block.get(letter::T);
         let D = self.block.get(letter::D).filter(|_| !self.has_turning_cycle());
         let place = T.map(|T| self.tool_number(letter::T, T)).transpose()?;
@@ -33,7 +33,7 @@ impl Reader<'_, '_> {
     }
 
     /// T0A0B.
-    pub(super) fn turn_by_digits(&mut self) -> Outcome<()> {
+    pub(super) fn turn_by_digits(&mut self) -> Result<()> {
         if let Some((place, offset)) = self.turret_place()? {
             self.put_in(place, offset);
         }
@@ -41,16 +41,16 @@ impl Reader<'_, '_> {
     }
 
     /// The place and the offset of the T0A0B of the block in hand.
-    pub(super) fn turret_place(&self) -> Outcome<Option<(u32, u32)>> {
+    pub(super) fn turret_place(&self) -> Result<Option<(u32, u32)>> {
         let Some(T) = self.block.get(letter::T) else { return Ok(None) };
         let column = self.block.column(letter::T);
         let Some(digits) = whole(T).and_then(|digits| u32::try_from(digits).ok()).filter(|digits| *digits <= 9999)
         else {
-            return Err(Fault::of(&NoTurretPlace { value: T }, &[column]));
+            return Err(Refused::of(&NoTurretPlace { value: T }, &[column]));
         };
         let (place, offset) = (digits / 100, digits % 100);
         if place == 0 && offset != 0 {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &OffsetAlone { value: T, offset, whole: format!("{offset:02}{offset:02}") },
                 &[column],
             ));
@@ -61,7 +61,7 @@ impl Reader<'_, '_> {
     }
 
     /// Refuses a place or an offset that the table does not hold.
-    fn known(&self, column: usize, number: u32, offset: bool) -> Outcome<()> {
+    fn known(&self, column: usize, number: u32, offset: bool) -> Result<()> {
         let there = if offset {
             number == 0 || self.memory.setting.tools.is_none() || self.memory.tools.contains_key(&number)
         } else {
@@ -71,9 +71,9 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         Err(if offset {
-            Fault::of(&OffsetNotInTable { offset: number }, &[column])
+            Refused::of(&OffsetNotInTable { offset: number }, &[column])
         } else {
-            Fault::of(&ToolNotInTurret { tool: number }, &[column])
+            Refused::of(&ToolNotInTurret { tool: number }, &[column])
         })
     }
 

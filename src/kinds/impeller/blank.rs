@@ -15,6 +15,9 @@ use crate::number::grid::{Milli, OutOfFormat};
 use crate::parameter::field::Fields;
 use crate::text::t;
 
+/// How far from the stock the tool ends where the form does not say it, on the diameter: the published end X of 80 for R = 25.
+const END_CLEARANCE: f64 = 30.0;
+
 /// How the blank is turned. Lengths in mm; those named "on the diameter" are programmed so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlankTurning {
@@ -38,7 +41,7 @@ pub struct BlankTurning {
     pub c_o: f64,
     /// Clearance before the cycle, on the diameter.
     pub c_c: f64,
-    /// End X, on the diameter.
+    /// End X, on the diameter: that of the form, else 2·R + 30.
     pub X_e: f64,
     /// End Z.
     pub Z_e: f64,
@@ -61,7 +64,7 @@ impl BlankTurning {
             c_f: fields.get(&form::C_F),
             c_o: fields.get(&form::C_O),
             c_c: fields.get(&form::C_C),
-            X_e: fields.get(&form::X_E),
+            X_e: fields.get(&form::X_E).unwrap_or_else(|| 2.0 * fields.get(&form::R) + END_CLEARANCE),
             Z_e: fields.get(&form::Z_E),
             S_m: fields.get(&form::S_M),
         }

@@ -83,6 +83,8 @@ fn full(language: Language) -> Vec<(&'static str, Value)> {
             entry.1 = value;
         }
     }
+    // It follows R.
+    values.retain(|entry| entry.0 != "X_e");
     values.extend([
         ("F", Value::Real(300.0)),
         ("S", Value::Whole(6000)),

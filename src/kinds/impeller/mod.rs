@@ -317,6 +317,14 @@ fn quantities(
             Unit::Degree,
             ["ec. (22)", "eq. (22)"],
         ),
+        quantity(
+            "X_e",
+            "X final del torneado, en diámetro",
+            "End X of the turning, on the diameter",
+            design.blank.X_e,
+            mm,
+            ["la de la hoja; vacía: 2·R + 30", "as in the form; empty: 2·R + 30"],
+        ),
     ];
     // A limit that does not exist is left out; the caution about the gap says so.
     list.extend(limits.N_max.map(|N| {

@@ -14,7 +14,7 @@ use crate::gcode::word::Distance;
 use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::rules::HeightCalledLength;
 use crate::parameter::field::{Field, Optional, Required, Usual, WithSheet};
-use crate::parameter::{Earlier, FieldKind, Form, Parameter, Section, Sheet};
+use crate::parameter::{Earlier, FieldKind, Form, Parameter, Section, Sheet, title_block};
 use crate::table::Unit;
 use crate::text::{Text, t};
 
@@ -426,13 +426,13 @@ pub(super) static C_C: Field<f64, Required> = Field::real(
     t("Holgura en diámetro antes del ciclo", "Clearance on the diameter before the cycle"),
     t("Publicado: 5", "Published: 5"),
 );
-pub(super) static X_E: Field<f64, Required> = Field::real(
+pub(super) static X_E: Field<f64, Optional> = Field::real(
     "X_e",
     "blank_end_X_e",
     MM,
     [1.0, 5000.0],
     t("X final, en diámetro", "End X, on the diameter"),
-    t("Publicado: 80; mayor que 2·R", "Published: 80; greater than 2·R"),
+    t("Mayor que 2·R; vacía: 2·R + 30. Publicado: 80", "Greater than 2·R; empty: 2·R + 30. Published: 80"),
 );
 pub(super) static Z_E: Field<f64, Required> =
     Field::real("Z_e", "blank_end_Z_e", MM, [1.0, 5000.0], t("Z final", "End Z"), t("Publicado: 80", "Published: 80"));
@@ -534,6 +534,7 @@ pub static FORM: Form = Form {
                 Section { title: t("Corte", "Cutting"), parameters: CUTTING },
                 Section { title: t("Programa", "Program"), parameters: PROGRAM },
                 Section { title: t("Torneado del bruto", "Turning of the blank"), parameters: BLANK },
+                title_block::SECTION,
             ],
         },
         Sheet {

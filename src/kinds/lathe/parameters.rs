@@ -11,7 +11,7 @@ pub use crate::kinds::lathe::tool_sheet::KEY as TOOLS_KEY;
 use crate::limits::SHEET_BLOCKS;
 use crate::parameter::field::{Field, Optional, Required, Usual, choices};
 use crate::parameter::list::{List, Naming};
-use crate::parameter::{Choice, Form, Parameter, Section, Sheet};
+use crate::parameter::{Choice, Form, Parameter, Section, Sheet, title_block};
 use crate::removal::turning::stock::Support;
 use crate::table::Unit;
 use crate::text::{Text, t};
@@ -431,6 +431,7 @@ pub static FORM: Form = Form {
             Section { title: t("Otros orígenes, desde M", "Further zeros, from M"), parameters: ZEROS },
             Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND },
             Section { title: t("Ajustes del control", "Settings of the control"), parameters: CONTROL },
+            title_block::SECTION,
         ],
     }],
     lists: &[

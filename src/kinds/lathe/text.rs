@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::finding::{CellPlace, Finding, Place, Raise};
-use crate::gcode::interpreter::{Fault, Files, Interpreter, Setting, line_feeds};
+use crate::gcode::interpreter::{Files, Interpreter, Refused, Setting, line_feeds};
 use crate::gcode::program::Part;
 use crate::kinds::lathe::parameters::{BLOCK, SUBPROGRAM_KEY};
 use crate::kinds::lathe::rules::SubprogramOnTwoSheets;
@@ -126,7 +126,7 @@ impl SheetProgram {
     /// A refusal that lies in more than one line, at the cells of all of them; `None` where it lies in one, or one stands in no
     /// cell.
     #[must_use]
-    pub fn refused_together(&self, fault: &Fault) -> Option<Finding> {
+    pub fn refused_together(&self, fault: &Refused) -> Option<Finding> {
         if fault.others.is_empty() {
             return None;
         }

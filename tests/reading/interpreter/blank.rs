@@ -11,7 +11,7 @@ use super::{corpus, ours};
 /// The motions of a program by their lines, or its first refusal.
 fn read(program: &[u8], setting: Setting) -> Result<Vec<(usize, Pose)>, String> {
     let placed = |motion: Motion| (motion.line, motion.machine);
-    let refused = |fault: Box<rodete::gcode::interpreter::Fault>| format!("{}: {}", fault.line, fault.what.en);
+    let refused = |fault: Box<rodete::gcode::interpreter::Refused>| format!("{}: {}", fault.line, fault.what.en);
     Interpreter::over(program, setting).map(|item| item.map(placed).map_err(refused)).collect()
 }
 

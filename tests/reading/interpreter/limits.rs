@@ -3,13 +3,13 @@
 use proptest::prelude::*;
 use rodete::finding::Exit;
 use rodete::gcode::control::{ALL, Control, FAGOR_8055_T, LINUXCNC};
-use rodete::gcode::interpreter::{Budget, Fault, Interpreter, Setting};
+use rodete::gcode::interpreter::{Budget, Interpreter, Refused, Setting};
 use rodete::gcode::motion::Motion;
 
 use super::common::rs274::Judge;
 use super::ours::setting;
 
-fn read(program: &[u8]) -> Vec<Result<Motion, Box<Fault>>> {
+fn read(program: &[u8]) -> Vec<Result<Motion, Box<Refused>>> {
     let mut setting = setting(&Judge::default());
     setting.budget = Budget { repeated_blocks: 2_000, ..Budget::default() };
     Interpreter::over(program, setting).collect()

@@ -3,7 +3,7 @@
 use rodete::finding::Grade;
 use rodete::gcode::control::{Control, FAGOR_8055, FAGOR_8055_T, FAGOR_8070, FANUC_LATHE_A};
 use rodete::gcode::in_force::{Compensation, InForce};
-use rodete::gcode::interpreter::{Fault, Interpreter, Setting, ToolOffset, Tools};
+use rodete::gcode::interpreter::{Interpreter, Refused, Setting, ToolOffset, Tools};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::number::trig::tan;
@@ -12,7 +12,7 @@ use super::contour::nose;
 
 pub struct Run {
     pub motions: Vec<(Motion, InForce)>,
-    pub faults: Vec<Fault>,
+    pub faults: Vec<Refused>,
     pub remarks: Vec<(Grade, String)>,
     pub end: (Pose, Pose),
 }
@@ -172,7 +172,7 @@ fn times_under_constant_surface_speed_come_from_the_compensated_radius() {
     assert!((motion.seconds.unwrap() - 60.0 * length / (0.1 * rpm)).abs() < 1e-9);
 }
 
-fn refused(text: &str) -> Fault {
+fn refused(text: &str) -> Refused {
     let run = run(&FANUC_LATHE_A, text);
     assert_eq!(run.faults.len(), 1, "{:?}", run.faults);
     run.faults.into_iter().next().unwrap()

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use rodete::finding::Finding;
 use rodete::gcode::control::FANUC_LATHE_A;
 use rodete::gcode::in_force::InForce;
-use rodete::gcode::interpreter::{Fault, Files, Interpreter, Setting, ToolOffset, Tools};
+use rodete::gcode::interpreter::{Files, Interpreter, Refused, Setting, ToolOffset, Tools};
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::machine::axis::{Axis, Pose};
 use rodete::machine::var_file::VarFile;
@@ -59,7 +59,7 @@ pub fn setting() -> Setting {
 pub struct Read {
     pub motions: Vec<Motion>,
     pub controls: Vec<InForce>,
-    pub faults: Vec<Fault>,
+    pub faults: Vec<Refused>,
     pub remarks: Vec<Finding>,
 }
 

@@ -15,7 +15,7 @@ use crate::gcode::code::{Cycle, G};
 use crate::gcode::interpreter::Reader;
 use crate::gcode::interpreter::block::letter;
 use crate::gcode::interpreter::cycle::{PECK_CLEARANCE, missing};
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::setting::HolePlane;
 use crate::gcode::turning::rules::{
     HoleDwellNegative, HolePlaneBelowBottom, HolePlaneNotSaid, PeckNotPositive, PeckWithoutDepth, TooManyLathePecks,
@@ -27,7 +27,7 @@ use crate::machine::length_unit::LengthUnit;
 
 impl Reader<'_, '_> {
     /// A drilling cycle of the block in hand.
-    pub(in crate::gcode::interpreter) fn hole(&mut self, cycle: Cycle) -> Outcome<()> {
+    pub(in crate::gcode::interpreter) fn hole(&mut self, cycle: Cycle) -> Result<()> {
         let feed = self.feed()?;
         let again = matches!(self.state.modal.motion, G::Cycle(_));
         let (unit, sticky) = (self.state.modal.unit, self.state.modal.sticky);
@@ -64,13 +64,16 @@ impl Reader<'_, '_> {
             None => 0.0,
         };
         if p < 0.0 {
-            return Err(Fault::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
+            return Err(Refused::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
         }
         if r < bottom {
-            return Err(Fault::of(&HolePlaneBelowBottom { r: Size::plain(r, 3), bottom: Size::plain(bottom, 3) }, &[]));
+            return Err(Refused::of(
+                &HolePlaneBelowBottom { r: Size::plain(r, 3), bottom: Size::plain(bottom, 3) },
+                &[],
+            ));
         }
         if cycle == Cycle::Peck && q <= 0.0 && self.block.has(letter::Q) {
-            return Err(Fault::of(&PeckNotPositive {}, &[self.block.column(letter::Q)]));
+            return Err(Refused::of(&PeckNotPositive {}, &[self.block.column(letter::Q)]));
         }
         // Without Q the control drills to the bottom at one go.
         let pecks = cycle == Cycle::Peck && q > 0.0;
@@ -78,7 +81,7 @@ impl Reader<'_, '_> {
             self.memory.remarks.row(&PeckWithoutDepth { depth: Size::mm(r - bottom) }, self.block.spot, None);
         }
         if pecks && (r - bottom) / q > PECKS {
-            return Err(Fault::of(&TooManyLathePecks { most: PECKS }, &[self.block.column(letter::Q)]));
+            return Err(Refused::of(&TooManyLathePecks { most: PECKS }, &[self.block.column(letter::Q)]));
         }
         let sticky = &mut self.state.modal.sticky;
         (sticky.r, sticky.bottom, sticky.p, sticky.q) = (r, bottom, p, q);

@@ -11,8 +11,8 @@ use crate::gcode::control::Drilling;
 use crate::gcode::in_force::Spindle;
 use crate::gcode::interpreter::block::{AXES, letter};
 use crate::gcode::interpreter::expression::whole;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
 use crate::gcode::interpreter::out;
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind, Plane};
 use crate::gcode::turning::rules::{
@@ -45,15 +45,15 @@ pub(super) struct Holes {
     feed: Feed,
 }
 
-pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Fault> {
+pub(super) fn missing(letter: char, cycle: Cycle) -> Box<Refused> {
     let number = cycle.number();
-    Fault::of(&CycleWordMissing { letter, cycle: number }, &[]).hanging_on(doubt::MOTION)
+    Refused::of(&CycleWordMissing { letter, cycle: number }, &[]).hanging_on(doubt::MOTION)
 }
 
 impl Reader<'_, '_> {
     /// A canned cycle of the block in hand, as the control drills.
     #[deny(clippy::wildcard_enum_match_arm)]
-    pub(super) fn drill(&mut self, cycle: Cycle) -> Outcome<()> {
+    pub(super) fn drill(&mut self, cycle: Cycle) -> Result<()> {
         match self.memory.control.drilling {
             Drilling::Rs274 => self.cycle(cycle),
             Drilling::Lathe => self.hole(cycle),
@@ -62,16 +62,16 @@ impl Reader<'_, '_> {
     }
 
     /// A canned cycle along the axis across the plane.
-    fn cycle(&mut self, cycle: Cycle) -> Outcome<()> {
+    fn cycle(&mut self, cycle: Cycle) -> Result<()> {
         let feed = self.feed()?;
         if matches!(feed.mode, FeedMode::InverseTime | FeedMode::Seconds) {
-            return Err(Fault::of(&CycleUnderInverseTime {}, &[]));
+            return Err(Refused::of(&CycleUnderInverseTime {}, &[]));
         }
         let again = self.state.modal.is_cycle(cycle);
         let [first, second, across] = self.state.modal.plane.axes();
         for axis in AXES.into_iter().skip(3) {
             if self.block.has(axis) {
-                return Err(Fault::of(&CycleMovesOtherAxis {}, &[self.block.column(axis)]));
+                return Err(Refused::of(&CycleMovesOtherAxis {}, &[self.block.column(axis)]));
             }
         }
         let unit = self.state.modal.unit;
@@ -89,7 +89,7 @@ impl Reader<'_, '_> {
         let holes = match self.block.get(letter::L) {
             None => 1,
             Some(L) => whole(L).filter(|holes| (1..=BLOCK_HOLES).contains(holes)).ok_or_else(|| {
-                Fault::of(&CycleRepeats { value: L, most: BLOCK_HOLES }, &[self.block.column(letter::L)])
+                Refused::of(&CycleRepeats { value: L, most: BLOCK_HOLES }, &[self.block.column(letter::L)])
             })?,
         };
         let current = self.state.at.get(across);
@@ -105,7 +105,7 @@ impl Reader<'_, '_> {
             (r_word, bottom_word, at, [0.0; 2])
         };
         if r < bottom {
-            return Err(Fault::of(&MillHolePlaneBelowBottom { r, bottom }, &[]));
+            return Err(Refused::of(&MillHolePlaneBelowBottom { r, bottom }, &[]));
         }
         let mut run = Holes {
             cycle,
@@ -152,7 +152,7 @@ impl Reader<'_, '_> {
     }
 
     /// P, Q, I, J and K of the cycle.
-    fn cycle_words(&mut self, run: &mut Holes, again: bool) -> Outcome<()> {
+    fn cycle_words(&mut self, run: &mut Holes, again: bool) -> Result<()> {
         let (cycle, unit) = (run.cycle, self.state.modal.unit);
         match cycle {
             Cycle::ChipBreak | Cycle::Peck => {
@@ -163,10 +163,10 @@ impl Reader<'_, '_> {
                 };
                 self.state.modal.sticky.q = run.q;
                 if run.q <= 0.0 {
-                    return Err(Fault::of(&MillPeckNotPositive {}, &[self.block.column(letter::Q)]));
+                    return Err(Refused::of(&MillPeckNotPositive {}, &[self.block.column(letter::Q)]));
                 }
                 if (run.r - run.bottom) / run.q > PECKS {
-                    return Err(Fault::beyond(&TooManyPecks { most: PECKS }, &[]));
+                    return Err(Refused::beyond(&TooManyPecks { most: PECKS }, &[]));
                 }
             }
             Cycle::DrillDwell
@@ -182,7 +182,7 @@ impl Reader<'_, '_> {
                     None => return Err(missing('P', cycle)),
                 };
                 if run.p < 0.0 {
-                    return Err(Fault::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
+                    return Err(Refused::of(&HoleDwellNegative {}, &[self.block.column(letter::P)]));
                 }
                 self.state.modal.sticky.p = run.p;
             }
@@ -214,7 +214,7 @@ impl Reader<'_, '_> {
         let turns = self.state.modal.spindle;
         let needs = matches!(cycle, Cycle::BoreStop | Cycle::BackBore | Cycle::BoreManual);
         if wanted.is_some_and(|wanted| wanted != turns) || (needs && turns == Spindle::Stopped) {
-            return Err(Fault::of(&CycleSpindle { cycle: cycle.number() }, &[]).hanging_on(doubt::SPINDLE));
+            return Err(Refused::of(&CycleSpindle { cycle: cycle.number() }, &[]).hanging_on(doubt::SPINDLE));
         }
         if wanted.is_some() && self.state.modal.plane != Plane::XY {
             self.memory.remarks.row(&TappingOutsideG17 { cycle: cycle.number() }, self.block.spot, None);
@@ -227,7 +227,7 @@ impl Reader<'_, '_> {
     }
 
     /// Makes the next hole of a run.
-    pub(super) fn next_hole(&mut self, mut run: Holes) -> Outcome<()> {
+    pub(super) fn next_hole(&mut self, mut run: Holes) -> Result<()> {
         let [first, second, across] = self.state.modal.plane.axes();
         run.at[0] += run.step[0];
         run.at[1] += run.step[1];

@@ -15,7 +15,7 @@
 use crate::finding::Size;
 use crate::gcode::code::{G, Group, SinglePassCycle};
 use crate::gcode::interpreter::block::letter;
-use crate::gcode::interpreter::fault::{Fault, Outcome};
+use crate::gcode::interpreter::refused::{Refused, Result};
 use crate::gcode::interpreter::{Reader, doubt};
 use crate::gcode::motion::{Feed, MotionKind, Thread};
 use crate::gcode::turning::pace::revolutions;
@@ -29,23 +29,23 @@ use crate::text::t;
 
 impl Reader<'_, '_> {
     /// The lead of a thread: F of this block, or of an earlier block of a thread; mm.
-    pub(in crate::gcode::interpreter) fn lead(&mut self) -> Outcome<f64> {
+    pub(in crate::gcode::interpreter) fn lead(&mut self) -> Result<f64> {
         if let Some(F) = self.block.get(letter::F) {
             self.state.modal.lead = Some(self.state.modal.unit.to_mm(F));
         }
         match self.state.modal.lead {
             Some(lead) if lead > 0.0 => Ok(lead),
-            Some(_) => Err(Fault::of(&LeadZero {}, &[self.block.column(letter::F)])),
-            None => Err(Fault::of(&LeadMissing {}, &[])),
+            Some(_) => Err(Refused::of(&LeadZero {}, &[self.block.column(letter::F)])),
+            None => Err(Refused::of(&LeadMissing {}, &[])),
         }
     }
 
     /// The spindle's angle at which a pass of a thread begins: Q in thousandths of a degree, of this block alone; degrees.
-    fn start_angle(&self) -> Outcome<f64> {
+    fn start_angle(&self) -> Result<f64> {
         const TURN: f64 = 360_000.0;
         let Some(Q) = self.block.get(letter::Q) else { return Ok(0.0) };
         if !(0.0..=TURN).contains(&Q) {
-            return Err(Fault::of(&StartAngle { value: Q }, &[self.block.column(letter::Q)]));
+            return Err(Refused::of(&StartAngle { value: Q }, &[self.block.column(letter::Q)]));
         }
         Ok(if Q == TURN { 0.0 } else { Q / 1000.0 })
     }
@@ -68,12 +68,12 @@ impl Reader<'_, '_> {
     }
 
     /// G32 and G34.
-    pub(in crate::gcode::interpreter) fn thread(&mut self, changing: bool) -> Outcome<()> {
+    pub(in crate::gcode::interpreter) fn thread(&mut self, changing: bool) -> Result<()> {
         let lead = self.lead()?;
         let change = match self.block.get(letter::K) {
             Some(K) if changing => self.state.modal.unit.to_mm(K),
             None if changing && self.state.modal.motion != G::Thread(true) => {
-                return Err(Fault::of(&LeadChangeMissing {}, &[self.block.g_column(Group::Motion)]));
+                return Err(Refused::of(&LeadChangeMissing {}, &[self.block.g_column(Group::Motion)]));
             }
             None if changing => self.state.modal.lead_change,
             _ => 0.0,
@@ -91,7 +91,7 @@ impl Reader<'_, '_> {
         }
         let thread = Thread { lead, change, angle: self.start_angle()? };
         if revolutions(distance, &thread).is_none() {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &LeadRunsOut { length: Size::mm(-lead * lead / (2.0 * change)) },
                 &[self.block.column(letter::K)],
             ));
@@ -108,7 +108,7 @@ impl Reader<'_, '_> {
     }
 
     /// G90, G92 and G94.
-    pub(in crate::gcode::interpreter) fn pass(&mut self, pass: SinglePassCycle) -> Outcome<()> {
+    pub(in crate::gcode::interpreter) fn pass(&mut self, pass: SinglePassCycle) -> Result<()> {
         let number = pass.number();
         let before = self.state.modal.pass;
         let named = [
@@ -129,7 +129,7 @@ impl Reader<'_, '_> {
             _ => None,
         };
         if let Some((es, en)) = missing.and_then(|missing| missing.split_once('|')) {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &PassEndMissing { words: t(es, en), cycle: number },
                 &[self.block.g_column(Group::Motion)],
             )
@@ -147,7 +147,7 @@ impl Reader<'_, '_> {
         let across = usize::from(pass == SinglePassCycle::Radial);
         let infeed = end[across] - start[across];
         if infeed * (infeed + taper) < 0.0 {
-            return Err(Fault::of(
+            return Err(Refused::of(
                 &PassBeginsBeyondStart { taper: Size::plain(taper, 3), cycle: number, infeed: Size::mm(infeed.abs()) },
                 &[self.block.column(letter::R)],
             )

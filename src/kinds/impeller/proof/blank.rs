@@ -22,7 +22,7 @@ use crate::gcode::program::Program;
 use crate::kinds::impeller::design::{Design, Style};
 use crate::kinds::impeller::proof::rules::{
     BlankNotFollowed, CutTooDeep, MetalLeft, MetalMissing, NoSpeedLimit, NoSpeedLimitAsPublished, RapidInMetal,
-    SpeedLimitDiffers, TermsDiffer, TurningAlarm,
+    SpeedLimitDiffers, TermsDiffer,
 };
 use crate::limits::FOLLOWED_BLANK;
 use crate::machine::axis::{Axis, Pose};
@@ -339,9 +339,10 @@ fn others(first: Option<(Alarm, usize)>, program: &Program, motions: usize) -> C
     let name = t("Otras alarmas del torneado", "Other alarms of the turning");
     let count = first.map_or(0, |(_, count)| count);
     let asked = Question::new("blank-alarms", name, program).showing(Text::same(count.to_string()), Text::same("0"));
-    asked.seen(motions).at(first.as_ref().map(|(alarm, _)| raised_at(alarm))).unless(first.map(|(alarm, _)| {
-        move |place| TurningAlarm { alarm: alarm.finding().what, todo: alarm.cause.remedy() }.at(place)
-    }))
+    asked
+        .seen(motions)
+        .at(first.as_ref().map(|(alarm, _)| raised_at(alarm)))
+        .unless(first.map(|(alarm, _)| move |place| alarm.finding().placed(place).graded(Grade::Caution)))
 }
 
 /// Answers for a stock that is too large to be followed.

@@ -188,13 +188,6 @@ crate::finding::rule::rules! {
         why "En rápido la herramienta no corta: se rompe o arranca la pieza.",
             "In rapid a tool does not cut: it breaks, or tears the work out of the chuck.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "G0 X51.000 Z0.000", to: "G0 X31.000 Z0.000" };
-    "V0409" TurningAlarm Caution { alarm: Text, todo: Text }
-        es "{alarm}"
-        en "{alarm}"
-        remedy "{todo}", "{todo}";
-        why "rodete supone aquí la herramienta y el torno: debe juzgarlo una persona.",
-            "rodete assumes the tool and the lathe here: a person must judge the alarm.";
-        example Example::Slip { kind: "impeller", cells: &[], program: "blank", from: "S300 M4", to: "S300 M3" };
     "V0410" BlankNotFollowed Caution {}
         es "rodete no simula el torneado del bruto: el diámetro pasa del máximo que calcula"
         en "rodete does not simulate the turning of the blank: its diameter is beyond the maximum"

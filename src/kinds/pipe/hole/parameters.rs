@@ -9,7 +9,7 @@ use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
 use crate::parameter::field::{Field, Optional, Required};
-use crate::parameter::{FieldKind, Form, Parameter, Section, Sheet};
+use crate::parameter::{FieldKind, Form, Parameter, Section, Sheet, title_block};
 use crate::table::Unit;
 use crate::text::t;
 
@@ -208,6 +208,7 @@ pub static FORM: Form = Form {
             Section { title: t("Antorcha", "Torch"), parameters: TORCH },
             Section { title: t("Corte", "Cut"), parameters: CUTTING },
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
+            title_block::SECTION,
         ],
     }],
     ..Form::PLAIN

@@ -10,7 +10,7 @@ use crate::kinds::pipe::form::{
     BLOCK_STEP, DIALECT, E, END_CODES, MATERIAL, NUMBER, PAPER, PART, PIERCE_DELAY, PIPES, THETA, TORCH_OFF, TORCH_ON,
 };
 use crate::parameter::field::{Field, Optional, Required, choices};
-use crate::parameter::{Form, Parameter, Section, Sheet};
+use crate::parameter::{Form, Parameter, Section, Sheet, title_block};
 use crate::table::Unit;
 use crate::text::t;
 
@@ -195,6 +195,7 @@ pub static FORM: Form = Form {
             Section { title: t("Unión", "Joint"), parameters: JOINT },
             Section { title: t("Corte", "Cut"), parameters: CUTTING },
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
+            title_block::SECTION,
         ],
     }],
     ..Form::PLAIN

@@ -9,7 +9,7 @@ use crate::text::{Text, t};
 
 /// A refusal with its place. The block is not executed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fault {
+pub struct Refused {
     /// [`Exit::Refused`], or [`Exit::Limit`] where a budget ended.
     pub exit: Exit,
     /// The file of a subprogram that stands in a file of its own.
@@ -40,7 +40,7 @@ pub struct Fault {
     pub(super) hangs: u32,
 }
 
-impl Fault {
+impl Refused {
     /// What a row says, at no place yet.
     fn new(rule: &'static Rule, data: Vec<(&'static str, Datum)>, what: Text, remedy: Text) -> Self {
         Self {
@@ -116,8 +116,8 @@ impl Fault {
     }
 }
 
-impl From<Fault> for Finding {
-    fn from(fault: Fault) -> Self {
+impl From<Refused> for Finding {
+    fn from(fault: Refused) -> Self {
         let told = fault.message();
         let place = place(fault.file.as_deref(), fault.line, fault.columns);
         let mut finding = Finding::of(fault.rule, fault.data, place, told, fault.remedy).graded(Grade::Stop);
@@ -126,7 +126,7 @@ impl From<Fault> for Finding {
     }
 }
 
-impl From<Trouble> for Fault {
+impl From<Trouble> for Refused {
     fn from(trouble: Trouble) -> Self {
         let Trouble { rule, data, exit, what, remedy, line } = trouble;
         Self { exit, line: line.unwrap_or(0), ..Self::new(rule, data, what, remedy) }
@@ -142,7 +142,7 @@ pub(super) fn place(file: Option<&str>, line: usize, columns: Vec<usize>) -> Pla
 }
 
 /// The result of reading or executing a block.
-pub(super) type Outcome<T> = Result<T, Box<Fault>>;
+pub(super) type Result<T, E = Box<Refused>> = std::result::Result<T, E>;
 
 /// What is worth saying about a program that is not refused: each thing once, with the first line it was seen in and how
 /// often it was seen.

@@ -1,0 +1,44 @@
+//! The title block: every form has it, a workbook from before it is read as it was, and a date is one however it was typed.
+
+use rodete::kinds::KINDS;
+use rodete::parameter::title_block::{self, DATE};
+use rodete::text::Language;
+
+use crate::workbook::{DATA, Parts, impeller, row, sound};
+
+#[test]
+fn every_form_ends_its_first_sheet_with_the_title_block_and_asks_for_none_of_it() {
+    for form in KINDS.iter().map(|kind| kind.form()) {
+        let last = form.sheets[0].sections.last().expect("a section");
+        assert!(last.parameters.iter().all(|one| title_block::holds(one) && !one.required), "{}", form.kind);
+        assert_eq!(last.parameters.len(), title_block::PARAMETERS.len(), "{}", form.kind);
+    }
+}
+
+#[test]
+fn a_workbook_without_its_rows_is_read_as_before() {
+    let whole = impeller(&sound(Language::En)).expect("a sound workbook");
+    let bare = title_block::PARAMETERS
+        .iter()
+        .fold(Parts::sound(), |parts, parameter| parts.cell(DATA, &format!("A{}", row(parameter.key)), ""));
+    let read = impeller(&bare.zip()).expect("a workbook of before");
+    assert_eq!((read.values.values, read.findings), (whole.values.values, whole.findings));
+}
+
+#[test]
+fn a_date_is_a_text_or_a_cell_formatted_as_one() {
+    let told = |parts: Parts| {
+        let filled = impeller(&parts.zip()).expect("a sound workbook");
+        assert!(filled.findings.is_empty(), "{:?}", filled.findings);
+        filled.values.line(&DATE).to_owned()
+    };
+    assert_eq!(told(Parts::sound().string("date", " Nov 23rd, 2026 ")), "Nov 23rd, 2026");
+    assert_eq!(told(Parts::sound().value("date", "t=\"d\"", "<v>2026-11-23T00:00:00</v>")), "2026-11-23");
+    let styles = Parts::sound().text("xl/styles.xml");
+    let from = styles.find("<cellXfs").expect("cell formats");
+    let to = styles[from..].find("</cellXfs>").expect("their end") + from;
+    let dated = Parts::sound()
+        .replace("xl/styles.xml", &styles[from..to], "<cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"14\"/>")
+        .value("date", "s=\"1\"", "<v>46349</v>");
+    assert_eq!(told(dated), "2026-11-23");
+}
