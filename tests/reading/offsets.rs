@@ -391,7 +391,7 @@ fn every_bad_edit_is_refused_with_its_reason_and_a_hint() {
         ("G55 X\u{2212}5", "'\u{2212}5' is not a number", "write the number next to the letter, like X-12.5"),
         ("G55 X", "X has no number", "write the number next to the letter, like X-12.5"),
         ("G55 X 5", "'5' does not begin with a letter", "write each word without spaces, like X2.5"),
-        ("G55 X1 x2", "X is given twice", "leave one of the two"),
+        ("G55 X1 x2", "X appears twice", "keep one of the two"),
         ("G55 Q1", "Q is not an axis", "use the axes X Y Z A B C U V W, or R for the rotation"),
         ("G52 R1", "G52 has no rotation", "give R with a work offset, like 'G55 R30'"),
         ("G55 X100000", "X100000 is beyond \u{b1}99999.999", "check the number and the unit"),

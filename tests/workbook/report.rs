@@ -248,7 +248,7 @@ mod embedded {
     fn long_tables_lose_their_middle_and_say_so() {
         let report = typeset(&outcome("part", 61), &[], Language::En, &typst()).unwrap();
         if let Some(text) = text(&report.pdf) {
-            assert!(text.contains("21 rows are left out here"), "{text}");
+            assert!(text.contains("21 rows are omitted here"), "{text}");
         }
     }
 
@@ -278,7 +278,7 @@ mod embedded {
         let report = typeset(&outcome, &[workbook()], Language::En, &typst()).unwrap();
         if let Some(text) = text(&report.pdf) {
             assert!(
-                text.contains("4 961 rows are left out here") || text.contains("4961 rows are left out here"),
+                text.contains("4 961 rows are omitted here") || text.contains("4961 rows are left out here"),
                 "{text}"
             );
             assert!(text.matches('\u{C}').count() < 32, "{} pages", text.matches('\u{C}').count());

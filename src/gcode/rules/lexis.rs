@@ -58,8 +58,8 @@ rules! {
             "The beginning of the comment is missing: the control may run its text.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1 (a))|M2", "2:10");
     "G0008" EdgeNotSupported Stop { edge: char }
-        es "«,{edge}» (chaflán, redondeo o ángulo en el bloque) no está implementado"
-        en "',{edge}' (chamfer, corner radius or angle in a block) is not supported"
+        es "«,{edge}» no está implementado como chaflán, redondeo o ángulo en el bloque"
+        en "',{edge}' is not supported as a chamfer, corner radius or angle in a block"
         remedy "escriba el chaflán o el arco en un bloque propio", "write the chamfer or arc as a block of its own";
         why "Ignorarlo dejaría una esquina viva donde el programa pide otra cosa.",
             "Ignoring it would leave a sharp corner where the program asks for another.";

@@ -89,7 +89,7 @@ fn a_mixed_set_that_cannot_be_mended_is_refused_by_every_command_with_its_names(
         let done = rodete(&folder).args(command).output().expect("run");
         assert_eq!(done.status.code(), Some(code), "{command:?}");
         let said = [done.stderr, done.stdout].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
-        let wanted = "do not belong together: a run was stopped while it delivered them; new: impeller-blade.nc; of \
+        let wanted = "do not belong together: a run was interrupted while delivering them; new: impeller-blade.nc; of \
                       before: impeller-impeller.nc";
         assert!(said.contains(wanted), "{command:?}: {said}");
         assert!(said.contains("use none of these files; delete the new ones and build again"), "{command:?}: {said}");

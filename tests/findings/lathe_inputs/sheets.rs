@@ -406,7 +406,7 @@ fn merged_cells_hide_no_value() {
     stops(
         "over the diameter",
         &merged(DATA, "B16:C16").zip(),
-        &["DATA!C16 D (Diameter of the stock D): its cell is inside the merged cells B16:C16, whose value is in B16"],
+        &["DATA!C16 D (Stock diameter D): its cell is inside the merged cells B16:C16, whose value is in B16"],
         "unmerge B16:C16",
     );
     // Merged cells with nothing in them below the last block are none of the program's.

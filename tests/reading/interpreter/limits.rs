@@ -151,7 +151,7 @@ fn every_word_is_bounded_in_every_dialect() {
     }
     assert!(refusals("G21 G93 G1 X1 F1000000\nM2\n", &LINUXCNC).is_empty(), "an inverse time in minutes");
     let cycle = "T1 D1 S100 M3\nG83 X0 Z0 I-10 B5 D1 K9999999\nM30\n";
-    assert!(refusals(cycle, &FAGOR_8055_T).iter().any(|one| one.2.contains("K9999999 is above")));
+    assert!(refusals(cycle, &FAGOR_8055_T).iter().any(|one| one.2.contains("K9999999 is beyond")));
 }
 
 /// Pieces of programs, so that chance gets further than the first byte.
