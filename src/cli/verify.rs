@@ -44,6 +44,13 @@ impl Read {
     fn lathe(&self) -> bool {
         self.dialect.is_some_and(|dialect| dialect.turns())
     }
+
+    /// True for an axis that is told: always, or because it is anywhere but at 0 in what the program comes to. One that comes
+    /// back to 0 is told as 0.
+    fn told(&self, axis: Axis) -> bool {
+        let reached = [&self.account.program, &self.account.machine];
+        always(axis, self.lathe()) || reached.into_iter().flatten().any(|extents| extents.of(axis) != [0.0, 0.0])
+    }
 }
 
 /// Reads every program and prints what it comes to.
@@ -178,9 +185,9 @@ fn always(axis: Axis, lathe: bool) -> bool {
     (axis as usize) < 3 && !(lathe && axis == Axis::Y)
 }
 
-/// The axes of a pose by name: those of the machine, and what is not 0.
-fn pose(pose: &Pose, lathe: bool) -> Value {
-    let named = Axis::ALL.into_iter().filter(|axis| always(*axis, lathe) || pose.get(*axis) != 0.0);
+/// The axes of a pose by name, where one of them is told.
+fn pose(pose: &Pose, told: impl Fn(Axis) -> bool) -> Value {
+    let named = Axis::ALL.into_iter().filter(|axis| told(*axis));
     // Adding 0 takes the sign of a negative zero away.
     Value::Object(named.map(|axis| (axis.letter().to_string(), json!(pose.get(axis) + 0.0))).collect())
 }
@@ -201,8 +208,9 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
         MotionKind::Dwell(_) => "dwell",
     };
     object.insert("motion".into(), json!(name));
-    object.insert("to".into(), pose(&motion.to, false));
-    object.insert("machine".into(), pose(&motion.machine, false));
+    for (name, at) in [("to", &motion.to), ("machine", &motion.machine)] {
+        object.insert(name.into(), pose(at, |axis| always(axis, false) || at.get(axis) != 0.0));
+    }
     if let MotionKind::Arc(arc, _) = motion.kind {
         let [first, second, _] = arc.plane.axes();
         let centre: Map<String, Value> = [first, second]
@@ -237,20 +245,19 @@ fn line(motion: &Motion, file: Option<&str>) -> Value {
     Value::Object(object)
 }
 
-fn extents(extents: &Option<Extents>, lathe: bool) -> Value {
+fn extents(extents: &Option<Extents>, told: impl Fn(Axis) -> bool) -> Value {
     let Some(extents) = extents else { return json!({}) };
-    let moved = |axis: &Axis| always(*axis, lathe) || extents.of(*axis) != [0.0, 0.0];
     Value::Object(
         Axis::ALL
             .into_iter()
-            .filter(moved)
+            .filter(|axis| told(*axis))
             .map(|axis| (axis.letter().to_string(), json!(extents.of(axis).map(|at| at + 0.0))))
             .collect(),
     )
 }
 
 fn document(read: &Read) -> Value {
-    let (account, lathe) = (&read.account, read.lathe());
+    let (account, told) = (&read.account, |axis| read.told(axis));
     json!({
         "program": read.verdict.workbook.to_string_lossy(),
         "sha256": read.verdict.sha256,
@@ -261,9 +268,9 @@ fn document(read: &Read) -> Value {
         "status": status(read.verdict.exit),
         "lines": read.lines,
         "motions": account.motions,
-        "extents": { "program": extents(&account.program, lathe), "machine": extents(&account.machine, lathe) },
-        "end": { "program": pose(&account.end[0], lathe), "machine": pose(&account.end[1], lathe) },
-        "net_travel": pose(&Pose(read.net), lathe),
+        "extents": { "program": extents(&account.program, told), "machine": extents(&account.machine, told) },
+        "end": { "program": pose(&account.end[0], told), "machine": pose(&account.end[1], told) },
+        "net_travel": pose(&Pose(read.net), told),
         "path_mm": { "feed": account.feed_path, "rapid": account.rapid_path },
         "feed_time_s": (!account.untimed).then_some(account.seconds),
         "findings": read.verdict.findings,
@@ -296,9 +303,10 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
     let es = language == Language::Es;
     let word = |spanish: &'static str, english: &'static str| if es { spanish } else { english };
     let number = |value: f64| shown(value, 3);
+    let Some(dialect) = read.dialect else { return };
     let mut text = format!(
         "{name}: {}, {} {}, {} {}\n",
-        read.dialect.map_or("", |dialect| dialect.name),
+        dialect.name,
         read.lines,
         word("líneas", "lines"),
         account.motions,
@@ -307,7 +315,7 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
     if let (Some(program), Some(machine)) = (&account.program, &account.machine) {
         for axis in Axis::ALL {
             let (program, machine) = (program.of(axis), machine.of(axis));
-            if always(axis, lathe) || machine != [0.0, 0.0] || program != [0.0, 0.0] {
+            if read.told(axis) {
                 text.push_str(&format!(
                     "  {}  {} … {}  {}, {} … {}  {}{}\n",
                     axis.letter(),
@@ -328,7 +336,7 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
         let list = |pose: &Pose| {
             Axis::ALL
                 .into_iter()
-                .filter(|axis| always(*axis, lathe) || pose.get(*axis) != 0.0)
+                .filter(|axis| read.told(*axis))
                 .map(|axis| format!("{} {}", axis.letter(), number(pose.get(axis))))
                 .collect::<Vec<_>>()
                 .join("  ")

@@ -55,7 +55,7 @@ fn the_published_splitter_program_shifts_the_part_by_3_998_mm_in_y() {
         .args(["verify", "program.nc", "--lang", "es"])
         .assert()
         .code(0)
-        .stdout(predicate::str::contains("recorrido neto: X -0.001  Y 3.998  Z 0  C 90"))
+        .stdout(predicate::str::contains("recorrido neto: X -0.001  Y 3.998  Z 0  B 0  C 90"))
         .stderr(predicate::str::contains("precaución V0020: el programa incremental no vuelve a donde empieza"));
 }
 
@@ -233,4 +233,25 @@ fn subprograms_are_found_in_named_folders_behind_the_programs_own() {
     assert_eq!((exit, &program["end"]["program"]["X"], &program["motions"]), (0, &Json::from(2.0), &Json::from(2)));
     let (_, exit) = document(&folder, &["main.ngc"]);
     assert_eq!(exit, 3, "without the folders there is no subprogram");
+}
+
+/// An axis that comes back to 0 is what one looks for in a program that closes.
+#[test]
+fn an_axis_that_comes_back_to_0_is_told_as_0() {
+    let folder = with_program("program.ngc", b"G21 G90 G94 F500\nG0 X10 C90\nG1 X20 C0\nM2\n");
+    rodete(&folder)
+        .args(["verify", "program.ngc", "--lang", "en"])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("net travel: X 20  Y 0  Z 0  C 0\n"));
+    let (program, _) = document(&folder, &["program.ngc"]);
+    assert_eq!(program["end"]["machine"]["C"], 0.0);
+    assert_eq!(program["net_travel"].get("B"), None);
+}
+
+/// Of a file that nobody read there is nothing to be summed up.
+#[test]
+fn a_file_that_is_not_there_has_no_sum() {
+    let folder = folder();
+    rodete(&folder).args(["verify", "program.ngc", "--lang", "en"]).assert().code(4).stdout("");
 }

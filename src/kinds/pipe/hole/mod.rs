@@ -257,7 +257,8 @@ fn remarks(design: &Design, held: bool) -> Vec<Finding> {
     if design.lead_in == 0.0 {
         findings.push(NoLeadIn {}.at(at(&["lead_in"])));
     }
-    if design.h > 0.0 {
+    // Without a groove the whole edge is cut upright at once.
+    if design.h > 0.0 && design.gamma > 0.0 {
         findings.push(LandCutApart {}.at(at(&["h"])));
     }
     findings.push(match distance(design) {
