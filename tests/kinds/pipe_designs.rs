@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade, Refusal};
+use rodete::gcode::control::MILLING;
 use rodete::gcode::motion::{Motion, MotionKind};
 use rodete::gcode::program::Program;
 use rodete::geometry::pipe_pair::Side;
@@ -219,7 +220,7 @@ proptest! {
     fn random_holes_keep_what_their_checks_say(
         D in 80.0..600.0_f64, wall in 0.02..0.1_f64, part in 0.15..0.85_f64, theta in 55.0..125.0_f64, off in -0.6..0.6_f64,
         gamma in 0.0..45.0_f64, b in 0.0..3.0_f64, h in 0.0..0.9_f64, tolerance in 0.02..0.2_f64, F in 500.0..6000.0_f64,
-        dialect in prop::sample::select(vec!["linuxcnc", "fagor-8055", "fagor-8070"]),
+        dialect in prop::sample::select(MILLING.map(|control| control.name).to_vec()),
     ) {
         let t = D * wall;
         let d = (D - 2.0 * t) * part;
@@ -300,7 +301,7 @@ proptest! {
         D in 20.0..600.0_f64, part in 0.1..1.0_f64, wall in 0.02..0.2_f64, theta in 25.0..155.0_f64, off in -1.0..1.0_f64,
         kerf in 0.0..3.0_f64, tolerance in 0.01..0.3_f64, N in 3_u32..400, equal in 0..8_u8, F in 100.0..6000.0_f64,
         mode in prop::sample::select(vec!["flat", "rotary"]), style in prop::sample::select(vec!["full", "annex"]),
-        dialect in prop::sample::select(vec!["linuxcnc", "fagor-8055", "fagor-8070"]),
+        dialect in prop::sample::select(MILLING.map(|control| control.name).to_vec()),
         edges in prop::sample::select(vec![["inside", "outside"], ["outside", "inside"], ["outside", "outside"]]),
     ) {
         let d = if equal == 0 { D } else { D * part };

@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
+use rodete::gcode::control::MILLING;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
@@ -64,7 +65,7 @@ fn holes() -> Vec<Vec<(&'static str, Value)>> {
 #[test]
 fn every_hole_passes_its_verification_in_every_dialect() {
     for hole in holes() {
-        for dialect in ["linuxcnc", "fagor-8055", "fagor-8070"] {
+        for dialect in MILLING.map(|control| control.name) {
             let mut changes = hole.clone();
             changes.push(choice("dialect", dialect));
             if dialect != "linuxcnc" {

@@ -6,6 +6,7 @@ use crate::common::agreement;
 use common::rs274;
 use proptest::prelude::*;
 use rodete::finding::{Exit, Finding, Grade};
+use rodete::gcode::control::MILLING;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::kind::{Outcome, Provenance};
 use rodete::kinds;
@@ -139,7 +140,7 @@ fn joints() -> Vec<Vec<(&'static str, Value)>> {
 fn every_joint_passes_its_verification_in_every_mode_and_dialect() {
     for joint in joints() {
         for mode in ["flat", "rotary"] {
-            for dialect in ["linuxcnc", "fagor-8055", "fagor-8070"] {
+            for dialect in MILLING.map(|control| control.name) {
                 let mut changes = joint.clone();
                 changes.extend([choice("mode", mode), choice("dialect", dialect), real("arc_tolerance", 0.1)]);
                 let outcome = outcome("square", &changes);

@@ -6,6 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use rodete::gcode::control::MILLING;
 use rodete::geometry::darboux::Darboux;
 use rodete::geometry::torus::Torus;
 use rodete::geometry::villarceau::Villarceau;
@@ -40,7 +41,7 @@ prop_compose! {
 
 /// A design that no check refuses, with every dialect and layout.
 fn design() -> impl Strategy<Value = Vec<(&'static str, Value)>> {
-    (torus(), 0.02..0.6_f64, 0.1..0.9_f64, 0.2..0.95_f64, 2_u32..60, 1_u32..12, any::<[bool; 3]>(), 0_usize..3)
+    (torus(), 0.02..0.6_f64, 0.1..0.9_f64, 0.2..0.95_f64, 2_u32..60, 1_u32..12, any::<[bool; 3]>(), 0..MILLING.len())
         .prop_map(|(torus, depth, wide, thick, n, N, [full, absolute, splitters], dialect)| {
             let a_p = ((torus.R - torus.r) * depth).clamp(0.01, 100.0);
             let hub = e_max(torus, a_p, N, 0.0);
@@ -62,7 +63,7 @@ fn design() -> impl Strategy<Value = Vec<(&'static str, Value)>> {
                 ("splitters", Value::Choice(if splitters { "yes" } else { "no" })),
                 ("style", Value::Choice(if full { "full" } else { "annex" })),
                 ("distance", Value::Choice(if absolute { "G90" } else { "G91" })),
-                ("dialect", Value::Choice(["fagor-8055", "fagor-8070", "linuxcnc"][dialect])),
+                ("dialect", Value::Choice(MILLING[dialect].name)),
                 ("start_codes", Value::Line("M3".to_owned())),
                 ("rotary", Value::Choice(if absolute { "linear" } else { "rollover" })),
                 ("retract", Value::Line(if dialect == 1 { "" } else { "G0 G53 Z0" }.to_owned())),

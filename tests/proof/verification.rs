@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 
 use proptest::prelude::*;
 use rodete::finding::{Grade, Place};
+use rodete::gcode::control::MILLING;
 use rodete::gcode::header::Origin;
 use rodete::gcode::interpreter::Interpreter;
 use rodete::gcode::program::Program;
@@ -123,7 +124,7 @@ fn coarse_steps_are_a_caution_that_names_the_n() {
 #[test]
 fn shipped_programs_pass_but_for_the_published_splitter() {
     for case in ["tfg-2021", "full"] {
-        for dialect in ["fagor-8055", "fagor-8070", "linuxcnc"] {
+        for dialect in MILLING.map(|control| control.name) {
             // LinuxCNC does not move without F, which style annex does not carry.
             if case == "tfg-2021" && dialect == "linuxcnc" {
                 continue;
@@ -390,7 +391,7 @@ fn a_dropped_and_a_doubled_block_are_caught() {
 
 #[test]
 fn a_doubled_feed_is_caught() {
-    for dialect in ["fagor-8055", "fagor-8070", "linuxcnc"] {
+    for dialect in MILLING.map(|control| control.name) {
         let faster = move |value: f64| if dialect == "fagor-8070" { value / 2.0 } else { value * 2.0 };
         let worst = verdicts("full", &[("dialect", Value::Choice(dialect))], "blade", |text| {
             with(text, line_of(text, "B78.750 "), 'F', faster)

@@ -17,8 +17,10 @@ use rodete::text::Language;
 use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::{self, offsets_sheet, results, template};
 
-/// LibreOffice takes a second or two; a hang is ended after this many.
-const DEADLINE: &str = "120";
+/// LibreOffice takes a second or two, and less than one a workbook; a hang is ended after this many.
+const DEADLINE: &str = "300";
+/// The filter for workbooks.
+const EXCEL: &str = "xlsx:Calc MS Excel 2007 XML";
 
 /// True where LibreOffice can be called. Where it must be there, its absence fails the test.
 fn libreoffice() -> bool {
@@ -34,9 +36,9 @@ fn libreoffice() -> bool {
     found
 }
 
-/// Converts a file in its folder; returns the path of what was made.
-fn converted(file: &Path, filter: &str, extension: &str) -> PathBuf {
-    let folder = file.parent().expect("a folder");
+/// Converts the files of a folder, at once, as starting takes most of the time; returns the paths of what was made, in their order.
+fn converted(files: &[PathBuf], filter: &str, extension: &str) -> Vec<PathBuf> {
+    let folder = files[0].parent().expect("a folder");
     let out = folder.join("out");
     let output = Command::new("timeout")
         .args(["-k", "5", DEADLINE, "soffice"])
@@ -44,11 +46,15 @@ fn converted(file: &Path, filter: &str, extension: &str) -> PathBuf {
         .arg(format!("-env:UserInstallation=file://{}", folder.join("profile").display()))
         .args(["--headless", "--convert-to", filter, "--outdir"])
         .arg(&out)
-        .arg(file)
+        .args(files)
         .output()
         .expect("LibreOffice can be called");
-    let made = out.join(file.with_extension(extension).file_name().expect("a name"));
-    assert!(output.status.success() && made.exists(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let made = files.iter().map(|file| out.join(file.with_extension(extension).file_name().expect("a name")));
+    let made: Vec<_> = made.collect();
+    for path in &made {
+        assert!(path.exists(), "{}: {}", path.display(), String::from_utf8_lossy(&output.stderr));
+    }
     made
 }
 
@@ -98,7 +104,8 @@ fn offsets_come_back_from_libreoffice_to_the_last_digit() {
     let to = std::fs::File::create(&path).expect("a file");
     let file = var_file();
     offsets_sheet::write(&file, LengthUnit::Inch, "a.var", Language::Es, to).expect("offsets");
-    let made = std::fs::read(converted(&path, "xlsx:Calc MS Excel 2007 XML", "xlsx")).expect("LibreOffice's workbook");
+    let made = converted(&[path], EXCEL, "xlsx");
+    let made = std::fs::read(&made[0]).expect("LibreOffice's workbook");
     let table = OffsetsTable::read(&made, LengthUnit::Inch).expect("the sheet");
     let mut back = VarFile::default();
     back.complete();
@@ -118,17 +125,21 @@ fn the_lists_of_a_lathe_come_back_from_libreoffice_row_by_row() {
         cells: BTreeMap::new(),
     };
     let folder = tempfile::tempdir().expect("a folder");
+    let mut files = Vec::new();
     for (case, language) in lathe_cases::CASES.iter().flat_map(|case| Language::ALL.map(|language| (case, language))) {
         let path = folder.path().join(format!("{}-{}.xlsx", case.name, language.code()));
         let mut lists = (case.listed)(language);
         lists.push(Rows { list: "subprogram", sheet: "O0005".to_owned(), rows: odd.iter().map(block).collect() });
         let to = std::fs::File::create(&path).expect("a file");
         template::write(&lathe::FORM, &case.values(language), &lists, &case.note, language, to).expect("a form");
-        let read = |path: &Path| {
-            let bytes = std::fs::read(path).expect("a workbook");
-            workbook::read(&bytes, &[&lathe::FORM]).expect("a sound workbook").values
-        };
-        let (before, after) = (read(&path), read(&converted(&path, "xlsx:Calc MS Excel 2007 XML", "xlsx")));
+        files.push(path);
+    }
+    let read = |path: &Path| {
+        let bytes = std::fs::read(path).expect("a workbook");
+        workbook::read(&bytes, &[&lathe::FORM]).expect("a sound workbook").values
+    };
+    for (path, made) in files.iter().zip(converted(&files, EXCEL, "xlsx")) {
+        let (before, after) = (read(path), read(&made));
         assert_eq!(before.values, after.values);
         assert!(before.lists.len() >= 3 && before.lists.iter().any(|rows| rows.rows.len() == odd.len()));
         assert_eq!(before.lists, after.lists, "{path:?}");
@@ -141,9 +152,9 @@ fn libreoffice_finds_no_error_in_any_workbook() {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
-    for file in workbooks(folder.path()) {
-        let mut before: Xlsx<_> = open_workbook(&file).expect("our workbook");
-        let made = converted(&file, "xlsx:Calc MS Excel 2007 XML", "xlsx");
+    let files = workbooks(folder.path());
+    for (file, made) in files.iter().zip(converted(&files, EXCEL, "xlsx")) {
+        let mut before: Xlsx<_> = open_workbook(file).expect("our workbook");
         let mut after: Xlsx<_> = open_workbook(made).expect("LibreOffice's workbook");
         assert_eq!(before.sheet_names(), after.sheet_names());
         for name in before.sheet_names() {
@@ -192,6 +203,6 @@ fn libreoffice_prints_the_results() {
     let file = folder.path().join("results.xlsx");
     let outcome = common::outcome("full", &[]);
     results::write(&outcome, Language::Es, std::fs::File::create(&file).expect("a file")).expect("results");
-    let pdf = std::fs::read(converted(&file, "pdf", "pdf")).expect("the pages");
+    let pdf = std::fs::read(&converted(&[file], "pdf", "pdf")[0]).expect("the pages");
     assert!(pdf.starts_with(b"%PDF"));
 }
