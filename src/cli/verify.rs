@@ -350,7 +350,7 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
             number(account.feed_path),
             word("en avance", "at feed"),
             number(account.rapid_path),
-            word("en rápido", "at rapid")
+            word("en rápido", "in rapid")
         ));
         let time = if account.untimed {
             word("desconocido", "not known").to_owned()

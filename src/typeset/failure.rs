@@ -126,7 +126,7 @@ impl Ending {
             }
             Self::NotPdf { length } => Text::new(
                 format!("dejó {length} bytes que no son un PDF completo"),
-                format!("left {length} bytes that are no whole PDF"),
+                format!("left {length} bytes that are not a complete PDF"),
             ),
         }
     }

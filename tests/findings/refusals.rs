@@ -306,7 +306,7 @@ fn programs_without_feed_are_refused_where_the_control_needs_one() {
     let found = refused("tfg-2021", &[("dialect", Value::Choice("linuxcnc")), known]);
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!(found[0].what.en, "style = annex has no feed F, and the dialect linuxcnc does not move without one");
-    assert_eq!(found[0].remedy.en, "style = full");
+    assert_eq!(found[0].remedy.en, "choose style = full");
     assert_eq!(found[0].place, Place::Parameters(vec!["style", "dialect"]));
 }
 

@@ -187,7 +187,7 @@ fn the_published_splitter_cuts_into_its_neighbour() {
     let caution = common::outcome("tfg-2021", &[]);
     let caution = caution.findings.iter().find(|finding| finding.what.en.contains("the splitter's pass cuts")).unwrap();
     assert_eq!((caution.grade, caution.value.as_str()), (Grade::Caution, "bounded between -1.9376 and -1.9375 mm"));
-    assert!(caution.remedy.en.starts_with("splitter_fade = each-side; or "), "{}", caution.remedy.en);
+    assert!(caution.remedy.en.starts_with("set splitter_fade = each-side or "), "{}", caution.remedy.en);
     assert!(
         !common::outcome("tfg-2021", &[("splitters", Value::Choice("no"))])
             .findings

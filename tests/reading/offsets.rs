@@ -396,7 +396,7 @@ fn every_bad_edit_is_refused_with_its_reason_and_a_hint() {
         ("G52 R1", "G52 has no rotation", "give R with a work offset, like 'G55 R30'"),
         ("G55 X100000", "X100000 is beyond \u{b1}99999.999", "check the number and the unit"),
         ("G55 R361", "R361 is beyond \u{b1}360", "check the number and the unit"),
-        ("G55 X0.1234567", "X0.1234567 has more decimals than the file's 6", "round it"),
+        ("G55 X0.1234567", "X0.1234567 has more decimals than the file's 6", "round the number"),
         ("G55 X1\u{1b}[2J", "'1\\u{1b}[2' is not a number", "write the number next to the letter, like X-12.5"),
     ] {
         let finding = Edit::parse(text, LengthUnit::Millimetre).expect_err(text);

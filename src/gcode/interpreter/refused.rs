@@ -229,7 +229,7 @@ impl Turns {
             1 => t("", ""),
             count => Text::new(
                 format!("; {count} bloques así, este es el mayor, en la línea {line}"),
-                format!("; {count} such blocks, this the greatest, in line {line}"),
+                format!("; {count} such blocks, the largest in line {line}"),
             ),
         };
         let degrees = Size::number(degrees, 3);

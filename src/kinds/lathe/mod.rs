@@ -557,7 +557,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
     let left = followed.last().map_or(0.0, |one| one.drawn.part.iter().map(|ring| volume(ring)).sum());
     let mm3 = Unit::CubicMillimetre;
     let mut quantities = vec![
-        quantity("L3", t("Voladizo", "Overhang"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
+        quantity("L3", t("Voladizo", "Stick-out"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
         quantity(
             "Z_W1",
             t("Origen W1, desde M", "Zero W1, from M"),
@@ -569,7 +569,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         quantity("t_c", t("de ella, cortando", "of it, cutting"), sum(|all| all.cutting_seconds), Unit::Second, none()),
         quantity(
             "t_G0",
-            t("de ella, en rápido", "of it, at rapid"),
+            t("de ella, en rápido", "of it, in rapid"),
             sum(|all| all.rapid_seconds),
             Unit::Second,
             none(),

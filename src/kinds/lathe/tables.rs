@@ -219,7 +219,7 @@ pub fn lines_table(motions: &[Table]) -> Table {
         title: t("Lo que hace cada bloque", "What each block does"),
         source: t(
             "Sumas sobre los movimientos de cada línea; de a_p, V_c y Q, el mayor valor; a_p de una rosca, desde el exterior",
-            "Sums over the motions of each line; of a_p, V_c and Q the greatest; a_p of a thread from the outside",
+            "Sums over the motions of each line; for a_p, V_c and Q the maximum; a_p of a thread from the outside",
         ),
         index: Index::None,
         print: Print::Short,
@@ -295,7 +295,7 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
         title: t("Lo que hace cada herramienta", "What each tool does"),
         source: t(
             "Sumas sobre los movimientos; de a_p, V_c y Q, el mayor valor",
-            "Sums over the motions; of a_p, V_c and Q the greatest",
+            "Sums over the motions; for a_p, V_c and Q the maximum",
         ),
         index: Index::None,
         print: Print::Short,

@@ -269,7 +269,7 @@ rules! {
         en "the sheet \"{sheet}\" is of a kind that rodete does not read"
         remedy "ábralo en Excel o LibreOffice, guárdelo de nuevo como .xlsx, o vuelva a copiarlo del original",
             "open it in Excel or LibreOffice and save it again as .xlsx, or copy it again from the original";
-        why "rodete solo conoce hojas de celdas, de gráficos y de diálogos.", "rodete knows only sheets of cells, charts and dialogs.";
+        why "rodete solo conoce hojas de celdas, de gráficos y de diálogos.", "rodete knows only sheets of cells, charts and dialogues.";
         example made!("macro-sheet", "un libro con una hoja de macros de Excel 4", "a workbook with a sheet of Excel 4 macros");
     "W0257" SheetOutside Stop { sheet: String, target: String }
         es "la hoja \"{sheet}\" está en \"{target}\", fuera del paquete"

@@ -164,7 +164,10 @@ fn what_may_follow_from_another_offset_is_counted_with_it_and_not_told_one_by_on
     let other = followed("T0102");
     assert!(!other.iter().any(|line| line.contains(" 101 ")), "{other:?}");
     assert!(other[0].starts_with("stop 127 183 The offset in force is not the tool's own"), "{other:?}");
-    assert!(other[0].ends_with("; 59 alarms under this offset may follow from it and are not told here"), "{other:?}");
+    assert!(
+        other[0].ends_with("; 59 more alarms with this offset may follow from this and are not listed here"),
+        "{other:?}"
+    );
     // Without any, 60 mm too deep, the cut lies beyond the axis, where the spindle would have to turn the other way.
     let none = program("G0 X60. Z5.|T0100|G1 X46. Z2. F.2|Z-20.");
     let (_folder, document, exit) = build(&Book::new(&none).bytes());

@@ -89,8 +89,8 @@ fn an_absolute_program_for_linear_axes_turns_the_other_way_where_they_are_rollov
     assert_eq!(rollover.ends, [-90.0, -94.5, -99.0, -90.0, 265.5, 621.25]);
     assert_eq!(
         rollover.cautions,
-        ["a rotary axis makes more than half a turn in one feed block: C turns 355.75°; 2 such blocks, this the \
-             greatest, in line 6"]
+        ["a rotary axis makes more than half a turn in one feed block: C turns 355.75°; 2 such blocks, the \
+             largest in line 6"]
     );
 }
 

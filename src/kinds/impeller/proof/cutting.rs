@@ -190,7 +190,7 @@ impl Cutting<'_, '_> {
         let told = design.tol.unwrap_or(NAMED);
         let wanted = (total.value() > told).then(|| needed(design, total.value(), told));
         let (n, tolerance) = (wanted.flatten(), size(told));
-        let name = t("Punta entre bloques: mayor desviación", "Tip between blocks: greatest deviation");
+        let name = t("Punta entre bloques: desviación máxima", "Tip between blocks: maximum deviation");
         let limit = Text::same(design.tol.map(mm).unwrap_or_default());
         let path = Question::new("tip-path", name, program).showing(at_most(&total), limit);
         let path = match design.tol {

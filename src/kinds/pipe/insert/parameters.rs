@@ -82,7 +82,7 @@ pub(super) static EXPERT_BRANCH_R: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 1500.0],
     t("Experto: r, radio de la curva del injerto", "Expert: r, radius of the branch's curve"),
-    t("En lugar del que sale de D, t y contact", "Replaces the radius from D, t and contact"),
+    t("En lugar del que sale de D, t y el contacto", "Replaces the radius from D, t and contact"),
 );
 pub(super) static R: Field<f64, Optional> = Field::real(
     "R",
@@ -98,7 +98,10 @@ pub(super) static R_DEV: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 1700.0],
     t("Experto: radio del desarrollo", "Expert: radius of the development"),
-    t("En lugar del que sale de sheet", "Replaces the radius from sheet"),
+    t(
+        "En lugar del que sale de la superficie del desarrollo",
+        "Replaces the radius from the surface of the development",
+    ),
 );
 
 const JOINT: &[&Parameter] =

@@ -186,7 +186,7 @@ impl Judge for BeamOnRoot<'_> {
                 "the edge that is cut is off the branch with its gap by",
             ),
         );
-        let name = t("Bisel: mayor error de ángulo", "Bevel: greatest error of angle");
+        let name = t("Bisel: error máximo de ángulo", "Bevel: maximum angle error");
         let most = (degrees(errors.at_most(1)) * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
@@ -305,7 +305,7 @@ impl Judge for Swing<'_> {
         let name = t("Inclinación B", "Tilt B");
         let value = Text::same(format!("{} … {}°", shown(self.tilt[0], 3), shown(self.tilt[1], 3)));
         let tilt = Question::new("tilt", name, program).showing(value, Text::same("")).informs();
-        let name = t("Continuidad de C: mayor paso", "Continuity of C: greatest step");
+        let name = t("Continuidad de C: paso máximo", "Continuity of C: largest step");
         let degrees = |value: f64| Text::same(format!("{}°", shown(value, 3)));
         let asked = Question::new("turning", name, program).showing(degrees(self.turn.value()), degrees(SWING));
         let turning = asked.within(&self.turn, SWING, |found, place| {
