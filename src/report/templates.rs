@@ -27,6 +27,7 @@ templates![
     "verification.typ",
     "checks.typ",
     "setup.typ",
+    "setup-sheet.typ",
     "setup-parts.typ",
 ];
 
