@@ -1,4 +1,4 @@
-//! What is told of a command line and of what stands around it: one row for each finding.
+//! Findings about a command line and of what stands around it: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;

@@ -1,4 +1,4 @@
-//! What is told of a drawing at 1:1: one row for each finding.
+//! Findings about a drawing at 1:1: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;

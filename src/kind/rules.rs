@@ -1,4 +1,4 @@
-//! What is told of the programs of every kind of workbook: one row for each finding.
+//! Findings about the programs of every kind of workbook: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;

@@ -1,4 +1,4 @@
-//! What is told of a machine's own files and of edits to them: one row for each finding.
+//! Findings about a machine's own files and of edits to them: one row each.
 //!
 //! G10 LinuxCNC's parameter file, G11 edits of offsets, G12 what the file comes to.
 

@@ -45,7 +45,7 @@ enum By {
 pub struct Agreement {
     by: By,
     planned: usize,
-    /// How many of them are rapid moves that are not told.
+    /// How many of them are rapid moves that are not reported.
     untold: usize,
     /// How many rapid moves may bring the machine to the start.
     approach: Option<usize>,

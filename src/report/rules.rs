@@ -1,4 +1,4 @@
-//! What is told of a report that was made: one row for each finding.
+//! Findings about a report that was made: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;

@@ -1,4 +1,4 @@
-//! What is told of a program that was to be shown: one row for each finding.
+//! Findings about a program that was to be shown: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;

@@ -1,4 +1,4 @@
-//! What is told when files are written: one row for each finding.
+//! Findings about written files: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;

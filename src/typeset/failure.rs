@@ -15,7 +15,7 @@ use crate::text::{Text, t};
 /// The version of typst that the templates are written for.
 pub const TYPST_VERSION: &str = "0.15";
 
-/// Most lines of a compiler's diagnostics that are told.
+/// Most lines of a compiler's diagnostics that are reported.
 const LINES: usize = 8;
 /// Most characters of such a line.
 const WIDTH: usize = 200;

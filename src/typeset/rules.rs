@@ -1,4 +1,4 @@
-//! What is told of a document that typst was to set: one row for each finding.
+//! Findings about a document that typst was to set: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;

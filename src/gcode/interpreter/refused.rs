@@ -34,7 +34,7 @@ pub struct Refused {
     /// True where nothing can be read after it.
     pub fatal: bool,
     /// True where the motions of a turning cycle are not made because of it: what comes after it meets another part than
-    /// the program reckons with.
+    /// the program counts on.
     pub uncut: bool,
     /// Parts of what is in force that it hangs on: where one is in doubt behind a refused block, it follows from that.
     pub(super) hangs: u32,

@@ -1,4 +1,4 @@
-//! What is told of the codes that a workbook puts into programs.
+//! Findings about the codes that a workbook puts into programs.
 
 use crate::finding::rule::{book, rules};
 

@@ -1,4 +1,4 @@
-//! What is told of a turning's workbook, and of following its programs beside the alarms.
+//! Findings about a turning workbook, and about the simulation of its programs besides the alarms.
 //!
 //! Codes P4001 on are of values that contradict each other, L0205 to L0220 of what was followed.
 

@@ -119,7 +119,7 @@ impl Rows {
         self.alarms.push(Text::same(numbers.join(", ")));
     }
 
-    /// Adds to the row of a motion an alarm that was told when the program had ended.
+    /// Adds to the row of a motion an alarm that was reported when the program had ended.
     pub fn late(&mut self, alarm: &Alarm) {
         if let Some(numbers) = self.alarms.get_mut(alarm.motion) {
             let before = if numbers.en.is_empty() { String::new() } else { format!("{}, ", numbers.en) };

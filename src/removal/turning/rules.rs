@@ -1,6 +1,6 @@
-//! What a turning program is told of: one row for each alarm.
+//! The alarms of a turning program: one row each.
 //!
-//! The four digits of a code are the alarm's number; rows from L0201 on are told under the number of another one, with a
+//! The four digits of a code are the alarm's number; rows from L0201 on are reported under the number of another one, with a
 //! remedy of their own. L0221 on refuse a set-up before anything is cut.
 
 use crate::finding::rule::{book, rules};

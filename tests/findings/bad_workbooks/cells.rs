@@ -229,7 +229,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             &sound().cell(DATA, "D7", "<c r=\"D7\" t=\"str\"><v>inch</v></c>"),
             Refused,
             "D7",
-            "is given in mm, and its unit cell says \"inch\"",
+            "is given in mm, but its unit cell says \"inch\"",
             "convert the value to mm and write mm in D7",
         ),
         at(
@@ -237,7 +237,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             &sound().cell(DATA, "D7", ""),
             Refused,
             "D7",
-            "cell D7 does not give its unit; it is given in mm",
+            "cell D7 does not give the unit; the value is in mm",
             "check that the value is in mm and write mm in D7",
         ),
         at(
@@ -330,7 +330,7 @@ fn every_faulty_value_is_refused_with_its_cell_and_its_remedy() {
             "choice misspelt",
             "dialect",
             &sound().string("dialect", "Fagor 8055"),
-            "is \"Fagor 8055\", must be one of",
+            "is \"Fagor 8055\"; it must be one of",
             "did you mean fagor-8055?",
         ),
         value(
@@ -430,7 +430,7 @@ fn symbols_must_be_there_once() {
             ),
             Refused,
             "DATA",
-            "the row of eps_v",
+            "the row eps_v",
             "add a row with eps_v",
         ),
     ]);

@@ -117,7 +117,7 @@ fn hostile_packages_are_refused() {
         at("A9 in all", four.zip(), Limit, "", "unpacks to more than 256 MiB in all", "delete the sheets"),
         file("A10 many", zip_of(&many), "the package has more than 1000 entries", ""),
         file("A10 twice", doubled, "two entries of the package have the same name", ""),
-        file("A10 capitals", Parts::sound().put("XL/Workbook.xml", "x").zip(), "(but for capitals)", ""),
+        file("A10 capitals", Parts::sound().put("XL/Workbook.xml", "x").zip(), "(apart from upper and lower case)", ""),
         file(
             "A10 outside",
             Parts::sound().put("xl/../../etc/passwd", "x").zip(),
@@ -272,7 +272,7 @@ fn hostile_or_broken_parts_are_refused_by_name() {
             sound().value("part", "t=\"s\"", "<v>x</v>").zip(),
             Unreadable,
             &cell("part"),
-            "asks for shared text x",
+            "refers to shared text x",
             "clear cell",
         ),
         at(
@@ -290,7 +290,7 @@ fn hostile_or_broken_parts_are_refused_by_name() {
                 .zip(),
             Limit,
             DATA,
-            "has more than 256 elements inside one another",
+            "has more than 256 nested elements",
             "",
         ),
         at(
@@ -422,7 +422,7 @@ fn the_sheet_must_be_there_under_its_name() {
 #[test]
 fn the_schema_is_looked_at_first() {
     let both = Parts::sound().string("schema", "rodete-impeller 3").value("R", "t=\"n\"", "<v>abc</v>");
-    let versions = "schema is \"rodete-impeller 3\"; rodete reads \"rodete-impeller 2\" here";
+    let versions = "schema is \"rodete-impeller 3\"; rodete reads \"rodete-impeller 2\"";
     // A fault that keeps the sheet from being read is told first; one that does not, never.
     let other = Parts::sound().string("schema", "rodete-impeller 3").number("R", "-1");
     let refusal = impeller(&other.zip()).unwrap_err();
@@ -439,7 +439,7 @@ fn the_schema_is_looked_at_first() {
             Parts::sound().cell(DATA, &cell("schema"), "").zip(),
             Refused,
             &cell("schema"),
-            "schema is empty; rodete reads \"rodete-impeller 2\" here",
+            "schema is empty; rodete reads \"rodete-impeller 2\"",
             "make a new workbook",
         ),
         at(

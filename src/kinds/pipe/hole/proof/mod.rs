@@ -1,4 +1,4 @@
-//! The verification of a hole's program: what the torch would do, held against plan, curve, pipes and torch.
+//! The verification of a hole's program: what the torch would do, compared with plan, curve, pipes and torch.
 //!
 //! Every motion of the cut is looked at in several poses, put back onto the pipe by the machine's forward kinematics. From
 //! each the nearest place of the exact cut is sought: how far the beam passes from its root is how far the cut is off. Half
@@ -111,7 +111,7 @@ fn pose(place: Place) -> Pose {
     pose
 }
 
-/// The axes that are held against the plan: Y must not move.
+/// The axes that are compared with the plan: Y must not move.
 const HELD: &[Axis] = &[Axis::A, Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 
 /// Where the torch goes from the end of the cut: up to the safe height and, by increments, back to where A, B and C show 0.
