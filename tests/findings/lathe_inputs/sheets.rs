@@ -122,7 +122,12 @@ fn places_and_offsets_are_given_once() {
             rows[row].values.insert(key, Value::Whole(value));
         })
     };
-    stops("two T", &with("tools/T", 1, 1).bytes(), &["TOOLS!A7 two tools are in place 1 of the turret"], "one tool");
+    stops(
+        "two T",
+        &with("tools/T", 1, 1).bytes(),
+        &["TOOLS!A7 two tools are in place 1 of the turret"],
+        "give each tool its own place",
+    );
     stops(
         "two D",
         &with("tools/D", 1, 1).bytes(),
@@ -330,7 +335,7 @@ fn headings_and_sheets_that_are_missing_are_named() {
 fn a_block_must_be_a_text() {
     let with = |inner: &str| parts(&sound()).cell(PROGRAM, "A8", inner).zip();
     let text = "write a text of up to 200 characters in A8";
-    let block = "PROGRAM!A8 BLOCK (one block a row)";
+    let block = "PROGRAM!A8 BLOCK (one block per row)";
     stops("a truth", &with("<c r=\"A8\" t=\"b\"><v>1</v></c>"), &[&format!("{block} is the truth value TRUE")], text);
     stops(
         "an error",
@@ -373,7 +378,7 @@ fn a_block_formatted_as_a_date_is_refused() {
     stops(
         "B12",
         &bytes,
-        &["PROGRAM!A8 BLOCK (one block a row): its cell is formatted as a date"],
+        &["PROGRAM!A8 BLOCK (one block per row): its cell is formatted as a date"],
         "set the format of A8 to General and retype the value",
     );
 }
@@ -392,7 +397,7 @@ fn merged_cells_hide_no_value() {
         };
         parts.put(part, sheet)
     };
-    let block = "BLOCK (one block a row): its cell is inside the merged cells A8:A9, whose value is in A8";
+    let block = "BLOCK (one block per row): its cell is inside the merged cells A8:A9, whose value is in A8";
     stops("over a block", &merged(PROGRAM, "A8:A9").zip(), &[&format!("PROGRAM!A9 {block}")], "unmerge A8:A9");
     // As a spreadsheet leaves it: what stood there is gone, and the row would be missing.
     let emptied = merged(PROGRAM, "A8:A9").cell(PROGRAM, "A9", "").zip();

@@ -137,7 +137,7 @@ fn missing_and_unknown_words_and_impossible_cycles_are_refused_by_name() {
 fn a_groove_is_remarked_for_the_width_of_its_cutter() {
     let (_, faults, remarks) = run(b"G95 F0.2 S500 M3\nG0 X40 Z2\nG88 X30 Z-5 Q20 R-9 C2 D1\nM30\n");
     assert_eq!(faults, []);
-    assert!(remarks.iter().any(|remark| remark.contains("width of the cutter")), "{remarks:?}");
+    assert!(remarks.iter().any(|remark| remark.contains("width of the grooving tool")), "{remarks:?}");
 }
 
 #[test]
