@@ -1,10 +1,11 @@
 //! Every row of a verification is raised by its own example: a program that a workbook writes, judged with a text in it
 //! replaced.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use rayon::prelude::*;
 use rodete::cli::rows;
-use rodete::finding::{Example, Finding};
+use rodete::finding::{Example, Finding, Rule};
 use rodete::gcode::header::Origin;
 use rodete::gcode::program::{Part, Program};
 use rodete::kinds::impeller::proof::cutting::Known;
@@ -116,13 +117,20 @@ fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to
 
 #[test]
 fn the_slip_of_every_row_raises_it() {
+    let slip = |rule: &Rule| match rule.example {
+        Example::Slip { kind, cells, program, from, to } => Some((kind, cells, program, from, to)),
+        _ => None,
+    };
+    let rules = rows(KINDS);
+    let slips: BTreeSet<_> = rules.iter().filter_map(|rule| slip(rule)).collect();
+    let known = slips
+        .into_par_iter()
+        .map(|slip @ (kind, cells, program, from, to)| (slip, told(kind, cells, program, [from, to])));
+    let known: BTreeMap<_, _> = known.collect();
     let mut wrong = Vec::new();
-    let rules = rows(KINDS).into_iter();
-    let mut known = BTreeMap::new();
     for rule in rules {
-        let Example::Slip { kind, cells, program, from, to } = rule.example else { continue };
-        let slip = (kind, cells, program, from, to);
-        let findings = known.entry(slip).or_insert_with(|| told(kind, cells, program, [from, to]));
+        let Some(slip @ (.., from, _)) = slip(rule) else { continue };
+        let findings = &known[&slip];
         let own = findings.iter().find(|finding| finding.is(rule));
         // A slip is none of the plan's, whatever else it is.
         let graver = from.is_empty() && findings.iter().any(|finding| finding.grade > rule.grade);

@@ -39,10 +39,10 @@ prop_compose! {
     }
 }
 
-/// A design that no check refuses, with every dialect and layout.
-fn design() -> impl Strategy<Value = Vec<(&'static str, Value)>> {
-    (torus(), 0.02..0.6_f64, 0.1..0.9_f64, 0.2..0.95_f64, 2_u32..60, 1_u32..12, any::<[bool; 3]>(), 0..MILLING.len())
-        .prop_map(|(torus, depth, wide, thick, n, N, [full, absolute, splitters], dialect)| {
+/// A design that no check refuses, with every dialect, complete or in the published layout.
+fn design(full: bool) -> impl Strategy<Value = Vec<(&'static str, Value)>> {
+    (torus(), 0.02..0.6_f64, 0.1..0.9_f64, 0.2..0.95_f64, 2_u32..60, 1_u32..12, any::<[bool; 2]>(), 0..MILLING.len())
+        .prop_map(move |(torus, depth, wide, thick, n, N, [absolute, splitters], dialect)| {
             let a_p = ((torus.R - torus.r) * depth).clamp(0.01, 100.0);
             let hub = e_max(torus, a_p, N, 0.0);
             let d_t = (hub * wide * 0.7).clamp(0.2, 2.0 * torus.r).min(100.0);
@@ -134,40 +134,54 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
-
-    /// Every program of every design: the text's own increments close to exactly 0, and the text says what was planned.
-    #[test]
-    fn programs_of_any_design_close_and_read_back(changes in design()) {
-        let values = common::values("full", &changes);
-        // Some designs have no splitter, or safe points inside the passes: refused with a reason. Too many of them
-        // would end the test.
-        let outcome = rodete::kinds::run(&FORM, values, common::source());
-        prop_assume!(outcome.is_ok());
-        let outcome = outcome.unwrap();
-        prop_assert!(!outcome.stopped() || outcome.programs.is_empty());
-        for program in outcome.programs.iter().filter(|program| program.key != "blank") {
-            let positions = common::read_back(&program.text(), program.start);
-            let mut planned = vec![program.start];
-            program.for_each_move(&mut |each| planned.push(each.to));
-            // Reading starts where the program does; positioning blocks before the first move go there too.
-            prop_assert_eq!(&positions[positions.len() + 1 - planned.len()..], &planned[1..]);
-            let (first, last) = (planned[0], planned[planned.len() - 1]);
-            for axis in rodete::machine::axis::Axis::ALL {
-                let left = (last.get(axis) - first.get(axis)).thousandths();
-                let turn_to_next = program.key != "impeller" && axis == rodete::machine::axis::Axis::C;
-                let closes = if axis == rodete::machine::axis::Axis::C { left.rem_euclid(360_000) == 0 } else { left == 0 };
-                prop_assert!(closes || turn_to_next);
-            }
-            for line in program.text().lines() {
-                prop_assert!(line.len() <= 255 && line.is_ascii(), "{line}");
-                for word in line.split_whitespace().filter(|_| !line.starts_with([';', '(', '%'])) {
-                    let number = &word[1..];
-                    prop_assert!(number.bytes().all(|byte| b"-.0123456789".contains(&byte)), "{line}");
-                    prop_assert!(!(number.starts_with("-0") && number.bytes().all(|byte| b"-.0".contains(&byte))), "{line}");
-                }
+/// Every program of a design: the text's own increments close to exactly 0, and the text says what was planned.
+fn closes_and_reads_back(changes: &[(&'static str, Value)]) -> Result<(), TestCaseError> {
+    let values = common::values("full", changes);
+    // Some designs have no splitter, or safe points inside the passes: refused with a reason. Too many of them
+    // would end the test.
+    let outcome = rodete::kinds::run(&FORM, values, common::source());
+    prop_assume!(outcome.is_ok());
+    let outcome = outcome.unwrap();
+    prop_assert!(!outcome.stopped() || outcome.programs.is_empty());
+    for program in outcome.programs.iter().filter(|program| program.key != "blank") {
+        let positions = common::read_back(&program.text(), program.start);
+        let mut planned = vec![program.start];
+        program.for_each_move(&mut |each| planned.push(each.to));
+        // Reading starts where the program does; positioning blocks before the first move go there too.
+        prop_assert_eq!(&positions[positions.len() + 1 - planned.len()..], &planned[1..]);
+        let (first, last) = (planned[0], planned[planned.len() - 1]);
+        for axis in rodete::machine::axis::Axis::ALL {
+            let left = (last.get(axis) - first.get(axis)).thousandths();
+            let turn_to_next = program.key != "impeller" && axis == rodete::machine::axis::Axis::C;
+            let closes = if axis == rodete::machine::axis::Axis::C { left.rem_euclid(360_000) == 0 } else { left == 0 };
+            prop_assert!(closes || turn_to_next);
+        }
+        for line in program.text().lines() {
+            prop_assert!(line.len() <= 255 && line.is_ascii(), "{line}");
+            for word in line.split_whitespace().filter(|_| !line.starts_with([';', '(', '%'])) {
+                let number = &word[1..];
+                prop_assert!(number.bytes().all(|byte| b"-.0123456789".contains(&byte)), "{line}");
+                prop_assert!(
+                    !(number.starts_with("-0") && number.bytes().all(|byte| b"-.0".contains(&byte))),
+                    "{line}"
+                );
             }
         }
+    }
+    Ok(())
+}
+
+// Two tests, so that two cores work at them.
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn complete_programs_of_any_design_close_and_read_back(changes in design(true)) {
+        closes_and_reads_back(&changes)?;
+    }
+
+    #[test]
+    fn programs_of_any_design_in_the_published_layout_close_and_read_back(changes in design(false)) {
+        closes_and_reads_back(&changes)?;
     }
 }
