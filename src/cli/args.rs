@@ -239,6 +239,9 @@ pub(super) struct Build {
     /// Open the report, or the folder where there is none, when it is written
     #[arg(long)]
     pub(super) open: bool,
+    /// Folder of typst files of your own, each in place of rodete's of that name (docs: Own templates)
+    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
+    pub(super) templates: Option<PathBuf>,
     /// Typst command line that sets the report [default: RODETE_TYPST, or the typst inside rodete]
     #[arg(long, value_name = "PATH")]
     pub(super) typst: Option<PathBuf>,

@@ -216,6 +216,7 @@ impl<M: Method> Kind for Of<M> {
             solids: Vec::new(),
             scene,
             setup: Vec::new(),
+            checks: verification.checks,
             findings,
             end,
             fields,

@@ -28,6 +28,8 @@ pub(super) struct Document {
     pub programs: Vec<Listed>,
     /// What only the set-up chapter of the kind prints.
     pub setup: BTreeMap<&'static str, SetUp>,
+    /// The checks of the programs that were read back.
+    pub answers: Vec<Answer>,
     pub checks: Vec<Check>,
     pub files: Vec<File>,
 }
@@ -41,6 +43,8 @@ pub(super) struct Title {
     pub date: String,
     pub author: String,
     pub checker: String,
+    /// The file of the logo; none where there is none.
+    pub logo: Option<&'static str>,
 }
 
 /// A value of the set-up.
@@ -133,6 +137,20 @@ pub(super) struct Extent {
     pub unit: &'static str,
     pub least: String,
     pub greatest: String,
+}
+
+/// A check of a program.
+#[derive(Serialize)]
+pub(super) struct Answer {
+    pub key: &'static str,
+    pub program: String,
+    pub what: String,
+    pub value: String,
+    pub limit: String,
+    pub place: String,
+    /// `passed`, `note`, `caution` or `stop`.
+    pub verdict: &'static str,
+    pub word: String,
 }
 
 /// A finding.

@@ -27,25 +27,32 @@ pub(super) fn given(value: f64) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// A single value in its unit.
+/// A single value in its unit, to the digits that a shop can use; one that is too small for them is said to be so.
 pub(super) fn quantity(value: f64, unit: Unit) -> String {
-    match unit {
-        Unit::Count => fixed(value, 0),
-        Unit::Radian | Unit::One => trimmed(value, 8),
-        Unit::Degree => trimmed(value, 7),
-        _ => trimmed(value, 4),
+    let decimals = match unit {
+        Unit::Count | Unit::CubicMillimetre | Unit::RevolutionPerMinute => 0,
+        Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute | Unit::MillimetrePerMinute | Unit::Second => 1,
+        Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution | Unit::One | Unit::None => 3,
+        Unit::Radian => 5,
+        Unit::Step => 6,
+    };
+    let text = trimmed(value, decimals);
+    if text == "0" && value != 0.0 {
+        let least = trimmed(1.0 / (0..decimals).fold(1.0, |power, _| power * 10.0), decimals);
+        return if value > 0.0 { format!("< {least}") } else { format!("> {MINUS}{least}") };
     }
+    text
 }
 
-/// The decimals of a table's column: those of the published annexes.
+/// The decimals of a table's column: for lengths and angles one more than programs have.
 pub(super) const fn decimals(unit: Unit) -> usize {
     match unit {
-        Unit::Count => 0,
-        Unit::One | Unit::Radian => 8,
-        Unit::Degree => 7,
-        Unit::Millimetre => 5,
-        Unit::CubicMillimetre | Unit::CubicCentimetrePerMinute => 2,
-        _ => 4,
+        Unit::Count | Unit::RevolutionPerMinute => 0,
+        Unit::CubicMillimetre | Unit::CubicCentimetrePerMinute | Unit::MetrePerMinute | Unit::MillimetrePerMinute => 1,
+        Unit::Second => 2,
+        Unit::MillimetrePerRevolution => 3,
+        Unit::Millimetre | Unit::Degree | Unit::None => 4,
+        Unit::One | Unit::Radian | Unit::Step => 6,
     }
 }
 
@@ -80,7 +87,8 @@ pub(super) fn duration(seconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{duration, fixed, given, grouped, trimmed};
+    use super::{duration, fixed, given, grouped, quantity, trimmed};
+    use crate::table::Unit;
 
     #[test]
     fn numbers_carry_a_point_a_true_minus_and_no_minus_zero() {
@@ -92,6 +100,17 @@ mod tests {
         assert_eq!(trimmed(100.0, 0), "100");
         assert_eq!(given(1e-5), "0.00001");
         assert_eq!(given(-0.0), "0");
+    }
+
+    #[test]
+    fn a_quantity_has_the_digits_that_its_unit_is_worth_and_is_never_0_unless_it_is() {
+        assert_eq!(quantity(19.999_999_969, Unit::Millimetre), "20");
+        assert_eq!(quantity(36.869_897_6, Unit::Degree), "36.87");
+        assert_eq!(quantity(78_444.5, Unit::CubicMillimetre), "78444");
+        assert_eq!(quantity(227.537, Unit::MetrePerMinute), "227.5");
+        assert_eq!(quantity(6.4e-12, Unit::Millimetre), "< 0.001");
+        assert_eq!(quantity(-6.4e-12, Unit::Millimetre), "> \u{2212}0.001");
+        assert_eq!(quantity(0.0, Unit::Millimetre), "0");
     }
 
     #[test]

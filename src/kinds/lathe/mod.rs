@@ -530,6 +530,7 @@ fn outcome(
         solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
         scene: None,
         setup: std::iter::once(("supported", Shown::Whether(supported))).chain(second).collect(),
+        checks: Vec::new(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs,
         findings,
