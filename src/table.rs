@@ -28,6 +28,8 @@ pub enum Unit {
     Step,
     /// Millimetres a minute.
     MillimetrePerMinute,
+    /// Degrees a minute.
+    DegreePerMinute,
     /// Millimetres a revolution.
     MillimetrePerRevolution,
     /// Metres a minute.
@@ -53,6 +55,7 @@ impl Unit {
             Self::Degree => "°",
             Self::Step => "h",
             Self::MillimetrePerMinute => "mm/min",
+            Self::DegreePerMinute => "°/min",
             Self::MillimetrePerRevolution => "mm/rev",
             Self::MetrePerMinute => "m/min",
             Self::RevolutionPerMinute => "rpm",

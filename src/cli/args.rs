@@ -96,8 +96,8 @@ pub(super) enum Command {
     /// Build tables, programs and a report from workbooks
     ///
     /// Writes <stem>-results.xlsx, one <stem>-*.nc for each program, drawings at 1:1 as <stem>-*.dxf, .svg and .pdf where
-    /// the workbook kind has them, and <stem>-report.pdf into one folder, all or nothing: a file appears under its name
-    /// only when the whole set is complete. Several workbooks are built side by side, and one that is refused does not
+    /// the workbook kind has them, <stem>-report.pdf and the set-up sheet <stem>-setup.pdf into one folder, all or nothing:
+    /// a file appears under its name only when the whole set is complete. Several workbooks are built side by side, and one that is refused does not
     /// stop the others.
     #[command(after_help = "Example: rodete build impeller.xlsx --open")]
     Build(Build),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::args::Build;
-use super::delivery::{self, Delivery, REPORT, endings, leftovers, program_name};
+use super::delivery::{self, Delivery, REPORT, SETUP, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
 use super::locale::spoken;
 use super::plan::{self, Item};
@@ -144,10 +144,10 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
     Ok(())
 }
 
-/// Adds the report to the set; gives the finding where it fails, which keeps nothing else from being delivered.
+/// Adds report and set-up sheet to the set; gives the finding where it fails, which keeps nothing else from being delivered.
 ///
 /// # Errors
-/// Exit 5 where the report cannot be written.
+/// Exit 5 where one cannot be written.
 fn typeset(
     item: &Item,
     workbook: &[u8],
@@ -186,6 +186,8 @@ fn typeset(
             verdict.findings.extend(report.findings);
             let name = store::file_name(&item.stem, REPORT);
             set.write(&name, |out| out.write_all(&report.pdf))?;
+            let name = store::file_name(&item.stem, SETUP);
+            set.write(&name, |out| out.write_all(&report.setup))?;
             Ok(None)
         }
         Err(failure) => Ok(Some(failure.finding())),

@@ -24,6 +24,8 @@ use crate::workbook::results;
 pub(super) const RESULTS: &str = "-results.xlsx";
 /// The ending of the report.
 pub(super) const REPORT: &str = "-report.pdf";
+/// The ending of the set-up sheet.
+pub(super) const SETUP: &str = "-setup.pdf";
 /// The ending of the viewer.
 const VIEWER: &str = "-viewer.html";
 
@@ -32,7 +34,7 @@ pub(super) fn endings(kinds: &[&dyn Kind]) -> BTreeSet<String> {
     let forms = || kinds.iter().map(|kind| kind.form());
     let programs = forms().flat_map(|form| form.programs).map(|key| format!("-{key}.nc"));
     let solids = forms().flat_map(|form| form.solids).map(|(key, _)| solid_ending(key));
-    let own = [RESULTS, REPORT, VIEWER].into_iter().map(str::to_owned);
+    let own = [RESULTS, REPORT, SETUP, VIEWER].into_iter().map(str::to_owned);
     own.chain(programs).chain(solids).chain(drawings::endings(kinds)).collect()
 }
 
@@ -79,7 +81,7 @@ pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec
 }
 
 impl Delivery<'_> {
-    /// Adds everything but the report to the set; `scene` is what is shown in the viewer, where there is one.
+    /// Adds everything but report and set-up sheet to the set; `scene` is what is shown in the viewer, where there is one.
     ///
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
 
-use super::delivery::{REPORT, RESULTS};
+use super::delivery::{REPORT, RESULTS, SETUP};
 use super::terminal::Terminal;
 use super::verdict::Ending;
 use super::{finding, quantity};
@@ -102,10 +102,16 @@ fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> S
         _ => t("atienda las precauciones; ", "see to the cautions; "),
     };
     let next = match (verdict.exit, written(REPORT).or_else(|| written(RESULTS))) {
-        (Exit::Done | Exit::ReportFailed, Some(file)) => Text::new(
-            format!("{}lea {file}; antes de cortar, una pasada en vacío", cautions.es),
-            format!("{}read {file}; make a dry run before you cut", cautions.en),
-        ),
+        (Exit::Done | Exit::ReportFailed, Some(file)) => {
+            let sheet = written(SETUP);
+            let [es, en] = sheet.map_or_else(Default::default, |sheet| {
+                [format!("lleve {sheet} a la máquina; "), format!("take {sheet} to the machine; ")]
+            });
+            Text::new(
+                format!("{}lea {file}; {es}antes de cortar, una pasada en vacío", cautions.es),
+                format!("{}read {file}; {en}make a dry run before you cut", cautions.en),
+            )
+        }
         (Exit::Done, None) if !writes => {
             let word =
                 if workbook.contains(char::is_whitespace) { format!("\"{workbook}\"") } else { workbook.to_owned() };

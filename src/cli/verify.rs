@@ -357,7 +357,10 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
         } else {
             format!("{} s", number(account.seconds))
         };
-        text.push_str(&format!("  {}: {time}\n", word("tiempo en avance y esperas", "time at feed and dwells")));
+        text.push_str(&format!(
+            "  {}: {time}\n",
+            word("tiempo en avance y esperas, sin los rápidos", "time at feed and dwells, without rapid motions")
+        ));
     }
     terminal.out(&text);
     finding::notes(&read.verdict.findings, &name, language, terminal);

@@ -1,8 +1,10 @@
 //! The parameters that forms of programs have in common.
 
 use crate::gcode::control::Written;
-use crate::parameter::DIALECTS;
-use crate::parameter::field::{Field, Optional, Required};
+use crate::machine::rapids::Rapids;
+use crate::parameter::field::{Field, Fields, Optional, Required};
+use crate::parameter::{DIALECTS, Parameter};
+use crate::table::Unit;
 use crate::text::t;
 
 /// The cell that says which form and version a workbook follows.
@@ -18,3 +20,45 @@ pub static MATERIAL: Field<String, Optional> =
 /// The control that programs are written for.
 pub static DIALECT: Field<Written, Required> =
     Field::of_list("dialect", "dialect", DIALECTS, t("Dialecto del control", "Dialect of the control"), t("", ""));
+
+/// How fast the linear axes are at rapid.
+pub static RAPID_LINEAR: Field<f64, Optional> = Field::real(
+    "G_lin",
+    "rapid_G_lin",
+    Unit::MillimetrePerMinute,
+    [1.0, 200_000.0],
+    t("Avance rápido de los ejes lineales", "Rapid rate of the linear axes"),
+    t(
+        "El del eje más lento. Vacío: el tiempo no cuenta los rápidos, y lo dice",
+        "That of the slowest axis. Empty: times leave rapid motions out, and say so",
+    ),
+);
+
+/// How fast the rotary axes are at rapid.
+pub static RAPID_ROTARY: Field<f64, Optional> = Field::real(
+    "G_rot",
+    "rapid_G_rot",
+    Unit::DegreePerMinute,
+    [1.0, 1_000_000.0],
+    t("Avance rápido de los ejes giratorios", "Rapid rate of the rotary axes"),
+    t("El del eje más lento. 10 rpm son 3600 °/min", "That of the slowest axis. 10 rpm are 3600 °/min"),
+);
+
+/// How long a change of the tool takes.
+pub static TOOL_CHANGE: Field<f64, Optional> = Field::real(
+    "t_T",
+    "tool_change_t_T",
+    Unit::Second,
+    [0.0, 600.0],
+    t("Cambio de herramienta", "Change of the tool"),
+    t("De viruta a viruta. Vacío: no se cuenta", "Chip to chip. Empty: not counted"),
+);
+
+/// The rates of rapid motions, as forms of programs ask for them.
+pub const RAPIDS: &[&Parameter] = &[&RAPID_LINEAR.row, &RAPID_ROTARY.row];
+
+/// How fast the machine is where it does not cut, as a form says that asks for all of it.
+#[must_use]
+pub fn rapids(fields: &Fields) -> Rapids {
+    Rapids { linear: fields.get(&RAPID_LINEAR), rotary: fields.get(&RAPID_ROTARY), tool_change: None }
+}

@@ -4,16 +4,18 @@ use std::cmp::Reverse;
 use std::marker::PhantomData;
 use std::sync::LazyLock;
 
-use super::{Chapters, Chart, Drawing, End, Kind, Outcome, Proved, Provenance, Wants, not_finite, staging};
+use super::{Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Wants, not_finite, staging};
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Refusal, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
+use crate::machine::rapids::Rapids;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
 use crate::proof;
+use crate::proof::account::Account;
 use crate::proof::step::{Judge, Plan};
 use crate::proof::verification::Verification;
 use crate::scene::part::Part;
@@ -84,6 +86,11 @@ pub trait Method: Send + Sync + 'static {
     /// What a program is read with.
     fn setting(_: &Self::Design, program: &Program) -> Setting {
         program.setting()
+    }
+
+    /// How fast the machine of a program is where it does not cut, for the cycle time.
+    fn rapids(_: &Self::Design, _: &Program) -> Rapids {
+        Rapids::default()
     }
 
     /// What a program is meant to do, move by move: along its own paths, where it was written along any.
@@ -187,12 +194,16 @@ impl<M: Method> Kind for Of<M> {
         for program in &programs {
             let (setting, plan) = (M::setting(&design, program), M::plan(&design, &model, program));
             let judges = M::judges(&design, &model, &mut memo, program);
-            let judged = proof::of(program, setting, plan, judges, M::due(&design, program));
+            let judged =
+                proof::of(program, setting, plan, judges, M::due(&design, program), M::rapids(&design, program));
             accounts.push(judged.account.clone());
             verification.add(program, judged);
         }
         tables.push(verification.table(&programs, M::PROVED));
-        let proved = |(program, account)| Proved { account: Some(account), ..Proved::from(program) };
+        let proved = |(program, account): (Program, Account)| {
+            let duration = account.cycle_seconds().map(|seconds| Duration { seconds, timeless: 0 });
+            Proved { program, account, duration }
+        };
         let programs: Vec<Proved> = programs.into_iter().zip(accounts).map(proved).collect();
         let quantities = M::quantities(&design, &model, &programs);
         findings.extend(verification.findings);

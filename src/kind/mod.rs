@@ -79,7 +79,9 @@ pub struct Chapters {
     pub labels: &'static str,
     /// `method-es.typ` and `method-en.typ`: how it is computed.
     pub method: [&'static str; 2],
-    /// `setup.typ`: its `preparation`, what the machinist sets up, and `before-items`, what is to be seen to before the start.
+    /// `setup.typ`: its `preparation`, what the machinist sets up, `assumes`, what the programs take for granted, and
+    /// `before-items`, what is to be seen to before the start. Its sketches are the figures `setup` and `setup-side`, and
+    /// `setup-2` of a second set-up.
     pub setup: &'static str,
     /// Further files that these import: name and text.
     pub further: &'static [(&'static str, &'static str)],
@@ -166,16 +168,10 @@ pub struct Duration {
 pub struct Proved {
     /// The program.
     pub program: Program,
-    /// How far it reaches and how long its path is, where that was taken down when it was followed.
-    pub account: Option<Account>,
+    /// How far it reaches and how long its path is.
+    pub account: Account,
     /// How long it takes, where the machine's rapid moves are known.
     pub duration: Option<Duration>,
-}
-
-impl From<Program> for Proved {
-    fn from(program: Program) -> Self {
-        Self { program, account: None, duration: None }
-    }
 }
 
 impl Deref for Proved {

@@ -1,12 +1,13 @@
 //! What a program comes to: how far it reaches, where it ends, how long its path is and how long it takes.
 
 use crate::finding::{Finding, Place, Raise};
-use crate::gcode::interpreter::{Interpreter, Setting};
+use crate::gcode::interpreter::Interpreter;
 use crate::gcode::motion::{Motion, MotionKind};
-use crate::gcode::program::Program;
 use crate::machine::axis::{Axis, Pose};
+use crate::machine::rapids::Rapids;
 use crate::number::{shown, trig};
 use crate::proof::rules::{IncrementsClose, IncrementsShift, IncrementsTurn};
+use crate::proof::step::{Stage, Step};
 
 /// How far each axis reaches; mm and degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,10 +49,13 @@ impl Extents {
 pub struct Account {
     /// How many motions there are.
     pub motions: u64,
-    /// How far each axis reaches in program coordinates; `None` where there is no motion.
+    /// How far each axis reaches in program coordinates: to where motions end, and to where arcs pass. Where the machine stood
+    /// before the first motion is no position of the program. `None` where there is no motion.
     pub program: Option<Extents>,
     /// How far each axis reaches in machine coordinates.
     pub machine: Option<Extents>,
+    /// How far each axis reaches in program coordinates while it moves at feed, from where such motions begin.
+    pub feed: Option<Extents>,
     /// Length of the path of X, Y and Z at feed, mm.
     pub feed_path: f64,
     /// Length of the path of X, Y and Z at rapid, mm.
@@ -60,69 +64,136 @@ pub struct Account {
     pub seconds: f64,
     /// True where a motion at feed has no known time.
     pub untimed: bool,
+    /// How fast the machine is where it does not cut.
+    pub rapids: Rapids,
+    /// The time of the rapid motions whose time is known, s.
+    pub rapid_seconds: f64,
+    /// True where the time of a rapid motion is not known: its axis has no rate.
+    pub untimed_rapids: bool,
+    /// How often the tool is changed.
+    pub tool_changes: u32,
+    /// The tool of the last motion.
+    tool: u32,
+    /// It has come to its start.
+    began: bool,
+    /// Where axes went on the way to the start.
+    positioned: Vec<(Axis, f64)>,
     /// Where the program ends, in program and machine coordinates.
     pub end: [Pose; 2],
 }
 
 impl Account {
-    /// What a program comes to whose text can be read on its own or as a part of another, from its first rapid move on;
-    /// `None` where it cannot.
+    /// Nothing yet, on a machine that is so fast.
     #[must_use]
-    pub fn of(program: &Program) -> Option<Self> {
-        let setting = Setting { part: true, ..program.setting() };
-        let (mut account, mut before) = (Self::default(), None);
-        for motion in program.read_back_with(setting) {
-            let motion = motion.ok()?;
-            // Where the machine comes from is not known.
-            if let Some(before) = before {
-                account.take(&motion, &before);
-            }
-            before = Some(motion.machine);
-        }
-        Some(account)
+    pub fn on(rapids: Rapids) -> Self {
+        Self { rapids, ..Self::default() }
     }
 
     /// Takes a motion into account. `before` is the machine position before it.
     pub fn take(&mut self, motion: &Motion, before: &Pose) {
         self.motions += 1;
-        let program = self.program.get_or_insert(Extents::at(motion.from));
-        let machine = self.machine.get_or_insert(Extents::at(*before));
-        program.reach(&motion.from);
-        program.reach(&motion.to);
-        machine.reach(before);
+        self.end = [motion.to, motion.machine];
+        let seconds = motion.seconds.unwrap_or_default();
+        if matches!(motion.kind, MotionKind::Dwell(_)) {
+            self.seconds += seconds;
+            return;
+        }
+        self.reach(&motion.to);
+        let machine = self.machine.get_or_insert(Extents::at(motion.machine));
         machine.reach(&motion.machine);
         let by = motion.to.differences(&motion.from);
         let straight = (by[0] * by[0] + by[1] * by[1] + by[2] * by[2]).sqrt();
-        match motion.kind {
-            MotionKind::Rapid => self.rapid_path += straight,
-            MotionKind::Feed(_) | MotionKind::Thread(_) => self.feed_path += straight,
-            MotionKind::Arc(arc, _) => {
-                let [_, _, across] = arc.plane.axes();
-                self.feed_path += arc.length(by[across as usize]);
-                arc.quarters(&motion.from, &motion.to, &mut |axis, at| {
-                    program.reach_along(axis, at);
-                    let offset = motion.machine.get(axis) - motion.to.get(axis);
-                    if arc.rotation == 0.0 || axis == Axis::Z {
-                        machine.reach_along(axis, at + offset);
-                    }
-                });
-                if arc.rotation != 0.0 {
-                    let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
-                    for (axis, [x, y]) in [(Axis::X, [cos, -sin]), (Axis::Y, [sin, cos])] {
-                        arc.farthest(&motion.from, &motion.to, [x, y, 0.0], &mut |at| {
-                            let by = at.differences(&motion.to);
-                            machine.reach_along(axis, motion.machine.get(axis) + by[0] * x + by[1] * y);
-                        });
-                    }
+        if matches!(motion.kind, MotionKind::Rapid) {
+            self.rapid_path += straight;
+            // The slides move as the machine counts, whatever a shift of the zero does to the program's positions.
+            match self.rapids.seconds(&motion.machine.differences(before)) {
+                Some(seconds) => self.rapid_seconds += seconds,
+                None => self.untimed_rapids = true,
+            }
+            return;
+        }
+        let feed = self.feed.get_or_insert(Extents::at(motion.from));
+        feed.reach(&motion.from);
+        feed.reach(&motion.to);
+        if let MotionKind::Arc(arc, _) = motion.kind {
+            let [_, _, across] = arc.plane.axes();
+            self.feed_path += arc.length(by[across as usize]);
+            let program = self.program.get_or_insert(Extents::at(motion.to));
+            arc.quarters(&motion.from, &motion.to, &mut |axis, at| {
+                program.reach_along(axis, at);
+                feed.reach_along(axis, at);
+                let offset = motion.machine.get(axis) - motion.to.get(axis);
+                if arc.rotation == 0.0 || axis == Axis::Z {
+                    machine.reach_along(axis, at + offset);
+                }
+            });
+            if arc.rotation != 0.0 {
+                let (sin, cos) = trig::sin_cos(arc.rotation.to_radians());
+                for (axis, [x, y]) in [(Axis::X, [cos, -sin]), (Axis::Y, [sin, cos])] {
+                    arc.farthest(&motion.from, &motion.to, [x, y, 0.0], &mut |at| {
+                        let by = at.differences(&motion.to);
+                        machine.reach_along(axis, motion.machine.get(axis) + by[0] * x + by[1] * y);
+                    });
                 }
             }
-            MotionKind::Dwell(_) => {}
+        } else {
+            self.feed_path += straight;
         }
-        match motion.seconds {
-            Some(seconds) => self.seconds += seconds,
-            None => self.untimed |= !matches!(motion.kind, MotionKind::Rapid),
+        self.seconds += seconds;
+        self.untimed |= motion.seconds.is_none();
+    }
+
+    /// Takes a motion beside its plan into account. Where the machine comes from, and where the tool is taken away to first of
+    /// all, the program does not say: of the way to its start only the axes count that it moves, and neither path nor time.
+    pub(super) fn see(&mut self, step: &Step<'_>, before: &Pose) {
+        let Step { motion, in_force, stage } = step;
+        self.holds(in_force.tool);
+        match stage {
+            Stage::Still if matches!(motion.kind, MotionKind::Dwell(_)) => self.take(motion, before),
+            Stage::Still => self.motions += 1,
+            _ if self.on_its_way(step) => {
+                self.motions += 1;
+                let moved = |axis: &Axis| motion.from.get(*axis) != motion.to.get(*axis);
+                self.positioned.extend(Axis::ALL.into_iter().filter(moved).map(|axis| (axis, motion.to.get(axis))));
+            }
+            Stage::Positioning | Stage::Planned(_) | Stage::Unplanned => {
+                self.began = true;
+                for (axis, at) in std::mem::take(&mut self.positioned) {
+                    // It ends where the plan begins.
+                    self.program.get_or_insert(Extents::at(motion.from)).reach_along(axis, at);
+                }
+                self.take(motion, before);
+            }
         }
-        self.end = [motion.to, motion.machine];
+    }
+
+    /// True for a motion to where the program starts: one that the plan says so of, or, without a plan, the rapid ones before
+    /// the first feed.
+    const fn on_its_way(&self, step: &Step<'_>) -> bool {
+        match step.stage {
+            Stage::Positioning => true,
+            Stage::Unplanned => !self.began && matches!(step.motion.kind, MotionKind::Rapid),
+            Stage::Still | Stage::Planned(_) => false,
+        }
+    }
+
+    /// Takes a position of the program into account.
+    fn reach(&mut self, at: &Pose) {
+        self.program.get_or_insert(Extents::at(*at)).reach(at);
+    }
+
+    /// Takes into account which tool is in the spindle during the next motion; 0 for none.
+    pub fn holds(&mut self, tool: u32) {
+        self.tool_changes += u32::from(tool != self.tool);
+        self.tool = tool;
+    }
+
+    /// The cycle time: feed, dwells, rapid motions and changes of the tool, s; `None` where the time of a motion is not known.
+    /// Axes are taken to be at their speed at once: a machine that must accelerate them takes longer.
+    #[must_use]
+    pub fn cycle_seconds(&self) -> Option<f64> {
+        let changes = f64::from(self.tool_changes) * self.rapids.tool_change.unwrap_or_default();
+        (!self.untimed && !self.untimed_rapids).then_some(self.seconds + self.rapid_seconds + changes)
     }
 }
 
@@ -158,6 +229,7 @@ mod tests {
 
     use super::*;
     use crate::gcode::control::LINUXCNC;
+    use crate::gcode::interpreter::Setting;
 
     /// The extents of an arc in machine coordinates, from many points along it.
     fn sampled(motion: &Motion) -> Extents {
@@ -208,7 +280,7 @@ mod tests {
             let mut found = None;
             for motion in interpreter {
                 let motion = motion.unwrap();
-                let mut account = Account::default();
+                let mut account = Account { machine: Some(Extents::at(before)), ..Account::default() };
                 account.take(&motion, &before);
                 before = motion.machine;
                 found = Some((motion, account.machine.unwrap()));

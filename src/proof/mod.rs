@@ -40,6 +40,7 @@ pub mod verification;
 use crate::finding::Raise;
 use crate::gcode::interpreter::{Interpreter, Setting};
 use crate::gcode::program::Program;
+use crate::machine::rapids::Rapids;
 use crate::proof::account::Account;
 use crate::proof::check::{Check, Question};
 use crate::proof::rules::NotAnswered;
@@ -60,7 +61,7 @@ pub struct Judged {
 
 /// Reads a program back from its text and asks all judges, what is asked of every text among them. A text that the
 /// interpreter refuses is asked nothing else. Each key of `due` must be answered, by a check of that key or of one that begins
-/// with it and a hyphen.
+/// with it and a hyphen. `rapids` is how fast the machine is where it does not cut.
 #[must_use]
 pub fn of(
     program: &Program,
@@ -68,8 +69,9 @@ pub fn of(
     plan: Plan<'_>,
     judges: Vec<Box<dyn Judge + '_>>,
     due: &[&'static str],
+    rapids: Rapids,
 ) -> Judged {
-    let mut judged = over(program, &mut program.read_back_with(setting), plan, judges, due);
+    let mut judged = over(program, &mut program.read_back_with(setting), plan, judges, due, rapids);
     let characters = text::read(program);
     judged.bytes = characters.bytes();
     judged.checks.push(characters.check());
@@ -84,8 +86,10 @@ pub fn over(
     plan: Plan<'_>,
     mut judges: Vec<Box<dyn Judge + '_>>,
     due: &[&'static str],
+    rapids: Rapids,
 ) -> Judged {
-    let (mut steps, mut account, mut before, mut fault) = (Steps::new(plan), Account::default(), None, None);
+    let (mut steps, mut account, mut fault) = (Steps::new(plan), Account::on(rapids), None);
+    let mut before = Interpreter::position(text).1;
     while let Some(motion) = text.next() {
         let motion = match motion {
             Ok(motion) => motion,
@@ -94,12 +98,9 @@ pub fn over(
                 break;
             }
         };
-        // Where the machine comes from is not known.
-        if let Some(before) = before {
-            account.take(&motion, &before);
-        }
-        before = Some(motion.machine);
         let step = steps.next(motion, *text.in_force());
+        account.see(&step, &before);
+        before = step.motion.machine;
         judges.iter_mut().for_each(|judge| judge.see(&step));
     }
     let mut checks = vec![reading(program, text, fault.as_deref())];
@@ -129,7 +130,7 @@ fn unanswered(program: &Program, key: &'static str) -> Check {
 
 #[cfg(test)]
 mod tests {
-    use super::{Plan, of};
+    use super::{Plan, Rapids, of};
     use crate::finding::Grade;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::program::{Part, Program};
@@ -162,8 +163,14 @@ mod tests {
             parts: vec![Part::Block(vec![Word::whole('M', 2)])],
         };
         let stops = |answered: &'static str| {
-            let judged =
-                of(&program, program.setting(), Plan::of(&program), vec![Box::new(Word0(answered))], &["feed"]);
+            let judged = of(
+                &program,
+                program.setting(),
+                Plan::of(&program),
+                vec![Box::new(Word0(answered))],
+                &["feed"],
+                Rapids::default(),
+            );
             let stopped = judged.checks.iter().filter(|check| check.grade() == Some(Grade::Stop));
             stopped.map(|check| (check.key(), check.finding().unwrap().rule().code)).collect::<Vec<_>>()
         };

@@ -1,13 +1,13 @@
 //! What the templates set: an outcome as texts and numbers ready to print, and its figures and attachments as files.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::fs;
 use std::io;
 use std::path::Path;
 
 use super::attachments::files;
 use super::document::{
-    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Title,
+    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Timed, Title,
 };
 use super::number;
 use super::rules::CharactersByCode;
@@ -17,13 +17,12 @@ use super::svg::svg;
 use super::{Attachment, Role};
 use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place, Raise};
+use crate::gcode::control::FeedLaw;
 use crate::gcode::program::{Part, Program, Style};
-use crate::gcode::summary::Summary;
 use crate::kind::{Duration, Outcome, Proved, Shown, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, title_block};
-use crate::proof::account::Account;
 use crate::proof::check::Check as Checked;
 use crate::table::{Entry, Index, Print, Table};
 use crate::text::{Language, Text};
@@ -91,6 +90,12 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
         version: outcome.source.version.to_owned(),
         dialect: outcome.control.name,
         style: outcome.style.map(Style::key).unwrap_or_default(),
+        rotary: outcome.control.rotary.delivered.name(),
+        feed_law: match outcome.control.feed.law {
+            FeedLaw::Resultant => "resultant",
+            FeedLaw::Seconds => "seconds",
+            FeedLaw::InverseTime => "inverse",
+        },
         title: title(outcome, logo, &mut words),
         stopped: outcome.stopped(),
         parameters: parameters(outcome, &mut words),
@@ -275,70 +280,97 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
     for line in listing.head.iter_mut().chain(&mut listing.tail) {
         *line = words.line(line);
     }
-    let mut summary = summary(program, proved.account.as_ref());
+    let account = &proved.account;
+    let mut summary = program.summary();
     if summary.blocks == 0 {
         // A program that stands on a sheet line by line.
         summary.blocks = program.parts.len() as u64;
     }
+    let path = account.feed_path + account.rapid_path;
+    let (timed, seconds) = time(proved);
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),
         widest: listing.widest(),
         listing,
+        ends: ends(program, words)?,
         file: file.map(|file| file.name.clone()).unwrap_or_default(),
         sha256: file.map(|file| file.sha256.clone()).unwrap_or_default(),
         blocks: number::grouped(summary.blocks),
         bytes: number::grouped(summary.bytes),
-        path: if summary.path > 0.0 { number::fixed(summary.path, 1) } else { String::new() },
-        start: if summary.path > 0.0 { start(program) } else { String::new() },
-        time: match proved.duration {
-            Some(Duration { seconds, timeless }) => {
-                format!("{}{}", if timeless > 0 { "≥ " } else { "" }, number::duration(seconds))
-            }
-            None => summary.seconds.map(number::duration).unwrap_or_default(),
-        },
-        extents: summary
-            .extents
-            .iter()
-            .map(|&(axis, least, greatest)| Extent {
-                axis: axis.to_string(),
-                unit: if matches!(axis, 'A' | 'B' | 'C') { "°" } else { "mm" },
-                least: number::fixed(least, 3),
-                greatest: number::fixed(greatest, 3),
-            })
-            .collect(),
+        path: if path > 0.0 { number::fixed(path, 1) } else { String::new() },
+        start: start(program),
+        timed,
+        time: seconds.map(number::duration).unwrap_or_default(),
+        extents: extents(proved),
     })
 }
 
-/// What a program amounts to; one that is written block by block is read back for it, if its account is not known.
-fn summary(program: &Program, known: Option<&Account>) -> Summary {
-    let summary = program.summary();
-    let account = if summary.path > 0.0 { None } else { known.cloned().or_else(|| Account::of(program)) };
-    let Some(account) = account else { return summary };
-    let extents = account.program.map(|extents| {
-        let turning = program.control.turns();
-        let named = |axis: &Axis| match axis {
-            Axis::X => true,
-            Axis::Y if !turning => true,
-            axis => extents.of(*axis) != [0.0, 0.0],
-        };
-        let reach = |axis: Axis| {
-            // As it is programmed: on the diameter.
-            let factor = if turning && axis == Axis::X { 2.0 } else { 1.0 };
-            (axis.letter(), factor * extents.of(axis)[0], factor * extents.of(axis)[1])
-        };
-        Axis::ALL.into_iter().filter(named).map(reach).collect()
-    });
-    Summary {
-        path: account.feed_path + account.rapid_path,
-        seconds: (!account.untimed && account.seconds > 0.0).then_some(account.seconds),
-        extents: extents.unwrap_or_default(),
-        ..summary
+/// What is known of the time of a program, and the time.
+fn time(Proved { account, duration, .. }: &Proved) -> (Timed, Option<f64>) {
+    match *duration {
+        Some(Duration { seconds, timeless: 0 }) => (Timed::Cycle, Some(seconds)),
+        Some(Duration { seconds, .. }) => (Timed::Part, Some(seconds)),
+        None if account.untimed || account.seconds <= 0.0 => (Timed::Unknown, None),
+        None => (Timed::Feed, Some(account.seconds)),
     }
 }
 
-/// The position from which the program runs, as words.
+/// How far each axis goes that a program names, at feed and in all; X of a lathe as it is programmed, on the diameter.
+fn extents(Proved { program, account, .. }: &Proved) -> Vec<Extent> {
+    let Some(whole) = account.program else { return Vec::new() };
+    let turning = program.control.turns();
+    let named = |axis: &Axis| match axis {
+        Axis::X => true,
+        axis => whole.of(*axis) != [0.0, 0.0],
+    };
+    let reach = |axis: Axis| {
+        let factor = if turning && axis == Axis::X { 2.0 } else { 1.0 };
+        let ends = |[least, greatest]: [f64; 2]| [least, greatest].map(|at| number::fixed(factor * at, 3));
+        let [least, greatest] = ends(whole.of(axis));
+        Extent {
+            axis: axis.letter().to_string(),
+            unit: if axis.rotary() { "°" } else { "mm" },
+            least,
+            greatest,
+            feed: account.feed.map(|feed| ends(feed.of(axis))),
+        }
+    };
+    Axis::ALL.into_iter().filter(named).map(reach).collect()
+}
+
+/// How many blocks of a program are shown to be compared at the control, from its beginning and from its end.
+const ENDS: usize = 3;
+
+/// The first and the last blocks of a program, comments left out: what the control shows.
+fn ends(program: &Program, words: &mut Words) -> io::Result<[Vec<String>; 2]> {
+    let (mut first, mut last) = (Vec::new(), VecDeque::with_capacity(ENDS + 1));
+    program.for_each(&mut |number, text| {
+        if program.control.text.comment.is_no_block(text) {
+            return Ok(());
+        }
+        let line = match number {
+            Some(number) => format!("N{number} {text}"),
+            None => text.to_owned(),
+        };
+        if first.len() < ENDS {
+            first.push(line);
+        } else {
+            last.push_back(line);
+            if last.len() > ENDS {
+                last.pop_front();
+            }
+        }
+        Ok(())
+    })?;
+    Ok([first, last.into()].map(|lines: Vec<String>| lines.iter().map(|line| words.line(line)).collect()))
+}
+
+/// The position from which a program runs that does not find it itself, as words; empty for one that does.
 fn start(program: &Program) -> String {
+    if program.finds_its_start() {
+        return String::new();
+    }
     let named =
         |axis: &Axis| program.parts.iter().any(|part| matches!(part, Part::Path(path) if path.axes.contains(axis)));
     let word = |axis: Axis| format!("{}{}", axis.letter(), program.start.get(axis).value());

@@ -18,6 +18,10 @@ pub(super) struct Document {
     pub version: String,
     pub dialect: &'static str,
     pub style: &'static str,
+    /// What rotary axes are on a machine as the control is delivered: `rollover`, `linear`.
+    pub rotary: &'static str,
+    /// How F counts: `resultant`, `seconds`, `inverse`.
+    pub feed_law: &'static str,
     pub title: Title,
     pub stopped: bool,
     pub parameters: Vec<Group>,
@@ -120,12 +124,15 @@ pub(super) struct Listed {
     pub title: String,
     pub listing: Listing,
     pub widest: usize,
+    /// Its first and its last blocks, without comments.
+    pub ends: [Vec<String>; 2],
     pub file: String,
     pub sha256: String,
     pub blocks: String,
     pub bytes: String,
     pub path: String,
     pub start: String,
+    pub timed: Timed,
     pub time: String,
     pub extents: Vec<Extent>,
 }
@@ -137,6 +144,22 @@ pub(super) struct Extent {
     pub unit: &'static str,
     pub least: String,
     pub greatest: String,
+    /// Least and greatest while it moves at feed; `None` where nothing does.
+    pub feed: Option<[String; 2]>,
+}
+
+/// What the time of a program counts.
+#[derive(Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Timed {
+    /// Feed, dwells and rapid motions.
+    Cycle,
+    /// The same, but for motions whose time is not known.
+    Part,
+    /// Feed and dwells: how fast rapid motions are is not known.
+    Feed,
+    /// Nothing: a motion at feed has no known time.
+    Unknown,
 }
 
 /// A check of a program.

@@ -1,5 +1,5 @@
 //! The typeset report: an outcome and the files made of it, set by typst into one PDF/A-3b that carries the workbook
-//! and the programs as attachments.
+//! and the programs as attachments; beside it the set-up sheet, the page for the machinist.
 //!
 //! The templates of `report-templates/` are part of the library; what they set arrives as JSON, as texts and numbers
 //! ready to print, and never as markup. A character that the fonts cannot show is shown by its code point, and a note
@@ -71,11 +71,16 @@ pub struct Attachment<'a> {
 pub struct Report {
     /// The PDF.
     pub pdf: Vec<u8>,
-    /// What was found while it was made: characters without a glyph, files too large to be carried.
+    /// The set-up sheet, a PDF of its own: the page of the report that is for the machinist.
+    pub setup: Vec<u8>,
+    /// What was found while they were made: characters without a glyph, files too large to be carried.
     pub findings: Vec<Finding>,
 }
 
-/// Sets the report of an outcome.
+/// The template of the set-up sheet.
+const SETUP: &str = "setup-sheet.typ";
+
+/// Sets the report of an outcome, and its set-up sheet from the same contents.
 ///
 /// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline. A logo
 /// that typst does not draw is left out, with a caution; then it takes twice as long.
@@ -109,6 +114,7 @@ fn set(contents: &Contents<'_>, templates: &[Template], typst: &Typst) -> Result
     let Written { json, findings } = contents.write(folder.path())?;
     fs::write(folder.path().join("contents.json"), &json)?;
     let pdf = typst.compile(folder.path(), MAIN)?;
+    let setup = typst.compile(folder.path(), SETUP)?;
     close(folder)?;
-    Ok(Report { pdf, findings })
+    Ok(Report { pdf, setup, findings })
 }

@@ -31,7 +31,11 @@ pub(super) fn given(value: f64) -> String {
 pub(super) fn quantity(value: f64, unit: Unit) -> String {
     let decimals = match unit {
         Unit::Count | Unit::CubicMillimetre | Unit::RevolutionPerMinute => 0,
-        Unit::MetrePerMinute | Unit::CubicCentimetrePerMinute | Unit::MillimetrePerMinute | Unit::Second => 1,
+        Unit::MetrePerMinute
+        | Unit::CubicCentimetrePerMinute
+        | Unit::MillimetrePerMinute
+        | Unit::DegreePerMinute
+        | Unit::Second => 1,
         Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution | Unit::One | Unit::None => 3,
         Unit::Radian => 5,
         Unit::Step => 6,
@@ -48,7 +52,11 @@ pub(super) fn quantity(value: f64, unit: Unit) -> String {
 pub(super) const fn decimals(unit: Unit) -> usize {
     match unit {
         Unit::Count | Unit::RevolutionPerMinute => 0,
-        Unit::CubicMillimetre | Unit::CubicCentimetrePerMinute | Unit::MetrePerMinute | Unit::MillimetrePerMinute => 1,
+        Unit::CubicMillimetre
+        | Unit::CubicCentimetrePerMinute
+        | Unit::MetrePerMinute
+        | Unit::MillimetrePerMinute
+        | Unit::DegreePerMinute => 1,
         Unit::Second => 2,
         Unit::MillimetrePerRevolution => 3,
         Unit::Millimetre | Unit::Degree | Unit::None => 4,

@@ -6,7 +6,7 @@
 use std::fmt::Write as _;
 
 use super::ticks::ticks;
-use crate::figure::{Axes, Figure, Ink};
+use crate::figure::{self, Axes, Figure, Ink};
 use crate::text::Language;
 use crate::typeset::mark::{arrow_head, word};
 use crate::typeset::pen::{face, pen};
@@ -19,6 +19,8 @@ const GRAPH_HEIGHT: f64 = 52.0;
 const MARGIN: [f64; 4] = [5.0, 4.0, 5.0, 4.0];
 /// Margins around a plot for ticks and titles.
 const GRAPH_MARGIN: [f64; 4] = [19.0, 3.0, 5.0, 13.0];
+/// Mean width of a label's letter in mm.
+const LETTER: f64 = figure::LETTER;
 /// Points of a stroke nearer to the last one drawn are left out, in mm of paper.
 const FINEST: f64 = 0.05;
 
@@ -41,7 +43,7 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
     let mut body = String::new();
     let frame = match &figure.axes {
         Some(axes) => graph(&mut body, axes, bounds, language),
-        None => drawing(bounds, figure.height),
+        None => drawing(bounds, figure, language),
     };
     for stroke in &figure.strokes {
         let points: Vec<[f64; 2]> = stroke.points.iter().map(|&point| frame.at(point)).collect();
@@ -81,11 +83,21 @@ fn bounds(figure: &Figure) -> Option<[[f64; 2]; 2]> {
     found
 }
 
-/// One scale both ways, the shapes in the middle.
-fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2], height: f64) -> Plot {
-    let [left, top, right, bottom] = MARGIN;
+/// One scale both ways, the shapes in the middle; room on both sides for the words of labels that stand out.
+fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2], figure: &Figure, language: Language) -> Plot {
+    let [mut left, top, mut right, bottom] = MARGIN;
     let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
-    let scale = ((WIDTH - left - right) / dx).min((height - top - bottom) / dy);
+    let fit = |left: f64, right: f64| ((WIDTH - left - right) / dx).min((figure.height - top - bottom) / dy);
+    // Room taken from a drawing that fills the width makes it smaller, and words stand out more: a few times settle it.
+    for _ in 0..4 {
+        let scale = fit(left, right);
+        for label in &figure.labels {
+            let half = 0.5 * LETTER * figure::letters(label.text.get(language));
+            left = left.max(half - (label.at[0] - x0) * scale);
+            right = right.max(half - (x1 - label.at[0]) * scale);
+        }
+    }
+    let scale = fit(left, right);
     let size = [dx * scale + left + right, dy * scale + top + bottom];
     Plot { scale: [scale, scale], shift: [left - x0 * scale, top + y1 * scale], size }
 }

@@ -31,6 +31,7 @@ templates![
     "verification.typ",
     "checks.typ",
     "setup.typ",
+    "setup-sheet.typ",
     "setup-parts.typ",
 ];
 

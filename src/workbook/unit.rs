@@ -16,6 +16,7 @@ pub fn says(unit: Unit, cell: &str) -> bool {
         Unit::Degree => &["°", "º", "deg", "grados", "degrees"],
         Unit::Step => &["h"],
         Unit::MillimetrePerMinute => &["mm/min"],
+        Unit::DegreePerMinute => &["º/min", "deg/min", "grados/min", "degrees/min"],
         Unit::MillimetrePerRevolution => &["mm/rev", "mm/r", "mm/vuelta"],
         Unit::MetrePerMinute => &["m/min"],
         Unit::RevolutionPerMinute => &["rpm", "rev/min", "r/min", "1/min", "min-1"],

@@ -13,6 +13,7 @@ use rodete::kinds::impeller::splitter::Splitter;
 use rodete::kinds::impeller::tables::ToolPaths;
 use rodete::kinds::pipe::{hole, insert};
 use rodete::kinds::{KINDS, impeller};
+use rodete::machine::rapids::Rapids;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Case, Value, Values};
 use rodete::proof::account::Account;
@@ -71,7 +72,14 @@ fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to
             let mut known = Known::new(geometry);
             let text = slipped(program, from, to);
             let judges = judges(geometry, &mut known, program);
-            let judged = proof::of(&text, setting(&design, program), Plan::of(program), judges, due(&design, program));
+            let judged = proof::of(
+                &text,
+                setting(&design, program),
+                Plan::of(program),
+                judges,
+                due(&design, program),
+                Rapids::default(),
+            );
             verification.add(&text, judged);
         }
         "pipe-insert" => {
@@ -86,7 +94,7 @@ fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to
             let judges = insert::proof::judges(&design, &moves, &mut curve);
             let setting = insert::proof::setting(&design, &program);
             let due = insert::proof::due(&design);
-            verification.add(&text, proof::of(&text, setting, moves.plan(design.mode), judges, due));
+            verification.add(&text, proof::of(&text, setting, moves.plan(design.mode), judges, due, Rapids::default()));
         }
         "pipe-hole" => {
             let design = hole::design::Design::new(
@@ -98,7 +106,8 @@ fn told(kind: &str, cells: &[(&'static str, &'static str)], key: &str, [from, to
             let (text, mut curve) = (slipped(&program, from, to), Vec::new());
             let judges = hole::proof::judges(&design, &cut, &mut curve);
             let plan = hole::proof::plan(&design, &cut);
-            verification.add(&text, proof::of(&text, program.setting(), plan, judges, hole::proof::CHECKS));
+            verification
+                .add(&text, proof::of(&text, program.setting(), plan, judges, hole::proof::CHECKS, Rapids::default()));
         }
         _ => panic!("{kind} is not judged"),
     }

@@ -167,7 +167,7 @@ fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_amon
         let source = Provenance { workbook: "case.xlsx".to_owned(), sha256: "0".repeat(64), version: "1" };
         let outcome = kinds::run(&FORM, values, source).unwrap();
         let [program] = outcome.programs.as_slice() else { panic!("{}: one program", case.name) };
-        let (run, account) = (program.duration.unwrap(), program.account.as_ref().unwrap());
+        let (run, account) = (program.duration.unwrap(), &program.account);
         let time = outcome.quantities.iter().find(|quantity| quantity.symbol == "t").unwrap().value;
         assert_eq!((program.key, run.seconds.to_bits(), run.timeless), ("program", time.to_bits(), 0), "{}", case.name);
         let motions = outcome.table("blocks").unwrap().rows();
@@ -178,7 +178,7 @@ fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_amon
         assert_eq!(outcome.setup, [("supported", Shown::Whether(false))]);
         // The figures of the report: one path, and every key once.
         let keys: Vec<_> = outcome.figures.iter().map(|figure| figure.key).collect();
-        assert_eq!(keys, ["cover", "half-section", "path"]);
+        assert_eq!(keys, ["cover", "half-section", "setup", "path"]);
     }
 }
 

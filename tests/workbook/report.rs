@@ -1,6 +1,5 @@
 //! The typeset report: its bytes, its literal texts, and what happens when typst does not do its work.
 
-#[cfg(feature = "embedded-typst")]
 use crate::common;
 
 use std::path::{Path, PathBuf};
@@ -82,6 +81,32 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         checks: Vec::new(),
         findings: vec![NoRetract {}.at(Place::File).with("1 mm", "2 mm")],
     }
+}
+
+/// True for what is set as a symbol, as `x`, `N_x`, `y″`; words say themselves what they mean.
+fn is_symbol(name: &str) -> bool {
+    let mut letters = name.trim_start_matches('Δ').chars().skip(1);
+    letters.next().is_none_or(|second| second == '_' || second == '″' || second.is_ascii_digit())
+}
+
+#[test]
+fn no_symbol_stands_over_a_column_without_its_meaning() {
+    let mut seen = 0;
+    for (kind, case, language) in common::cases() {
+        let outcome = common::outcome_of(kind, case, language, &[]);
+        let labels = kind.chapters().labels;
+        let own = labels.split(&format!("\n  {}: (", language.code())).nth(1).expect("words of the language");
+        for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.key != "verification") {
+            let line = own.lines().find(|line| line.trim_start().starts_with(&format!("{}: \"", table.key)));
+            for column in table.columns.iter().map(|column| column.symbol.get(language)).filter(|one| is_symbol(one)) {
+                let told = line
+                    .is_some_and(|line| line.contains(&format!("{column}:")) || line.contains(&format!("{column},")));
+                assert!(told, "{kind:?} {}: {column} of {} ({language:?})", case.name, table.key);
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 100, "{seen} symbols");
 }
 
 fn script(name: &str) -> PathBuf {
@@ -262,24 +287,66 @@ mod embedded {
         }
     }
 
-    /// Both shipped cases, the longest of names, many programs and none: the machinist has one page to carry.
+    /// What a PDF says, page by page.
+    fn pages(text: &str) -> Vec<&str> {
+        text.trim_end_matches('\u{C}').split('\u{C}').collect()
+    }
+
+    /// Every kind, case and language, and the longest of names: the machinist has one page to carry, one more for a second
+    /// set-up, and the same behind the cover of the report.
     #[test]
-    fn the_set_up_sheet_is_one_page_and_the_last() {
+    fn the_set_up_sheet_is_one_page_a_file_of_its_own_and_behind_the_cover() {
         let long = "Rodete de ensayo ".repeat(11);
         let many = [("N", Value::Whole(3)), ("part", Value::Line(long.trim().to_owned()))];
-        for (case, language, changes, head, foot) in [
-            ("full", Language::En, &[][..], "Set-up sheet", "Machinist"),
-            ("tfg-2021", Language::Es, &[], "Hoja de preparación", "Operario"),
-            ("full", Language::Es, &many, "Hoja de preparación", "Operario"),
-        ] {
-            let outcome = common::outcome(case, changes);
+        let mut outcomes: Vec<_> = common::cases()
+            .map(|(kind, case, language)| (common::outcome_of(kind, case, language, &[]), language, case.name))
+            .collect();
+        outcomes.push((common::outcome("full", &many), Language::Es, "a long name"));
+        for (outcome, language, case) in outcomes {
+            let (head, foot) = match language {
+                Language::Es => ("Hoja de preparación", "Operario"),
+                Language::En => ("Set-up sheet", "Machinist"),
+            };
             let report = typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).unwrap();
-            let Some(text) = text(&report.pdf) else { return };
-            let pages: Vec<&str> = text.trim_end_matches('\u{C}').split('\u{C}').collect();
-            let last = pages.last().unwrap();
-            assert!(last.contains(head) && last.contains(foot), "{last}");
-            assert_eq!(pages.iter().filter(|page| page.contains(foot)).count(), 1);
+            let (Some(sheet), Some(whole)) = (text(&report.setup), text(&report.pdf)) else { return };
+            let setups = outcome.figures.iter().filter(|figure| ["setup", "setup-2"].contains(&figure.key)).count();
+            let sheet = pages(&sheet);
+            assert_eq!(sheet.len(), setups.max(1), "{case}");
+            assert!(sheet.iter().all(|page| page.contains(head) && page.contains(foot)), "{case}: {sheet:?}");
+            for program in &outcome.programs {
+                assert!(sheet.iter().any(|page| page.contains(program.title.get(language))), "{case}: {}", program.key);
+            }
+            assert!(!sheet.concat().contains("SHA-256"), "{case}: nobody compares sums by eye");
+            let whole = pages(&whole);
+            assert!(whole[1..=sheet.len()].iter().all(|page| page.contains(foot)), "{case}");
+            assert_eq!(whole.iter().filter(|page| page.contains(foot)).count(), sheet.len(), "{case}");
         }
+    }
+
+    /// What no page holds goes on, and says so on top: more tools than a page has lines.
+    #[test]
+    fn a_set_up_sheet_that_is_too_long_says_that_it_goes_on() {
+        let (kind, case, language) = common::cases()
+            .find(|(kind, _, language)| kind.form().kind == "lathe" && *language == Language::En)
+            .unwrap();
+        let mut outcome = common::outcome_of(kind, case, language, &[]);
+        let turret = outcome.tables.iter_mut().find(|table| table.key == "turret").unwrap();
+        turret.print = Print::Whole;
+        for column in &mut turret.columns {
+            column.values = match &column.values {
+                rodete::table::Cells::Numbers(numbers) => {
+                    rodete::table::Cells::Numbers(numbers.iter().copied().cycle().take(90).collect())
+                }
+                rodete::table::Cells::Texts(texts) => {
+                    rodete::table::Cells::Texts(texts.iter().cloned().cycle().take(90).collect())
+                }
+                other => other.clone(),
+            };
+        }
+        let report = typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).unwrap();
+        let Some(text) = text(&report.setup) else { return };
+        let pages = pages(&text);
+        assert!(pages.len() > 1 && pages[0].contains("this sheet goes on"), "{text}");
     }
 
     #[test]

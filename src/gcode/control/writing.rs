@@ -12,6 +12,19 @@ pub enum CommentForm {
     Parentheses,
 }
 
+impl CommentForm {
+    /// True of a line without a block: a comment alone, the mark of a tape's end, nothing.
+    #[must_use]
+    pub fn is_no_block(self, line: &str) -> bool {
+        let line = line.trim();
+        let comment = match self {
+            Self::Parentheses => line.starts_with('(') && line.find(')') == line.len().checked_sub(1),
+            Self::Semicolon => line.starts_with(';'),
+        };
+        comment || line.is_empty() || line == "%"
+    }
+}
+
 /// The first line of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opening {

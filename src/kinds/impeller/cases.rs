@@ -9,8 +9,8 @@ pub static CASES: [Case; 2] = [
     Case::new(
         "full",
         t(
-            "La pieza publicada, con programas completos y álabes intermedios cuyas pasadas libran a sus vecinos. F, S y F_max están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
-            "The published part, with complete programs and splitters whose passes clear their neighbours. F, S and F_max are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
+            "La pieza publicada, con programas completos y álabes intermedios cuyas pasadas libran a sus vecinos. F, S, F_max y los rápidos G_lin y G_rot están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
+            "The published part, with complete programs and splitters whose passes clear their neighbours. F, S, F_max and the rapid rates G_lin and G_rot are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
         ),
         full,
     ),
@@ -89,6 +89,8 @@ fn full(language: Language) -> Vec<(&'static str, Value)> {
         ("F", Value::Real(300.0)),
         ("S", Value::Whole(6000)),
         ("F_max", Value::Real(6000.0)),
+        ("G_lin", Value::Real(6000.0)),
+        ("G_rot", Value::Real(6000.0)),
         ("rotary", Value::Choice("rollover")),
         ("retract", Value::Line("G0 G53 Z0".to_owned())),
         ("S_m", Value::Whole(3000)),

@@ -2,6 +2,7 @@
 
 use crate::finding::Finding;
 use crate::gcode::control::{Control, Rotary as Counting, Written};
+use crate::gcode::fields::{TOOL_CHANGE, rapids};
 pub use crate::gcode::program::Style;
 use crate::gcode::word::{Distance, Word};
 use crate::geometry::torus::Torus;
@@ -10,6 +11,7 @@ use crate::kinds::impeller::fade::Fade;
 use crate::kinds::impeller::parameters as form;
 use crate::kinds::impeller::tool_path::half_width;
 use crate::machine::calibration::Slots;
+use crate::machine::rapids::Rapids;
 use crate::machine::rotary::Rotary;
 use crate::machine::travel::Travel;
 use crate::parameter::field::Fields;
@@ -49,6 +51,8 @@ pub struct Design {
     pub travel: [(char, Travel); 4],
     /// F_max, greatest speed of an axis, mm/min or °/min.
     pub F_max: Option<f64>,
+    /// How fast the machine is where it does not cut.
+    pub rapids: Rapids,
     /// d_s, safety distance.
     pub d_s: f64,
     /// F, feed of the tip over the part, mm/min.
@@ -147,6 +151,7 @@ impl Design {
                 ('B', [Some(fields.get(&form::B_MIN)), Some(fields.get(&form::B_MAX))]),
             ],
             F_max: fields.get(&form::F_MAX),
+            rapids: Rapids { tool_change: fields.get(&TOOL_CHANGE), ..rapids(fields) },
             d_s: fields.get(&form::D_S),
             F: fields.get(&form::F),
             S: fields.get(&form::S),

@@ -67,6 +67,7 @@ use crate::kinds::impeller::splitter::Splitter;
 use crate::kinds::impeller::tables::ToolPaths;
 use crate::machine::axis::Axis;
 use crate::machine::calibration::Axis as Calibrated;
+use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
@@ -183,6 +184,11 @@ impl Method for Impeller {
 
     fn setting(design: &Design, program: &Program) -> Setting {
         proof::setting(design, program)
+    }
+
+    /// The blank is turned on a lathe, whose rates the form does not ask for.
+    fn rapids(design: &Design, program: &Program) -> Rapids {
+        if program.control.turns() { Rapids::default() } else { design.rapids }
     }
 
     fn judges<'a>(

@@ -215,6 +215,9 @@ const MACHINE: &[&Parameter] = &[
     &Z_MIN.row,
     &Z_MAX.row,
     &F_MAX.row,
+    &fields::RAPID_LINEAR.row,
+    &fields::RAPID_ROTARY.row,
+    &fields::TOOL_CHANGE.row,
 ];
 
 pub(super) static D_S: Field<f64, Required> = Field::real(

@@ -1,6 +1,7 @@
 //! The drawings of a turning: the part in space, its half section in the chuck, the path of the tools.
 
 use super::part_view::cover;
+use super::sketch::{Held, sketch};
 use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::text::Text;
 use crate::text::t;
@@ -28,11 +29,14 @@ pub struct Drawn {
 /// Most motions that are drawn.
 const MOTIONS: usize = 4_000;
 
-/// All figures, by the keys that the report's templates know: the part as it is left, and the path of each set-up.
+/// All figures, by the keys that the report's templates know: the part as it is left, and of each set-up its sketch
+/// and its path.
 #[must_use]
-pub fn figures(drawn: &Drawn, setups: &[Drawn]) -> Vec<Figure> {
+pub fn figures(drawn: &Drawn, setups: &[(Drawn, Held)]) -> Vec<Figure> {
     let mut figures = vec![cover(&drawn.part), half_section(drawn)];
-    figures.extend(setups.iter().zip(["path", "path-2"]).map(|(setup, key)| {
+    figures
+        .extend(setups.iter().zip(["setup", "setup-2"]).filter_map(|((setup, held), key)| sketch(setup, *held, key)));
+    figures.extend(setups.iter().zip(["path", "path-2"]).map(|((setup, _), key)| {
         let set_up = match key {
             _ if setups.len() < 2 => t("", ""),
             "path" => t(", primera colocación", ", first set-up"),

@@ -13,6 +13,7 @@ mod profile;
 pub mod rules;
 pub mod scene;
 pub mod setup;
+pub mod sketch;
 pub(crate) mod tables;
 pub mod text;
 pub mod tool_sheet;
@@ -35,6 +36,7 @@ use crate::kinds::lathe::profile::{compared, wanted};
 use crate::kinds::lathe::rules::{HardlyHeld, HeldAlong, NothingInTheJaws};
 use crate::kinds::lathe::scene::Watching;
 use crate::kinds::lathe::setup::Given;
+use crate::kinds::lathe::sketch::Held;
 use crate::kinds::lathe::tables::{Rows, alarms_table, contour_table, lines_table, tools_table, turret_table};
 use crate::limits::FOLLOWED_MOTIONS;
 use crate::limits::PROGRAM_FINDINGS;
@@ -100,7 +102,7 @@ impl Followed<'_> {
         let all = self.simulation.totals().all;
         Proved {
             program: self.program,
-            account: Some(self.account),
+            account: self.account,
             duration: Some(Duration { seconds: all.seconds, timeless: all.timeless }),
         }
     }
@@ -485,12 +487,18 @@ fn outcome(
     tables.push(lines_table(&tables));
     tables.push(alarms_table(followed.iter().flat_map(|one| one.alarms.iter())));
     tables.push(tools_table(&given.setup.turret, followed.iter().map(|one| one.simulation.totals())));
-    tables.push(turret_table(&given.setup.turret));
+    tables.push(turret_table(&given.setup.turret, &given.own));
     let mut drawn = followed.last().map(|one| one.drawn.clone()).unwrap_or_default();
     tables.push(contour_table(&drawn.part));
-    let paths = followed.iter().map(|one| one.drawn.clone()).collect::<Vec<Drawn>>();
-    let standing = followed.last().map(|one| one.simulation.setup().fixtures()).unwrap_or_default();
-    drawn.chuck = standing.into_iter().map(|(_, ring)| ring).collect();
+    let paths: Vec<(Drawn, Held)> = followed
+        .iter()
+        .map(|one| {
+            let setup = one.simulation.setup();
+            let chuck = setup.fixtures().into_iter().map(|(_, ring)| ring).collect();
+            (Drawn { chuck, ..one.drawn.clone() }, Held::of(setup))
+        })
+        .collect();
+    drawn.chuck = paths.last().map(|(drawn, _)| drawn.chuck.clone()).unwrap_or_default();
     let (mut lines, mut arcs) = (Vec::new(), Vec::new());
     let mut endless = followed.iter().any(|one| one.endless);
     // Where a program was not followed to its end there is no part yet to be compared.

@@ -1,5 +1,7 @@
 //! The tables of a turning: motions, alarms, tools, turret, contour.
 
+use std::collections::BTreeMap;
+
 use crate::gcode::in_force::{InForce, Spindle};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::geometry::exact::region::Ring;
@@ -178,7 +180,7 @@ pub fn lines_table(motions: &[Table]) -> Table {
         alarms: Vec<String>,
     }
     let mut lines: Vec<Line> = Vec::new();
-    let mut known: std::collections::BTreeMap<(usize, u64, String), usize> = std::collections::BTreeMap::new();
+    let mut known: BTreeMap<(usize, u64, String), usize> = BTreeMap::new();
     for (program, table) in motions.iter().enumerate() {
         let number = |symbol: &str, row: usize| match table.column(symbol).map(|column| column.values.get(row)) {
             Some(crate::table::Entry::Number(value)) => value,
@@ -321,7 +323,7 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
 
 /// The turret as the control knows it.
 #[must_use]
-pub fn turret_table(turret: &Turret) -> Table {
+pub fn turret_table(turret: &Turret, own: &BTreeMap<u32, u32>) -> Table {
     let of = |value: fn(&crate::removal::turning::tool::TurningTool) -> f64| {
         turret.tools.values().map(|tool| value(tool) + 0.0).collect::<Vec<f64>>()
     };
@@ -338,6 +340,12 @@ pub fn turret_table(turret: &Turret) -> Table {
                 Unit::Count,
                 Law::None,
                 turret.tools.keys().map(|&place| f64::from(place)).collect::<Vec<f64>>(),
+            ),
+            Column::numbers(
+                "D",
+                Unit::Count,
+                Law::None,
+                turret.tools.keys().map(|place| own.get(place).map_or(0.0, |&D| f64::from(D))).collect::<Vec<f64>>(),
             ),
             Column::texts(
                 t("herramienta", "tool"),

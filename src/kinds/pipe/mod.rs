@@ -6,11 +6,12 @@ pub mod insert;
 pub mod rules;
 pub mod scene;
 pub mod size;
+mod sketch;
 
 use crate::kind::Proved;
 use crate::proof::account::Account;
 
 /// What the program of a pipe comes to.
 fn account(programs: &[Proved]) -> Account {
-    programs.last().and_then(|program| program.account.clone()).unwrap_or_default()
+    programs.last().map(|program| program.account.clone()).unwrap_or_default()
 }

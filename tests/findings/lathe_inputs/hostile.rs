@@ -190,7 +190,7 @@ fn verify_reads_the_tool_sheet_of_a_workbook_and_tells_diameters() {
     let said = verify(&["p.nc", "--dialect", "fanuc-lathe-a", "--tools", "lathe.xlsx"]);
     assert_eq!((said.err.as_str(), said.exit), ("", 0));
     // The offset of T1 is 60 mm on the radius and 40 mm along Z.
-    for line in ["  X  -120 … 100  program, 0 … 220  machine (diameter)", "  end (program): X 100  Z 50"] {
+    for line in ["  X  40 … 100  program, 160 … 220  machine (diameter)", "  end (program): X 100  Z 50"] {
         assert!(said.out.contains(line), "{}", said.out);
     }
     assert!(!said.out.contains("Y "), "{}", said.out);

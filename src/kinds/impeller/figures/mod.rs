@@ -5,6 +5,7 @@
 mod geometry;
 mod graphs;
 mod machine;
+mod setup;
 mod solid;
 
 pub use solid::{blade_halves, sections, splitter_halves};
@@ -50,6 +51,8 @@ pub fn figures(
         machine::safe_ends(design, blade, passes),
         machine::blank(design),
         graphs::deviation(deviation),
+        setup::side(design),
+        setup::above(design, blade),
     ];
     if let Some(splitter) = splitter {
         figures.push(geometry::crossing(design, blade, splitter));

@@ -26,6 +26,7 @@ use crate::kinds::impeller::proof::rules::{
 };
 use crate::limits::FOLLOWED_BLANK;
 use crate::machine::axis::{Axis, Pose};
+use crate::machine::rapids::Rapids;
 use crate::number::shown;
 use crate::proof;
 use crate::proof::check::{At, Check, Extreme, Question, mm};
@@ -74,7 +75,7 @@ pub fn judges<'a>(design: &'a Design) -> Vec<Box<dyn Judge + 'a>> {
 
 /// Judges a text in the place of the blank's program.
 pub fn judge(design: &Design, program: &Program, text: &mut Interpreter<'_>) -> Vec<Check> {
-    proof::over(program, text, Plan::of(program), judges(design), due(design)).checks
+    proof::over(program, text, Plan::of(program), judges(design), due(design), Rapids::default()).checks
 }
 
 /// The checks that must be answered for the blank's program.

@@ -28,6 +28,7 @@ use crate::kinds::impeller::proof::cutting::{Cutting, Known};
 use crate::kinds::impeller::proof::passes::{PassCount, Passes};
 use crate::kinds::impeller::proof::stock::Clear;
 use crate::kinds::impeller::splitter::Splitter;
+use crate::machine::rapids::Rapids;
 use crate::number::grid::Milli;
 use crate::proof;
 use crate::proof::agreement::Agreement;
@@ -122,7 +123,7 @@ pub fn judges<'a>(geometry: Geometry<'a>, known: &'a mut Known, program: &'a Pro
 /// Judges a text in the place of a program's own.
 pub fn judge(geometry: Geometry<'_>, program: &Program, text: &mut Interpreter<'_>, known: &mut Known) -> Vec<Check> {
     let due = due(geometry.design, program);
-    proof::over(program, text, Plan::of(program), judges(geometry, known, program), due).checks
+    proof::over(program, text, Plan::of(program), judges(geometry, known, program), due, Rapids::default()).checks
 }
 
 /// How many passes of each track a program should make.

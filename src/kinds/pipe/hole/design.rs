@@ -3,6 +3,7 @@
 use crate::figure::Paper;
 use crate::finding::{Finding, Raise, Size};
 use crate::gcode::control::{Control, Written};
+use crate::gcode::fields::rapids;
 use crate::gcode::machine_codes::refused_codes;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
@@ -22,6 +23,7 @@ use crate::kinds::pipe::hole::rules::{
 use crate::kinds::pipe::hole::station::Groove;
 use crate::kinds::pipe::insert::design::{BRANCH, HEADER, Pipe};
 use crate::kinds::pipe::size::solid;
+use crate::machine::rapids::Rapids;
 use crate::parameter::at;
 use crate::parameter::field::Fields;
 
@@ -62,6 +64,8 @@ pub struct Design {
     pub kerf: f64,
     /// F, cutting speed at the root, mm/min.
     pub F: f64,
+    /// How fast the machine is where it does not cut.
+    pub rapids: Rapids,
     /// F_max, greatest speed of an axis, mm/min or °/min.
     pub F_max: Option<f64>,
     /// The pierce delay, s.
@@ -138,6 +142,7 @@ impl Design {
             D_max: fields.get(&D_MAX),
             kerf: fields.get(&KERF).unwrap_or(2.0 * m),
             F: fields.get(&F),
+            rapids: rapids(fields),
             F_max: fields.get(&F_MAX),
             pierce_delay: fields.get(&PIERCE_DELAY),
             lead_in: fields.get(&LEAD_IN),

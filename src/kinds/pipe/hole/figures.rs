@@ -5,10 +5,12 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use crate::figure::{Axes, Figure, Ink, Label, Stroke};
+use crate::figure::{Axes, Figure, Ink, Label, Side, Sketch, Stroke, sized};
 use crate::geometry::scene::{Camera, Scene};
 use crate::kinds::pipe::hole::design::Design;
 use crate::kinds::pipe::hole::station::Station;
+use crate::kinds::pipe::sketch;
+use crate::number::shown;
 use crate::number::trig::{atan2, sin_cos};
 use crate::text::{Text, t};
 
@@ -24,7 +26,52 @@ fn round(design: &Design) -> Vec<Station> {
 #[must_use]
 pub fn figures(design: &Design, deviation: &[[f64; 2]]) -> Vec<Figure> {
     let stations = round(design);
-    vec![cover(design, &stations), angles(&stations), heights(design, &stations), left(deviation)]
+    vec![
+        cover(design, &stations),
+        angles(&stations),
+        heights(design, &stations),
+        left(deviation),
+        on_rotary(design, &stations),
+        turned(design, &stations),
+    ]
+}
+
+/// The set-up from the side, at A = 0: zeros, hole, branch, and the torch at the height of its rapid moves.
+fn on_rotary(design: &Design, stations: &[Station]) -> Figure {
+    let (R, Z_s) = (design.R_o(), design.Z_s);
+    let reach = stations.iter().map(|one| one.face.x.abs()).fold(0.0, f64::max) + 0.8 * R;
+    let mut sketch = Sketch::new([2.0 * reach, 2.0 * R + Z_s], [92.0, sketch::HEIGHT - 24.0]);
+    let (gap, long) = (sketch.paper(3.0), sketch.paper(9.0));
+    sketch::pipe(&mut sketch, design.header.D, [-reach, reach]);
+    let edge: Vec<[f64; 2]> = stations.iter().map(|one| [one.face.x, one.face.z]).collect();
+    sketch.shape(Ink::Obverse, &edge);
+    // The axis of the branch leans to the right where θ is less than 90°.
+    let (sin, cos) = sin_cos(design.theta.to_radians());
+    let top = (R + Z_s + sketch.paper(4.0)) / sin;
+    sketch.line(Ink::Centre, vec![[0.0, 0.0], [top * cos, top * sin]]);
+    let about = 0.5 * R;
+    sketch.turn(Ink::Outline, [0.0, 0.0], about, [0.0, design.theta]);
+    let (sin, cos) = sin_cos((design.theta / 2.0).to_radians());
+    sketch.label([about * cos, about * sin], Side::Right, Text::same(format!("θ = {}°", shown(design.theta, 3))));
+    sketch::torch(&mut sketch, [0.0, R + Z_s]);
+    sketch.zero([0.0, 0.0]);
+    sketch.label([0.0, -gap / 2.0], Side::Below, Text::same("X0 Z0"));
+    sketch.arrow(Ink::Axis(0), vec![[reach - long, -R - gap], [reach, -R - gap]]);
+    sketch.label([reach, -R - gap], Side::Right, Text::same("+X"));
+    let beyond = reach + sketch.paper(7.0);
+    sketch.upright([reach, -R], [reach, R], beyond, Side::Right, sized("D", design.header.D));
+    sketch.upright([reach, R], [sketch.paper(3.0), R + Z_s], beyond, Side::Right, sized("Z_s", Z_s));
+    sketch.figure(
+        "setup",
+        sketch::HEIGHT,
+        t("Tubo en el eje giratorio, A = 0°, B = 0° y C = 0°", "Pipe on the rotary axis, A = 0°, B = 0° and C = 0°"),
+    )
+}
+
+/// The same along the pipe's axis.
+fn turned(design: &Design, stations: &[Station]) -> Figure {
+    let edge = stations.iter().map(|one| [one.face.y, one.face.z]).collect();
+    sketch::end(design.header.D, design.header.t, Text::same("A = 0"), edge)
 }
 
 /// The header with the hole in it: the groove's face, and the torch at a few places.

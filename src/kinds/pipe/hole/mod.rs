@@ -38,6 +38,7 @@ use crate::kinds::pipe::hole::rules::{
 use crate::kinds::pipe::hole::station::Station;
 use crate::kinds::pipe::rules::NoLeadIn;
 use crate::kinds::pipe::{self, account, scene};
+use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form, at};
@@ -121,6 +122,10 @@ impl Method for Hole {
 
     fn plan<'a>(design: &'a Design, model: &'a Model, _: &'a Program) -> Plan<'a> {
         proof::plan(design, &model.cut)
+    }
+
+    fn rapids(design: &Design, _: &Program) -> Rapids {
+        design.rapids
     }
 
     fn judges<'a>(

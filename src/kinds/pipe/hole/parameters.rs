@@ -207,6 +207,7 @@ pub static FORM: Form = Form {
             Section { title: t("Unión", "Joint"), parameters: JOINT },
             Section { title: t("Antorcha", "Torch"), parameters: TORCH },
             Section { title: t("Corte", "Cut"), parameters: CUTTING },
+            Section { title: t("Máquina", "Machine"), parameters: fields::RAPIDS },
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
             title_block::SECTION,
         ],

@@ -3,6 +3,7 @@
 use crate::figure::Paper;
 use crate::finding::{Finding, Raise, Typed};
 use crate::gcode::control::{Control, Written};
+use crate::gcode::fields::rapids;
 use crate::gcode::program::Style;
 use crate::gcode::word::Word;
 use crate::geometry::pipe_pair::PipePair;
@@ -17,6 +18,7 @@ use crate::kinds::pipe::insert::parameters::{
 pub use crate::kinds::pipe::insert::parameters::{Contact, Mode};
 use crate::kinds::pipe::rules::{NoSchedule, SizeMissing, TwoSizes};
 use crate::kinds::pipe::size::{Schedule, Size};
+use crate::machine::rapids::Rapids;
 use crate::parameter::at;
 use crate::parameter::field::{Field, Fields, Optional};
 
@@ -105,6 +107,8 @@ pub struct Design {
     pub kerf: f64,
     /// F, cutting speed, mm/min.
     pub F: Option<f64>,
+    /// How fast the machine is where it does not cut.
+    pub rapids: Rapids,
     /// The pierce delay, s.
     pub pierce_delay: f64,
     /// The way from the pierce to the curve.
@@ -184,6 +188,7 @@ impl Design {
             mode: fields.get(&MODE),
             kerf: fields.get(&KERF),
             F: fields.get(&F),
+            rapids: rapids(fields),
             pierce_delay: fields.get(&PIERCE_DELAY),
             lead_in: fields.get(&LEAD_IN),
             overcut: fields.get(&OVERCUT),

@@ -4,11 +4,12 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
 
-use crate::figure::{Axes, Figure, Ink, Label, Stroke};
+use crate::figure::{Axes, Figure, Ink, Label, Side as Beside, Sketch, Stroke, sized};
 use crate::geometry::pipe_pair::Side;
 use crate::geometry::scene::{Camera, Scene};
 use crate::kinds::pipe::insert::cut::{Cut, Follows};
 use crate::kinds::pipe::insert::design::{Design, Mode};
+use crate::kinds::pipe::sketch;
 use crate::number::trig::sin_cos;
 use crate::text::{Text, t};
 
@@ -20,7 +21,12 @@ const FINE: u16 = 720;
 /// All figures, by the keys that the report's templates know. `deviation` has φ in degrees and mm.
 #[must_use]
 pub fn figures(design: &Design, cut: Option<&Cut>, deviation: &[[f64; 2]]) -> Vec<Figure> {
-    vec![pipes(design), development(design, cut), deviation_figure(deviation)]
+    let mut figures = vec![pipes(design), development(design, cut), deviation_figure(deviation)];
+    match design.mode {
+        Mode::Flat => figures.push(sheet(design, cut)),
+        Mode::Rotary => figures.extend([on_rotary(design, cut), turned(design)]),
+    }
+    figures
 }
 
 fn turns(count: u16) -> impl Iterator<Item = f64> {
@@ -111,6 +117,89 @@ fn pipes(design: &Design) -> Figure {
         labels: Vec::new(),
         legend: Vec::new(),
     }
+}
+
+/// The set-up on a turning pipe, from the side: zero, curve and waste, at A = 0.
+fn on_rotary(design: &Design, cut: Option<&Cut>) -> Figure {
+    let (outline, half) = (design.outline(), design.branch.D / 2.0);
+    let [least, most] = outline.extent();
+    let left = -0.7 * design.branch.D;
+    let right = most + 0.5 * design.branch.D;
+    let mut sketch = Sketch::new([right - left, design.branch.D], [98.0, sketch::HEIGHT - 36.0]);
+    let (gap, long) = (sketch.paper(3.0), sketch.paper(9.0));
+    sketch::pipe(&mut sketch, design.branch.D, [left, right]);
+    // What is seen lies towards −Y: A from 0 to half a turn.
+    let at = |phi: f64| [outline.curve(phi).y, half * sin_cos(phi).1];
+    let seen: Vec<[f64; 2]> = turns(FINE).filter(|phi| *phi <= PI).map(at).collect();
+    let waste: Vec<[f64; 2]> = seen.iter().copied().chain([[right, -half], [right, half]]).collect();
+    sketch.shape(Ink::Safe, &waste);
+    sketch.line(Ink::Safe, turns(FINE).filter(|phi| *phi >= PI).map(at).collect());
+    sketch.line(Ink::Obverse, seen);
+    sketch.label([f64::midpoint(most, right), 0.0], Beside::Above, t("sobrante", "waste"));
+    sketch.label([0.5 * left, 0.0], Beside::Above, t("injerto", "branch"));
+    let pierce = cut.map_or(at(0.0)[0], |cut| cut.pierce[1].value());
+    sketch::torch(&mut sketch, [pierce, half + gap / 2.0]);
+    sketch.zero([0.0, half]);
+    sketch.label([0.0, half + gap], Beside::Above, Text::same("X0 A0"));
+    sketch.arrow(Ink::Axis(0), vec![[right - long, half + gap], [right, half + gap]]);
+    sketch.label([right, half + gap], Beside::Right, Text::same("+X"));
+    let low = -half - sketch.paper(7.0);
+    sketch.level([0.0, -half], [least, -half], low, sized("", least));
+    sketch.level([0.0, -half], [most, -half], low - sketch.paper(7.0), sized("", most));
+    sketch.figure(
+        "setup",
+        sketch::HEIGHT,
+        t(
+            "Tubo en el eje giratorio, A = 0°: menor y mayor X de la curva",
+            "Pipe on the rotary axis, A = 0°: least and greatest X of the curve",
+        ),
+    )
+}
+
+/// The same along the pipe's axis.
+fn turned(design: &Design) -> Figure {
+    sketch::end(design.branch.D, design.branch.t, Text::same("φ = 0, A = 0"), Vec::new())
+}
+
+/// The set-up on a flat sheet: zero, curve and waste.
+fn sheet(design: &Design, cut: Option<&Cut>) -> Figure {
+    let outline = design.outline();
+    let (round, [least, most]) = (outline.round(), outline.extent());
+    let (edge, top) = (0.06 * round, most + 0.06 * round);
+    let mut sketch = Sketch::new([round + 2.0 * edge, top + edge], [112.0, sketch::HEIGHT - 26.0]);
+    let (gap, long) = (sketch.paper(2.0), sketch.paper(9.0));
+    sketch.rectangle(Ink::Thin, [-edge, -edge], [round + edge, top]);
+    let curve: Vec<[f64; 2]> = turns(FINE).map(|phi| outline.curve(phi).into()).collect();
+    let kept: Vec<[f64; 2]> = curve.iter().copied().chain([[round, 0.0], [0.0, 0.0]]).collect();
+    sketch.shape(Ink::Outline, &kept);
+    sketch.line(Ink::Obverse, curve);
+    sketch.label([round / 2.0, 0.3 * least], Beside::Above, t("injerto", "branch"));
+    sketch.label([round / 2.0, most - gap], Beside::Above, t("sobrante", "waste"));
+    if let Some(cut) = cut {
+        let at = cut.pierce.map(crate::number::grid::Milli::value);
+        sketch.ring(Ink::Obverse, at, gap / 2.0);
+    }
+    sketch.zero([0.0, 0.0]);
+    sketch.label([-edge, 0.0], Beside::Left, Text::same("X0 Y0, φ = 0"));
+    sketch.arrow(Ink::Axis(0), vec![[0.0, 0.0], [long, 0.0]]);
+    sketch.label([long, gap], Beside::Right, Text::same("+X"));
+    sketch.arrow(Ink::Axis(1), vec![[0.0, 0.0], [0.0, long]]);
+    sketch.label([0.0, long + gap], Beside::Right, Text::same("+Y"));
+    sketch.level([0.0, -edge], [round, -edge], -edge - sketch.paper(9.0), sized("W", round));
+    let beyond = round + edge + sketch.paper(6.0);
+    sketch.upright([round, 0.0], [round, least], beyond, Beside::Right, sized("", least));
+    sketch.upright([round, 0.0], [round, most], beyond + sketch.paper(16.0), Beside::Right, sized("", most));
+    sketch.figure(
+        "setup",
+        sketch::HEIGHT,
+        match cut {
+            None => t("Chapa plana: menor y mayor Y de la curva", "Flat sheet: least and greatest Y of the curve"),
+            Some(_) => t(
+                "Chapa plana: menor y mayor Y de la curva; el círculo es la perforación",
+                "Flat sheet: least and greatest Y of the curve; the circle is where it pierces",
+            ),
+        },
+    )
 }
 
 /// The development: the curve, the torch's path, the seam and the edge.

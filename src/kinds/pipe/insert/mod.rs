@@ -49,6 +49,7 @@ use crate::kinds::pipe::insert::rules::{
 };
 use crate::kinds::pipe::rules::NoLeadIn;
 use crate::kinds::pipe::{self, account, scene};
+use crate::machine::rapids::Rapids;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
@@ -142,6 +143,10 @@ impl Method for Insert {
 
     fn plan<'a>(design: &'a Design, model: &'a Model, _: &'a Program) -> Plan<'a> {
         model.moves.plan(design.mode)
+    }
+
+    fn rapids(design: &Design, _: &Program) -> Rapids {
+        design.rapids
     }
 
     fn judges<'a>(

@@ -194,6 +194,7 @@ pub static FORM: Form = Form {
             Section { title: t("Tubos", "Pipes"), parameters: PIPES },
             Section { title: t("Unión", "Joint"), parameters: JOINT },
             Section { title: t("Corte", "Cut"), parameters: CUTTING },
+            Section { title: t("Máquina", "Machine"), parameters: fields::RAPIDS },
             Section { title: t("Programa", "Program"), parameters: PROGRAM },
             title_block::SECTION,
         ],

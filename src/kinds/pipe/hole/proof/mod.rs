@@ -30,6 +30,7 @@ use crate::kinds::pipe::hole::program::{AXES, distance};
 use crate::kinds::pipe::hole::proof::rules::{BevelOff, CutSlows, NotItsTime, SwingsAtOnce, TorchTooNear};
 use crate::kinds::pipe::hole::station::Groove;
 use crate::machine::axis::{Axis, Pose};
+use crate::machine::rapids::Rapids;
 use crate::machine::torch::{TorchAxes, TorchPose};
 use crate::number::grid::Milli;
 use crate::number::jet::{Jet, Vector, bow, cross, difference};
@@ -508,5 +509,5 @@ pub fn judges<'a>(design: &'a Design, cut: &'a Cut, curve: &'a mut Curve) -> Vec
 #[must_use]
 pub fn judge(design: &Design, cut: &Cut, program: &Program, text: &mut Interpreter<'_>) -> Judged {
     let mut curve = Curve::new();
-    proof::over(program, text, plan(design, cut), judges(design, cut, &mut curve), CHECKS)
+    proof::over(program, text, plan(design, cut), judges(design, cut, &mut curve), CHECKS, Rapids::default())
 }

@@ -26,6 +26,7 @@ use crate::kinds::pipe::insert::outline::Outline;
 use crate::kinds::pipe::insert::program::{approach, template_points};
 use crate::kinds::pipe::insert::proof::rules::CutOffSpeed;
 use crate::machine::axis::{Axis, Pose};
+use crate::machine::rapids::Rapids;
 use crate::number::grid::Milli;
 use crate::number::jet::{Jet, bow};
 use crate::number::root::golden;
@@ -504,5 +505,12 @@ pub fn judges<'a>(design: &'a Design, moves: &'a Moves, curve: &'a mut Curve) ->
 #[must_use]
 pub fn judge(design: &Design, cut: Option<&Cut>, program: &Program, text: &mut Interpreter<'_>) -> Judged {
     let (moves, mut curve) = (Moves::new(design, cut), Curve::new());
-    proof::over(program, text, moves.plan(design.mode), judges(design, &moves, &mut curve), due(design))
+    proof::over(
+        program,
+        text,
+        moves.plan(design.mode),
+        judges(design, &moves, &mut curve),
+        due(design),
+        Rapids::default(),
+    )
 }

@@ -1,6 +1,10 @@
 //! A drawing: strokes and labels in millimetres of the thing drawn, to be scaled by whoever shows it.
 
+mod sketch;
+
 use std::f64::consts::{FRAC_PI_2, TAU};
+
+pub use self::sketch::{Side, Sketch, sized};
 
 use crate::number::trig::atan2;
 use crate::parameter::field::choices;
@@ -108,6 +112,15 @@ pub struct Axes {
     pub x: Text,
     /// Title of the ordinate with its unit.
     pub y: Text,
+}
+
+/// Mean width of a letter of a label in print, mm.
+pub const LETTER: f64 = 1.6;
+
+/// How many letters of its width a label takes; what is set as a subscript takes less, and is counted whole.
+#[must_use]
+pub fn letters(label: &str) -> f64 {
+    f64::from(u32::try_from(label.chars().filter(|letter| *letter != '_').count()).unwrap_or(u32::MAX))
 }
 
 /// A drawing or graph.
