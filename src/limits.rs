@@ -76,10 +76,10 @@ pub const SHEET_BLOCKS: usize = 9_900;
 
 /// Chords of an arc. It bounds the memory, however small the tolerance.
 pub const ARC_CHORDS: f64 = 100_000.0;
-/// Boxes that are looked at for the depth of the floor. It bounds the time; what is not decided by then is told with
+/// Boxes that are looked at for the depth of the floor. It bounds the time; what is not decided by then is reported with
 /// its bounds.
 pub const FLOOR_BOXES: usize = 40_000;
-/// Boxes that are looked at for an undercut. It bounds the time; what is not decided by then is told with its bounds.
+/// Boxes that are looked at for an undercut. It bounds the time; what is not decided by then is reported with its bounds.
 pub const UNDERCUT_BOXES: usize = 40_000;
 /// Pieces of a block over which the bound of the tip's way is summed. It bounds the time; with fewer pieces the bound
 /// is wider, and still one.

@@ -21,7 +21,7 @@ use crate::text::Language;
 #[derive(Debug, Parser)]
 #[command(name = "rodete", version, arg_required_else_help = true, max_term_width = 100)]
 pub(super) struct Arguments {
-    /// What is to be done.
+    /// The command.
     #[command(subcommand)]
     pub(super) command: Command,
 }
@@ -42,16 +42,16 @@ impl Arguments {
         let how = [
             line(&format!("rodete new {kind}"), &format!("writes {kind}.xlsx, ready to edit in Excel")),
             others,
-            line(&format!("rodete check {kind}.xlsx"), "says what would stop a build, and the limits"),
-            line(&format!("rodete build {kind}.xlsx"), &format!("writes tables, programs and report into {kind}-out")),
+            line(&format!("rodete check {kind}.xlsx"), "shows the limits and what would stop a build"),
+            line(&format!("rodete build {kind}.xlsx"), &format!("writes tables, programs and a report to {kind}-out")),
             line(
                 &format!("rodete view {kind}.xlsx"),
-                &format!("writes {kind}.html: part and programs, to be played in a browser"),
+                &format!("writes {kind}.html: part and programs, to play in a browser"),
             ),
-            line("rodete verify program.nc", "reads a program as the control would and says what it comes to"),
-            line("rodete simulate part.nc", "follows a turning program over its stock"),
+            line("rodete verify program.nc", "reads a program as the control would and sums it up"),
+            line("rodete simulate part.nc", "simulates a turning program before you run it"),
             line("rodete offsets linuxcnc.var", "shows the work offsets of a LinuxCNC machine"),
-            line("rodete explain L0131", "explains a finding by its code, with remedy and example"),
+            line("rodete explain L0131", "explains a code: what it means, the remedy, an example"),
         ];
         <Self as CommandFactory>::command()
             .after_help(format!("Start with `rodete new {kind}`, edit the workbook, then `rodete build {kind}.xlsx`."))
@@ -81,7 +81,7 @@ impl Arguments {
 fn exits() -> String {
     let line = |exit: &Exit| format!("  {:>3}  {}\n", code(*exit), meaning(*exit)[0].en);
     let lines: String = ENDS.iter().map(line).collect();
-    format!("\nExit codes:\n{lines}With several workbooks the gravest counts: 2 before 1, 5, 7, 4, 3 and 6.")
+    format!("\nExit codes:\n{lines}With several workbooks the gravest code counts: 2 before 1, 5, 7, 4, 3 and 6.")
 }
 
 /// A command.
@@ -90,56 +90,56 @@ pub(super) enum Command {
     /// Write a ready-to-edit workbook
     #[command(after_help = "Example: rodete new impeller my-impeller.xlsx --lang en")]
     New(New),
-    /// Validate workbooks and print derived limits and findings; write nothing
+    /// Check workbooks and print derived limits and findings; write nothing
     #[command(after_help = "Example: rodete check impeller.xlsx")]
     Check(Check),
     /// Build tables, programs and a report from workbooks
     ///
     /// Writes <stem>-results.xlsx, one <stem>-*.nc for each program, drawings at 1:1 as <stem>-*.dxf, .svg and .pdf where
     /// the workbook kind has them, <stem>-report.pdf and the set-up sheet <stem>-setup.pdf into one folder, all or nothing:
-    /// a file appears under its name only when the whole set is complete. Several workbooks are built side by side, and one that is refused does not
+    /// a file appears under its name only when the whole set is complete. Several workbooks are built in parallel, and a rejected one does not
     /// stop the others.
     #[command(after_help = "Example: rodete build impeller.xlsx --open")]
     Build(Build),
     /// Write one HTML file that shows a program, or a workbook's part and programs
     ///
-    /// The file opens in any browser, without a network: part, tool and path in three dimensions, the blocks, the machine's
-    /// display and the alarms, played in machine time. A program that is refused is shown as far as it can be read, with its
-    /// faults, and the exit code is still 3.
+    /// The file opens in any browser, offline: part, tool and path in three dimensions, the blocks, the machine's
+    /// display and the alarms, played in machine time. A rejected program is shown as far as it can be read, with its
+    /// errors; the exit code is still 3.
     #[command(after_help = "Example: rodete view impeller.xlsx")]
     View(View),
-    /// Read ISO programs as the control would and say what they come to
+    /// Read ISO programs as the control would and sum them up
     ///
-    /// Extents, end position, path length, time, and everything that is wrong, each with line and column. Exit 3 where a
-    /// program is refused, 7 where a loop does not end. Lengths in millimetres, angles in degrees, whatever the program's
+    /// Prints extents, end position, path length, time, and every error with its line and column. Exit 3 if a
+    /// program is rejected, 7 if a loop does not end. Lengths are in millimetres and angles in degrees, whatever the program's
     /// unit.
     #[command(after_help = "Example: rodete verify blade.nc --dialect fagor-8055")]
     Verify(Verify),
-    /// Follow a turning program over its stock: material removed, times, alarms
+    /// Simulate a turning program: metal removed, times, alarms
     ///
-    /// The stock, the machine and the turret come from a lathe workbook (--tools), or the stock from --stock and the rest
-    /// from the example of `rodete new lathe`. Results, viewer (HTML), solid (STL) and contour (DXF, SVG) go to the folder
-    /// of -o; without it nothing is written. Exit 3 where the program is refused or an alarm stops it; the files are then
-    /// written all the same, for they show why.
+    /// Stock, machine and turret come from a lathe workbook (--tools), or the stock from --stock and the rest
+    /// from the example of `rodete new lathe`. With -o, results, viewer (HTML), solid (STL) and contour (DXF, SVG) go to that
+    /// folder; without -o nothing is written. Exit 3 if the program is rejected or an alarm stops it; the files are
+    /// still written, because they show why.
     #[command(after_help = "Example: rodete simulate part.nc --dialect fanuc-lathe-a --stock D50xL100 -o out")]
     Simulate(Simulate),
     /// Show and edit the work offsets in LinuxCNC's parameter file
     ///
-    /// Without options: G54 to G59.3, G92, G28 and G30 as the file holds them, and the blocks that give a control the
-    /// same offsets. Lengths are in the machine's unit, millimetres unless --inch is given. With --set, --use or a
-    /// workbook that exists the file is rewritten, all or nothing; other parameters stay digit by digit, and a file
-    /// that does not exist is made with the parameters that LinuxCNC wants. Close LinuxCNC before: it holds the
-    /// parameters in memory and writes them over the file when it ends.
+    /// Without options: prints G54 to G59.3, G92, G28 and G30 from the file, and the blocks that give a control the
+    /// same offsets. Lengths are in the machine's unit: millimetres unless --inch is given. With --set, --use or an
+    /// existing workbook the file is rewritten, all or nothing; other parameters stay digit for digit. A file
+    /// that does not exist is created with the parameters that LinuxCNC needs. Close LinuxCNC first: it holds the
+    /// parameters in memory and overwrites the file when it closes.
     #[command(after_help = "Example: rodete offsets linuxcnc.var --set \"G55 X2 Y1 Z-2\" --use G55")]
     Offsets(Offsets),
-    /// Explain the code of a finding: what it says, why, the remedy and an example that raises it
+    /// Explain the code of a finding: what it means, why, the remedy and an example
     ///
-    /// A code as L0131, as it stands in JSON, or the number of an alarm as 131, of a Fanuc as PS0064. Without one all codes are
-    /// listed; with --all all of them are explained, with --markdown as the page that docs/findings.md is. With --controls it
-    /// tells of each feature and code what every control makes of it, with --markdown as docs/controls.md.
+    /// Takes a code like L0131, as in JSON, or an alarm number like 131, or PS0064 of a Fanuc. Without a code, lists all
+    /// codes; with --all explains them all, with --markdown as the page docs/findings.md. With --controls,
+    /// shows what every control makes of each feature and code, with --markdown as docs/controls.md.
     #[command(after_help = "Example: rodete explain L0131")]
     Explain(Explain),
-    /// Print the script that has a shell complete the command line
+    /// Print a completion script for a shell
     #[command(after_help = "Example: rodete completions bash > ~/.local/share/bash-completion/completions/rodete")]
     Completions(Completions),
     /// Print the man page of rodete, or of one of its commands
@@ -157,7 +157,7 @@ pub(super) struct Completions {
 /// Arguments of `man`.
 #[derive(Debug, Args)]
 pub(super) struct Manual {
-    /// The command [default: the page of rodete itself]
+    /// The command [default: rodete itself]
     #[arg(value_parser = PossibleValuesParser::new(COMMANDS))]
     pub(super) command: Option<String>,
 }
@@ -175,7 +175,7 @@ pub(super) struct Explain {
     /// Explain every code
     #[arg(long, conflicts_with = "codes", group = "page")]
     pub(super) all: bool,
-    /// Tell what each control reads, refuses and writes, with its sources
+    /// Show what each control reads, rejects and writes, with sources
     #[arg(long, conflicts_with = "codes", group = "page")]
     pub(super) controls: bool,
     /// Write one page in Markdown
@@ -197,7 +197,7 @@ pub(super) struct Explain {
 pub(super) struct New {
     /// Kind of workbook
     pub(super) kind: String,
-    /// File to write; one that exists is never replaced [default: <KIND>.xlsx]
+    /// File to write; an existing file is never replaced [default: <KIND>.xlsx]
     pub(super) file: Option<PathBuf>,
     /// Language of the workbook
     #[arg(long, value_name = "LANGUAGE", value_parser = language(), default_value = "en")]
@@ -233,13 +233,13 @@ pub(super) struct Build {
     /// Language of sheets, report and messages [default: the workbook's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
-    /// Write no report and no templates to print
+    /// Write no report and no printable templates
     #[arg(long)]
     pub(super) no_report: bool,
-    /// Open the report, or the folder where there is none, when it is written
+    /// Open the report when it is written, or the folder if there is no report
     #[arg(long)]
     pub(super) open: bool,
-    /// Typst command line that sets the report [default: RODETE_TYPST, or the typst inside rodete]
+    /// Typst program that typesets the report [default: RODETE_TYPST, or the built-in typst]
     #[arg(long, value_name = "PATH")]
     pub(super) typst: Option<PathBuf>,
     /// Print one JSON document instead of text: findings, derived values, written files with their SHA-256
@@ -250,7 +250,7 @@ pub(super) struct Build {
 /// How programs are read.
 #[derive(Debug, Args)]
 pub(super) struct ControlOptions {
-    /// Dialect of the programs [default: told from the program]
+    /// Dialect of the programs [default: recognised from the program]
     #[arg(long, value_parser = PossibleValuesParser::new(ALL.map(|dialect| dialect.name)))]
     pub(super) dialect: Option<String>,
     /// LinuxCNC's parameter file: work offsets and parameters at the start
@@ -259,27 +259,27 @@ pub(super) struct ControlOptions {
     /// LinuxCNC's tool table: tool lengths; to view a turning program, a lathe workbook
     #[arg(long, value_name = "FILE")]
     pub(super) tools: Option<PathBuf>,
-    /// Folder of subprograms, looked through behind the program's own; may be given several times, in their order
+    /// Folder of subprograms, searched after the program's own folder; repeat for more folders, searched in order
     #[arg(long, value_name = "DIR")]
     pub(super) subs: Vec<PathBuf>,
     /// Skip blocks that begin with /
     #[arg(long)]
     pub(super) block_delete: bool,
-    /// What a Fanuc lathe makes of a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
+    /// How a Fanuc lathe reads a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
     #[arg(long, value_name = "RULE", value_parser = decimal_point())]
     pub(super) decimal_point: Option<DecimalPoint>,
-    /// What R of G81 to G83 is on a Fanuc lathe: absolute, the Z of the plane; incremental, from where the tool stands
+    /// What R of G81 to G83 means on a Fanuc lathe: absolute, the Z of the plane; incremental, from the tool's position
     /// [default: the lathe workbook's, else absolute]
     #[arg(long, value_name = "RULE", value_parser = hole_plane())]
     pub(super) hole_r: Option<HolePlane>,
-    /// What a rotary axis's word means in G90: linear, the position, counted on beyond a turn; rollover, the angle to go to
-    /// (0 to 359.9999) and by its sign the direction [default: rollover for fagor-8055 and fagor-8055-t, else linear]
+    /// What a rotary axis word means in G90: linear, the position, counted beyond one turn; rollover, the target angle
+    /// (0 to 359.9999), with the sign as the direction [default: rollover for fagor-8055 and fagor-8055-t, else linear]
     #[arg(long, value_name = "RULE", value_parser = rotary())]
     pub(super) rotary: Option<Rotary>,
     /// The control forgets G92 and G52 at the end of a program (DISABLE_G92_PERSISTENCE)
     #[arg(long)]
     pub(super) no_g92_persistence: bool,
-    /// The machine counts in inches: var file, tool table, and programs that do not say their unit
+    /// The machine works in inches: var file, tool table, and programs that do not give their unit
     #[arg(long)]
     pub(super) inch: bool,
 }
@@ -290,10 +290,10 @@ pub(super) struct Verify {
     /// Programs to read
     #[arg(required = true, value_name = "PROGRAM")]
     pub(super) programs: Vec<PathBuf>,
-    /// How they are read.
+    /// How to read them.
     #[command(flatten)]
     pub(super) control: ControlOptions,
-    /// Print one JSON object for each canonical motion
+    /// Print one JSON object per motion
     #[arg(long, conflicts_with = "json")]
     pub(super) canon: bool,
     /// Language of the messages [default: the locale's]
@@ -314,13 +314,13 @@ pub(super) struct View {
     #[arg(short, long, value_name = "FILE.html")]
     pub(super) output: Option<PathBuf>,
     /// Diameter, length and bore of a turning program's stock, in mm: D50xL100, D50xL100xd20 [default: the lathe
-    /// workbook's, or what encloses the path]
+    /// workbook's, or stock that encloses the path]
     #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
     pub(super) stock: Option<Stock>,
-    /// How a program is read; a workbook says itself what its programs are.
+    /// How to read a program; a workbook itself says what its programs are.
     #[command(flatten)]
     pub(super) control: ControlOptions,
-    /// Language that the page begins in, and of the messages [default: the workbook's; of a program en, messages the locale's]
+    /// Language of the page at first, and of the messages [default: the workbook's; for a program en, messages the locale's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
 }
@@ -330,10 +330,10 @@ pub(super) struct View {
 pub(super) struct Simulate {
     /// Turning program
     pub(super) program: PathBuf,
-    /// Dialect of the program [default: told from the program]
+    /// Dialect of the program [default: recognised from the program]
     #[arg(long, value_parser = PossibleValuesParser::new(TURNING.map(|dialect| dialect.name)))]
     pub(super) dialect: Option<String>,
-    /// Diameter, length and bore of the stock, in mm: D50xL100, D50xL100xd20 [default: the workbook's, or what encloses the path]
+    /// Diameter, length and bore of the stock, in mm: D50xL100, D50xL100xd20 [default: the workbook's, or stock that encloses the path]
     #[arg(long, value_name = "STOCK", value_parser = super::stock::parse)]
     pub(super) stock: Option<Stock>,
     /// Lathe workbook with machine, stock and tools
@@ -342,10 +342,10 @@ pub(super) struct Simulate {
     /// Folder for the outputs
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
-    /// What a Fanuc lathe makes of a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
+    /// How a Fanuc lathe reads a dimension without a decimal point: calculator, X100 is 100 mm; micrometre, X100 is 0.1 mm
     #[arg(long, value_name = "RULE", value_parser = decimal_point())]
     pub(super) decimal_point: Option<DecimalPoint>,
-    /// What R of G81 to G83 is on a Fanuc lathe: absolute, the Z of the plane; incremental, from where the tool stands
+    /// What R of G81 to G83 means on a Fanuc lathe: absolute, the Z of the plane; incremental, from the tool's position
     /// [default: the lathe workbook's, else absolute]
     #[arg(long, value_name = "RULE", value_parser = hole_plane())]
     pub(super) hole_r: Option<HolePlane>,
@@ -366,22 +366,22 @@ pub(super) struct Offsets {
     /// LinuxCNC's parameter file, PARAMETER_FILE in the INI file
     #[arg(value_name = "FILE.var")]
     pub(super) file: PathBuf,
-    /// Set axis words of a system, in machine coordinates: "G55 X2 Y1 Z-2 R30"
+    /// Set axis words of a work offset, in machine coordinates: "G55 X2 Y1 Z-2 R30"
     ///
-    /// Takes G54 to G59.3 with X Y Z A B C U V W, and R, the rotation in degrees; axes that are not named stay. G52
-    /// with axis words writes the registers that G92 and G52 share and puts them in force; G92.1 clears them, G92.2 and
-    /// G92.3 take them out of force and put them back. G92 with axis words is refused: it starts from the position of
-    /// the machine. Numbers have a decimal point, no exponent and at most six decimals. May be given several times; done
+    /// Takes G54 to G59.3 with X Y Z A B C U V W, and R, the rotation in degrees; other axes stay. G52
+    /// with axis words writes the registers that G92 and G52 share and activates them; G92.1 clears them, G92.2
+    /// deactivates them and G92.3 restores them. G92 with axis words is rejected: it depends on the position of
+    /// the machine. Numbers have a decimal point, no exponent and at most six decimals. May be repeated; done
     /// in order, after the workbook.
     #[arg(long, value_name = "WORDS")]
     pub(super) set: Vec<String>,
-    /// Make a system the active one, parameter 5220
+    /// Make a work offset active (parameter 5220)
     #[arg(long = "use", value_name = "SYSTEM", value_parser = system())]
     pub(super) active: Option<System>,
-    /// Workbook with the sheet OFFSETS (ORIGENES): read into the file if it exists, else written from it
+    /// Workbook with the sheet OFFSETS (ORIGENES): read into the file if it exists, otherwise written from it
     #[arg(long, value_name = "FILE.xlsx")]
     pub(super) workbook: Option<PathBuf>,
-    /// The machine counts in inches: lengths of the file, of --set and of the workbook
+    /// The machine works in inches: lengths of the file, of --set and of the workbook
     #[arg(long)]
     pub(super) inch: bool,
     /// Language of the messages and of a new workbook [default: en; messages the workbook's, else the locale's]

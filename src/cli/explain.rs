@@ -1,4 +1,4 @@
-//! `explain`: what a code means, why it is told, what to do, and an example that raises it.
+//! `explain`: what a code means, why it is reported, what to do, and an example that raises it.
 
 use std::fmt::Write;
 

@@ -11,7 +11,7 @@ use crate::finding::{CellPlace, Finding, Grade, Place};
 use crate::limits::LISTED_FINDINGS;
 use crate::text::{Language, Text, t};
 
-/// The names that places are told with.
+/// The names that places are reported with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Names<'a> {
     /// The input.

@@ -30,7 +30,7 @@ pub(super) fn listen() -> Arc<AtomicBool> {
             }
             sleep(Duration::from_millis(10));
         }
-        let _ = writeln!(std::io::stderr(), "interrupted: unfinished files are removed, finished sets stand");
+        let _ = writeln!(std::io::stderr(), "interrupted: unfinished files are removed, finished sets stay");
         std::process::exit(code(Exit::Interrupted).into());
     });
     flag

@@ -23,7 +23,7 @@ pub fn parameters(kinds: &[&dyn Kind], language: Language) -> Result<String, Wri
         &t("Parámetros de cada formulario", "The parameters of every form"),
         &t(
             "Cada parámetro con su celda, unidad y límites (ambos incluidos), y su valor en un libro nuevo. Una celda obligatoria que queda vacía se rechaza. La celda es la de un libro nuevo; `rodete` busca cada parámetro por su símbolo. Esta página es la salida de `rodete explain --parameters --lang es`.",
-            "Each parameter with its cell, unit and limits (both included), and its value in a new workbook. A required cell that is left empty is refused. The cell is that of a new workbook; `rodete` finds each parameter by its symbol. This page is the output of `rodete explain --parameters --lang en`.",
+            "Each parameter with its cell, unit and limits (both included), and its value in a new workbook. rodete rejects a form with an empty required cell. The cell is that of a new workbook; `rodete` finds each parameter by its symbol. This page is the output of `rodete explain --parameters --lang en`.",
         ),
         language,
     );

@@ -72,7 +72,7 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
             format!("{count} files in {folder}, without a report"),
         ),
         _ if !writes => t("no se puede construir", "cannot be built"),
-        (Exit::Refused, _) => t("rechazado; no se ha escrito nada", "refused; nothing was written"),
+        (Exit::Refused, _) => t("rechazado; no se ha escrito nada", "rejected; nothing was written"),
         _ => t("no se ha escrito nada", "nothing was written"),
     };
     let found: Vec<_> = [

@@ -21,7 +21,7 @@ pub(super) struct Terminal {
     err: AutoStream<io::Stderr>,
     /// Columns for text; `None` where standard output is no terminal: lines are not broken.
     pub(super) width: Option<usize>,
-    /// The first code of what needs attention that was printed, and the language that it was told in.
+    /// The first code of what needs attention that was printed, and the language that it was reported in.
     pub(super) told: Option<(&'static str, Language)>,
     /// What to do next, of one workbook.
     next: Option<String>,

@@ -120,7 +120,7 @@ pub(super) fn meaning(exit: Exit) -> [Text; 2] {
         ],
         Exit::CommandLine => [t("línea de comandos errónea", "wrong command line"), nothing],
         Exit::Refused => [
-            t("la entrada se ha leído y se rechaza", "the input was read and is refused"),
+            t("rodete ha leído la entrada y la rechaza", "rodete read the input and rejects it"),
             t(
                 "nada; `view`, la página de un programa; `simulate`, sus resultados",
                 "nothing; by `view` the page of a program; by `simulate` its results",
@@ -129,7 +129,7 @@ pub(super) fn meaning(exit: Exit) -> [Text; 2] {
         Exit::Unreadable => [t("la entrada no se puede leer", "the input cannot be read"), nothing],
         Exit::Unwritable => [
             t("la salida no se puede escribir", "the output cannot be written"),
-            t("nada; los archivos anteriores siguen ahí", "nothing; the files of before stand"),
+            t("nada; los archivos anteriores siguen ahí", "nothing; the earlier files stay"),
         ],
         Exit::ReportFailed => [
             t(

@@ -45,8 +45,8 @@ impl Read {
         self.dialect.is_some_and(|dialect| dialect.turns())
     }
 
-    /// True for an axis that is told: always, or because it is anywhere but at 0 in what the program comes to. One that comes
-    /// back to 0 is told as 0.
+    /// True for an axis that is reported: always, or because it is anywhere but at 0 in what the program comes to. One that comes
+    /// back to 0 is reported as 0.
     fn told(&self, axis: Axis) -> bool {
         let reached = [&self.account.program, &self.account.machine];
         always(axis, self.lathe()) || reached.into_iter().flatten().any(|extents| extents.of(axis) != [0.0, 0.0])
@@ -144,7 +144,7 @@ fn follow(
             Err(fault) => {
                 total += 1;
                 read.verdict.exit = gravest(read.verdict.exit, fault.exit);
-                // Where the reading ended is told whatever went before.
+                // Where the reading ended is reported whatever went before.
                 if faults.len() < LISTED_REFUSALS || fault.exit == Exit::Limit {
                     faults.push(*fault);
                 }
@@ -170,7 +170,7 @@ fn follow(
     Ok(())
 }
 
-/// X as the lathe's program has it, a diameter, in what is told in sum; canonical motions have radii.
+/// X as the lathe's program has it, a diameter, in what is reported in sum; canonical motions have radii.
 fn as_diameters(read: &mut Read) {
     let Account { program, machine, end, .. } = &mut read.account;
     let reached = [program, machine].into_iter().flatten().flat_map(|one| [&mut one.least, &mut one.greatest]);
@@ -180,12 +180,12 @@ fn as_diameters(read: &mut Read) {
     read.net[Axis::X as usize] *= 2.0;
 }
 
-/// The axes that are told though nothing moves along them: X, Y and Z, of a lathe X and Z.
+/// The axes that are reported though nothing moves along them: X, Y and Z, of a lathe X and Z.
 fn always(axis: Axis, lathe: bool) -> bool {
     (axis as usize) < 3 && !(lathe && axis == Axis::Y)
 }
 
-/// The axes of a pose by name, where one of them is told.
+/// The axes of a pose by name, where one of them is reported.
 fn pose(pose: &Pose, told: impl Fn(Axis) -> bool) -> Value {
     let named = Axis::ALL.into_iter().filter(|axis| told(*axis));
     // Adding 0 takes the sign of a negative zero away.
@@ -350,7 +350,7 @@ fn show(read: &Read, canon: bool, language: Language, terminal: &mut Terminal) {
             number(account.feed_path),
             word("en avance", "at feed"),
             number(account.rapid_path),
-            word("en rápido", "at rapid")
+            word("en rápido", "in rapid")
         ));
         let time = if account.untimed {
             word("desconocido", "not known").to_owned()

@@ -100,7 +100,7 @@ fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<
     set.commit()
 }
 
-/// The scene; what refuses it goes to the verdict, whose findings are told with their places in the input.
+/// The scene; what refuses it goes to the verdict, whose findings are reported with their places in the input.
 fn placed(scene: Result<Option<Scene>, Refusal>, verdict: &mut Ending) -> Option<Scene> {
     scene.unwrap_or_else(|refusal| {
         verdict.refuse(refusal);

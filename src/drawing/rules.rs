@@ -1,4 +1,4 @@
-//! What is told of a drawing at 1:1: one row for each finding.
+//! Findings about a drawing at 1:1: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
@@ -11,8 +11,8 @@ rules! {
     "T0301" TooManySheets Caution { title: Text, most: u32 }
         es "«{title}» ocuparía más de {most} hojas y no se imprime"
         en "'{title}' would take more than {most} sheets and is not printed"
-        remedy "elija el papel A3, o lleve el DXF o el SVG a un trazador", "choose paper A3, or take the DXF or SVG to a plotter";
-        why "Tantas hojas no se pegan sin que la plantilla se tuerza.", "So many sheets are not glued together without the template going askew.";
+        remedy "elija el papel A3, o lleve el DXF o el SVG a un trazador", "choose A3 paper, or take the DXF or SVG to a plotter";
+        why "No se pueden pegar tantas hojas sin que la plantilla se tuerza.", "So many sheets cannot be joined without distorting the template.";
         example Example::Made { key: "wide-drawing", how: t(
             "una plantilla de 20 por 20 m en hojas A4", "a template of 20 by 20 m on A4 sheets") };
 }

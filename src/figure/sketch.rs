@@ -15,7 +15,7 @@ const EXTENSION: f64 = 1.2;
 const ROOM: f64 = 6.0;
 const OUTSIDE: f64 = 5.0;
 
-/// A sketch in the making. What belongs to paper, as where a dimension stands off its shape, is told in mm of paper.
+/// A sketch in the making. What belongs to paper, as where a dimension stands off its shape, is reported in mm of paper.
 #[derive(Debug)]
 pub struct Sketch {
     strokes: Vec<Stroke>,

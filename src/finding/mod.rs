@@ -111,7 +111,7 @@ pub struct Finding {
     pub place: Place,
     /// The value found, with its unit; empty where there is none.
     pub value: String,
-    /// The limit it was held against, with its unit; empty where there is none.
+    /// The limit it was compared with, with its unit; empty where there is none.
     pub limit: String,
     /// What to do about it; empty for a passed check.
     pub remedy: Text,
@@ -191,7 +191,7 @@ impl Finding {
         self
     }
 
-    /// The finding with the value found and the limit it was held against.
+    /// The finding with the value found and the limit it was compared with.
     #[must_use]
     pub fn with(mut self, value: impl Into<String>, limit: impl Into<String>) -> Self {
         self.value = value.into();

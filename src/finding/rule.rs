@@ -14,9 +14,9 @@ pub struct Rule {
     pub code: &'static str,
     /// The row's name in the code, as `DepthOfCut`.
     pub ident: &'static str,
-    /// The gravest that it is told as.
+    /// The gravest that it is reported as.
     pub grade: Grade,
-    /// The numbers under which it is told as an alarm, each of a family's.
+    /// The numbers under which it is reported as an alarm, each of a family's.
     pub alarm: &'static [(AlarmFamily, u16)],
     /// The sentence, with what it carries in braces.
     pub what: Text,
@@ -105,7 +105,7 @@ pub enum Example {
         control: &'static str,
         /// Its blocks, parted by `|`.
         program: &'static str,
-        /// Where it is told: the line, or `LINE:COLUMN`.
+        /// Where it is reported: the line, or `LINE:COLUMN`.
         at: &'static str,
         /// How it is read beside that: options of `verify`, each with its value; of a file, with the file's text.
         given: &'static [(&'static str, &'static str)],

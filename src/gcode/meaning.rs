@@ -7,7 +7,7 @@ use crate::text::{Text, t};
 
 /// What is refused, by its name.
 fn refused((es, en): (&str, &str)) -> Text {
-    Text::new(format!("se rechaza: {es}"), format!("refused: {en}"))
+    Text::new(format!("se rechaza: {es}"), format!("rejected: {en}"))
 }
 
 impl G {
@@ -117,7 +117,7 @@ impl Cycle {
             Self::Bore => t("mandrinado, salida con avance", "boring, out at feed"),
             Self::BoreStop => t(
                 "mandrinado, espera, parada del husillo, salida en rápido",
-                "boring, dwell, spindle stop, out at rapid",
+                "boring, dwell, spindle stop, out in rapid",
             ),
             Self::BackBore => t("mandrinado por detrás", "back boring"),
             Self::BoreManual => {

@@ -42,7 +42,7 @@ pub trait Kind: Send + Sync {
         &[]
     }
 
-    /// The contradictions between the values of a filled-in form, which are told before anything is computed.
+    /// The contradictions between the values of a filled-in form, which are reported before anything is computed.
     ///
     /// # Errors
     /// Every one of them.

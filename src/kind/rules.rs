@@ -1,4 +1,4 @@
-//! What is told of the programs of every kind of workbook: one row for each finding.
+//! Findings about the programs of every kind of workbook: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
@@ -12,8 +12,8 @@ rules! {
         es "la posición {position} no cabe en un programa (cinco cifras y tres decimales)"
         en "position {position} does not fit into a program (five digits and three decimals)"
         remedy "compruebe {parameters}", "check {parameters}";
-        why "El control lee cinco cifras delante del punto: lo demás se perdería.",
-            "The control reads five digits before the point: the rest would be lost.";
+        why "El control lee cinco cifras antes del punto y perdería las demás.",
+            "The control reads five digits before the point and would lose the rest.";
         example Example::Never(t(
-            "los límites de las celdas no dejan llegar a tales posiciones", "the limits of the cells do not let positions come so far"));
+            "los límites de las celdas impiden posiciones así", "the limits of the cells prevent such positions"));
 }

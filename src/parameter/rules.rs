@@ -5,8 +5,8 @@ use crate::finding::rule::rules;
 use crate::text::t;
 
 const READ: Example = Example::Never(t(
-    "la lectura del libro lo dice antes, con la celda",
-    "the reading of the workbook tells it before, with the cell",
+    "la lectura del libro lo avisa antes, con la celda",
+    "the workbook reader reports it first, with the cell",
 ));
 
 rules! {
@@ -16,12 +16,12 @@ rules! {
         es "falta el valor obligatorio {symbol}"
         en "the required value {symbol} is missing"
         remedy "rellene su celda", "fill in its cell";
-        why "Sin él no hay diseño que calcular.", "Without it there is no design to compute.";
+        why "Sin ese valor no se puede calcular el diseño.", "Without this value the design cannot be computed.";
         example READ;
     "P0002" Mistyped Stop { symbol: &'static str }
-        es "{symbol} no es un valor de los que admite el formulario"
-        en "{symbol} is no value that the form admits"
+        es "{symbol} tiene un valor que el formulario no admite"
+        en "{symbol} has a value that the form does not accept"
         remedy "corrija su celda", "correct its cell";
-        why "Un número donde va una palabra, o al revés, no dice nada.", "A number in the place of a word, or the other way about, says nothing.";
+        why "Un número en lugar de una palabra, o al revés, no se puede interpretar.", "A number in place of a word, or a word in place of a number, cannot be used.";
         example READ;
 }

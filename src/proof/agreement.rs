@@ -45,7 +45,7 @@ enum By {
 pub struct Agreement {
     by: By,
     planned: usize,
-    /// How many of them are rapid moves that are not told.
+    /// How many of them are rapid moves that are not reported.
     untold: usize,
     /// How many rapid moves may bring the machine to the start.
     approach: Option<usize>,
@@ -85,7 +85,7 @@ impl Agreement {
     fn difference(&mut self, motion: &Motion, planned: &Planned<'_>) -> Option<Text> {
         let first = self.agreed == 0;
         if first && self.approach.is_some_and(|approach| approach != self.positioned) {
-            return Some(t("no va en rápido a la perforación", "it is no rapid move to the pierce"));
+            return Some(t("no va en rápido a la perforación", "it is not a rapid move to the pierce"));
         }
         // A motion that begins elsewhere than planned was noticed where the last one ended, but for the first.
         let ends = [(&motion.to, &planned.to), (&motion.from, &planned.from)];
@@ -108,7 +108,7 @@ impl Agreement {
         if !runs(&motion.kind, planned.run) {
             return Some(t(
                 "no va como dice el plan: en rápido, recto o en arco",
-                "it does not run as planned: at rapid, straight or along an arc",
+                "it does not run as planned: rapid, straight or along an arc",
             ));
         }
         let agrees = match (motion.seconds, planned.time) {

@@ -1,7 +1,7 @@
 //! A question put to one program, and the check that it becomes once it is answered.
 //!
 //! A [`Question`] is no check until it is answered, and one for which nothing was looked at is answered with a stop whatever
-//! was measured: silence passes nothing. What is not asked at all, or has nothing to be held against, says so with
+//! was measured: silence passes nothing. What is not asked at all, or has nothing to be compared with, says so with
 //! [`Question::informs`].
 
 use crate::finding::{Finding, Grade, Place, Raise};
@@ -103,7 +103,7 @@ impl Extreme {
 pub enum Answer {
     /// Within its limit.
     Passed,
-    /// Worth knowing: it is no test, and nothing is held against its value.
+    /// Worth knowing: it is no test, and nothing is compared with its value.
     Informs,
     /// Something is to be said of it.
     Found(Finding),

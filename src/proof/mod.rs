@@ -1,4 +1,4 @@
-//! Judging programs: what a control would do with their text, held against the design.
+//! Judging programs: what a control would do with their text, compared with the design.
 //!
 //! [`of`] is the whole: a program is read back from its text once, motion by motion, and every judge of its kind sees each
 //! motion in turn ([`step`]), so that a program of any length takes no memory. A judge answers with [`check::Check`]s: the rows

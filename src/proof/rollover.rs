@@ -29,7 +29,7 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
                 differs = Some(At::motion(&one));
                 break;
             }
-            // A text that is refused under both settings is told by the reading of it.
+            // A text that is refused under both settings is reported by the reading of it.
             (Some(Err(fault)), _) | (None, Some(Err(fault))) => {
                 differs = Some(At::line(fault.line));
                 break;

@@ -8,164 +8,164 @@ crate::finding::rule::rules! {
     /// The rows of this room.
     RULES;
     "V0001" NothingSeen Stop { check: Text, program: Text }
-        es "«{check}» de «{program}»: no se ha mirado nada"
-        en "\"{check}\" of \"{program}\": nothing was looked at"
+        es "«{check}» de «{program}»: la comprobación no ha mirado nada"
+        en "\"{check}\" of \"{program}\": the check looked at nothing"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Una comprobación que no ha mirado nada no demuestra nada: el silencio no es un aprobado.",
-            "A check that looked at nothing proves nothing: silence is no pass.";
+        why "Una comprobación que no ha mirado nada no demuestra nada.",
+            "A check that looked at nothing proves nothing.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
     "V0002" NotAnswered Stop { check: &'static str, program: Text }
-        es "nadie ha contestado a la comprobación «{check}» de «{program}»"
-        en "nobody has answered the check \"{check}\" of \"{program}\""
+        es "falta la comprobación «{check}» de «{program}»"
+        en "the check \"{check}\" of \"{program}\" is missing"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Cada programa tiene una lista de lo que se le pregunta: lo que falta en las respuestas no se ha comprobado.",
-            "Every program has a list of what it is asked: what is missing among the answers was not checked.";
+        why "Cada programa tiene una lista de comprobaciones: la que no tiene respuesta no se ha hecho.",
+            "Every program has a list of checks: a check without an answer was not made.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N60 G0 X0.000 Y0.000", to: "N60 M30" };
     "V0005" MemoryExceeded Caution { program: Text, bytes: u64 }
         es "el programa «{program}» ocupa {bytes} bytes, más que la memoria habitual del control"
         en "program \"{program}\" takes {bytes} bytes, more than the control's usual memory"
-        remedy "ejecútelo desde disco o red, o un n menor", "run it from disk or network, or a smaller n";
-        why "Lo que no cabe en la memoria del control se corta o no se carga.",
-            "What does not fit into the control's memory is cut off or not loaded.";
+        remedy "ejecútelo desde disco o red, o elija un n menor", "run it from disk or network, or choose a smaller n";
+        why "El control corta un programa que no cabe en su memoria, o no lo carga.",
+            "The control cuts off a program that does not fit into its memory, or does not load it.";
         example Example::Made { key: "program-beyond-memory", how: t("un programa de más de 1 MiB para el Fagor 8055: un impulsor con n = 1500", "a program of more than 1 MiB for the Fagor 8055: an impeller with n = 1500") };
     "V0006" NotAsPlanned Stop { program: Text, at: Text, difference: Text }
-        es "«{program}» no es lo planeado en la {at}: {difference}"
-        en "\"{program}\" is not what was planned at {at}: {difference}"
+        es "«{program}» se aparta del plan en la {at}: {difference}"
+        en "\"{program}\" differs from the plan at {at}: {difference}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "El texto se compara con el plan movimiento a movimiento: una cifra distinta es otra pieza.",
-            "The text is held against the plan motion by motion: another digit is another part.";
+        why "rodete compara el texto con el plan movimiento a movimiento: una cifra distinta da otra pieza.",
+            "rodete compares the text with the plan motion by motion: a wrong digit makes another part.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.170 Z9.517" };
     "V0007" NotClosed Stop { program: Text }
-        es "el programa «{program}» no cierra"
-        en "program \"{program}\" does not close"
+        es "el programa «{program}» no vuelve a donde empieza"
+        en "program \"{program}\" does not return to where it starts"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Un programa incremental que no vuelve a donde empieza se desplaza en cada pasada.",
-            "A program by increments that does not come back to where it starts is shifted at each run.";
+        why "Un programa incremental que no vuelve a su inicio se desplaza cada vez que se ejecuta.",
+            "An incremental program that does not return to its start shifts at every run.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "X1.169 Z9.517", to: "X1.170 Z9.517" };
     "V0008" AxisLeavesTravel Stop { axis: char, position: Size, program: Text, line: usize, limit: Size, key: &'static str }
         es "el eje {axis} llega a {position} en «{program}», desde la línea {line}; su límite es {limit}"
         en "axis {axis} goes to {position} in \"{program}\", from line {line} on; its limit is {limit}"
-        remedy "compruebe {key}, la longitud de pivote y el cero, o mecanice en otra máquina", "check {key}, the pivot length and the zero, or use another machine";
+        remedy "compruebe {key}, la longitud de pivote y el cero pieza, o mecanice en otra máquina", "check {key}, the pivot length and the part zero, or use another machine";
         why "El control se para en el límite, con la herramienta quizá en la pieza.",
             "The control stops at the limit, perhaps with the tool in the part.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N1000 G0 B-90.000", to: "N1000 G0 B-191.000" };
     "V0009" TurnJumps Stop { step: Size, line: usize, program: Text }
         es "C salta {step} en la línea {line} de «{program}»"
-        en "C jumps by {step} at line {line} of \"{program}\""
+        en "C jumps by {step} in line {line} of \"{program}\""
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Mientras avanza un eje lineal la herramienta trabaja: un salto de C la barrería por la pieza.",
-            "While a linear axis moves the tool is at work: a jump of C would sweep it through the part.";
+        why "La herramienta corta mientras avanza un eje lineal: un salto de C la arrastraría por la pieza.",
+            "The tool cuts while a linear axis moves: a jump of C would sweep it through the part.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N970 G0 Y-13.333", to: "N970 G0 Y-13.333 C200.000" };
     "V0010" OtherwiseOnRollover Stop { program: Text, at: Text }
-        es "«{program}» gira de otro modo con ejes rollover, desde la {at}"
-        en "\"{program}\" turns otherwise on rollover axes, from {at} on"
+        es "«{program}» gira de otra manera en ejes rollover, desde la {at}"
+        en "\"{program}\" turns differently on rollover axes, from {at} on"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "En un eje rollover el número absoluto es un ángulo y su signo el sentido: el mismo texto gira al revés.",
-            "On a rollover axis the absolute number is an angle and its sign the direction: the same text turns the other way.";
+        why "En un eje rollover el número absoluto es un ángulo y su signo el sentido: el mismo texto puede girar al revés.",
+            "On a rollover axis the absolute number is an angle and its sign the direction: the same text may turn the other way.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N1000 G0 B-90.000", to: "N1000 G90 G0 B-90.000" };
     "V0011" AxisTooFast Stop { axis: char, speed: Size, line: usize, program: Text, limit: Size }
-        es "{axis} va a {speed} en la línea {line} de «{program}»; F_max es {limit}"
-        en "{axis} runs at {speed} at line {line} of \"{program}\"; F_max is {limit}"
+        es "el eje {axis} va a {speed} en la línea {line} de «{program}»; F_max es {limit}"
+        en "axis {axis} moves at {speed} in line {line} of \"{program}\"; F_max is {limit}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Un eje más rápido que su límite se queda atrás, o la máquina se para.",
-            "An axis faster than its limit falls behind, or the machine stops.";
+        why "Por encima de su límite, el eje se queda atrás o la máquina se para.",
+            "Above its limit an axis lags behind, or the machine stops.";
         example Example::Slip { kind: "impeller", cells: &[("F_max", "3300")], program: "blade", from: "Y14.933 F300.000", to: "Y14.933 F30000.000" };
     "V0012" TipTooFast Stop { speed: Size, line: usize, program: Text, limit: Size }
         es "la punta va a {speed} en la línea {line} de «{program}»; F es {limit}"
-        en "the tip runs at {speed} at line {line} of \"{program}\"; F is {limit}"
+        en "the tip moves at {speed} in line {line} of \"{program}\"; F is {limit}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Por encima de F el diente corta más de lo que se pidió.",
-            "Above F the tooth cuts more than was asked for.";
+        why "Por encima de F cada diente corta más de lo pedido.",
+            "Above F each tooth cuts more than asked.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "Y14.933 F300.000", to: "Y14.933 F30000.000" };
     "V0013" CutWithoutFeed Stop { line: usize, program: Text }
-        es "hay un movimiento de corte sin avance en la línea {line} de «{program}»"
-        en "there is a cutting motion without feed at line {line} of \"{program}\""
+        es "la línea {line} de «{program}» corta sin avance F"
+        en "line {line} of \"{program}\" cuts without a feed F"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Sin F el control usa el avance que tenga, o no se mueve.",
-            "Without F the control uses whatever feed it has, or does not move.";
+        why "Sin F el control usa el avance que esté en vigor, o no se mueve.",
+            "Without F the control uses whatever feed is in force, or does not move.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "Y14.933 F300.000", to: "Y14.933" };
     "V0014" FeedWordSlows Caution { line: usize, part: Size, program: Text }
-        es "los decimales de F frenan la línea {line} de «{program}» un {part}"
-        en "the decimals of F slow line {line} of \"{program}\" by {part}"
-        remedy "menos F, o tramos más largos", "a smaller F, or longer moves";
-        why "F se redondea hacia lo lento: en tramos cortos puede frenar mucho y quemar el corte.",
-            "F is rounded to the slower side: over short moves that may slow the cut much, and burn it.";
+        es "el redondeo de F frena la línea {line} de «{program}» un {part}"
+        en "the rounding of F slows line {line} of \"{program}\" by {part}"
+        remedy "elija una F menor, o tramos más largos", "choose a smaller F, or longer moves";
+        why "rodete redondea F hacia lo lento: en tramos cortos eso puede frenar mucho y quemar el corte.",
+            "rodete rounds F to the slow side: on short moves this may slow the cut a lot and burn it.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "Y14.933 F300.000", to: "Y14.933 F200.000" };
     "V0015" DecimalsAssumed Note {}
-        es "F en G93 va a 0.0001 s, un supuesto: la página del manual del 8070 no da formato; un control de tres decimales acortaría un bloque hasta 0.0009 s"
-        en "F in G93 goes to 0.0001 s, an assumption: the page of the 8070's manual gives no format; a control with three decimals would shorten a block by up to 0.0009 s"
-        remedy "pruébelo en el control antes de cortar", "try it on the control before cutting";
+        es "F en G93 lleva cuatro decimales (0.0001 s), un supuesto: el manual del 8070 no da el formato; un control de tres decimales acortaría un bloque hasta 0.0009 s"
+        en "F in G93 has four decimals (0.0001 s), an assumption: the 8070's manual gives no format; a control with three decimals would shorten a block by up to 0.0009 s"
+        remedy "haga una prueba en vacío en el control antes de cortar", "make a dry run on the control before cutting";
         why "Un bloque acortado va más rápido que F.",
-            "A block that is shortened runs faster than F.";
+            "A shortened block runs faster than F.";
         example Example::Slip { kind: "impeller", cells: &[("dialect", "fagor-8070"), ("retract", "")], program: "blade", from: "", to: "" };
     "V0016" RadiiDiffer Stop { line: usize, difference: Size, most: Size, program: Text }
-        es "los radios del arco de la línea {line} de «{program}» difieren en {difference}; lo más es {most}"
-        en "the radii of the arc at line {line} of \"{program}\" differ by {difference}; the most is {most}"
+        es "los radios del arco de la línea {line} de «{program}» difieren en {difference}; el máximo es {most}"
+        en "the radii of the arc in line {line} of \"{program}\" differ by {difference}; the limit is {most}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Un arco cuyos radios no coinciden es una espiral: cada control la traza a su manera.",
-            "An arc whose radii do not agree is a spiral: every control runs it in its own way.";
+        why "Un arco con dos radios distintos es una espiral, y cada control la recorre a su manera.",
+            "An arc with two radii is a spiral, and each control runs it in its own way.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N120 G1 X11.200 Y14.933", to: "N120 G3 X11.200 Y14.933 I-74.220 J67.707" };
     "V0017" CharactersRefused Stop { line: usize, program: Text, fault: Text }
-        es "el control no toma la línea {line} de «{program}»: {fault}"
-        en "the control does not take line {line} of \"{program}\": {fault}"
+        es "el control no admite la línea {line} de «{program}»: {fault}"
+        en "the control does not accept line {line} of \"{program}\": {fault}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Los controles perdonan cosas distintas: se escribe la forma que toman todos.",
-            "Controls forgive different things: the form is written that all of them take.";
+        why "Cada control tolera cosas distintas: rodete escribe la forma que admiten todos.",
+            "Each control forgives different slips: rodete writes the form that all of them accept.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "N90 G91", to: "N90  G91" };
     "V0018" TorchNotAsDue Stop { line: usize }
-        es "la antorcha no está como debe en la línea {line}"
-        en "the torch is not as it should be at line {line}"
+        es "la antorcha está encendida o apagada cuando no debe en la línea {line}"
+        en "the torch is on or off at the wrong time in line {line}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "Encendida en rápido marca la pieza; apagada en el corte la deja unida.",
-            "Burning at rapid it marks the part; out in the cut it leaves it joined.";
+        why "Encendida en rápido marca la pieza; apagada en el corte la deja sin cortar.",
+            "A torch lit during a rapid marks the part; a torch off during the cut leaves it uncut.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N60 M3", to: "N60 M5" };
     "V0019" ChecksPassed Note { program: Text }
-        es "comprobaciones que cumple «{program}», leído de nuevo: vea la tabla Verificación"
-        en "checks that \"{program}\", read back, has passed: see the table Verification"
+        es "comprobaciones superadas por «{program}», releído: vea la tabla Verificación"
+        en "checks passed by \"{program}\", read back: see the table Verification"
         remedy "", "";
-        why "Dice cuántas preguntas se han contestado con un sí; las demás están en la tabla.",
-            "It says how many questions were answered with a yes; the others stand in the table.";
+        why "La tabla da cada comprobación con su valor y su límite.",
+            "The table gives each check with its value and limit.";
         example Example::Slip { kind: "impeller", cells: &[], program: "blade", from: "", to: "" };
     "V0020" IncrementsShift Caution {}
-        es "el programa incremental no vuelve a donde empieza: cada ejecución se desplaza"
-        en "the incremental program does not come back to where it starts: each run is shifted"
-        remedy "haga que la suma de los incrementos sea 0 en cada eje lineal", "make the increments of each linear axis sum up to 0";
-        why "Repetido, cada pasada empieza donde acabó la anterior: la segunda pieza sale corrida.",
-            "Run again, each pass starts where the last one ended: the second part is cut beside its place.";
+        es "el programa incremental no vuelve a donde empieza: se desplaza en cada ejecución"
+        en "the incremental program does not return to where it starts: it shifts at every run"
+        remedy "haga que la suma de los incrementos sea 0 en cada eje lineal", "make the increments of each linear axis add up to 0";
+        why "Cada ejecución empieza donde acabó la anterior: la segunda pieza sale desplazada.",
+            "Each run starts where the last one ended: the second part is cut out of place.";
         example Example::Program { control: "linuxcnc", program: "G21 G91|G0 X10|G0 X-9|M2", at: "", given: &[] };
     "V0021" IncrementsTurn Note {}
         es "el programa incremental vuelve a donde empieza, con los ejes giratorios en otro ángulo"
-        en "the incremental program comes back to where it starts, the rotary axes at another angle"
+        en "the incremental program returns to where it starts, with the rotary axes at another angle"
         remedy "", "";
-        why "Así se pasa al siguiente álabe: conviene saber que es a propósito.",
-            "So the next blade is reached: it is as well to know that it is meant.";
+        why "Un programa puede pasar así al álabe siguiente: compruebe que es a propósito.",
+            "A program may move on to the next blade this way: check that this is intended.";
         example Example::Program { control: "linuxcnc", program: "G21 G91|G0 X10|G0 X-10 C90|M2", at: "", given: &[] };
     "V0022" IncrementsClose Note {}
         es "el programa incremental vuelve a donde empieza"
-        en "the incremental program comes back to where it starts"
+        en "the incremental program returns to where it starts"
         remedy "", "";
-        why "Se puede repetir sin mover nada.",
-            "It may be run again with nothing moved.";
+        why "El programa se puede repetir sin mover nada.",
+            "The program can run again without moving anything.";
         example Example::Program { control: "linuxcnc", program: "G21 G91|G0 X10|G0 X-10|M2", at: "", given: &[] };
     "V0023" OffTolerance Stop { what: Text, off: Size, limit: Size }
         es "{what} {off}; la tolerancia es {limit}"
         en "{what} {off}; the tolerance is {limit}"
         remedy "es un fallo de rodete: comuníquelo", "this is a fault in rodete: report it";
-        why "El corte se encierra entre cotas en todo su recorrido: fuera de la tolerancia la pieza no encaja.",
-            "The cut is enclosed by bounds over its whole way: beyond the tolerance the part does not fit.";
+        why "rodete acota el corte en todo su recorrido: fuera de la tolerancia la pieza no encaja.",
+            "rodete bounds the cut along its whole path: beyond the tolerance the part does not fit.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N120 G1 A-5.506", to: "N120 G1 A-3.506" };
     "V0024" OffByN Caution { what: Text, off: Size, limit: Size }
         es "{what} {off}; la tolerancia es {limit}"
         en "{what} {off}; the tolerance is {limit}"
-        remedy "un N mayor", "a greater N";
-        why "Pocos puntos dan arcos largos, que se apartan de la curva entre ellos.",
-            "Few points make long arcs, which leave the curve between them.";
+        remedy "elija un N mayor", "choose a larger N";
+        why "Con pocos puntos los arcos son largos y se apartan de la curva entre punto y punto.",
+            "With few points the arcs are long and leave the curve between the points.";
         example Example::Slip { kind: "pipe-insert", cells: &[("mode", "flat"), ("N", "8")], program: "insert", from: "", to: "" };
     "V0025" NotEnclosed Caution { what: Text, off: Size, most: Size, limit: Size }
-        es "{what} {off} donde se ha mirado, y entre medias no se ha podido asegurar más que {most}; la tolerancia es {limit}"
-        en "{what} {off} where it was looked at, and between no more than {most} could be made sure of; the tolerance is {limit}"
-        remedy "más arc_tolerance, u otro N", "a greater arc_tolerance, or another N";
-        why "Lo que no se demuestra no se da por bueno.",
-            "What is not proved is not taken as good.";
-        example Example::Never(t("las cotas se juntan antes de que se acabe el trabajo que se les da", "the bounds meet before the work that they are given ends"));
+        es "{what} {off} en los puntos comprobados; entre ellos solo está demostrado que no pasa de {most}; la tolerancia es {limit}"
+        en "{what} {off} at the points checked; between them it is only proved to stay within {most}; the tolerance is {limit}"
+        remedy "elija una arc_tolerance mayor, u otro N", "choose a larger arc_tolerance, or another N";
+        why "rodete no da por bueno lo que no está demostrado.",
+            "rodete does not pass what is not proved.";
+        example Example::Never(t("las cotas convergen antes de llegar al límite de cálculo", "the bounds converge before the limit of the computation"));
 }

@@ -33,7 +33,7 @@ impl Judge for RotarySteps {
     }
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = t("Continuidad de C: mayor paso", "Continuity of C: greatest step");
+        let name = t("Continuidad de C: paso máximo", "Continuity of C: largest step");
         let degrees = |value: f64, decimals| Text::same(format!("{}°", shown(value, decimals)));
         let asked =
             Question::new("turning", name, program).showing(degrees(self.greatest.value(), 3), degrees(LIMIT, 0));

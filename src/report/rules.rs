@@ -1,4 +1,4 @@
-//! What is told of a report that was made: one row for each finding.
+//! Findings about a report that was made: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
@@ -9,17 +9,17 @@ rules! {
     RULES;
 
     "T0201" TooLargeToAttach Note { name: String }
-        es "{name} es demasiado grande para adjuntarlo al informe; se da su SHA-256"
-        en "{name} is too large to be attached to the report; its SHA-256 is given"
+        es "{name} es demasiado grande para adjuntarlo al informe, que da en su lugar su SHA-256"
+        en "{name} is too large to attach to the report, which gives its SHA-256 instead"
         remedy "", "";
-        why "Un PDF de decenas de megabytes no se abre ni se envía.", "A PDF of dozens of megabytes is neither opened nor sent.";
+        why "Un PDF de decenas de megabytes es difícil de abrir y de enviar.", "A PDF of dozens of megabytes is hard to open and to send.";
         example Example::Made { key: "large-attachment", how: t(
             "un libro de más de 32 MiB", "a workbook of more than 32 MiB") };
     "T0202" CharactersByCode Note {}
-        es "el informe muestra por su código los caracteres que sus tipos de letra no tienen"
-        en "the report shows by their code the characters that its fonts do not have"
+        es "el informe muestra con su código los caracteres que sus tipos de letra no tienen"
+        en "the report shows the codes of characters that its fonts lack"
         remedy "", "";
-        why "Sin el dibujo de una letra se imprimiría una caja vacía.", "Without a letter's drawing an empty box would be printed.";
+        why "Si no, el informe imprimiría una caja vacía.", "Otherwise the report would print an empty box.";
         example Example::Made { key: "foreign-letters", how: t(
             "una pieza llamada 中", "a part named 中") };
 }

@@ -1,4 +1,4 @@
-//! What is told of a program that was to be shown: one row for each finding.
+//! Findings about a program that was to be shown: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
@@ -10,10 +10,10 @@ rules! {
 
     "T0401" TooManyMotions Stop { title: Text, most: usize }
         es "{title} tiene más de {most} líneas o movimientos, demasiados para mostrarlos"
-        en "{title} has more than {most} lines or motions, too many to be shown"
+        en "{title} has more than {most} lines or motions, too many to show"
         remedy "divida el programa", "split the program";
-        why "Cada movimiento va en la página, y un navegador solo puede con unos millones.",
-            "Every motion goes into the page, and a browser manages some millions only.";
+        why "La página contiene cada movimiento, y un navegador solo puede con unos millones.",
+            "The page holds every motion, and a browser can handle only a few million.";
         example Example::Made { key: "endless-view", how: t(
             "view con un programa de demasiados movimientos", "view with a program of too many motions") };
 }

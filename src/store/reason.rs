@@ -15,7 +15,7 @@ pub(super) fn unwritable(path: &Path, error: &io::Error) -> Refusal {
 
 /// The same where the files that were there before stand again.
 pub(super) fn put_back(path: &Path, error: &io::Error) -> Refusal {
-    refusal(&*row(path, error, t("; los archivos anteriores siguen en su sitio", "; the files of before stand")))
+    refusal(&*row(path, error, t("; los archivos anteriores siguen en su sitio", "; the earlier files stay in place")))
 }
 
 /// The same where files stand in their new version beside others of before.

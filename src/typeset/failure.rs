@@ -15,7 +15,7 @@ use crate::text::{Text, t};
 /// The version of typst that the templates are written for.
 pub const TYPST_VERSION: &str = "0.15";
 
-/// Most lines of a compiler's diagnostics that are told.
+/// Most lines of a compiler's diagnostics that are reported.
 const LINES: usize = 8;
 /// Most characters of such a line.
 const WIDTH: usize = 200;
@@ -126,7 +126,7 @@ impl Ending {
             }
             Self::NotPdf { length } => Text::new(
                 format!("dejó {length} bytes que no son un PDF completo"),
-                format!("left {length} bytes that are no whole PDF"),
+                format!("left {length} bytes that are not a complete PDF"),
             ),
         }
     }

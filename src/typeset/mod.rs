@@ -39,7 +39,7 @@ pub(crate) fn document(files: &[(String, Vec<u8>)], typst: &Typst) -> Result<Vec
     Ok(pdf)
 }
 
-/// Removes the folder now, so that what cannot be removed is told and not left behind in silence.
+/// Removes the folder now, so that what cannot be removed is reported and not left behind in silence.
 pub(crate) fn close(folder: TempDir) -> Result<(), ReportFailure> {
     Ok(folder.close()?)
 }

@@ -1,4 +1,4 @@
-//! What is told of a document that typst was to set: one row for each finding.
+//! Findings about a document that typst was to set: one row each.
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
@@ -9,27 +9,27 @@ rules! {
     RULES;
 
     "T0101" NoTemporaryFolder Caution { document: Text, reason: String }
-        es "{document} no se ha podido componer: la carpeta temporal no admite escritura ({reason})"
-        en "{document} could not be typeset: the temporary folder cannot be written ({reason})"
+        es "{document} no se ha podido componer: no se puede escribir en la carpeta temporal ({reason})"
+        en "{document} could not be typeset: cannot write to the temporary folder ({reason})"
         remedy "libere espacio o indique otra carpeta temporal con la variable TMPDIR",
             "free some space, or name another temporary folder with the variable TMPDIR";
-        why "El compilador lee lo que se le deja en una carpeta propia.", "The compiler reads what is left for it in a folder of its own.";
+        why "rodete prepara en esa carpeta los archivos que lee el compilador.", "rodete prepares the compiler's input files in that folder.";
         example Example::Made { key: "no-tmpdir", how: t(
             "build con TMPDIR en una carpeta que no existe", "build with TMPDIR in a folder that does not exist") };
     "T0102" CompilerNotStarted Caution { document: Text, program: String, reason: String, version: &'static str }
         es "{document} no se ha podido componer: no se puede ejecutar «{program}» ({reason})"
         en "{document} could not be typeset: cannot run '{program}' ({reason})"
-        remedy "indique con --typst o RODETE_TYPST un typst {version}, o ninguno para usar el incorporado",
-            "name a typst {version} with --typst or RODETE_TYPST, or none to use the built-in one";
-        why "Los PDF los compone el programa typst.", "The PDFs are set by the program typst.";
+        remedy "indique con --typst o RODETE_TYPST un typst {version}, o no dé ninguno para usar el incorporado",
+            "name a typst {version} with --typst or RODETE_TYPST, or leave both out to use the built-in one";
+        why "El programa typst compone los PDF.", "The program typst typesets the PDFs.";
         example Example::Made { key: "no-typst", how: t(
             "build --typst /nowhere/typst", "build --typst /nowhere/typst") };
     "T0103" CompilerFailed Caution { document: Text, program: String, how: Text, lines: String, version: &'static str }
         es "{document} no se ha podido componer: «{program}» {how}{lines}"
         en "{document} could not be typeset: '{program}' {how}{lines}"
-        remedy "las plantillas son para typst {version}; sin --typst ni RODETE_TYPST se usa el incorporado; las hojas y los programas están completos",
-            "the templates are for typst {version}; without --typst and RODETE_TYPST the built-in one is used; the sheets and programs are complete";
-        why "Otra versión de typst entiende las plantillas de otro modo.", "Another version of typst takes the templates in another way.";
+        remedy "use typst {version}, o quite --typst y RODETE_TYPST para usar el incorporado; las hojas y los programas están completos",
+            "use typst {version}, or drop --typst and RODETE_TYPST to use the built-in one; the sheets and programs are complete";
+        why "Otra versión de typst interpreta las plantillas de otra manera.", "Another version of typst reads the templates differently.";
         example Example::Made { key: "false-typst", how: t(
             "build --typst con un programa que termina con error", "build --typst with a program that ends with an error") };
 }

@@ -1,4 +1,4 @@
-//! A cell's value as it is written in the sheet's part, held against the type the cell says it has.
+//! A cell's value as it is written in the sheet's part, compared with the type the cell says it has.
 
 use crate::escape::excerpt;
 use crate::finding::Raise;
@@ -14,7 +14,7 @@ const ERRORS: [&str; 7] = ["#DIV/0!", "#N/A", "#NAME?", "#NULL!", "#NUM!", "#REF
 
 /// Why a value cannot stand.
 pub struct Fault {
-    /// What is told.
+    /// What is reported.
     pub row: Box<dyn Raise>,
     /// True where calamine must not read the sheet: it would give it up, or take another value.
     pub unsound: bool,

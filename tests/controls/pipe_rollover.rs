@@ -130,14 +130,9 @@ fn rotary_words_stand_in_blocks_of_g91_only() {
 fn header_notes_and_checks_say_which_rotary_axes_a_program_is_true_for() {
     for (kind, before) in [("hole", "A B C MUST SHOW 0 BEFORE"), ("insert", "A MUST SHOW 0 BEFORE")] {
         for (dialect, header, note, row) in [
-            (
-                "fagor-8055",
-                "TRUE FOR ROLLOVER ROTARY AXES",
-                "true for rollover axes and for linear ones",
-                "rollover and linear: ",
-            ),
-            ("fagor-8070", "ROLLOVER AX", "true only where A", "linear only"),
-            ("linuxcnc", "ROLLOVER AX", "true only where A", "linear only"),
+            ("fagor-8055", "TRUE FOR ROLLOVER ROTARY AXES", "suits rollover and linear axes", "rollover and linear: "),
+            ("fagor-8070", "ROLLOVER AX", "right only if A", "linear only"),
+            ("linuxcnc", "ROLLOVER AX", "right only if A", "linear only"),
         ] {
             let outcome = outcome(kind, dialect, &[]);
             let text = outcome.programs[0].text();

@@ -135,14 +135,14 @@ fn positions_are_written_where_the_axes_are_linear_and_it_is_told() {
     let told = cautions(&changes);
     let outcome = outcome("full", &changes);
     assert_eq!(told.len(), 1, "{told:?}");
-    assert!(told[0].1.starts_with("the programs are true only where B and C count as linear axes"), "{told:?}");
+    assert!(told[0].1.starts_with("the programs are right only if B and C count as linear axes"), "{told:?}");
     let blade = milled(&outcome, "blade");
     assert!(blade.text().contains("TRUE ONLY WHERE B AND C ARE NOT ROLLOVER AXES"));
     assert_eq!(rollover::check(blade, Rotary::Linear).grade(), Some(Grade::Note));
     // The same program is none for an axis that is rollover.
     let check = rollover::check(blade, Rotary::Rollover);
     assert_eq!(check.grade(), Some(Grade::Stop));
-    assert!(check.finding().expect("a finding").what.en.contains("turns otherwise on rollover axes"));
+    assert!(check.finding().expect("a finding").what.en.contains("turns differently on rollover axes"));
 }
 
 #[test]
@@ -180,7 +180,10 @@ fn the_tool_is_taken_away_before_anything_moves() {
     let assumed = cautions(&[]);
     let [(place, what)] = assumed.as_slice() else { panic!("{assumed:?}") };
     assert_eq!(*place, Place::Parameters(vec!["retract"]));
-    assert!(what.starts_with("retract with G53 is an assumption: that machine zero is at the top of Z"), "{what}");
+    assert!(
+        what.starts_with("retract with G53 rests on an assumption: that machine zero is at the top of Z"),
+        "{what}"
+    );
 
     let without = [("retract", line(""))];
     let missing = cautions(&without);
@@ -194,12 +197,12 @@ fn the_tool_is_taken_away_before_anything_moves() {
 #[test]
 fn a_block_that_takes_the_tool_away_is_refused_where_it_does_something_else() {
     for (dialect, block, what) in [
-        ("fagor-8055", "G74", "retract holds G74: dialect fagor-8055 does not take it there"),
-        ("fagor-8055", "G28 Z0", "retract holds G28: dialect fagor-8055 does not take it there"),
-        ("fagor-8055", "G91 Z100", "retract holds G91: dialect fagor-8055 does not take it there"),
-        ("fagor-8055", "G0 Z100 M30", "retract holds M30: dialect fagor-8055 does not take it there"),
-        ("fagor-8055", "G0 G53 X0", "retract moves axes and not Z: the tool is not taken away from the part"),
-        ("fagor-8070", "G0 G53 Z0", "retract holds G53: dialect fagor-8070 does not take it there"),
+        ("fagor-8055", "G74", "retract holds G74: the dialect fagor-8055 does not allow it there"),
+        ("fagor-8055", "G28 Z0", "retract holds G28: the dialect fagor-8055 does not allow it there"),
+        ("fagor-8055", "G91 Z100", "retract holds G91: the dialect fagor-8055 does not allow it there"),
+        ("fagor-8055", "G0 Z100 M30", "retract holds M30: the dialect fagor-8055 does not allow it there"),
+        ("fagor-8055", "G0 G53 X0", "retract moves axes but not Z: the tool does not leave the part"),
+        ("fagor-8070", "G0 G53 Z0", "retract holds G53: the dialect fagor-8070 does not allow it there"),
     ] {
         let findings = refusals(&[("dialect", Value::Choice(dialect)), ("retract", line(block))]);
         assert_eq!(findings.len(), 1, "{block}: {findings:?}");

@@ -21,8 +21,8 @@ fn a_workbook_of_schema_1_gives_the_same_figures_and_a_caution_at_its_cells() {
     assert_eq!(common::real(&filled.values, "R_B"), Some(147.5));
     let [told] = filled.findings.as_slice() else { panic!("{:?}", filled.findings) };
     assert_eq!(told.grade, Grade::Caution);
-    assert!(told.what.en.contains("L_t is read as H here, and L = R_p + L_t"), "{}", told.what.en);
-    assert!(told.what.es.contains("aquí L_t se lee como H"), "{}", told.what.es);
+    assert!(told.what.en.contains("rodete reads L_t as H and takes L = R_p + L_t"), "{}", told.what.en);
+    assert!(told.what.es.contains("rodete lee L_t como H"), "{}", told.what.es);
     assert!(told.remedy.en.contains("rodete new"), "{}", told.remedy.en);
     let Place::Cells(cells) = &told.place else { panic!("{:?}", told.place) };
     let cells: Vec<&str> = cells.iter().map(|cell| cell.cell.as_str()).collect();
@@ -50,7 +50,7 @@ fn both_symbols_beside_each_other_are_one_too_many() {
     };
     let refusal = rodete::workbook::read(&changed.zip(), &[&FORM]).expect_err("it is refused");
     let what: Vec<&str> = refusal.findings.iter().map(|finding| &*finding.what.en).collect();
-    assert!(what.contains(&"the symbol H stands in 2 rows"), "{what:?}");
+    assert!(what.contains(&"2 rows have the symbol H"), "{what:?}");
 }
 
 /// A tool length has no part in the datum: neither form, nor header of a program, nor figures name one.

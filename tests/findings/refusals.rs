@@ -43,7 +43,7 @@ fn a_torus_that_closes_is_refused() {
             "tfg-2021",
             &[real("r", r)],
             &["R", "r"],
-            &format!("meridian radius r is {shown} mm, must be below R = 25 mm: the torus closes"),
+            &format!("meridian radius r is {shown} mm; it must be less than R = 25 mm, or the torus closes"),
         );
     }
 }
@@ -54,17 +54,20 @@ fn a_cut_through_the_hub_is_refused() {
         "tfg-2021",
         &[real("a_p", 10.0)],
         &["a_p", "R", "r"],
-        "depth of cut a_p is 10 mm, must be below R − r = 10 mm",
+        "depth of cut a_p is 10 mm; it must be less than R − r = 10 mm",
     );
 }
 
 #[test]
 fn too_many_blades_are_refused_with_n_max() {
     let findings = refused("tfg-2021", &[("N", Value::Whole(6))]);
-    assert_eq!(findings[0].what.en, "number of blades N is 6, must not exceed N_max = 5 for e = 2 mm and d_t = 6 mm");
+    assert_eq!(
+        findings[0].what.en,
+        "number of blades N is 6; it must not exceed N_max = 5 for e = 2 mm and d_t = 6 mm"
+    );
     assert_eq!(
         findings[0].remedy.en,
-        "fewer blades, thinner blades, or a smaller tool; 6.378 mm are left between blades and 8 mm are needed"
+        "use fewer blades, thinner blades, or a smaller tool; the gap between blades is 6.378 mm, and 8 mm is needed"
     );
     assert!(Design::new(&common::fields("tfg-2021", &[("N", Value::Whole(5))])).is_ok());
 }
@@ -72,8 +75,8 @@ fn too_many_blades_are_refused_with_n_max() {
 #[test]
 fn too_thick_a_blade_is_refused_with_e_max() {
     let findings = refused("tfg-2021", &[real("e", 12.0), real("d_s", 8.0)]);
-    assert_eq!(findings[1].what.en, "blade thickness e is 12 mm, must not exceed e_max = 4.566 mm for 4 blades");
-    assert_eq!(findings[1].remedy.en, "fewer blades, a thinner blade, or a smaller tool");
+    assert_eq!(findings[1].what.en, "blade thickness e is 12 mm; it must not exceed e_max = 4.566 mm for 4 blades");
+    assert_eq!(findings[1].remedy.en, "use fewer blades, a thinner blade, or a smaller tool");
     assert_eq!(findings.len(), 2, "and N beyond N_max");
 }
 
@@ -89,7 +92,7 @@ fn safe_points_inside_the_passes_are_refused() {
         "tfg-2021",
         &[real("d_s", 0.1)],
         &["d_s", "d_t", "e"],
-        "with d_s = 0.1 mm the safe points lie inside the passes",
+        "with d_s = 0.1 mm the safe points are inside the passes",
     );
 }
 
@@ -99,7 +102,7 @@ fn a_pivot_inside_the_part_is_refused() {
         "tfg-2021",
         &[real("R_B", 10.0), real("H", 5.0)],
         &["R_B", "H", "R"],
-        "pivot length L = R_B + H is 15 mm: the pivot lies inside the part",
+        "pivot length L = R_B + H is 15 mm: the pivot is inside the part",
     );
 }
 
@@ -109,7 +112,7 @@ fn limits_the_wrong_way_round_are_refused() {
         "tfg-2021",
         &[real("B_min", 100.0), real("B_max", -10.0)],
         &["B_min", "B_max"],
-        "the lower limit of B (100) is not below the upper one (-10)",
+        "the lower limit of B (100) is not below the upper limit (-10)",
     );
 }
 
@@ -118,12 +121,17 @@ fn full_style_without_feed_or_speed_is_refused() {
     let findings =
         refused("tfg-2021", &[("style", Value::Choice("full")), ("start_codes", Value::Line("M3".to_owned()))]);
     let texts: Vec<_> = findings.iter().map(|finding| finding.what.en.as_ref()).collect();
-    assert_eq!(texts, ["F is missing: style full requires it", "S is missing: style full requires it"]);
+    assert_eq!(texts, ["F is missing: style = full requires it", "S is missing: style = full requires it"]);
 }
 
 #[test]
 fn a_feed_beyond_the_machine_is_refused() {
-    expect("full", &[real("F", 6001.0)], &["F", "F_max"], "feed F is 6001 mm/min, beyond F_max = 6000 mm/min");
+    expect(
+        "full",
+        &[real("F", 6001.0)],
+        &["F", "F_max"],
+        "feed F is 6001 mm/min; it must not exceed F_max = 6000 mm/min",
+    );
 }
 
 #[test]
@@ -131,7 +139,7 @@ fn codes_that_the_control_does_not_know_are_refused() {
     let published = ("start_codes", Value::Line("M3 M11 M13".to_owned()));
     let findings = refused("full", &[("dialect", Value::Choice("linuxcnc")), published]);
     let texts: Vec<_> = findings.iter().map(|finding| finding.what.en.as_ref()).collect();
-    assert_eq!(texts, ["dialect linuxcnc does not know M11", "dialect linuxcnc does not know M13"]);
+    assert_eq!(texts, ["the dialect linuxcnc does not know M11", "the dialect linuxcnc does not know M13"]);
     let codes = |key, text: &str| [(key, Value::Line(text.to_owned()))];
     expect(
         "full",
@@ -149,7 +157,7 @@ fn codes_that_the_control_does_not_know_are_refused() {
         "full",
         &codes("end_codes", "M5"),
         &["end_codes"],
-        "end_codes does not close with M2 or M30: the program would have no end",
+        "end_codes does not end with M2 or M30: the program would have no end",
     );
 }
 
@@ -157,14 +165,22 @@ fn codes_that_the_control_does_not_know_are_refused() {
 fn more_blocks_than_any_control_takes_are_refused_before_anything_is_computed() {
     let findings =
         refused("tfg-2021", &[("n", Value::Whole(100_000)), ("N", Value::Whole(15)), real("e", 0.1), real("d_t", 2.0)]);
-    assert_eq!(findings[0].what.en, "the program of the whole impeller would have 6000060 blocks, more than 4000000");
+    assert_eq!(
+        findings[0].what.en,
+        "the program of the whole impeller would have 6000060 blocks; the limit is 4000000"
+    );
 }
 
 #[test]
 fn a_stock_too_small_for_the_torus_is_refused() {
-    expect("full", &[real("L_b", 15.0)], &["L_b", "r"], "the stock is 15 mm long, the torus needs more than r = 15 mm");
-    expect("full", &[real("X_e", 50.0)], &["X_e", "R"], "the end X of 50 mm lies inside the stock of diameter 50 mm");
-    expect("full", &[real("C", 16.0)], &["C", "r"], "step C is 16 mm, beyond r = 15 mm");
+    expect("full", &[real("L_b", 15.0)], &["L_b", "r"], "the stock is 15 mm long; the torus needs more than r = 15 mm");
+    expect(
+        "full",
+        &[real("X_e", 50.0)],
+        &["X_e", "R"],
+        "the end position X_e of 50 mm is inside the stock of diameter 50 mm",
+    );
+    expect("full", &[real("C", 16.0)], &["C", "r"], "step C is 16 mm; it must not exceed r = 15 mm");
 }
 
 #[test]
@@ -185,15 +201,15 @@ fn a_splitter_whose_path_crosses_nothing_is_refused() {
     assert_eq!(refusal.exit, Exit::Refused);
     assert_eq!(
         refusal.findings[0].what.en,
-        "nothing limits the splitter blade: its path does not cross that of the neighbouring blade"
+        "nothing limits the splitter: its path does not cross the neighbouring blade's path"
     );
 }
 
 #[test]
 fn a_splitter_with_nothing_left_is_refused() {
     for (fade, what) in [
-        ("published", "no splitter blade is left: its path crosses that of the neighbouring blade at the first point"),
-        ("each-side", "no splitter blade fits: however it fades out, the tool would cut into the neighbouring blade"),
+        ("published", "no splitter is left: its path crosses the neighbouring blade's path at the very first point"),
+        ("each-side", "no splitter fits: however it fades out, the tool would cut into the neighbouring blade"),
     ] {
         let changes = [("n", Value::Whole(2)), ("N", Value::Whole(5)), ("splitter_fade", Value::Choice(fade))];
         let refusal = kinds::run(&FORM, common::values("full", &changes), common::source()).unwrap_err();
@@ -201,7 +217,7 @@ fn a_splitter_with_nothing_left_is_refused() {
         assert_eq!(refusal.findings[0].what.en, what);
         assert_eq!(
             refusal.findings[0].remedy.en,
-            "splitters = no; or fewer blades, thinner blades, a smaller tool, or a larger n"
+            "set splitters = no, or use fewer blades, thinner blades, a smaller tool, or a larger n"
         );
     }
 }
@@ -254,7 +270,7 @@ fn a_calibration_takes_the_root_nearest_the_spindle_height_and_says_so() {
     let remark = outcome.findings.iter().find(|finding| finding.what.en.starts_with("the calibration gives")).unwrap();
     assert_eq!(
         remark.what.en,
-        "the calibration gives R_B = 147.5 mm and B = 0°; in the workbook R_B is 147.5 mm (the nearest root is taken)"
+        "the calibration gives R_B = 147.5 mm and B = 0°; the workbook says R_B = 147.5 mm (rodete takes the nearest root)"
     );
     assert_eq!(remark.grade, Grade::Note);
     let off = common::outcome("full", &calibration(-207.0, -185.5));
@@ -270,14 +286,17 @@ fn annex_style_says_that_it_carries_no_feed() {
     let outcome = common::outcome("tfg-2021", &[]);
     assert!(outcome.findings.iter().any(|finding| {
         finding.grade == Grade::Caution
-            && finding.what.en == "style annex carries no feed F and no speed S, like the published programs"
+            && finding.what.en == "style = annex has no feed F and no speed S, like the published programs"
     }));
     assert!(outcome.findings.iter().any(|finding| {
         finding.grade == Grade::Caution
-            && finding.what.en.ends_with("are run 4 times each; before the first splitter, turn C by 45°")
+            && finding.what.en.ends_with("run the blade program 4 times and the splitter program 4 times; before the first splitter, turn C by 45°")
     }));
     assert!(
-        outcome.findings.iter().any(|finding| finding.what.en.starts_with("not checked, being empty: X_min, X_max"))
+        outcome
+            .findings
+            .iter()
+            .any(|finding| finding.what.en.starts_with("empty limits are not checked: X_min, X_max"))
     );
 }
 
@@ -286,8 +305,8 @@ fn programs_without_feed_are_refused_where_the_control_needs_one() {
     let known = ("start_codes", Value::Line("M3".to_owned()));
     let found = refused("tfg-2021", &[("dialect", Value::Choice("linuxcnc")), known]);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert_eq!(found[0].what.en, "style annex carries no feed F, and dialect linuxcnc does not move without it");
-    assert_eq!(found[0].remedy.en, "style = full");
+    assert_eq!(found[0].what.en, "style = annex has no feed F, and the dialect linuxcnc does not move without one");
+    assert_eq!(found[0].remedy.en, "choose style = full");
     assert_eq!(found[0].place, Place::Parameters(vec!["style", "dialect"]));
 }
 
@@ -310,7 +329,7 @@ fn every_program_says_that_it_closes() {
 #[test]
 fn feed_gives_way_where_an_axis_would_be_too_fast() {
     let outcome = common::outcome("full", &[real("F_max", 1000.0)]);
-    let note = outcome.findings.iter().find(|finding| finding.what.en.starts_with("the feed is reduced")).unwrap();
+    let note = outcome.findings.iter().find(|finding| finding.what.en.starts_with("rodete reduces the feed")).unwrap();
     assert_eq!(note.grade, Grade::Note);
     for program in &outcome.programs {
         program.for_each_move(&mut |each| {
@@ -373,14 +392,14 @@ fn a_greatest_thickness_below_nothing_is_not_named() {
     assert_eq!(
         words,
         [
-            "number of blades N is 9, must not exceed N_max = 5 for e = 2 mm and d_t = 6 mm",
-            "with N = 9 no blade thickness fits (e is 2 mm): there are 5.585 mm a blade at the hub, and the tool needs 8 mm",
+            "number of blades N is 9; it must not exceed N_max = 5 for e = 2 mm and d_t = 6 mm",
+            "with N = 9 no blade thickness fits (e is 2 mm): the hub gives 5.585 mm per blade, and the tool needs 8 mm",
         ]
     );
     let findings = refused("tfg-2021", &[("N", Value::Whole(1)), real("e", 45.0)]);
     assert_eq!(
         findings[0].what.en,
-        "not even one blade fits with e = 45 mm and d_t = 6 mm: there are 50.265 mm round the hub"
+        "not even one blade fits with e = 45 mm and d_t = 6 mm: the hub measures 50.265 mm all round"
     );
-    assert_eq!(findings[1].what.en, "blade thickness e is 45 mm, must not exceed e_max = 42.265 mm for 1 blades");
+    assert_eq!(findings[1].what.en, "blade thickness e is 45 mm; it must not exceed e_max = 42.265 mm for 1 blades");
 }

@@ -188,7 +188,7 @@ fn what_rounding_the_f_word_costs_is_told() {
         let set = [choice("dialect", "fagor-8070"), real("F", F), real("F_max", 1e6), real("arc_tolerance", tolerance)];
         changes.extend(set);
         let outcome = outcome(&changes);
-        let by_word = |finding: &&Finding| finding.what.en.contains("G93") || finding.what.en.contains("decimals of F");
+        let by_word = |finding: &&Finding| finding.what.en.contains("G93") || finding.what.en.contains("rounding of F");
         let found = outcome.findings.iter().find(by_word).expect("told").clone();
         (found.grade, found.what.en.to_string(), check_row(&outcome, "F word"))
     };
@@ -197,7 +197,7 @@ fn what_rounding_the_f_word_costs_is_told() {
     assert!(what.contains("an assumption"), "{what}");
     let (grade, what, (_, verdict)) = told(40_000.0, 0.01);
     assert_eq!((grade, verdict.as_str()), (Grade::Caution, "Caution"), "{what}");
-    assert!(what.starts_with("the decimals of F slow line "), "{what}");
+    assert!(what.starts_with("the rounding of F slows line "), "{what}");
 }
 
 fn refused(changes: &[(&'static str, Value)]) -> Finding {
@@ -216,35 +216,35 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
     for (changes, what, remedy) in [
         (
             vec![real("g0", 4.0)],
-            "the least distance g0 is 4 mm, must be below the height d0, 4 mm",
-            "a smaller g0, or a greater d0",
+            "the minimum distance g0 is 4 mm; it must be less than the height d0, 4 mm",
+            "choose a smaller g0, or a larger d0",
         ),
         (
             vec![real("gamma", 45.0)],
-            "at α = 0° the torch stands at 45° to the pipe and needs a height of 8.828 mm; D_max is 8 mm",
-            "a smaller groove angle γ, a finer torch, a smaller g0, or a greater D_max",
+            "at α = 0° the torch is at 45° to the pipe and needs a height of 8.828 mm; D_max is 8 mm",
+            "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max",
         ),
         (
             vec![real("gamma", 60.0), real("theta", 60.0)],
-            "at α = 0° the torch stands at ",
-            "a smaller groove angle γ, a finer torch, a smaller g0, or a greater D_max",
+            "at α = 0° the torch is at ",
+            "choose a smaller groove angle γ, a slimmer torch, a smaller g0, or a larger D_max",
         ),
         (
             vec![choice("branch_size", "6")],
-            "the branch with its gap does not go into the header, by 8.11 mm: r + b = 86.15 mm, e = 0 mm, radius 78.04 mm",
+            "the branch with its gap does not fit into the header, by 8.11 mm: r + b = 86.15 mm, e = 0 mm, radius 78.04 mm",
             "a smaller branch or less eccentricity",
         ),
-        (vec![real("h", 7.2)], "the land h is 7.2 mm, must be below the wall, 7.11 mm", "a smaller land"),
+        (vec![real("h", 7.2)], "the land h is 7.2 mm; it must be less than the wall, 7.11 mm", "a smaller land"),
         (vec![real("R_g", 5.0)], "the body R_g = 5 mm is thinner than the nozzle r_g = 6 mm", "check both radii"),
         (
             vec![("hold_on", Value::Line("M41".to_owned())), choice("dialect", "fagor-8055")],
-            "hold_on without hold_off: the height control would not be held and let go",
+            "hold_on without hold_off: holding and releasing the height control takes both codes",
             "fill in hold_off, or leave both empty",
         ),
         (vec![real("kerf", 1.0)], "the kerf of 1 mm is finer than the beam, 1.6 mm", "leave kerf empty for 2·m"),
         (
             vec![real("lead_in", 60.0)],
-            "the lead-in reaches past the hole's axis: 60.8 mm, and its radius is 46.45 mm",
+            "the lead-in reaches past the hole's axis: it is 60.8 mm long and the hole's radius is 46.45 mm",
             "a shorter lead-in",
         ),
     ] {
@@ -254,7 +254,7 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         }
         let finding = refused(&changes);
         if changes.contains(&real("gamma", 60.0)) {
-            assert!(finding.what.en.contains("the torch lies down"), "{}", finding.what.en);
+            assert!(finding.what.en.contains("the torch lies flat"), "{}", finding.what.en);
             continue;
         }
         assert_eq!((finding.what.en.as_ref(), finding.remedy.en.as_ref()), (what, remedy), "{changes:?}");

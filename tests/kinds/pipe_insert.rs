@@ -182,7 +182,7 @@ fn contradictions_are_refused_with_the_amount() {
         (
             vec![choice("branch_size", "6")],
             "the branch is larger than the header: r = 77.04 mm, R = 57.15 mm",
-            "swap the pipes, or a smaller branch",
+            "swap the pipes, or choose a smaller branch",
         ),
         (
             vec![choice("branch_schedule", "5"), choice("branch_size", "30")],
@@ -191,17 +191,17 @@ fn contradictions_are_refused_with_the_amount() {
         ),
         (
             vec![real("D_branch", 89.0)],
-            "branch_size 3 schedule 40 is 88.9 × 5.49 mm, and D_branch or t_branch say otherwise",
-            "leave D_branch and t_branch empty, or the nominal size",
+            "branch_size 3 schedule 40 is 88.9 × 5.49 mm, but D_branch or t_branch differs",
+            "empty D_branch and t_branch, or the nominal size",
         ),
         (
             vec![choice("style", "annex"), choice("mode", "flat")],
-            "style annex carries no feed F, and dialect linuxcnc does not move without it",
+            "style = annex has no feed F, and the dialect linuxcnc does not move without one",
             "style = full",
         ),
         (
             vec![choice("style", "annex"), choice("dialect", "fagor-8055")],
-            "style annex is the published one, on a flat sheet",
+            "style = annex is the published program, on flat sheet",
             "style = full, or mode = flat",
         ),
         (
@@ -227,7 +227,7 @@ fn a_wall_beyond_the_radius_is_refused() {
     typed.values.remove("branch_size");
     typed.values.remove("branch_schedule");
     let findings = Design::new(&Fields::of(&FORM, typed.clone()).unwrap()).expect_err("a wall as thick as the radius");
-    assert_eq!(findings[0].what.en, "the wall of the branch is 40 mm, must be below its radius, 40 mm");
+    assert_eq!(findings[0].what.en, "the wall of the branch is 40 mm; it must be less than the radius, 40 mm");
     typed.values.remove("D_branch");
     let findings = Design::new(&Fields::of(&FORM, typed.clone()).unwrap()).expect_err("no diameter");
     assert_eq!(findings[0].what.en, "the size is missing: branch_size and branch_schedule, or D_branch and t_branch");

@@ -106,9 +106,9 @@ fn a_stated_tolerance_stops_the_work_and_names_the_n() {
     let stop = outcome.findings.iter().find(|finding| finding.grade == Grade::Stop).unwrap();
     assert_eq!(
         stop.what.en,
-        "between blocks the tip leaves its path by 0.0476 mm in \"One blade\"; the tolerance is 0.01 mm"
+        "between blocks the tip deviates from its path by 0.0476 mm in \"One blade\"; the tolerance is 0.01 mm"
     );
-    assert_eq!(stop.remedy.en, "n of 90 at least: the deviation then falls to 0.01 mm");
+    assert_eq!(stop.remedy.en, "choose n of at least 90: the deviation then falls to 0.01 mm");
     assert!(!common::outcome("full", &[real("tol", 0.01), ("n", Value::Whole(90))]).stopped());
     assert!(common::outcome("full", &[real("tol", 0.01), ("n", Value::Whole(89))]).stopped());
 }
@@ -118,7 +118,7 @@ fn coarse_steps_are_a_caution_that_names_the_n() {
     let outcome = common::outcome("full", &[("n", Value::Whole(30))]);
     let caution = outcome.findings.iter().find(|finding| finding.what.en.contains("into the metal")).unwrap();
     assert_eq!(caution.grade, Grade::Caution);
-    assert_eq!(caution.remedy.en, "n of 90 at least: the deviation then falls to 0.01 mm");
+    assert_eq!(caution.remedy.en, "choose n of at least 90: the deviation then falls to 0.01 mm");
 }
 
 #[test]
@@ -156,7 +156,7 @@ fn the_usual_design_gives_nothing_to_judge_but_its_part_and_where_machine_zero_i
     let above = outcome.findings.iter().filter(|finding| finding.grade > Grade::Note && !of_part(&finding.place));
     let above: Vec<_> = above.collect();
     assert_eq!(above.len(), 1, "{above:?}");
-    assert!(above[0].what.en.starts_with("retract with G53 is an assumption"), "{above:?}");
+    assert!(above[0].what.en.starts_with("retract with G53 rests on an assumption"), "{above:?}");
 }
 
 /// The least distance of the tip at a point of a splitter's path from the foot of the neighbouring blade's mean line, the
@@ -187,7 +187,7 @@ fn the_published_splitter_cuts_into_its_neighbour() {
     let caution = common::outcome("tfg-2021", &[]);
     let caution = caution.findings.iter().find(|finding| finding.what.en.contains("the splitter's pass cuts")).unwrap();
     assert_eq!((caution.grade, caution.value.as_str()), (Grade::Caution, "bounded between -1.9376 and -1.9375 mm"));
-    assert!(caution.remedy.en.starts_with("splitter_fade = each-side; or "), "{}", caution.remedy.en);
+    assert!(caution.remedy.en.starts_with("set splitter_fade = each-side or "), "{}", caution.remedy.en);
     assert!(
         !common::outcome("tfg-2021", &[("splitters", Value::Choice("no"))])
             .findings

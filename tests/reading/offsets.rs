@@ -51,15 +51,15 @@ fn english(refusal: &Refusal) -> Vec<(Place, String)> {
 #[test]
 fn every_bad_line_is_refused_with_its_place_and_reason() {
     for (text, line, columns, what) in [
-        ("garbage\n", 1, vec![1], "'garbage' is not the number of a parameter"),
-        ("5220\t1\n; note\n", 2, vec![1], "';' is not the number of a parameter"),
-        ("\u{feff}5161\t0\n", 1, vec![1], "'\\u{feff}5161' is not the number of a parameter"),
-        ("5221.5 3\n", 1, vec![1], "'5221.5' is not the number of a parameter"),
-        ("+\t3\n", 1, vec![1], "'+' is not the number of a parameter"),
-        ("0\t1\n", 1, vec![1], "there is no parameter of this number"),
-        ("-3\t1\n", 1, vec![1], "there is no parameter of this number"),
-        ("5602\t1\n", 1, vec![1], "there is no parameter of this number"),
-        ("52210000000\t1\n", 1, vec![1], "there is no parameter of this number"),
+        ("garbage\n", 1, vec![1], "'garbage' is not a parameter number"),
+        ("5220\t1\n; note\n", 2, vec![1], "';' is not a parameter number"),
+        ("\u{feff}5161\t0\n", 1, vec![1], "'\\u{feff}5161' is not a parameter number"),
+        ("5221.5 3\n", 1, vec![1], "'5221.5' is not a parameter number"),
+        ("+\t3\n", 1, vec![1], "'+' is not a parameter number"),
+        ("0\t1\n", 1, vec![1], "there is no parameter with this number"),
+        ("-3\t1\n", 1, vec![1], "there is no parameter with this number"),
+        ("5602\t1\n", 1, vec![1], "there is no parameter with this number"),
+        ("52210000000\t1\n", 1, vec![1], "there is no parameter with this number"),
         ("5221\n", 1, vec![1], "parameter 5221 has no value"),
         ("5221\t1.5 2\n", 1, vec![10], "there is text after the value: '2'"),
         ("  5221\t1,5\n", 1, vec![8], "'1,5' is not a number"),
@@ -69,13 +69,13 @@ fn every_bad_line_is_refused_with_its_place_and_reason() {
         ("5221\t\u{2212}5\n", 1, vec![6], "'\u{2212}5' is not a number"),
         ("5221\t12.5\0\n", 1, vec![6], "'12.5\\u{0}' is not a number"),
         ("5221\t1.0\r5222\t2.0\n", 1, vec![15], "there is text after the value: '2.0'"),
-        ("5221\tnan\n", 1, vec![6], "the value is too great or not finite"),
-        ("5221\t-inf\n", 1, vec![6], "the value is too great or not finite"),
-        ("5221\t1e400\n", 1, vec![6], "the value is too great or not finite"),
-        ("5221\t1e200\n", 1, vec![6], "the value is too great or not finite"),
-        ("5220\t1\n\n5161\t0\n", 3, vec![], "parameter 5161 stands after 5220 of line 1"),
-        ("5220\t1\n5220\t2\n", 2, vec![], "parameter 5220 is given twice, first in line 1"),
-        ("5161\t1\n5220\t1\n5161\t2\n", 3, vec![], "parameter 5161 is given twice, first in line 1"),
+        ("5221\tnan\n", 1, vec![6], "the value is too large or not finite"),
+        ("5221\t-inf\n", 1, vec![6], "the value is too large or not finite"),
+        ("5221\t1e400\n", 1, vec![6], "the value is too large or not finite"),
+        ("5221\t1e200\n", 1, vec![6], "the value is too large or not finite"),
+        ("5220\t1\n\n5161\t0\n", 3, vec![], "parameter 5161 comes after 5220 in line 1"),
+        ("5220\t1\n5220\t2\n", 2, vec![], "parameter 5220 appears twice, first in line 1"),
+        ("5161\t1\n5220\t1\n5161\t2\n", 3, vec![], "parameter 5161 appears twice, first in line 1"),
     ] {
         let refusal = VarFile::parse(text.as_bytes()).expect_err(text);
         assert_eq!(english(&refusal), [(Place::Line { line, columns }, what.to_owned())], "{text:?}");
@@ -368,7 +368,7 @@ fn an_edit_sets_what_it_names_and_nothing_else() {
 
 #[test]
 fn every_bad_edit_is_refused_with_its_reason_and_a_hint() {
-    let codes = "write G54 to G59.3 with X Y Z A B C U V W R, as 'G55 X2 Y1 Z-2', G52 with axes, or G92.1, G92.2 or G92.3 alone";
+    let codes = "write G54 to G59.3 with X Y Z A B C U V W R, like 'G55 X2 Y1 Z-2', G52 with axes, or G92.1, G92.2 or G92.3 alone";
     for (text, what, hint) in [
         ("", "the code is missing", codes),
         ("X2 Y1", "the code is missing", codes),
@@ -380,24 +380,24 @@ fn every_bad_edit_is_refused_with_its_reason_and_a_hint() {
         ("G92.1 X1", "G92.1 takes no axis words", codes),
         (
             "G92 X1",
-            "G92 starts from the position of the machine, which the file does not know",
-            "write G52 with the offsets, which are kept in the same registers, or G92.1 to clear them",
+            "G92 depends on the machine's position, which the file does not contain",
+            "write G52 with the offsets, which use the same registers, or G92.1 to clear them",
         ),
-        ("G55 X1,5", "'1,5' is not a number", "the decimal separator is the point: X1.5"),
-        ("G55 X1e3", "exponents are not taken", "write the number out, as 1000"),
-        ("G55 X--5", "'--5' is not a number", "write the number next to the letter, as X-12.5"),
-        ("G55 X1.2.3", "'1.2.3' is not a number", "write the number next to the letter, as X-12.5"),
-        ("G55 X.", "'.' is not a number", "write the number next to the letter, as X-12.5"),
-        ("G55 X\u{2212}5", "'\u{2212}5' is not a number", "write the number next to the letter, as X-12.5"),
-        ("G55 X", "X has no number", "write the number next to the letter, as X-12.5"),
-        ("G55 X 5", "'5' does not begin with a letter", "write every word together, as X2.5"),
-        ("G55 X1 x2", "X is given twice", "leave one of the two"),
-        ("G55 Q1", "Q is no axis", "axes are X Y Z A B C U V W; R is the rotation"),
-        ("G52 R1", "G52 has no rotation", "give R to a system, as 'G55 R30'"),
+        ("G55 X1,5", "'1,5' is not a number", "use a point as decimal separator: X1.5"),
+        ("G55 X1e3", "exponents are not allowed", "write the number in full, like 1000"),
+        ("G55 X--5", "'--5' is not a number", "write the number next to the letter, like X-12.5"),
+        ("G55 X1.2.3", "'1.2.3' is not a number", "write the number next to the letter, like X-12.5"),
+        ("G55 X.", "'.' is not a number", "write the number next to the letter, like X-12.5"),
+        ("G55 X\u{2212}5", "'\u{2212}5' is not a number", "write the number next to the letter, like X-12.5"),
+        ("G55 X", "X has no number", "write the number next to the letter, like X-12.5"),
+        ("G55 X 5", "'5' does not begin with a letter", "write each word without spaces, like X2.5"),
+        ("G55 X1 x2", "X appears twice", "keep one of the two"),
+        ("G55 Q1", "Q is not an axis", "use the axes X Y Z A B C U V W, or R for the rotation"),
+        ("G52 R1", "G52 has no rotation", "give R with a work offset, like 'G55 R30'"),
         ("G55 X100000", "X100000 is beyond \u{b1}99999.999", "check the number and the unit"),
         ("G55 R361", "R361 is beyond \u{b1}360", "check the number and the unit"),
-        ("G55 X0.1234567", "X0.1234567 has more decimals than the file's 6", "round it"),
-        ("G55 X1\u{1b}[2J", "'1\\u{1b}[2' is not a number", "write the number next to the letter, as X-12.5"),
+        ("G55 X0.1234567", "X0.1234567 has more decimals than the file's 6", "round the number"),
+        ("G55 X1\u{1b}[2J", "'1\\u{1b}[2' is not a number", "write the number next to the letter, like X-12.5"),
     ] {
         let finding = Edit::parse(text, LengthUnit::Millimetre).expect_err(text);
         assert!(finding.what.en.ends_with(&format!(": {what}")), "{text:?}: {}", finding.what.en);

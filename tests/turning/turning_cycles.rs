@@ -229,7 +229,7 @@ fn a_contour_that_a_control_refuses_is_refused_with_its_alarm_and_block() {
         profile([2.0, 30.0], [rapid([2.0, 10.0]), line([-10.0, 12.0]), line([-20.0, 9.0]), line([-30.0, 30.0])]);
     let trouble = radial(&faced, &ROUGH).unwrap_err();
     assert_eq!((trouble.alarm(AlarmFamily::Fanuc), trouble.line), (Some(64), Some(3)));
-    assert!(trouble.what.en.starts_with("the contour goes forth and back along Z"));
+    assert!(trouble.what.en.starts_with("the contour reverses along Z"));
     // Allowances into the metal, no extent, no numbers.
     assert_eq!(alarm(&good, &Rough { U: -0.5, ..ROUGH }), (None, None));
     assert_eq!(alarm(&good, &Rough { W: -0.1, ..ROUGH }), (None, None));

@@ -120,7 +120,7 @@ fn a_wrong_cell_of_a_list_is_refused_by_its_address() {
     );
     assert_eq!(
         changed(TOOLS_KEY, 0, "tools/R", Some(Value::Real(-1.0))),
-        [("TOOLS!G6".to_owned(), "R (nose radius) is -1 mm, must be from 0 to 50 mm".to_owned())]
+        [("TOOLS!G6".to_owned(), "R (nose radius) is -1 mm; it must be from 0 to 50 mm".to_owned())]
     );
     assert_eq!(
         changed(TOOLS_KEY, 0, "tools/R", Some(Value::Line("0,8".to_owned()))),
@@ -130,7 +130,7 @@ fn a_wrong_cell_of_a_list_is_refused_by_its_address() {
         changed(PROFILE_KEY, 1, "profile/G", Some(Value::Line("4".to_owned()))),
         [(
             "PROFILE!A7".to_owned(),
-            "G (1 straight, 2 clockwise arc, 3 counter-clockwise) is \"4\", must be one of: 1, 2, 3".to_owned()
+            "G (1 straight, 2 clockwise arc, 3 counter-clockwise) is \"4\"; it must be one of: 1, 2, 3".to_owned()
         )]
     );
 }
@@ -138,7 +138,7 @@ fn a_wrong_cell_of_a_list_is_refused_by_its_address() {
 #[test]
 fn a_list_without_rows_is_refused_where_it_is_needed() {
     let bytes = book(1, Language::Es, |lists| list(lists, PROGRAM_KEY).clear());
-    assert_eq!(stops(&bytes), [("Sheet(\"PROGRAMA\")".to_owned(), "there is no row below the headings".to_owned())]);
+    assert_eq!(stops(&bytes), [("Sheet(\"PROGRAMA\")".to_owned(), "there are no rows below the headings".to_owned())]);
     let values = read(&book(1, Language::Es, |lists| list(lists, PROFILE_KEY).clear())).unwrap();
     assert!(values.rows(PROFILE_KEY).is_empty());
 }

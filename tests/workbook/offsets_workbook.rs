@@ -141,12 +141,12 @@ fn what_a_sheet_holds_is_read_by_its_labels() {
     assert_eq!(
         notes,
         [
-            note("C9", "\"Fecha\" is not read: it is not of this table"),
-            note("sheet ORIGENES", "not on the sheet and left as in the file: Y, Z, A, B, C, U, V, W, Activo"),
-            note("A14", "\"Nota\" is not read: it is not of this table"),
+            note("C9", "rodete does not read \"Fecha\": it does not belong to this table"),
+            note("sheet ORIGENES", "not on the sheet, so unchanged in the file: Y, Z, A, B, C, U, V, W, Activo"),
+            note("A14", "rodete does not read \"Nota\": it does not belong to this table"),
             note(
                 "sheet ORIGENES",
-                "not on the sheet and left as in the file: G55, G56, G57, G58, G59, G59.2, G59.3, G92"
+                "not on the sheet, so unchanged in the file: G55, G56, G57, G58, G59, G59.2, G59.3, G92"
             ),
         ]
     );
@@ -166,8 +166,12 @@ fn every_bad_cell_is_refused_with_its_place_and_reason() {
         (|s| drop(s.write(4, 1, "12 mm")), "B5", "X (linear axis, mm) is the text \"12 mm\", not a number"),
         (|s| drop(s.write(5, 4, true)), "E6", "A (rotary axis, °) is the truth value TRUE"),
         (|s| blank(s, 6, 3), "D7", "Z (linear axis, mm) is missing"),
-        (|s| drop(s.write(7, 2, 100_000)), "C8", "Y (linear axis, mm) is 100000, must be from -99999.999 to 99999.999"),
-        (|s| drop(s.write(7, 10, 400)), "K8", "R (rotation about Z, °) is 400, must be from -360 to 360"),
+        (
+            |s| drop(s.write(7, 2, 100_000)),
+            "C8",
+            "Y (linear axis, mm) is 100000; it must be from -99999.999 to 99999.999",
+        ),
+        (|s| drop(s.write(7, 10, 400)), "K8", "R (rotation about Z, °) is 400; it must be from -360 to 360"),
         (
             |s| drop(s.write_formula(4, 1, Formula::new("=1/0").set_result("#DIV/0!"))),
             "B5",
@@ -184,21 +188,21 @@ fn every_bad_cell_is_refused_with_its_place_and_reason() {
         (
             |s| drop(s.merge_range(4, 1, 5, 1, "", &Format::new()).and_then(|s| s.write(4, 1, 1.0))),
             "B6",
-            "X (linear axis, mm): its cell lies inside the merged cells B5:B6, whose value stands in B5",
+            "X (linear axis, mm): its cell is inside the merged cells B5:B6, whose value is in B5",
         ),
         (|s| drop(s.write(13, 10, 0)), "K14", "G92 has no rotation"),
-        (|s| drop(s.write(4, 11, "yes")), "L5 L6", "several systems are active: G54, G55"),
-        (|s| drop(s.write(5, 11, "no")), "L5 L6 L7 L8 L9 L10 L11 L12 L13", "no system is active"),
+        (|s| drop(s.write(4, 11, "yes")), "L5 L6", "several work offsets are active: G54, G55"),
+        (|s| drop(s.write(5, 11, "no")), "L5 L6 L7 L8 L9 L10 L11 L12 L13", "no work offset is active"),
         (
             |s| drop(s.write(5, 11, "perhaps")),
             "L6",
-            "Active (active system; G92 in force) is \"perhaps\", must be one of: yes, no",
+            "Active (active system; G92 in force) is \"perhaps\"; it must be one of: yes, no",
         ),
-        (|s| drop(s.write(6, 0, "G54")), "A5 A7", "\"G54\" is given twice"),
-        (|s| drop(s.write(2, 2, "X")), "B3 C3", "\"X\" is given twice"),
-        (|s| drop(s.write(3, 1, "in")), "B4", "X is in \"in\", and the file in mm"),
-        (|s| blank(s, 3, 1), "B4", "X does not say its unit"),
-        (|s| drop(s.write(3, 4, "mm")), "E4", "A is in \"mm\", and the file in °"),
+        (|s| drop(s.write(6, 0, "G54")), "A5 A7", "\"G54\" appears twice"),
+        (|s| drop(s.write(2, 2, "X")), "B3 C3", "\"X\" appears twice"),
+        (|s| drop(s.write(3, 1, "in")), "B4", "X is in \"in\", but the file is in mm"),
+        (|s| blank(s, 3, 1), "B4", "X does not give its unit"),
+        (|s| drop(s.write(3, 4, "mm")), "E4", "A is in \"mm\", but the file is in °"),
         (
             |s| drop(s.write(2, 0, "Systems")),
             "sheet OFFSETS",
@@ -208,13 +212,9 @@ fn every_bad_cell_is_refused_with_its_place_and_reason() {
         (
             |s| drop(s.write(0, 1, "rodete-offsets 2")),
             "B1",
-            "the schema is \"rodete-offsets 2\"; rodete reads \"rodete-offsets 1\" here",
+            "the schema is \"rodete-offsets 2\"; rodete reads \"rodete-offsets 1\"",
         ),
-        (
-            |s| blank(s, 0, 0),
-            "sheet OFFSETS",
-            "the sheet does not name its schema; rodete reads \"rodete-offsets 1\" here",
-        ),
+        (|s| blank(s, 0, 0), "sheet OFFSETS", "the sheet does not name its schema; rodete reads \"rodete-offsets 1\""),
     ];
     for (change, place, what) in cases {
         let refusal = read(&sheet(*change)).expect_err(what);
@@ -260,7 +260,7 @@ fn all_faults_are_told_at_once() {
     assert_eq!(
         remedies,
         [
-            "give --inch if the machine counts in inches; else convert the values and write mm in J4",
+            "give --inch if the machine works in inches; otherwise convert the values and write mm in J4",
             "use 1.5",
             "write a decimal number with a point, such as 12.5"
         ]

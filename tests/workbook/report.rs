@@ -144,7 +144,7 @@ fn an_interrupted_typst_is_killed() {
 #[test]
 fn half_a_pdf_no_pdf_and_a_crash_give_no_report() {
     for (name, told) in [
-        ("truncates.sh", "left 15 bytes that are no whole PDF"),
+        ("truncates.sh", "left 15 bytes that are not a complete PDF"),
         ("silent.sh", "left no readable PDF"),
         ("crashes.sh", "broke off"),
     ] {
@@ -248,7 +248,7 @@ mod embedded {
     fn long_tables_lose_their_middle_and_say_so() {
         let report = typeset(&outcome("part", 61), &[], Language::En, &typst()).unwrap();
         if let Some(text) = text(&report.pdf) {
-            assert!(text.contains("21 rows are left out here"), "{text}");
+            assert!(text.contains("21 rows are omitted here"), "{text}");
         }
     }
 
@@ -320,7 +320,7 @@ mod embedded {
         let report = typeset(&outcome, &[workbook()], Language::En, &typst()).unwrap();
         if let Some(text) = text(&report.pdf) {
             assert!(
-                text.contains("4 961 rows are left out here") || text.contains("4961 rows are left out here"),
+                text.contains("4 961 rows are omitted here") || text.contains("4961 rows are omitted here"),
                 "{text}"
             );
             assert!(text.matches('\u{C}').count() < 32, "{} pages", text.matches('\u{C}').count());

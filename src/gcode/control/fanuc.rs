@@ -26,7 +26,7 @@ pub static FANUC_LATHE_A: Control = Control {
     sources: &[
         t(
             "la lista de códigos del simulador de torno: estos se siguen",
-            "the lathe simulator's list of codes: these are followed",
+            "the lathe simulator's list of codes: rodete follows these",
         ),
         t(
             "Fanuc Series 0i-T, manual del operador, sistema A de códigos G: los demás se rechazan por su nombre, y las letras que solo toman opciones del control (C, A, B y otras)",

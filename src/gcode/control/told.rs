@@ -86,13 +86,13 @@ impl Control {
         row(t("primera línea", "first line"), opening.told());
         row(t("comentarios que se escriben", "comments as written"), comment.told());
         row(t("fin de línea", "end of a line"), Text::same(end_of_line.replace('\r', "CR ").replace('\n', "LF")));
-        row(t("mayor número de bloque N", "greatest block number N"), Text::same(greatest_number.to_string()));
+        row(t("mayor número de bloque N", "largest block number N"), Text::same(greatest_number.to_string()));
         row(
             t("memoria para un programa", "memory for one program"),
             Text::new(format!("{memory} bytes, más allá una precaución"), format!("{memory} bytes, a caution beyond")),
         );
-        row(t("letras, además de G, M y N", "letters, beside G, M and N"), letters.told());
-        row(t("letras que se rechazan por su nombre", "letters refused by name"), refused.told());
+        row(t("letras, además de G, M y N", "letters, besides G, M and N"), letters.told());
+        row(t("letras que rodete rechaza", "letters that rodete rejects"), refused.told());
         row(t("letras que no necesitan un código", "letters that need no code"), free.told());
         row(
             t(
@@ -102,7 +102,7 @@ impl Control {
             negative.told(),
         );
         row(t("tiempo de espera (G4)", "time of a dwell (G4)"), dwell_words(dwell));
-        row(t("además de palabras", "beside words"), language.told());
+        row(t("además de palabras", "besides words"), language.told());
         row(t("comentarios que se leen", "comments as read"), comments.told());
         row(t("salto de bloque", "block delete"), delete.told());
         row(t("principio y fin del texto", "begin and end of the text"), percent.told());
@@ -117,7 +117,7 @@ impl Control {
         row(t("orden de un bloque", "order of a block"), order.told());
         row(t("palabra X", "word X"), x.told());
         row(t("cotas incrementales", "incremental dimensions"), increments.told());
-        row(t("letras de un arco, además de los ejes", "letters of an arc, beside the axes"), arc_letters.told());
+        row(t("letras de un arco, además de los ejes", "letters of an arc, besides the axes"), arc_letters.told());
         row(
             t("palabra de centro a través del plano (K en G17)", "centre word across the plane (K in G17)"),
             across.told(),
@@ -152,7 +152,7 @@ impl Control {
         );
         row(t("letra del corrector de longitud", "letter of a length offset"), length.told());
         row(t("orígenes", "offsets"), offsets.told());
-        row(t("en vigor tras G80", "in force behind G80"), coded(G::Cancel, cancel.told()));
+        row(t("en vigor tras G80", "in force after G80"), coded(G::Cancel, cancel.told()));
         row(
             t("cotas de máquina (G53)", "machine coordinates (G53)"),
             coded(G::MachineCoordinates, machine_move.told()),
@@ -249,12 +249,12 @@ told! {
     Language {
         Self::Words => "nada", "nothing";
         Self::OWords => "parámetros #, expresiones, palabras polares y palabras O", "parameters #, expressions, polar words and O-words";
-        Self::Macros => "un lenguaje de macros (IF, WHILE, GOTO, #), que se rechaza por su nombre", "a macro language (IF, WHILE, GOTO, #), refused by name";
+        Self::Macros => "un lenguaje de macros (IF, WHILE, GOTO, #), que rodete rechaza", "a macro language (IF, WHILE, GOTO, #), which rodete rejects";
     }
     Comments {
         Self::ParenthesesAndSemicolon => "(texto), y ; hasta el fin de la línea; algunos son órdenes al control", "(text), and ; to the end of the line; some are orders to the control";
         Self::Semicolon => "; hasta el fin de la línea; un paréntesis abre una sentencia de alto nivel", "; to the end of the line; a parenthesis opens a high-level statement";
-        Self::Parentheses => "(texto); ; termina el bloque, y lo que sigue es comentario salvo que se lea como otro bloque", "(text); ; ends the block, and what stands behind it is a comment unless it reads as another block";
+        Self::Parentheses => "(texto); ; termina el bloque, y lo que sigue es comentario salvo que se lea como otro bloque", "(text); ; ends the block, and the text after it is a comment unless it reads as another block";
     }
     BlockDelete {
         Self::Plain => "/", "/";
@@ -262,7 +262,7 @@ told! {
     }
     Percent {
         Self::Named => "una primera línea % con el nombre; ningún otro %", "a first line % with the name; no other %";
-        Self::Pair => "% abre el texto y lo termina donde lo abre; sin él se pide M2 o M30", "% opens the text and ends it where it opens it; without it M2 or M30 is wanted";
+        Self::Pair => "% abre el texto y, si lo abre, también lo termina; sin % el programa necesita M2 o M30", "% opens the text and, if it opens it, ends it; without % the program needs M2 or M30";
         Self::Leader => "el texto antes del primer % se pasa por alto; el siguiente %, el fin del archivo u otro número de programa lo terminan", "text before the first % is passed over; the next %, the end of the file or another program number ends it";
     }
     DimensionPoint {
@@ -279,7 +279,7 @@ told! {
     }
     Order {
         Self::Rs274 => "el de RS274: los códigos M antes del movimiento", "that of RS274: M codes before the motion";
-        Self::OffLast => "el de RS274, pero M5 y M9 tras el movimiento", "that of RS274, but M5 and M9 behind the motion";
+        Self::OffLast => "el de RS274, pero M5 y M9 tras el movimiento", "that of RS274, but M5 and M9 after the motion";
         Self::Fanuc => "la unidad antes que toda palabra, M5 y M9 tras el movimiento, y junto a G28, G30 o G50 puede estar un código de movimiento", "the unit before every word, M5 and M9 behind the motion, and a motion code may stand beside G28, G30 or G50";
     }
     AcrossWord {
@@ -288,11 +288,11 @@ told! {
     }
     Increments {
         Self::ByMode => "por G91", "by G91";
-        Self::ByLetters => "por U y W; G91 no es un código", "by U and W; G91 is no code";
+        Self::ByLetters => "por U y W; G91 no es un código", "by U and W; G91 is not a code";
     }
     Across {
         Self::Foreign => "no es de ningún arco del plano", "belongs to no arc of the plane";
-        Self::Pitch => "el paso de una hélice, mayor que 0; se rechaza", "the pitch of a helix, above 0; refused";
+        Self::Pitch => "el paso de una hélice, mayor que 0; se rechaza", "the pitch of a helix, above 0; rejected";
         Self::Unknown => "no se sabe; un 0 en un arco que no sale de su plano es una precaución", "not known; 0 in an arc that does not leave its plane is a caution";
     }
     Rotary {
@@ -309,7 +309,7 @@ told! {
         Self::InverseTime => "G93: la inversa del tiempo del movimiento en minutos", "G93: the inverse of the time of the move in minutes";
     }
     MissingFeed {
-        Self::Refused => "se rechaza", "refused";
+        Self::Refused => "se rechaza", "rejected";
         Self::Cautioned => "una precaución: el control toma la F que tiene", "a caution: the control takes the F that it has";
     }
     FeedChange {
@@ -319,7 +319,7 @@ told! {
     }
     FeedPath {
         Self::AllAxes => "todos los que se mueven", "all that move";
-        Self::LinearFirst => "X, Y y Z; si están quietos U, V y W; si no, los giratorios", "X, Y and Z; where they stand still U, V and W; else the rotary ones";
+        Self::LinearFirst => "X, Y y Z; si están quietos U, V y W; si no, los giratorios", "X, Y and Z; if they do not move, U, V and W; otherwise the rotary axes";
     }
     Turns {
         Self::Tool => "la herramienta", "the tool";
@@ -331,11 +331,11 @@ told! {
         Self::Words => "T el puesto, D el corrector, sin D el del número de la herramienta; siguen tras el fin del programa", "T the place, D the offset, without D the one with the tool's number; both stay over the end of a program";
     }
     ToolChange {
-        Self::Selected => "la herramienta que T ha elegido; después el husillo está parado", "the tool that T has selected; the spindle stands behind it";
+        Self::Selected => "la herramienta que T ha elegido; después el husillo está parado", "the tool selected by T; afterwards the spindle is stopped";
         Self::Routine => "una rutina de la máquina; sin herramienta elegida no cambia ninguna", "a routine of the machine's; with no tool selected none is changed";
     }
     LengthWord {
-        Self::H => "H, junto a G43", "H, beside G43";
+        Self::H => "H, junto a G43", "H, with G43";
         Self::D => "D", "D";
     }
     OffsetRule {
@@ -348,7 +348,7 @@ told! {
     }
     MachineMove {
         Self::InForce => "con el G0 o G1 en vigor; la compensación de punta queda anulada", "by the G0 or G1 in force; nose compensation is off from there on";
-        Self::Rapid => "siempre en rápido; la compensación de punta se aparta para el bloque", "always at rapid; nose compensation is set aside for the block";
+        Self::Rapid => "siempre en rápido; la compensación de punta se aparta para el bloque", "always in rapid; nose compensation is suspended for the block";
     }
     Reference {
         Self::None => "ningún código va a él", "no code goes there";
@@ -357,23 +357,23 @@ told! {
     }
     Corners {
         Self::None => "no por palabras de la línea", "not by words of the line";
-        Self::Drawing => "C y R tras una coma, o I, K y R de una línea a lo largo de un eje", "C and R behind a comma, or I, K and R of a line along an axis";
+        Self::Drawing => "C y R tras una coma, o I, K y R de una línea a lo largo de un eje", "C and R after a comma, or I, K and R of a line along an axis";
     }
     RadiusRule {
-        Self::None => "se rechazan", "refused";
+        Self::None => "se rechazan", "rejected";
         Self::Cutter => "el radio de la fresa, de la tabla o del bloque", "the cutter's radius, from the table or the block";
         Self::Nose(NoseCorner::Straight) => "el radio de punta; una esquina exterior se rodea recto", "the nose radius; an outer corner is gone round straight";
         Self::Nose(NoseCorner::StraightTo120) => "el radio de punta; una esquina exterior se rodea recto hasta 120°, si no en arco", "the nose radius; an outer corner is gone round straight up to 120°, else round";
     }
     Drilling {
-        Self::None => "ninguno que se siga", "none that is followed";
+        Self::None => "ninguno que rodete simule", "none that rodete simulates";
         Self::Rs274 => "a través del plano, con R y L", "across the plane, with R and L";
         Self::Lathe => "a lo largo de Z o X del torno, con R", "along Z or X of the lathe, with R";
     }
     CallBy {
         Self::Nothing => "ningún código M los llama", "no M code calls them";
-        Self::Label => "por la O que está tras el programa, solos en su bloque", "by the O that stands behind the program, alone in their block";
-        Self::Number => "por el número de su programa o de su primer bloque, también junto a un movimiento", "by the number of their program or of their first block, also beside a motion";
+        Self::Label => "por la O que está tras el programa, solos en su bloque", "by the O after the program, alone in their block";
+        Self::Number => "por el número de su programa o de su primer bloque, también junto a un movimiento", "by the number of their program or of their first block, also together with a motion";
     }
 }
 

@@ -1,5 +1,5 @@
 //! What is in doubt behind a refused block: what it would have put into force is not known, and a refusal that hangs on it
-//! follows from the first and is not told again.
+//! follows from the first and is not reported again.
 
 use std::collections::BTreeSet;
 
@@ -136,10 +136,10 @@ impl Reader<'_, '_> {
         self.memory.doubts.since.get_or_insert((file, refused));
     }
 
-    /// True where a refusal follows from what is in doubt: it is counted and not told. What its block would have put into
+    /// True where a refusal follows from what is in doubt: it is counted and not reported. What its block would have put into
     /// force is in doubt in any case.
     pub(super) fn follows(&mut self, fault: &Refused, line: &[u8]) -> bool {
-        // What a control does not make of a cycle changes the part: that is told.
+        // What a control does not make of a cycle changes the part: that is reported.
         let follows = self.memory.doubts.state & fault.hangs != 0 && !fault.fatal && !fault.uncut;
         if follows {
             self.memory.doubts.left_out += 1;

@@ -94,7 +94,7 @@ impl Numbers {
 
 impl Reader<'_, '_> {
     /// The block with a number, which stands once in the program in hand; `column` is that of the word that names it, and
-    /// `missing` what is told where there is none.
+    /// `missing` what is reported where there is none.
     pub(super) fn block_numbered(&mut self, number: u32, column: usize, missing: &dyn Raise) -> Result<Numbered> {
         self.block_near(self.block.spot.line, number, column, missing)
     }

@@ -34,7 +34,7 @@ pub struct Refused {
     /// True where nothing can be read after it.
     pub fatal: bool,
     /// True where the motions of a turning cycle are not made because of it: what comes after it meets another part than
-    /// the program reckons with.
+    /// the program counts on.
     pub uncut: bool,
     /// Parts of what is in force that it hangs on: where one is in doubt behind a refused block, it follows from that.
     pub(super) hangs: u32,
@@ -229,7 +229,7 @@ impl Turns {
             1 => t("", ""),
             count => Text::new(
                 format!("; {count} bloques así, este es el mayor, en la línea {line}"),
-                format!("; {count} such blocks, this the greatest, in line {line}"),
+                format!("; {count} such blocks, the largest in line {line}"),
             ),
         };
         let degrees = Size::number(degrees, 3);

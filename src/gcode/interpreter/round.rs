@@ -21,7 +21,7 @@ pub(super) struct Rounds {
 }
 
 impl Reader<'_, '_> {
-    /// A refusal as it is to be told: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
+    /// A refusal as it is to be reported: what follows from one before is not; a block that is refused once more in a loop is not, and one too often ends the program.
     pub(super) fn told_once(&mut self, fault: Box<Refused>, line: &[u8]) -> Option<Box<Refused>> {
         let key = (self.block.spot.text, fault.line);
         if fault.fatal {

@@ -1,4 +1,4 @@
-//! What is told of the codes that a workbook puts into programs.
+//! Findings about the codes that a workbook puts into programs.
 
 use crate::finding::rule::{book, rules};
 
@@ -11,41 +11,41 @@ rules! {
         en "{key} holds {letter}{number}: only M codes may stand here"
         remedy "quite el código G", "take the G code out";
         why "Un código G cambia cómo se leen los bloques que siguen, y el plan no cuenta con ello.",
-            "A G code changes how the blocks behind it are read, and the plan does not reckon with that.";
+            "A G code changes how the control reads the blocks after it, and the plan does not take that into account.";
         example book!("impeller", "start_codes" = "M3 G0");
     "C1003" MachineCodeNotKnown Stop { control: &'static str, number: u32, key: &'static str }
         es "el dialecto {control} no conoce M{number}"
-        en "dialect {control} does not know M{number}"
+        en "the dialect {control} does not know M{number}"
         remedy "quite M{number} de {key}, o elija el dialecto del control", "take M{number} out of {key}, or choose the control's dialect";
-        why "El control se para en un código que no conoce, con la pieza a medio hacer.",
-            "The control stops at a code that it does not know, with the part half made.";
+        why "El control se para en un código que no conoce y deja la pieza a medio hacer.",
+            "The control stops at a code that it does not know and leaves the part half made.";
         example book!("impeller", "dialect" = "linuxcnc", "retract" = "");
     "C1004" EndsTooSoon Stop { key: &'static str, number: u32 }
         es "{key} lleva M{number}, que termina el programa"
         en "{key} holds M{number}, which ends the program"
         remedy "quite M{number}", "take M{number} out";
-        why "Lo que sigue al final de un programa no se ejecuta.", "What stands behind the end of a program is not run.";
+        why "Lo que sigue al final de un programa no se ejecuta.", "The control does not run what comes after the end of a program.";
         example book!("impeller", "start_codes" = "M30");
     "C1005" EndMissing Stop { key: &'static str }
-        es "{key} no acaba con M2 ni M30: el programa no tendría fin"
-        en "{key} does not close with M2 or M30: the program would have no end"
+        es "{key} no acaba con M2 ni M30: el programa no tendría final"
+        en "{key} does not end with M2 or M30: the program would have no end"
         remedy "escriba M30 al final", "put M30 at the end";
-        why "Sin fin el control sigue con lo que haya detrás en su memoria, o se para con un error.",
-            "Without an end the control goes on with what is behind it in its memory, or stops with an error.";
+        why "Sin un final, el control sigue con lo que haya después en su memoria o se para con un error.",
+            "Without an end the control goes on into whatever follows in its memory, or stops with an error.";
         example book!("impeller", "end_codes" = "M5");
     "C1006" NotInRetract Stop { letter: char, number: u32, control: &'static str }
         es "retract lleva {letter}{number}: el dialecto {control} no lo admite ahí"
-        en "retract holds {letter}{number}: dialect {control} does not take it there"
+        en "retract holds {letter}{number}: the dialect {control} does not allow it there"
         remedy "escriba el bloque con el que su máquina sube Z, o deje la celda vacía y retire la herramienta a mano",
-            "write the block with which your machine raises Z, or leave the cell empty and take the tool away by hand";
-        why "El bloque solo debe subir Z: uno que cambia cómo se leen los demás, o que acaba el programa, falsearía el plan.",
-            "The block is to raise Z and no more: one that changes how the others are read, or ends the program, would falsify the plan.";
+            "write the block that raises Z on your machine, or leave the cell empty and retract the tool by hand";
+        why "El bloque solo debe subir Z: si cambia cómo se leen los demás o termina el programa, el plan deja de ser cierto.",
+            "The block must only raise Z: a block that changes how the others are read, or that ends the program, would make the plan false.";
         example book!("impeller", "retract" = "G1 G53 Z0");
     "C1007" RetractWithoutZ Stop {}
-        es "retract mueve ejes y no Z: la herramienta no se retira de la pieza"
-        en "retract moves axes and not Z: the tool is not taken away from the part"
-        remedy "escriba también Z", "write Z as well";
-        why "De lado, a la altura en que esté, la herramienta puede pasar por la pieza.",
-            "Sideways, at the height where it stands, the tool may go through the part.";
+        es "retract mueve ejes pero no Z: la herramienta no se retira de la pieza"
+        en "retract moves axes but not Z: the tool does not leave the part"
+        remedy "añada Z al bloque", "add Z to the block";
+        why "La herramienta se movería de lado, a la altura a la que esté, y puede atravesar la pieza.",
+            "The tool would move sideways at its present height and may go through the part.";
         example book!("impeller", "retract" = "G0 G53 X0");
 }

@@ -9,31 +9,31 @@ rules! {
 
     "G0501" NoSpeedLimit Caution {}
         es "velocidad de corte constante sin límite de giro: cerca del eje el husillo se acelera hasta su máximo"
-        en "constant surface speed without a speed limit: near the axis the spindle runs up to its greatest speed"
+        en "constant surface speed without a speed limit: near the axis the spindle runs up to its maximum speed"
         remedy "programe el límite antes de G96", "program the limit before G96";
-        why "A ese giro la pieza puede soltarse del plato.",
-            "At that speed the work may leave the chuck.";
+        why "A esa velocidad la pieza puede soltarse del plato.",
+            "At that speed the work may fly out of the chuck.";
         example Example::program("fanuc-lathe-a", "G21 G98|G96 S200 M3|M5|M30", "2:1");
     "G0502" SurfaceSpeedMissing Stop {}
         es "G96 sin S"
         en "G96 without S"
         remedy "dé la velocidad de corte con S", "give the surface speed with S";
-        why "Sin ella el husillo no sabe a cuánto ha de girar.",
-            "Without it the spindle does not know how fast to turn.";
+        why "Sin S el husillo no sabe a qué velocidad girar.",
+            "Without S the spindle does not know how fast to turn.";
         example Example::program("linuxcnc", "G21 G90 F100|G96 D2000|M2", "2:1");
     "G0503" DwellTwice Stop {}
         es "G4 con más de un tiempo"
         en "G4 with more than one time"
-        remedy "deje uno", "leave one";
-        why "No se sabe cuál de los tiempos vale.",
-            "Nothing says which of the times holds.";
+        remedy "deje uno", "keep one";
+        why "No se sabe qué tiempo vale.",
+            "It is not clear which time counts.";
         example Example::program("fanuc-lathe-a", "G21 G98|G4 X1. P500|M30", "2:1");
     "G0504" DwellWithoutTime Stop {}
         es "G4 sin tiempo"
         en "G4 without a time"
-        remedy "dé el tiempo de espera", "give the time to wait";
+        remedy "dé el tiempo de espera", "give the dwell time";
         why "Sin tiempo el control no espera, o se para.",
-            "Without a time the control does not wait, or stops.";
+            "Without a time the control does not dwell, or stops.";
         example Example::program("linuxcnc", "G21 G90 F100|G4|M2", "2:1");
     "G0505" DwellNegative Stop {}
         es "tiempo de espera negativo"
@@ -44,63 +44,63 @@ rules! {
         example Example::program("linuxcnc", "G21 G90 F100|G4 P-1|M2", "2:4");
     "G0506" UnitsChange Note {}
         es "las unidades cambian en medio del programa"
-        en "the units change in mid-program"
+        en "the units change in the middle of the program"
         remedy "", "";
-        why "Un número antes y después del cambio no mide lo mismo.",
-            "A number before the change and behind it does not measure the same.";
+        why "El mismo número es otra longitud antes y después del cambio.",
+            "The same number means another length before and after the change.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1|G20|G0 X1|M2", "3:1");
     "G0507" MachineMoveIncremental Stop {}
         es "G53 con cotas incrementales"
         en "G53 with incremental coordinates"
         remedy "programe G90 en el bloque", "program G90 in the block";
-        why "Un incremento en coordenadas de la máquina no dice desde dónde se cuenta.",
-            "An increment in machine coordinates does not say what it is counted from.";
+        why "Un incremento en coordenadas de máquina no tiene un punto de partida conocido.",
+            "An increment in machine coordinates has no known starting point.";
         example Example::program("linuxcnc", "G21 G90 F100|G91|G53 G0 X1|M2", "3:1");
     "G0508" AxesWithCancel Stop {}
         es "palabras de eje con G80"
         en "axis words with G80"
         remedy "programe G0, G1, G2 o G3 antes de los ejes", "program G0, G1, G2 or G3 before the axes";
-        why "G80 quita el ciclo: no se sabe cómo ir a esos ejes.",
-            "G80 ends the cycle: nothing says how to go to those axes.";
+        why "G80 anula el ciclo: no se sabe cómo ir a esa posición.",
+            "G80 ends the cycle: it is not clear how to go to that position.";
         example Example::program("linuxcnc", "G21 G90 F100|G80 X1|M2", "2:5");
     "G0509" AxesClaimedTwice Stop {}
         es "dos códigos G que usan las palabras de eje"
         en "two G codes that both use the axis words"
         remedy "escriba dos bloques", "write two blocks";
         why "Las palabras de eje solo pueden ser de uno de los dos.",
-            "The axis words can belong to one of the two alone.";
+            "The axis words can belong to only one of the two.";
         example Example::program("linuxcnc", "G21 G90 F100|G1 G92 X1|M2", "2:4");
     "G0510" CycleWithoutAxes Stop { cycle: f64 }
         es "G{cycle} sin palabras de eje"
         en "G{cycle} without axis words"
-        remedy "indique dónde", "say where";
-        why "Un ciclo sin lugar no sabe dónde taladrar.",
-            "A cycle without a place does not know where to drill.";
+        remedy "dé la posición del agujero", "give the hole's position";
+        why "Sin posición el ciclo no sabe dónde taladrar.",
+            "Without a position the cycle does not know where to drill.";
         example Example::program("linuxcnc", "G21 G90 F100|G81 R1|M2", "2:1");
     "G0511" AxesWithoutMotion Stop {}
         es "palabras de eje sin un movimiento en vigor"
         en "axis words without a motion in force"
         remedy "programe G0, G1, G2 o G3 antes de los ejes", "program G0, G1, G2 or G3 before the axes";
-        why "No se sabe si se ha de ir en rápido o cortando.",
-            "Nothing says whether to go at rapid or to cut.";
+        why "No se sabe si el movimiento es en rápido o en avance.",
+            "It is not clear whether the motion is rapid or at feed.";
         example Example::program("linuxcnc", "G21 G90 F100|G80|X1|M2", "3:1");
     "G0512" SetPositionWithoutAxes Stop {}
         es "G52 o G92 sin palabras de eje"
         en "G52 or G92 without axis words"
         remedy "indique los ejes, o G92.1 para anularlo", "name the axes, or G92.1 to cancel it";
-        why "Sin ejes no se sabe qué se ha de desplazar.",
-            "Without axes nothing says what is to be shifted.";
+        why "Sin ejes no se sabe qué hay que desplazar.",
+            "Without axes it is not clear what to shift.";
         example Example::program("linuxcnc", "G21 G90 F100|G92|M2", "2:1");
     "G0513" MachineMoveWithoutMotion Stop {}
         es "G53 sin G0 ni G1 en vigor"
         en "G53 without G0 or G1 in force"
         remedy "programe G53 G0 y los ejes", "program G53 G0 and the axes";
-        why "No se sabe si se ha de ir en rápido o cortando.",
-            "Nothing says whether to go at rapid or to cut.";
+        why "No se sabe si el movimiento es en rápido o en avance.",
+            "It is not clear whether the motion is rapid or at feed.";
         example Example::program("linuxcnc", "G21 G90 F100|G80|G53 X1|M2", "3:1");
     "G0514" ThreadStartAngle Stop {}
-        es "Q no está implementado en G34: el ángulo inicial de la rosca"
-        en "Q is not supported in G34: a thread's start angle"
+        es "Q, el ángulo inicial de la rosca, no está implementado en G34"
+        en "Q, a thread's start angle, is not supported in G34"
         remedy "escriba los movimientos sin ella", "write the motions without it";
         why "La rosca empezaría en otro sitio.",
             "The thread would begin in another place.";
@@ -108,23 +108,23 @@ rules! {
     "G0515" WordWithoutUse Stop { letter: char }
         es "palabra {letter} sin un código que la use"
         en "{letter} word with no code that uses it"
-        remedy "quítela, o añada el código", "take it out, or add the code";
-        why "Una palabra de más suele ser un código que falta.",
-            "A word too many is mostly a code that is missing.";
+        remedy "quítela, o añada el código", "delete it, or add the code";
+        why "Una palabra de más suele indicar que falta un código.",
+            "An extra word usually means that a code is missing.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1 P5|M2", "2:7");
     "G0516" InverseTimeZero Stop {}
         es "movimiento con G93 y F0"
         en "motion under G93 with F0"
         remedy "dé un F mayor que 0 en cada bloque de movimiento", "give an F greater than 0 in every motion block";
-        why "Con G93 F es lo que dura el bloque: con 0 no acabaría.",
-            "Under G93 F says how long the block takes: with 0 it would not end.";
+        why "Con G93 F fija el tiempo del bloque: con F0 el bloque no acabaría nunca.",
+            "Under G93 F sets the time of the block: with F0 the block would never end.";
         example Example::program("linuxcnc", "G21 G90 F100|G93 G1 X1 F0|M2", "2");
     "G0517" InverseTimeWithoutF Stop {}
         es "movimiento con G93 sin F"
         en "motion under G93 without F"
         remedy "dé un F mayor que 0 en cada bloque de movimiento", "give an F greater than 0 in every motion block";
-        why "Con G93 F es lo que dura cada bloque, y no vale el de antes.",
-            "Under G93 F says how long each block takes, and that of before does not hold.";
+        why "Con G93 F fija el tiempo de cada bloque, y una F anterior no vale.",
+            "Under G93 F sets the time of each block, and an earlier F does not count.";
         example Example::program("linuxcnc", "G21 G90 F100|G93 G1 X1|M2", "2");
     "G0518" FeedMissing Stop {}
         es "movimiento de avance sin F, o con F0"
@@ -134,45 +134,45 @@ rules! {
             "Without a feed the control does not move, or stops.";
         example Example::program("linuxcnc", "G21 G90|G1 X1|M2", "2");
     "G0519" NoFeed Caution {}
-        es "movimiento de avance sin F: el control usa el avance que tenga"
-        en "feed move without F: the control takes the feed it has"
+        es "movimiento de avance sin F: el control usa el avance que esté en vigor"
+        en "feed move without F: the control uses the feed that is in force"
         remedy "dé el avance con F", "give the feed with F";
-        why "El avance que quede de antes puede ser cualquiera.",
-            "The feed that is left of before may be any.";
+        why "El avance que haya quedado puede ser cualquiera.",
+            "The feed left over from before may be anything.";
         example Example::program("fagor-8055", "G90 G1 X1|M30", "1");
     "G0520" SpindleStill Stop {}
         es "avance por vuelta con el husillo a 0"
         en "feed per revolution with spindle speed 0"
         remedy "dé la velocidad del husillo con S", "give the spindle speed with S";
-        why "Con el husillo parado un avance por vuelta no se mueve.",
-            "With the spindle still a feed per revolution does not move.";
+        why "Con el husillo parado, un avance por vuelta no mueve la herramienta.",
+            "With the spindle stopped a feed per revolution does not move the tool.";
         example Example::program("linuxcnc", "G21 G90 G95 F1|G1 X1|M2", "2");
     "G0521" RestoreWithWords Stop {}
         es "M72 con otras palabras en el bloque"
         en "M72 with other words in the block"
         remedy "escríbalas en otra línea: LinuxCNC las pierde al recuperar el estado", "write them on another line: LinuxCNC loses them when it restores the state";
-        why "El control las pierde sin decirlo.",
-            "The control loses them without a word.";
+        why "El control las pierde y no da ninguna alarma.",
+            "The control loses them and raises no alarm.";
         example Example::program("linuxcnc", "G21 G90 F100|M70|M72 G0 X1|M2", "3:1");
     "G0522" RestoreWithoutSave Stop {}
         es "M72 sin un estado guardado"
-        en "M72 without a state that was saved"
-        remedy "guárdelo antes con M70 o M73 en el mismo programa o subprograma", "save it before with M70 or M73 in the same program or subprogram";
+        en "M72 without a saved state"
+        remedy "guarde antes el estado con M70 o M73, en el mismo programa o subprograma", "save the state first with M70 or M73, in the same program or subprogram";
         why "No hay nada que recuperar.",
             "There is nothing to restore.";
         example Example::program("linuxcnc", "G21 G90 F100|M72|M2", "2:1");
     "G0523" RestoreRounds Caution { letter: char, was: f64, back: f64 }
         es "{letter}{was} vuelve como {letter}{back}: LinuxCNC lo redondea al recuperar el estado"
         en "{letter}{was} comes back as {letter}{back}: LinuxCNC rounds it when it restores the state"
-        remedy "prográmelo de nuevo detrás", "program it again behind it";
-        why "Detrás de M72 el avance o el giro no es el que había.",
-            "Behind M72 the feed or the speed is not what it was.";
+        remedy "prográmelo de nuevo después de M72", "program it again after M72";
+        why "Después de M72 el avance o el giro no es el guardado.",
+            "After M72 the feed or the speed differs from the saved value.";
         example Example::program("linuxcnc", "G20 G90|F1.23|M70|M72|G1 X1|M2", "4");
     "G0524" RestoreOfLength Caution {}
-        es "la compensación de longitud no vuelve a ser la guardada: LinuxCNC recupera G43, no de qué herramienta"
-        en "the tool length offset is not again the one that was saved: LinuxCNC restores G43, not of which tool"
-        remedy "prográmelo de nuevo detrás", "program it again behind it";
-        why "La herramienta quedaría a otra altura.",
-            "The tool would be at another height.";
+        es "M72 no recupera el corrector de longitud guardado: LinuxCNC recupera G43, pero no el número de la herramienta"
+        en "M72 does not restore the saved tool length offset: LinuxCNC restores G43 but not the tool number"
+        remedy "prográmelo de nuevo después de M72", "program it again after M72";
+        why "La herramienta se movería a otra altura.",
+            "The tool would move at another height.";
         example Example::Program { control: "linuxcnc", program: "G21 G90 F100|T1 M6|G43|M70|G43 H2|M72|G0 Z5|M2", at: "6", given: &[("--tools", "T1 P1 Z50 D10|T2 P2 Z80 D10")] };
 }

@@ -11,34 +11,34 @@ rules! {
     "G0101" Macros Stop {}
         es "las macros (#, IF, WHILE, GOTO) no están implementadas"
         en "macros (#, IF, WHILE, GOTO) are not supported"
-        remedy "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar", "take it out or replace it: a program with it cannot be verified";
+        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
         why "Una macro calcula y decide en el control: sin ejecutarla no se sabe qué hace el programa.",
-            "A macro computes and decides in the control: unless it is run nobody knows what the program does.";
+            "A macro computes and decides inside the control: without running it nobody knows what the program does.";
         example Example::program("fanuc-lathe-a", "G21 G98|#1=5|M30", "2:1");
     "G0102" Negative Stop { letter: char, value: f64 }
         es "{letter} negativo: {value}"
         en "negative {letter}: {value}"
         remedy "escriba un número positivo", "write a positive number";
-        why "Ese número cuenta o mide algo que no baja de 0.",
-            "That number counts or measures what does not go below 0.";
+        why "Este número cuenta o mide algo que no puede ser negativo.",
+            "This number counts or measures something that cannot be below 0.";
         example Example::program("linuxcnc", "G21 G90 F100|G1 X1 F-5|M2", "2:8");
     "G0103" WordTwice Stop { letter: char }
         es "dos palabras {letter} en un bloque"
         en "two {letter} words in one block"
-        remedy "deje una, o escriba dos bloques", "leave one, or write two blocks";
-        why "Unos controles toman la primera, otros la última.",
-            "Some controls take the first, others the last.";
+        remedy "deje una, o escriba dos bloques", "keep one, or write two blocks";
+        why "Unos controles usan la primera y otros la última.",
+            "Some controls use the first, others the last.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1 X2|M2", "2:4");
     "G0104" NumberParted Note {}
         es "número con blancos en medio"
         en "number with blanks inside"
         remedy "escríbalo sin blancos", "write it without blanks";
-        why "Quien lo lee ve dos números donde el control ve uno.",
-            "A reader sees two numbers where the control sees one.";
+        why "Una persona ve dos números donde el control lee uno.",
+            "A person sees two numbers where the control reads one.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X1 2|M2", "2:5");
     "G0105" FeedOrSpeedTooGreat Stop { letter: char, value: f64 }
         es "{letter}{value} supera 99 999.999"
-        en "{letter}{value} is over 99,999.999"
+        en "{letter}{value} is above 99,999.999"
         remedy "compruebe el número", "check the number";
         why "Ninguna máquina llega ahí: será un número equivocado.",
             "No machine goes there: it will be a wrong number.";
@@ -46,127 +46,127 @@ rules! {
     "G0106" CodeNotSupported Stop { code: f64, reason: Text }
         es "G{code} no está implementado: {reason}"
         en "G{code} is not supported: {reason}"
-        remedy "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar", "take it out or replace it: a program with it cannot be verified";
-        why "Lo que hace no se conoce aquí: nada de lo que sigue sería seguro.",
-            "What it does is not known here: nothing that follows would be certain.";
+        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
+        why "rodete no sabe qué hace el código, así que nada de lo que sigue sería seguro.",
+            "rodete does not know what the code does, so nothing after it would be certain.";
         example Example::program("linuxcnc", "G21 G90 F100|G33 Z1 K1|M2", "2:1");
     "G0107" TwoCodesOfGroup Stop { group: Text }
         es "dos códigos G del mismo grupo ({group})"
         en "two G codes of one modal group ({group})"
-        remedy "deje uno, o escriba dos bloques", "leave one, or write two blocks";
+        remedy "deje uno, o escriba dos bloques", "keep one, or write two blocks";
         why "Los dos códigos se excluyen: no se sabe cuál vale.",
-            "The two codes exclude each other: nothing says which holds.";
+            "The two codes exclude each other: it is not clear which one counts.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 G1 X1|M2", "2:1");
     "G0108" MachineCodeNotSupported Stop { code: u32, reason: Text }
         es "M{code} no está implementado: {reason}"
         en "M{code} is not supported: {reason}"
-        remedy "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar", "take it out or replace it: a program with it cannot be verified";
-        why "Lo que hace no se conoce aquí: nada de lo que sigue sería seguro.",
-            "What it does is not known here: nothing that follows would be certain.";
+        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
+        why "rodete no sabe qué hace el código, así que nada de lo que sigue sería seguro.",
+            "rodete does not know what the code does, so nothing after it would be certain.";
         example Example::program("fanuc-lathe-a", "G21 G98|M198 P1|M30", "2:1");
     "G0109" MachineCodeOfBuilder Note { code: u32 }
-        es "M{code} es un código de la máquina: no se ejecuta"
-        en "M{code} is a code of the machine's own: it is not run"
+        es "M{code} es un código del fabricante de la máquina: rodete no lo ejecuta"
+        en "M{code} is a machine builder's code: rodete does not run it"
         remedy "", "";
-        why "Lo que hace lo decidió quien montó la máquina: aquí no se ve.",
-            "What it does was decided by the builder of the machine: it is not seen here.";
+        why "El fabricante de la máquina decidió qué hace el código, y rodete no puede saberlo.",
+            "The machine builder decided what the code does, and rodete cannot know it.";
         example Example::program("linuxcnc", "G21 G90 F100|M101|M2", "2:1");
     "G0110" TwoMachineCodesOfGroup Stop {}
         es "dos códigos M del mismo grupo"
         en "two M codes of one modal group"
-        remedy "deje uno, o escriba dos bloques", "leave one, or write two blocks";
+        remedy "deje uno, o escriba dos bloques", "keep one, or write two blocks";
         why "Los dos códigos se excluyen: no se sabe cuál vale.",
-            "The two codes exclude each other: nothing says which holds.";
+            "The two codes exclude each other: it is not clear which one counts.";
         example Example::program("linuxcnc", "G21 G90 F100|M3 M4 S100|M2", "2:1");
     "G0111" MachineCodesTooMany Stop { most: usize }
         es "más de {most} códigos M en un bloque"
         en "more than {most} M codes in one block"
         remedy "repártalos en varios bloques", "spread them over several blocks";
-        why "El control no ejecuta más en un bloque.",
-            "The control runs no more of them in one block.";
+        why "El control no ejecuta más códigos M en un bloque.",
+            "The control does not run more M codes in one block.";
         example Example::program("linuxcnc", "G21 G90 F100|S100 M3 M7 M48 M64 P1 M101|M2", "2:23");
     "G0112" Unknown Stop { letter: char, value: f64, dialect: &'static str }
         es "{letter}{value} no existe en el dialecto {dialect}"
         en "{letter}{value} does not exist in the dialect {dialect}"
         remedy "corríjalo, o indique el dialecto del programa: con --dialect, o en la hoja DATOS de un libro", "correct it, or name the program's dialect: with --dialect, or on the sheet DATA of a workbook";
-        why "El control se para en un código que no conoce, o hace otra cosa con él.",
-            "The control stops at a code that it does not know, or does something else with it.";
+        why "El control se para en un código que no conoce, o lo interpreta de otra manera.",
+            "The control stops at a code that it does not know, or reads it differently.";
         example Example::program("linuxcnc", "G21 G90 F100|G77|M2", "2:1");
     "G0113" EdgeTwice Stop alarm Fanuc 53 {}
         es "más de un «,C» o «,R» en un bloque"
         en "more than one ',C' or ',R' in one block"
-        remedy "deje uno", "leave one";
+        remedy "deje uno", "keep one";
         why "Una esquina se rompe de una sola manera.",
             "A corner is broken in one way only.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|G1 Z-10. ,C1. ,R1. F100.|X50.|M30", "3:10");
     "G0114" EdgeNoSize Stop { edge: &'static str, value: f64 }
         es "{edge}{value} no es el tamaño de una esquina"
-        en "{edge}{value} is no size of a corner"
+        en "{edge}{value} is not the size of a corner"
         remedy "dé una longitud sin signo", "give a length without a sign";
-        why "Un chaflán o un radio sin tamaño, o negativo, no se puede trazar.",
-            "A chamfer or a radius without a size, or a negative one, cannot be followed.";
+        why "Un chaflán o un radio no puede ser cero ni negativo.",
+            "A chamfer or a radius cannot be zero or negative.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40. Z2.|G1 Z-10. ,C-1. F100.|X50.|M30", "3:12");
     "G0115" CoordinateTooGreat Stop { letter: char, value: f64 }
         es "{letter}{value} supera ±99 999.999"
-        en "{letter}{value} is over ±99,999.999"
+        en "{letter}{value} is beyond ±99,999.999"
         remedy "compruebe el número", "check the number";
         why "Ninguna máquina llega ahí: será un número equivocado.",
             "No machine goes there: it will be a wrong number.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 X100000|M2", "2:5");
     "G0116" WordTooGreat Stop { letter: char, value: f64 }
         es "{letter}{value} supera 9 999 999 999"
-        en "{letter}{value} is over 9,999,999,999"
+        en "{letter}{value} is above 9,999,999,999"
         remedy "compruebe el número", "check the number";
-        why "Ningún control toma un número así: estará equivocado.",
-            "No control takes such a number: it will be wrong.";
+        why "Ningún control admite un número así: será erróneo.",
+            "No control accepts such a number: it is probably wrong.";
         example Example::program("linuxcnc", "G21 G90 F100|T10000000000|M2", "2:2");
     "G0117" LetterNotSupported Stop { letter: char, dialect: &'static str }
         es "la letra {letter} no está implementada en el dialecto {dialect}"
         en "letter {letter} is not supported in the dialect {dialect}"
-        remedy "quítelo o sustitúyalo: un programa que lo lleva no se puede comprobar", "take it out or replace it: a program with it cannot be verified";
-        why "El control conoce esta letra y rodete no: lo que haría con ella no se puede comprobar.",
-            "The control knows this letter and rodete does not: what it would do with it cannot be verified.";
+        remedy "quítelo o sustitúyalo: rodete no puede comprobar un programa que lo lleve", "delete or replace it: rodete cannot verify a program that contains it";
+        why "El control conoce esta letra y rodete no: rodete no puede comprobarla.",
+            "The control knows this letter but rodete does not, and so cannot verify it.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 Y5.|M30", "2:4");
     "G0118" LetterUnknown Stop { letter: char, dialect: &'static str }
-        es "la letra {letter} no puede estar aquí en el dialecto {dialect}"
-        en "letter {letter} cannot stand here in the dialect {dialect}"
-        remedy "quítela, o indique el dialecto: con --dialect, o en la hoja DATOS de un libro", "take it out, or name the dialect: with --dialect, or on the sheet DATA of a workbook";
+        es "la letra {letter} no se admite aquí en el dialecto {dialect}"
+        en "letter {letter} is not allowed here in the dialect {dialect}"
+        remedy "quítela, o indique el dialecto: con --dialect, o en la hoja DATOS de un libro", "delete it, or name the dialect: with --dialect, or on the sheet DATA of a workbook";
         why "El control se para en una letra que no conoce.",
             "The control stops at a letter that it does not know.";
         example Example::program("fagor-8055", "G0 X1 H5|M30", "1:7");
     "G0119" PointNotTaken Stop { letter: char, value: f64 }
         es "{letter}{value} lleva punto decimal, que {letter} no admite"
-        en "{letter}{value} has a decimal point, which {letter} does not take"
-        remedy "escriba un número entero: P y Q van en incrementos mínimos, ms o milésimas de grado", "write a whole number: P and Q are in least increments, ms or thousandths of a degree";
-        why "El control se para: estas letras cuentan incrementos.",
-            "The control stops: these letters count increments.";
+        en "{letter}{value} has a decimal point, which {letter} does not allow"
+        remedy "escriba un número entero: P y Q cuentan incrementos mínimos, ms o milésimas de grado", "write a whole number: P and Q count least increments, ms or thousandths of a degree";
+        why "El control se para en un punto decimal en estas letras.",
+            "The control stops at a decimal point in these letters.";
         example Example::program("fanuc-lathe-a", "G21 G98|G4 P1.5|M30", "2:4");
     "G0120" PointMissing Stop { word: String, reading: Text }
-        es "{word} sin punto decimal: según el control son {reading}"
-        en "{word} has no decimal point: {reading}, depending on the control"
-        remedy "escriba {word}. o diga qué hace el control: --decimal-point", "write {word}. or say what the control does: --decimal-point";
-        why "Un número entero se lee de dos maneras, y una es mil veces la otra.",
-            "A whole number is read in two ways, and one is a thousand times the other.";
+        es "{word} no lleva punto decimal: el control lee {reading}, según su ajuste"
+        en "{word} has no decimal point: the control reads it as {reading}, depending on its setting"
+        remedy "escriba {word}. o diga con --decimal-point cómo lo lee el control", "write {word}. or say with --decimal-point how the control reads it";
+        why "Los controles leen un número entero de dos maneras, y una es mil veces la otra.",
+            "Controls read a whole number in two ways, and one is a thousand times the other.";
         example Example::program("fanuc-lathe-a", "G21 G98|G0 X40 Z2.|M30", "2:4");
     "G0121" PointMissingInFeed Stop { word: String }
-        es "{word} sin punto decimal: el incremento del avance por vuelta depende del control"
-        en "{word} has no decimal point: the increment of a feed per revolution depends on the control"
+        es "{word} no lleva punto decimal: la unidad del avance por vuelta depende del control"
+        en "{word} has no decimal point: the unit of a feed per revolution depends on the control"
         remedy "escriba {word}.", "write {word}.";
-        why "Un número entero se lee de dos maneras, y una es mil veces la otra.",
-            "A whole number is read in two ways, and one is a thousand times the other.";
+        why "Los controles leen un número entero de dos maneras, y una es mil veces la otra.",
+            "Controls read a whole number in two ways, and one is a thousand times the other.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G99|G1 X40. F1|M30", at: "2:9", given: &[("--decimal-point", "micrometre")] };
     "G0122" DwellsWithoutPoint Note { reading: Text }
-        es "esperas sin punto decimal, {reading}"
-        en "dwells without decimal point, {reading}"
+        es "tiempos de espera sin punto decimal, {reading}"
+        en "dwell times without a decimal point, {reading}"
         remedy "", "";
-        why "Con el otro ajuste del control esperarían mil veces más o menos.",
-            "With the control's other setting they would be a thousand times longer or shorter.";
+        why "Con el otro ajuste, el control esperaría mil veces más o menos.",
+            "With its other setting the control would dwell a thousand times longer or shorter.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98|G4 X2|M30", at: "2:4", given: &[("--decimal-point", "calculator")] };
     "G0123" DimensionsWithoutPoint Note { reading: Text }
         es "cotas sin punto decimal, {reading}"
         en "dimensions without decimal point, {reading}"
         remedy "", "";
-        why "Con el otro ajuste del control medirían mil veces más o menos.",
-            "With the control's other setting they would be a thousand times greater or smaller.";
+        why "Con el otro ajuste, las cotas serían mil veces mayores o menores.",
+            "With the control's other setting the dimensions would be a thousand times larger or smaller.";
         example Example::Program { control: "fanuc-lathe-a", program: "G21 G98|G0 X40 Z2.|M30", at: "2:4", given: &[("--decimal-point", "calculator")] };
 }

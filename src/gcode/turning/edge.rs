@@ -194,7 +194,7 @@ mod tests {
             assert_eq!(broken(lines, Edge::Round(0.0), None).unwrap(), None);
             for edge in [Edge::Round(2.0), Edge::Chamfer(2.0)] {
                 let trouble = broken(lines, edge, None).unwrap_err();
-                assert_eq!(trouble.what.en, "the two lines run back along each other: there is no corner");
+                assert_eq!(trouble.what.en, "the second line runs back along the first: there is no corner");
             }
         }
     }

@@ -10,7 +10,7 @@
 //! # What the rules rest on
 //! The lathe simulator's text, the published turning program and the figures of LinuxCNC's own lathe programs are tested
 //! against. Where the manuals of Fanuc and Fagor are named, their rules stand as they are known among programmers: no copy of
-//! them could be held against this code. What they leave open is named "Left open, and chosen here".
+//! them could be compared with this code. What they leave open is named "Left open, and chosen here".
 
 pub mod edge;
 pub mod fagor;

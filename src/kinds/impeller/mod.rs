@@ -94,7 +94,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// What programs are held against.
+    /// What programs are compared with.
     const fn geometry<'a>(&'a self, design: &'a Design) -> Geometry<'a> {
         Geometry { design, blade: &self.blade, splitter: self.splitter.as_ref() }
     }

@@ -39,7 +39,7 @@ pub(super) static MERIDIAN_R: Field<f64, Required> = Field::real(
     "meridian_r",
     MM,
     [1.0, 900.0],
-    t("Radio del meridiano del toro", "Radius of the torus's meridian"),
+    t("Radio del meridiano del toro", "Radius of the torus meridian"),
     t("Menor que R", "Less than R"),
 );
 pub(super) static INTERVALS_N: Field<u32, Required> = Field::whole(
@@ -48,7 +48,7 @@ pub(super) static INTERVALS_N: Field<u32, Required> = Field::whole(
     Unit::Count,
     [2, 100_000],
     t("Número de intervalos de la discretización", "Number of intervals of the discretisation"),
-    t("n + 1 puntos por pasada", "n + 1 points a pass"),
+    t("n + 1 puntos por pasada", "n + 1 points per pass"),
 );
 pub(super) static EPS_V: Field<f64, Required> = Field::real(
     "eps_v",
@@ -57,8 +57,8 @@ pub(super) static EPS_V: Field<f64, Required> = Field::real(
     [0.0, 0.5],
     t("Retroceso del último punto, en pasos", "Back-off of the last point, in steps"),
     t(
-        "0: llega al final; 1e-5: como los anexos publicados",
-        "0: up to the very end; 1e-5: as in the published annexes",
+        "0: llega hasta el final; 1e-5: como en los anexos publicados",
+        "0: goes to the end; 1e-5: as in the published annexes",
     ),
 );
 pub(super) static N: Field<u32, Required> = Field::whole(
@@ -67,7 +67,7 @@ pub(super) static N: Field<u32, Required> = Field::whole(
     Unit::Count,
     [1, 60],
     t("Número de álabes", "Number of blades"),
-    t("No mayor que N_max", "Not above N_max"),
+    t("Como mucho N_max", "At most N_max"),
 );
 pub(super) static E: Field<f64, Required> = Field::real(
     "e",
@@ -75,7 +75,7 @@ pub(super) static E: Field<f64, Required> = Field::real(
     MM,
     [0.05, 100.0],
     t("Espesor del álabe", "Blade thickness"),
-    t("No mayor que e_max", "Not above e_max"),
+    t("Como mucho e_max", "At most e_max"),
 );
 pub(super) static A_P: Field<f64, Required> = Field::real(
     "a_p",
@@ -91,10 +91,10 @@ pub(super) static SPLITTER_FADE: Field<Fade, Usual> = Field::choice_or(
     Fade::Published,
     "splitter_fade",
     "splitter_fade",
-    t("Cómo nacen los álabes intermedios", "How splitter blades begin"),
+    t("Cómo empiezan los álabes intermedios", "How splitter blades begin"),
     t(
-        "each-side: la herramienta libra a los álabes vecinos; published, o vacío: como se publicó, los corta",
-        "each-side: the tool clears the neighbouring blades; published, or empty: as published, it cuts into them",
+        "each-side: la herramienta libra los álabes vecinos; published, o vacío: como en la publicación, los corta",
+        "each-side: the tool clears the neighbouring blades; published, or empty: as published, the tool cuts into them",
     ),
 );
 
@@ -116,7 +116,7 @@ pub(super) static D_T: Field<f64, Required> = Field::real(
     MM,
     [0.2, 100.0],
     t("Diámetro de la herramienta", "Tool diameter"),
-    t("Fresa cilíndrica frontal; no mayor que 2·r", "Flat end mill; not above 2·r"),
+    t("Fresa cilíndrica frontal; como mucho 2·r", "Flat end mill; at most 2·r"),
 );
 pub(super) static T: Field<u32, Required> =
     Field::whole("T", "tool_T", Unit::Count, [1, 9999], t("Número de herramienta", "Tool number"), t("", ""));
@@ -136,10 +136,7 @@ pub(super) static R_B: Field<f64, Required> = Field::real(
     "spindle_height_R_B",
     MM,
     [1.0, 5000.0],
-    t(
-        "Altura de la nariz del husillo portapieza sobre el eje de giro B",
-        "Height of the work spindle's nose over the B axis of rotation",
-    ),
+    t("Altura de la nariz del husillo portapieza sobre el eje B", "Height of the work spindle nose above the B axis"),
     t("De la calibración", "From the calibration"),
 );
 pub(super) static H: Field<f64, Required> = Field::real(
@@ -148,12 +145,12 @@ pub(super) static H: Field<f64, Required> = Field::real(
     MM,
     [1.0, 1000.0],
     t(
-        "Altura de la cara torneada, el plano del centro del toro, sobre la nariz del husillo portapieza",
-        "Height of the turned face, the torus centre plane, over the work spindle's nose",
+        "Altura de la cara torneada (plano del centro del toro) sobre la nariz del husillo portapieza",
+        "Height of the turned face (torus centre plane) above the work spindle nose",
     ),
     t(
         "L = R_B + H; no es la longitud de la herramienta, que va solo en el cero de Z",
-        "L = R_B + H; no tool length, which goes into the zero of Z alone",
+        "L = R_B + H; not the tool length, which goes only into the Z zero",
     ),
 );
 pub(super) static ROTARY: Field<Rotary, Optional> = Field::choice(
@@ -161,8 +158,8 @@ pub(super) static ROTARY: Field<Rotary, Optional> = Field::choice(
     "rotary_axes",
     t("Cómo cuentan los ejes B y C de la máquina en G90", "How the machine's axes B and C count in G90"),
     t(
-        "rollover: de 0 a 360, el signo es el sentido (un Fagor 8055 de fábrica; así si queda vacía); linear: como un eje lineal",
-        "rollover: from 0 to 360, the sign is the direction (a Fagor 8055 as delivered; so if empty); linear: as a linear axis",
+        "rollover: de 0 a 360, el signo es el sentido (Fagor 8055 de fábrica; también si queda vacía); linear: como un eje lineal",
+        "rollover: from 0 to 360, the sign is the direction (Fagor 8055 as delivered; also if empty); linear: like a linear axis",
     ),
 );
 pub(super) static B_MIN: Field<f64, Required> = Field::real(
@@ -198,7 +195,7 @@ pub(super) static F_MAX: Field<f64, Optional> = Field::real(
     "feed_limit_F_max",
     Unit::MillimetrePerMinute,
     [1.0, 200_000.0],
-    t("Velocidad máxima de cada eje (°/min en B y C)", "Greatest speed of any axis (°/min in B and C)"),
+    t("Velocidad máxima de cada eje (°/min en B y C)", "Maximum speed of each axis (°/min in B and C)"),
     t("Vacío: no se comprueba", "Empty: not checked"),
 );
 
@@ -226,7 +223,7 @@ pub(super) static D_S: Field<f64, Required> = Field::real(
     MM,
     [0.1, 500.0],
     t("Distancia de seguridad", "Safety distance"),
-    t("Del filo de la herramienta a la pieza", "From the tool's edge to the part"),
+    t("Del filo de la herramienta a la pieza", "From the cutting edge to the part"),
 );
 pub(super) static F: Field<f64, Optional> = Field::real(
     "F",
@@ -250,7 +247,7 @@ pub(super) static TOL: Field<f64, Optional> = Field::real(
     MM,
     [0.0005, 10.0],
     t("Tolerancia de la trayectoria de la punta entre bloques", "Tolerance of the tip path between blocks"),
-    t("Vacío: la desviación solo se informa", "Empty: the deviation is reported only"),
+    t("Vacío: el informe da la desviación sin límite", "Empty: the report gives the deviation without a limit"),
 );
 
 const CUTTING: &[&Parameter] = &[&D_S.row, &F.row, &S.row, &TOL.row];
@@ -261,7 +258,7 @@ pub(super) static NUMBER: Field<u32, Required> = Field::whole(
     Unit::Count,
     [1, 9999],
     t("Número de programa", "Program number"),
-    t("En la cabecera de los programas", "In the programs' header"),
+    t("Va en la cabecera de los programas", "Goes into the header of the programs"),
 );
 pub(super) static STYLE: Field<Style, Required> = Field::choice(
     "style",
@@ -274,8 +271,8 @@ pub(super) static DISTANCE: Field<Distance, Required> = Field::choice(
     "distance",
     t("Coordenadas: G90 absolutas, G91 incrementales", "Coordinates: G90 absolute, G91 incremental"),
     t(
-        "Sólo con style = full; annex es siempre G91. En un Fagor 8055, G90 sólo con rotary = linear",
-        "With style = full only; annex is always G91. On a Fagor 8055, G90 only with rotary = linear",
+        "Solo con style = full; annex es siempre G91. En un Fagor 8055, G90 solo con rotary = linear",
+        "Only with style = full; annex is always G91. On a Fagor 8055, G90 only with rotary = linear",
     ),
 );
 pub(super) static START_CODES: Field<Codes, Required> = Field::other(
@@ -284,15 +281,15 @@ pub(super) static START_CODES: Field<Codes, Required> = Field::other(
     FieldKind::Codes,
     t("Códigos de máquina al empezar", "Machine codes at the start"),
     t(
-        "Publicado: M3 M11 M13. M11 y M13: códigos del fabricante de la máquina publicada para los frenos de sus ejes giratorios; véalos en el manual de la suya",
-        "Published: M3 M11 M13. M11 and M13: codes of the published machine's builder for the clamps of its rotary axes; look up those of yours",
+        "Publicado: M3 M11 M13. M11 y M13 son códigos de fabricante para los frenos de los ejes giratorios de aquella máquina; busque los de la suya en su manual",
+        "Published: M3 M11 M13. M11 and M13 are builder's codes for the rotary axis clamps of that machine; look up the codes of yours in its manual",
     ),
 );
 pub(super) static COOLANT: Field<Codes, Optional> = Field::other(
     "coolant",
     "coolant",
     FieldKind::Codes,
-    t("Códigos de refrigerante, antes de cortar", "Codes for coolant, before the cut"),
+    t("Códigos de refrigerante, antes de cortar", "Coolant codes, before the cut"),
     t("Como M8; vacía: sin refrigerante", "Such as M8; empty: no coolant"),
 );
 pub(super) static RETRACT: Field<Retract, Optional> = Field::other(
@@ -300,12 +297,12 @@ pub(super) static RETRACT: Field<Retract, Optional> = Field::other(
     "retract",
     FieldKind::Block,
     t(
-        "Bloque que retira la herramienta antes de que gire nada",
-        "Block that takes the tool away before anything turns",
+        "Bloque que retira la herramienta antes de que gire ningún eje",
+        "Block that retracts the tool before any axis turns",
     ),
     t(
-        "Sólo con style = full. G0 G53 Z0 si el cero de máquina está en lo alto de Z: compruébelo. Vacía: se avisa",
-        "With style = full only. G0 G53 Z0 if machine zero is at the top of Z: check that. Empty: a caution",
+        "Solo con style = full. G0 G53 Z0 si el cero máquina está en lo alto de Z: compruébelo. Vacía: rodete avisa",
+        "Only with style = full. G0 G53 Z0 if machine zero is at the top of Z: check this. Empty: rodete gives a caution",
     ),
 );
 pub(super) static END_CODES: Field<Codes, Required> = Field::other(
@@ -320,7 +317,7 @@ pub(super) static BLOCK_STEP: Field<u32, Required> = Field::whole(
     "block_step",
     Unit::Count,
     [1, 1000],
-    t("Paso de la numeración de bloques", "Step of the block numbers"),
+    t("Paso de la numeración de bloques", "Increment of the block numbers"),
     t("Publicado: 10", "Published: 10"),
 );
 
@@ -351,7 +348,7 @@ pub(super) static F_B: Field<f64, Required> = Field::real(
     "blank_feed_F_b",
     Unit::MillimetrePerRevolution,
     [0.001, 5.0],
-    t("Avance del torno", "Feed of the lathe"),
+    t("Avance en el torno", "Lathe feed"),
     t("Publicado: 0.1", "Published: 0.1"),
 );
 pub(super) static S_B: Field<u32, Required> = Field::whole(
@@ -367,26 +364,20 @@ pub(super) static S_M: Field<u32, Optional> = Field::whole(
     "blank_speed_limit_S_m",
     Unit::RevolutionPerMinute,
     [1, 20_000],
-    t("Límite de velocidad del husillo del torno", "Limit of the lathe's spindle speed"),
+    t("Límite de giro del husillo del torno", "Speed limit of the lathe spindle"),
     t(
-        "Con velocidad de corte constante el husillo se acelera hacia el centro; solo con style = full",
-        "Under constant surface speed the spindle speeds up towards the centre; with style = full only",
+        "Con velocidad de corte constante el husillo se acelera hacia el centro. Solo con style = full",
+        "At constant surface speed the spindle speeds up towards the centre. Only with style = full",
     ),
 );
-pub(super) static T_B: Field<u32, Required> = Field::whole(
-    "T_b",
-    "blank_tool_T_b",
-    Unit::Count,
-    [1, 9999],
-    t("Herramienta del torno", "Tool of the lathe"),
-    t("", ""),
-);
+pub(super) static T_B: Field<u32, Required> =
+    Field::whole("T_b", "blank_tool_T_b", Unit::Count, [1, 9999], t("Herramienta del torno", "Lathe tool"), t("", ""));
 pub(super) static D_B: Field<u32, Required> = Field::whole(
     "D_b",
     "blank_tool_offset_D_b",
     Unit::Count,
     [1, 999],
-    t("Corrector del torno", "Tool offset of the lathe"),
+    t("Corrector del torno", "Lathe tool offset"),
     t("", ""),
 );
 pub(super) static L_B: Field<f64, Required> = Field::real(
@@ -394,7 +385,7 @@ pub(super) static L_B: Field<f64, Required> = Field::real(
     "blank_length_L_b",
     MM,
     [1.0, 5000.0],
-    t("Longitud del bruto", "Length of the stock"),
+    t("Longitud del bruto", "Stock length"),
     t("Mayor que r; diámetro 2·R", "Greater than r; diameter 2·R"),
 );
 pub(super) static Z_B: Field<f64, Required> = Field::real(

@@ -128,7 +128,7 @@ impl Part {
     }
 
     /// The same part, but its rulings all end at the depth h and not at the floor: what published figures with a limit of
-    /// h alike for all are held against. On the straight ends the floor may lie deeper.
+    /// h alike for all are compared with. On the straight ends the floor may lie deeper.
     #[must_use]
     pub const fn ending_at(self, h: f64) -> Self {
         Self { end: Some(h), ..self }

@@ -8,330 +8,330 @@ rules! {
     /// The rows of an impeller.
     RULES;
     "P1001" TorusCloses Stop { r: Size, R: Size }
-        es "el radio del meridiano r es {r} y debe ser menor que R = {R}: el toro se cierra"
-        en "meridian radius r is {r}, must be below R = {R}: the torus closes"
-        remedy "un meridiano menor o un toro mayor", "a smaller meridian or a larger torus";
-        why "Por un toro cerrado no pasan círculos de Villarceau.", "No Villarceau circles run on a torus that is closed.";
+        es "el radio del meridiano r es {r} y debe ser menor que R = {R}: si no, el toro se cierra"
+        en "meridian radius r is {r}; it must be less than R = {R}, or the torus closes"
+        remedy "elija un meridiano menor o un toro mayor", "choose a smaller meridian or a larger torus";
+        why "Un toro cerrado no tiene círculos de Villarceau.", "A closed torus has no Villarceau circles.";
         example book!("impeller", "r" = "25", "R" = "25");
     "P1002" CutThroughHub Stop { a_p: Size, room: Size }
         es "la profundidad a_p es {a_p} y debe ser menor que R − r = {room}"
-        en "depth of cut a_p is {a_p}, must be below R − r = {room}"
-        remedy "una profundidad menor", "a smaller depth";
-        why "El cubo quedaría cortado.", "The hub would be cut through.";
+        en "depth of cut a_p is {a_p}; it must be less than R − r = {room}"
+        remedy "elija una profundidad menor", "choose a smaller depth";
+        why "La herramienta atravesaría el cubo.", "The tool would cut through the hub.";
         example book!("impeller", "a_p" = "100");
     "P1003" ToolBeyondHollow Stop { tool: Size, r: Size }
         es "la herramienta de {tool} no cabe en el hueco de radio r = {r}"
         en "a tool of {tool} does not fit into the hollow of radius r = {r}"
-        remedy "una herramienta menor", "a smaller tool";
-        why "La herramienta quitaría más metal que el hueco.", "The tool would take away more than the hollow.";
+        remedy "elija una herramienta menor", "choose a smaller tool";
+        why "La herramienta quitaría más metal que el del hueco.", "The tool would remove more metal than the hollow.";
         example book!("impeller", "d_t" = "50");
     "P1004" NoBladeFits Stop { e: Size, tool: Size, hub: Size, gap: Size, least: Size }
-        es "no cabe ni un álabe de e = {e} con d_t = {tool}: en el cubo hay {hub} en total"
-        en "not even one blade fits with e = {e} and d_t = {tool}: there are {hub} round the hub"
-        remedy "menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {gap} y hacen falta {least}",
-            "fewer blades, thinner blades, or a smaller tool; {gap} are left between blades and {least} are needed";
-        why "Entre dos álabes tiene que pasar la herramienta.", "The tool must pass between two blades.";
+        es "no cabe ni un álabe con e = {e} y d_t = {tool}: el contorno del cubo mide {hub}"
+        en "not even one blade fits with e = {e} and d_t = {tool}: the hub measures {hub} all round"
+        remedy "use menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {gap} y hacen falta {least}",
+            "use fewer blades, thinner blades, or a smaller tool; the gap between blades is {gap}, and {least} is needed";
+        why "La herramienta debe pasar entre dos álabes.", "The tool must pass between two blades.";
         example book!("impeller", "e" = "100");
     "P1005" TooManyBlades Stop { N: u32, most: Size, e: Size, tool: Size, gap: Size, least: Size }
         es "el número de álabes N es {N} y no debe pasar de N_max = {most} con e = {e} y d_t = {tool}"
-        en "number of blades N is {N}, must not exceed N_max = {most} for e = {e} and d_t = {tool}"
-        remedy "menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {gap} y hacen falta {least}",
-            "fewer blades, thinner blades, or a smaller tool; {gap} are left between blades and {least} are needed";
-        why "Entre dos álabes tiene que pasar la herramienta.", "The tool must pass between two blades.";
+        en "number of blades N is {N}; it must not exceed N_max = {most} for e = {e} and d_t = {tool}"
+        remedy "use menos álabes, álabes más delgados o una herramienta menor; entre álabes quedan {gap} y hacen falta {least}",
+            "use fewer blades, thinner blades, or a smaller tool; the gap between blades is {gap}, and {least} is needed";
+        why "La herramienta debe pasar entre dos álabes.", "The tool must pass between two blades.";
         example book!("impeller", "N" = "40");
     "P1006" NoThicknessFits Stop { N: u32, e: Size, room: Size, least: Size }
-        es "con N = {N} ningún espesor de álabe cabe (e es {e}): por álabe hay {room} en el cubo y la herramienta pide {least}"
-        en "with N = {N} no blade thickness fits (e is {e}): there are {room} a blade at the hub, and the tool needs {least}"
-        remedy "menos álabes, álabes más delgados o una herramienta menor",
-            "fewer blades, a thinner blade, or a smaller tool";
-        why "La herramienta sola ya gasta toda la vuelta.", "With the tool alone the turn is used up.";
+        es "con N = {N} no cabe ningún espesor de álabe (e es {e}): el cubo da {room} por álabe y la herramienta necesita {least}"
+        en "with N = {N} no blade thickness fits (e is {e}): the hub gives {room} per blade, and the tool needs {least}"
+        remedy "use menos álabes, álabes más delgados o una herramienta menor",
+            "use fewer blades, a thinner blade, or a smaller tool";
+        why "La herramienta sola ocupa ya todo el contorno del cubo.", "The tool alone takes up the whole turn.";
         example book!("impeller", "N" = "60");
     "P1007" BladeTooThick Stop { e: Size, most: Size, N: u32 }
         es "el espesor del álabe e es {e} y no debe pasar de e_max = {most} con {N} álabes"
-        en "blade thickness e is {e}, must not exceed e_max = {most} for {N} blades"
-        remedy "menos álabes, álabes más delgados o una herramienta menor",
-            "fewer blades, a thinner blade, or a smaller tool";
-        why "Entre dos álabes tiene que pasar la herramienta.", "The tool must pass between two blades.";
+        en "blade thickness e is {e}; it must not exceed e_max = {most} for {N} blades"
+        remedy "use menos álabes, álabes más delgados o una herramienta menor",
+            "use fewer blades, a thinner blade, or a smaller tool";
+        why "La herramienta debe pasar entre dos álabes.", "The tool must pass between two blades.";
         example book!("impeller", "e" = "20");
     "P1008" SafePointsInside Stop { d_s: Size, least: Size }
         es "con d_s = {d_s} los puntos de seguridad quedan dentro de las pasadas"
-        en "with d_s = {d_s} the safe points lie inside the passes"
-        remedy "una distancia de seguridad d_s mayor de {least}", "a safety distance d_s above {least}";
-        why "La herramienta giraría o bajaría en rápido dentro del metal.", "The tool would turn or come down at rapid inside the metal.";
+        en "with d_s = {d_s} the safe points are inside the passes"
+        remedy "elija una distancia de seguridad d_s mayor que {least}", "choose a safety distance d_s above {least}";
+        why "La herramienta giraría o bajaría en rápido dentro del metal.", "The tool would swivel or come down in rapid inside the metal.";
         example book!("impeller", "d_s" = "0.1");
     "P1009" PivotInside Stop { L: Size, least: Size }
         es "la longitud de pivote L = R_B + H es {L}: el pivote queda dentro de la pieza"
-        en "pivot length L = R_B + H is {L}: the pivot lies inside the part"
-        remedy "compruebe R_B y H; L debe pasar de {least}", "check R_B and H; L must exceed {least}";
-        why "El eje B gira por debajo de la pieza; dentro de ella no puede estar.", "The B axis turns below the part; it cannot lie inside.";
+        en "pivot length L = R_B + H is {L}: the pivot is inside the part"
+        remedy "compruebe R_B y H; L debe ser mayor que {least}", "check R_B and H; make L greater than {least}";
+        why "El eje B gira por debajo de la pieza y no puede estar dentro de ella.", "The B axis swivels below the part and cannot be inside it.";
         example book!("impeller", "R_B" = "1", "H" = "1");
     "P1010" TravelReversed Stop { axis: char, low: Size, high: Size }
         es "el límite inferior de {axis} ({low}) no es menor que el superior ({high})"
-        en "the lower limit of {axis} ({low}) is not below the upper one ({high})"
-        remedy "intercambie los límites", "exchange the limits";
-        why "Entre límites al revés no cabe ninguna posición.", "No position lies between limits that are the wrong way round.";
+        en "the lower limit of {axis} ({low}) is not below the upper limit ({high})"
+        remedy "intercambie los límites", "swap the limits";
+        why "Con los límites al revés no vale ninguna posición.", "With the limits reversed no position is allowed.";
         example book!("impeller", "X_min" = "100", "X_max" = "-100");
     "P1011" FeedBeyondMachine Stop { F: Size, F_max: Size }
-        es "el avance F es {F} y pasa de F_max = {F_max}"
-        en "feed F is {F}, beyond F_max = {F_max}"
-        remedy "un avance menor", "a smaller feed";
+        es "el avance F es {F} y supera F_max = {F_max}"
+        en "feed F is {F}; it must not exceed F_max = {F_max}"
+        remedy "elija un avance menor", "choose a lower feed";
         why "La máquina no llega a ese avance.", "The machine does not reach that feed.";
         example book!("impeller", "F" = "5000", "F_max" = "3000");
     "P1012" AbsoluteOnRollover Stop {}
-        es "distance = G90 con ejes rollover: en G90 el signo sería el sentido y el número el ángulo, y en cada bloque B daría casi una vuelta y C giraría al revés"
-        en "distance = G90 with rollover axes: in G90 the sign would be the direction and the number the angle, and in each block B would make nearly a whole turn and C turn the wrong way"
-        remedy "distance = G91, que vale para unos ejes y otros; o, si B y C de la máquina cuentan como ejes lineales, rotary = linear (fila rotary, valor en la columna C)",
-            "distance = G91, which is true for either; or, if B and C of the machine count as linear axes, rotary = linear (row rotary, value in column C)";
-        why "La herramienta atravesaría la pieza con la pieza girando.", "The tool would go through the part while the part turns.";
+        es "distance = G90 con ejes rollover: en G90 el signo es el sentido y el número el ángulo; en cada bloque B daría casi una vuelta y C giraría al revés"
+        en "distance = G90 with rollover axes: in G90 the sign is the direction and the number is the angle; in each block B would make nearly a full turn and C would turn the wrong way"
+        remedy "elija distance = G91, que vale para los dos tipos de eje; o, si B y C de la máquina cuentan como ejes lineales, rotary = linear (fila rotary, valor en la columna C)",
+            "choose distance = G91, which suits both types of axis; or, if B and C of the machine count as linear axes, rotary = linear (row rotary, value in column C)";
+        why "La herramienta atravesaría la pieza mientras esta gira.", "The tool would go through the part while the part turns.";
         example book!("impeller", "distance" = "G90", "rotary" = "rollover");
     "P1013" TooManyBlocks Stop { blocks: u64, most: u64 }
-        es "el programa del rodete tendría {blocks} bloques, más de {most}"
-        en "the program of the whole impeller would have {blocks} blocks, more than {most}"
-        remedy "un n menor", "a smaller n";
-        why "Ningún control toma tantos bloques, y comprobarlos no acabaría.", "No control takes so many blocks, and checking them would not end.";
+        es "el programa del rodete tendría {blocks} bloques; el límite es {most}"
+        en "the program of the whole impeller would have {blocks} blocks; the limit is {most}"
+        remedy "elija un n menor", "choose a smaller n";
+        why "Ningún control admite tantos bloques, y comprobarlos no acabaría nunca.", "No control accepts so many blocks, and checking them would never end.";
         example book!("impeller", "n" = "100000", "N" = "60");
     "P1014" StockTooShort Stop { length: Size, r: Size }
-        es "el bruto mide {length} de largo y el toro necesita más de r = {r}"
-        en "the stock is {length} long, the torus needs more than r = {r}"
-        remedy "un bruto más largo", "a longer stock";
-        why "El torneado baja hasta r bajo la cara.", "The turning goes down to r below the face.";
+        es "el bruto mide {length} de largo; el toro necesita más de r = {r}"
+        en "the stock is {length} long; the torus needs more than r = {r}"
+        remedy "use un bruto más largo", "use longer stock";
+        why "El torneado baja r por debajo de la cara.", "Turning goes down to r below the face.";
         example book!("impeller", "L_b" = "10");
     "P1015" EndInsideStock Stop { X_e: Size, diameter: Size }
-        es "la X final {X_e} queda dentro del bruto de diámetro {diameter}"
-        en "the end X of {X_e} lies inside the stock of diameter {diameter}"
-        remedy "una X final mayor que 2·R", "an end X above 2·R";
-        why "La herramienta acabaría en rápido dentro del metal.", "The tool would end at rapid inside the metal.";
+        es "la X final X_e de {X_e} queda dentro del bruto de diámetro {diameter}"
+        en "the end position X_e of {X_e} is inside the stock of diameter {diameter}"
+        remedy "elija una X final mayor que 2·R", "choose an X_e above 2·R";
+        why "La herramienta acabaría en rápido dentro del metal.", "The tool would end in rapid inside the metal.";
         example book!("impeller", "X_e" = "10");
     "P1016" StepBeyondMeridian Stop { C: Size, r: Size }
-        es "el paso C es {C} y pasa de r = {r}"
-        en "step C is {C}, beyond r = {r}"
-        remedy "un paso menor", "a smaller step";
+        es "el paso C es {C} y supera r = {r}"
+        en "step C is {C}; it must not exceed r = {r}"
+        remedy "elija un paso menor", "choose a smaller step";
         why "Una sola pasada cortaría más hondo que el hueco.", "A single pass would cut deeper than the hollow.";
         example book!("impeller", "C" = "20");
     "P1017" NothingCrosses Stop {}
-        es "no hay sitio que limite el álabe intermedio: su trayectoria no corta a la del álabe vecino"
-        en "nothing limits the splitter blade: its path does not cross that of the neighbouring blade"
-        remedy "splitters = no; o más álabes, álabes más gruesos o una herramienta mayor",
-            "splitters = no; or more blades, thicker blades, or a larger tool";
-        why "El álabe intermedio acaba donde su trayectoria corta a la del vecino: sin ese corte no se sabe dónde.",
-            "A splitter ends where its path crosses that of its neighbour: without a crossing it is not known where.";
+        es "nada limita el álabe intermedio: su trayectoria no cruza la del álabe vecino"
+        en "nothing limits the splitter: its path does not cross the neighbouring blade's path"
+        remedy "ponga splitters = no, o use más álabes, álabes más gruesos o una herramienta mayor",
+            "set splitters = no, or use more blades, thicker blades, or a larger tool";
+        why "El álabe intermedio acaba donde su trayectoria cruza la del vecino.",
+            "A splitter ends where its path crosses its neighbour's path.";
         example book!("impeller", "N" = "1", "e" = "0.1", "d_t" = "0.5", "d_s" = "5");
     "P1018" SplitterWithoutPoint Stop {}
-        es "no queda álabe intermedio: su trayectoria corta a la del álabe vecino en el primer punto"
-        en "no splitter blade is left: its path crosses that of the neighbouring blade at the first point"
-        remedy "splitters = no; o menos álabes, álabes más delgados, una herramienta menor o un n mayor",
-            "splitters = no; or fewer blades, thinner blades, a smaller tool, or a larger n";
-        why "Antes del primer punto no hay trayectoria que cortar.", "Before the first point there is no path to cut along.";
+        es "no queda álabe intermedio: su trayectoria cruza la del álabe vecino ya en el primer punto"
+        en "no splitter is left: its path crosses the neighbouring blade's path at the very first point"
+        remedy "ponga splitters = no, o use menos álabes, álabes más delgados, una herramienta menor o un n mayor",
+            "set splitters = no, or use fewer blades, thinner blades, a smaller tool, or a larger n";
+        why "Antes del primer punto no hay trayectoria por la que cortar.", "Before the first point there is no path to cut along.";
         example book!("impeller", "n" = "2", "N" = "5", "splitter_fade" = "published");
     "P1019" NoRoomForSplitter Stop {}
-        es "no cabe un álabe intermedio: por mucho que se afine, la herramienta cortaría el álabe vecino"
-        en "no splitter blade fits: however it fades out, the tool would cut into the neighbouring blade"
-        remedy "splitters = no; o menos álabes, álabes más delgados, una herramienta menor o un n mayor",
-            "splitters = no; or fewer blades, thinner blades, a smaller tool, or a larger n";
-        why "Lo que la herramienta corta de otro álabe ya no se repone.", "What the tool cuts from another blade is gone.";
+        es "no cabe un álabe intermedio: por más que se desvanezca, la herramienta cortaría el álabe vecino"
+        en "no splitter fits: however it fades out, the tool would cut into the neighbouring blade"
+        remedy "ponga splitters = no, o use menos álabes, álabes más delgados, una herramienta menor o un n mayor",
+            "set splitters = no, or use fewer blades, thinner blades, a smaller tool, or a larger n";
+        why "El metal que la herramienta quita a otro álabe no se recupera.", "Metal cut from another blade is lost.";
         example book!("impeller", "n" = "2", "N" = "5");
     "P1020" SlotsContradict Stop {}
         es "la calibración no tiene solución real: las ranuras no son de una misma máquina"
         en "the calibration has no real solution: the slots cannot come from one machine"
-        remedy "compruebe x0, z0 y las medidas de las ranuras", "check x0, z0 and the measures of the slots";
-        why "De las dos ranuras salen la altura y el ángulo del eje B por una ecuación de segundo grado; si están mal medidas no tiene raíz.",
-            "Height and angle of the B axis follow from both slots by a quadratic equation; measured wrongly they leave it without a root.";
+        remedy "compruebe x0, z0 y las medidas de las ranuras", "check x0, z0 and the measured slots";
+        why "La altura y el ángulo del eje B salen de las dos ranuras por una ecuación de segundo grado; con medidas erróneas no tiene raíz.",
+            "The height and angle of the B axis follow from both slots by a quadratic equation, which has no root if the slots are measured wrongly.";
         example book!("impeller", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "0.1", "CALIBRATION!C12" = "0.1");
     "P1021" AnnexWithoutFeed Caution {}
-        es "el estilo annex no lleva avance F ni velocidad S, como los programas publicados"
-        en "style annex carries no feed F and no speed S, like the published programs"
-        remedy "fíjelos en el control antes de empezar, o style = full", "set them at the control before the start, or style = full";
-        why "El control usaría el avance y la velocidad que queden del programa anterior.",
-            "The control would use the feed and the speed left by the program before.";
+        es "style = annex no lleva avance F ni velocidad S, como los programas publicados"
+        en "style = annex has no feed F and no speed S, like the published programs"
+        remedy "fíjelos en el control antes de empezar, o elija style = full", "set them at the control before the start, or choose style = full";
+        why "El control usaría el avance y la velocidad del programa anterior.",
+            "The control would use the feed and speed of the previous program.";
         example book!("impeller", "style" = "annex");
     "P1022" AnnexStartsAnywhere Caution {}
-        es "el programa incremental empieza donde esté la máquina: llévela antes al punto de seguridad de entrada, con B y C del Anexo 6"
-        en "the incremental program starts wherever the machine stands: bring it to the safe entry point first, with B and C of Annex 6"
-        remedy "style = full busca el inicio por sí mismo", "style = full finds the start itself";
-        why "Desde otro punto toda la pasada queda desplazada lo mismo, y en rápido.",
-            "From another point the whole pass is shifted by as much, and at rapid.";
+        es "el programa incremental empieza en la posición actual de la máquina: llévela antes al punto de seguridad de entrada, con B y C del Anexo 6"
+        en "the incremental program starts from the machine's present position: first move to the safe entry point, with B and C of Annex 6"
+        remedy "elija style = full, que va por sí mismo al punto de inicio", "choose style = full, which goes to its start point by itself";
+        why "Desde otro punto, toda la pasada se desplaza lo mismo, también en rápido.",
+            "From another point the whole pass shifts by the same distance, also in rapid.";
         example book!("impeller", "style" = "annex");
     "P1023" AnnexIsRepeated Caution { N: u32, half: Size }
-        es "los programas de un álabe y de un intermedio se ejecutan {N} veces cada uno; antes del primer intermedio, gire C {half}"
-        en "the programs of one blade and of one splitter are run {N} times each; before the first splitter, turn C by {half}"
-        remedy "el programa del rodete completo lo hace todo de una vez", "the program of the whole impeller does it all in one run";
-        why "Cada programa corta un álabe y deja C en el siguiente; los intermedios van a media distancia.",
-            "Each program cuts one blade and leaves C at the next; splitters lie half way between.";
+        es "ejecute {N} veces el programa del álabe y {N} veces el del intermedio; antes del primer intermedio, gire C {half}"
+        en "run the blade program {N} times and the splitter program {N} times; before the first splitter, turn C by {half}"
+        remedy "o ejecute el programa del rodete completo, que lo hace todo de una vez", "or run the program of the whole impeller, which does it all in one run";
+        why "Cada programa corta un álabe y deja C en el siguiente; los intermedios van a mitad de camino.",
+            "Each program cuts one blade and leaves C at the next one; splitters are half way between.";
         example book!("impeller", "style" = "annex");
     "P1024" TravelNotChecked Note { limits: String }
-        es "sin comprobar, por estar vacíos: {limits}"
-        en "not checked, being empty: {limits}"
+        es "no se comprueban los límites vacíos: {limits}"
+        en "empty limits are not checked: {limits}"
         remedy "", "";
-        why "Sin los límites de la máquina no se sabe si un eje llega a los suyos.",
-            "Without the machine's limits it is not known whether an axis comes to its own.";
+        why "Sin sus límites no se sabe si un eje llega al final de su recorrido.",
+            "Without its limits it is not known whether an axis reaches the end of its travel.";
         example book!("impeller");
     "P1025" SpeedNotChecked Note {}
         es "F_max está vacío: la velocidad de los ejes no se comprueba"
-        en "F_max is empty: the speed of the axes is not checked"
+        en "F_max is empty: axis speeds are not checked"
         remedy "", "";
-        why "Con los cinco ejes a la vez uno lineal puede tener que ir mucho más deprisa que la punta.",
-            "With five axes at once a linear one may have to go much faster than the tip.";
+        why "Con los cinco ejes a la vez, un eje lineal puede tener que ir mucho más deprisa que la punta.",
+            "With five axes moving together, a linear axis may have to go much faster than the tip.";
         example book!("impeller", "F_max" = "");
     "P1026" FeedReduced Note { moves: usize }
-        es "el avance se reduce en {moves} movimientos de álabe e intermedio para que ningún eje pase de F_max"
-        en "the feed is reduced in {moves} moves of blade and splitter so that no axis exceeds F_max"
+        es "rodete reduce el avance en {moves} movimientos de álabe e intermedio para que ningún eje pase de F_max"
+        en "rodete reduces the feed in {moves} moves of blade and splitter so that no axis exceeds F_max"
         remedy "", "";
-        why "Un eje más rápido de lo que la máquina da se retrasa, y la punta sale de su trayectoria.",
-            "An axis faster than the machine allows lags, and the tip leaves its path.";
+        why "Un eje al que se pide demasiado se retrasa, y la punta se sale de su trayectoria.",
+            "An axis that is asked to go too fast lags, and the tip leaves its path.";
         example book!("impeller", "F_max" = "1000");
     "P1027" FeedWordAtItsEnd Caution { moves: usize }
-        es "en {moves} movimientos la palabra F llega al extremo de su formato: el avance real es otro"
-        en "in {moves} moves the F word reaches an end of its format: the true feed differs"
-        remedy "un n menor u otro avance", "a smaller n or another feed";
-        why "Más allá del extremo no hay palabra que escribir, y el bloque dura otra cosa de lo que debe.",
-            "Beyond the end there is no word to write, and the block takes another time than it should.";
+        es "en {moves} movimientos la palabra F llega al límite de su formato: el avance real es otro"
+        en "in {moves} moves the F word reaches the limit of its format: the true feed differs"
+        remedy "elija un n menor u otro avance", "choose a smaller n or another feed";
+        why "El formato no permite escribir la F necesaria, y el bloque dura otro tiempo.",
+            "The format cannot hold the F needed, so the block takes another time.";
         example book!("impeller", "F" = "50000", "F_max" = "", "n" = "100");
     "P1028" NotNumbered Note { greatest: u32 }
-        es "los bloques no se numeran: pasarían de N{greatest}"
-        en "blocks are not numbered: the numbers would exceed N{greatest}"
+        es "los bloques van sin número: pasarían de N{greatest}"
+        en "the blocks have no numbers: they would exceed N{greatest}"
         remedy "", "";
-        why "Un número con más cifras de las que el control lee lo para.", "A number of more digits than the control reads stops it.";
+        why "El control se para en un número con demasiadas cifras.", "The control stops at a number with too many digits.";
         example book!("impeller", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "block_step" = "1000");
     "P1029" BlankForFagor Note {}
-        es "el programa del bruto es para un torno con Fagor 8055 T, sea cual sea el dialecto de la fresadora"
-        en "the program of the blank is for a lathe with Fagor 8055 T, whatever the dialect of the mill"
+        es "el programa del bruto es para un torno con Fagor 8055 T, sea cual sea el control de la fresadora"
+        en "the blank's program is for a lathe with a Fagor 8055 T, whatever the mill's control"
         remedy "", "";
-        why "Sus ciclos de torneado son de ese control; en otro torno la pieza se tornea con un programa suyo.",
-            "Its turning cycles are those of that control; on another lathe the part is turned by a program of its own.";
+        why "Sus ciclos de torneado son de ese control; en otro torno, tornee la pieza con otro programa.",
+            "Its turning cycles belong to that control; on another lathe, turn the part with another program.";
         example book!("impeller");
     "P1030" CalibrationAgrees Note { found: Size, B: Size, R_B: Size }
-        es "la calibración da R_B = {found} y B = {B}; en el libro R_B es {R_B} (se toma la raíz más próxima)"
-        en "the calibration gives R_B = {found} and B = {B}; in the workbook R_B is {R_B} (the nearest root is taken)"
+        es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (rodete toma la raíz más próxima)"
+        en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (rodete takes the nearest root)"
         remedy "", "";
-        why "Hasta una centésima de diferencia, la décima parte de lo que se ve en una ranura, el libro y las ranuras dicen lo mismo.",
-            "Up to a hundredth apart, the tenth part of what a slot shows to the eye, workbook and slots say the same.";
+        why "Hasta una centésima de diferencia, la décima parte de lo que se ve en una ranura, el libro y las ranuras coinciden.",
+            "Up to a hundredth apart, a tenth of what the eye sees in a slot, workbook and slots agree.";
         example book!("impeller", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "-206.5", "CALIBRATION!C12" = "-185.5");
     "P1031" CalibrationDiffers Caution { found: Size, B: Size, R_B: Size, better: Size }
-        es "la calibración da R_B = {found} y B = {B}; en el libro R_B es {R_B} (se toma la raíz más próxima)"
-        en "the calibration gives R_B = {found} and B = {B}; in the workbook R_B is {R_B} (the nearest root is taken)"
-        remedy "considere R_B = {better}", "consider R_B = {better}";
-        why "De R_B sale la longitud de pivote: lo que le sobra o falta desplaza la punta en cada giro de B.",
-            "The pivot length follows from R_B: what it is too long or too short shifts the tip at each turn of B.";
+        es "la calibración da R_B = {found} y B = {B}; el libro dice R_B = {R_B} (rodete toma la raíz más próxima)"
+        en "the calibration gives R_B = {found} and B = {B}; the workbook says R_B = {R_B} (rodete takes the nearest root)"
+        remedy "compruebe las ranuras y valore poner R_B = {better}", "check the slots and consider R_B = {better}";
+        why "R_B da la longitud de pivote: un error en ella desplaza la punta en cada giro de B.",
+            "R_B sets the pivot length: an error in it shifts the tip at every swivel of B.";
         example book!("impeller", "CALIBRATION!C6" = "60", "CALIBRATION!C7" = "50", "CALIBRATION!C8" = "3", "CALIBRATION!C9" = "4",
             "CALIBRATION!C10" = "6", "CALIBRATION!C11" = "-207", "CALIBRATION!C12" = "-185.5");
     "P1032" NoCoolant Note {}
-        es "coolant está vacío: los programas no ponen refrigerante"
-        en "coolant is empty: the programs switch no coolant on"
+        es "coolant está vacío: los programas no conectan el refrigerante"
+        en "coolant is empty: the programs do not switch on coolant"
         remedy "", "";
-        why "Qué código lo pone depende de la máquina, y no se supone ninguno.",
-            "Which code switches it on depends on the machine, and none is assumed.";
+        why "El código depende de la máquina, y rodete no supone ninguno.",
+            "The code depends on the machine, and rodete assumes none.";
         example book!("impeller");
     "P1033" AnnexByIncrements Note {}
-        es "los programas giran B y C sólo por incrementos (G91): valen con ejes rollover y con lineales, desde los ángulos del Anexo 6"
-        en "the programs turn B and C by increments (G91) only: true for rollover axes and for linear ones, from the angles of Annex 6 on"
+        es "los programas giran B y C solo en incremental (G91): valen con ejes rollover y lineales, desde los ángulos del Anexo 6"
+        en "the programs turn B and C only in increments (G91): they suit rollover and linear axes, from the angles of Annex 6"
         remedy "", "";
-        why "Por incrementos el número es lo que gira el eje, cuente como cuente; lo que importa es desde dónde.",
-            "By increments the number is how far the axis turns, however it counts; what matters is from where.";
+        why "En incremental el número es lo que gira el eje, cuente como cuente; solo importa el ángulo de partida.",
+            "In increments the number is how far the axis turns, however it counts; only the starting angle matters.";
         example book!("impeller", "style" = "annex");
     "P1034" TurnsByIncrements Note {}
-        es "los programas valen con ejes rollover y con lineales: un bloque G90 con ángulos entre 0 y 360 y todo lo demás en G91; antes de empezar, B y C deben marcar 0, y ahí vuelven al acabar"
-        en "the programs are true for rollover axes and for linear ones: one G90 block with angles between 0 and 360 and all else in G91; before the start B and C must show 0, and there they end"
+        es "los programas valen con ejes rollover y lineales: un bloque G90 con ángulos entre 0 y 360 y todo lo demás en G91; antes de empezar, B y C deben marcar 0, y a 0 vuelven al acabar"
+        en "the programs suit rollover and linear axes: one G90 block with angles between 0 and 360, the rest in G91; before the start B and C must show 0, and they end at 0"
         remedy "", "";
-        why "Entre 0 y 360 el número absoluto es el mismo ángulo para unos ejes y otros; desde 0 gira además lo mismo.",
-            "Between 0 and 360 an absolute number is the same angle on either axis; from 0 it is the same turn too.";
+        why "Entre 0 y 360 el número absoluto es el mismo ángulo en los dos tipos de eje; desde 0, también el mismo giro.",
+            "Between 0 and 360 an absolute number is the same angle on both types of axis; from 0 it is also the same turn.";
         example book!("impeller");
     "P1035" IncrementsFromZero Note {}
-        es "los programas giran B y C por incrementos (G91) tras un bloque con B0 C0"
-        en "the programs turn B and C by increments (G91) after a block with B0 C0"
+        es "los programas giran B y C en incremental (G91) tras un bloque con B0 C0"
+        en "the programs turn B and C in increments (G91) after a block with B0 C0"
         remedy "", "";
-        why "El control cuenta B y C como ejes lineales: el bloque con B0 C0 deshace las vueltas que lleven.",
-            "The control counts B and C as linear axes: the block with B0 C0 undoes the turns that they carry.";
+        why "El control cuenta B y C como ejes lineales: el bloque con B0 C0 deshace las vueltas acumuladas.",
+            "The control counts B and C as linear axes: the block with B0 C0 unwinds the turns made so far.";
         example book!("impeller", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "");
     "P1036" OnLinearAxesUnproved Caution {}
-        es "los programas sólo valen donde B y C cuentan como ejes lineales: en un eje rollover el signo sería el sentido y el número el ángulo"
-        en "the programs are true only where B and C count as linear axes: on a rollover axis the sign would be the direction and the number the angle"
-        remedy "compruebe en la máquina que a G90 C-90 desde 0 gira 90° y no 270°; o distance = G91",
-            "check on the machine that from 0 G90 C-90 turns 90° and not 270°; or distance = G91";
-        why "El libro dice que cuentan como lineales, y el control se entrega con ellos rollover.",
-            "The workbook says that they count as linear ones, and the control is delivered with rollover ones.";
+        es "los programas solo valen si B y C cuentan como ejes lineales: en un eje rollover el signo es el sentido y el número el ángulo"
+        en "the programs are right only if B and C count as linear axes: on a rollover axis the sign is the direction and the number is the angle"
+        remedy "compruebe en la máquina que G90 C-90 desde 0 gira 90° y no 270°; o elija distance = G91",
+            "check on the machine that G90 C-90 from 0 turns 90° and not 270°; or choose distance = G91";
+        why "El libro dice que cuentan como lineales, pero el control se entrega con ellos como rollover.",
+            "The workbook says that they count as linear, but the control is delivered with rollover axes.";
         example book!("impeller", "distance" = "G90", "rotary" = "linear");
     "P1037" OnLinearAxes Note {}
-        es "los programas sólo valen donde B y C cuentan como ejes lineales: en un eje rollover el signo sería el sentido y el número el ángulo"
-        en "the programs are true only where B and C count as linear axes: on a rollover axis the sign would be the direction and the number the angle"
+        es "los programas solo valen si B y C cuentan como ejes lineales: en un eje rollover el signo es el sentido y el número el ángulo"
+        en "the programs are right only if B and C count as linear axes: on a rollover axis the sign is the direction and the number is the angle"
         remedy "", "";
         why "El mismo número absoluto lleva a un eje rollover a otro ángulo.",
             "The same absolute number takes a rollover axis to another angle.";
         example book!("impeller", "dialect" = "linuxcnc", "start_codes" = "M3", "retract" = "", "rotary" = "linear", "distance" = "G90");
     "P1038" ClampsOfBuilder Note {}
-        es "M11 y M13, de los programas publicados, son códigos del fabricante de aquella máquina, para los frenos de sus ejes giratorios: compruébelos en el manual de la suya"
-        en "M11 and M13, of the published programs, are codes of that machine's builder, for the clamps of its rotary axes: check them in the manual of yours"
+        es "M11 y M13, de los programas publicados, son códigos de fabricante para los frenos de los ejes giratorios de aquella máquina: compruébelos en el manual de la suya"
+        en "M11 and M13, from the published programs, are builder's codes for the rotary axis clamps of that machine: check them in your machine's manual"
         remedy "", "";
-        why "El mismo número es otra cosa en la máquina de otro fabricante.", "The same number is another thing on the machine of another builder.";
+        why "El mismo código hace otra cosa en la máquina de otro fabricante.", "The same code does something else on another builder's machine.";
         example book!("impeller");
     "P1039" ClampsMissing Caution { missing: String }
-        es "start_codes no lleva {missing}: los programas publicados empiezan con M11 M13, códigos del fabricante para los frenos de los ejes giratorios"
-        en "start_codes lacks {missing}: the published programs begin with M11 M13, codes of the machine's builder for the clamps of the rotary axes"
+        es "start_codes no lleva {missing}: los programas publicados empiezan con M11 M13, códigos de fabricante para los frenos de los ejes giratorios"
+        en "start_codes lacks {missing}: the published programs begin with M11 M13, builder's codes for the rotary axis clamps"
         remedy "escriba los códigos con los que su máquina suelta B y C, si los tiene",
-            "put in the codes with which your machine lets B and C go, if it has any";
-        why "Un eje que gira contra su freno lo gasta, o el control se para.", "An axis that turns against its clamp wears it out, or the control stops.";
+            "add the codes that release B and C on your machine, if it has any";
+        why "Un eje que gira con el freno puesto lo gasta, o el control se para.", "An axis that turns against its clamp wears it out, or the control stops.";
         example book!("impeller", "start_codes" = "M3");
     "P1040" NoRetract Caution {}
-        es "retract está vacío: el primer movimiento es el de Z a su altura de retirada, con X, Y y B donde estén, y nada retira antes la herramienta"
-        en "retract is empty: the first motion takes Z to its retract height with X, Y and B wherever they stand, and nothing takes the tool away before"
+        es "retract está vacío: el primer movimiento lleva Z a su altura de retirada con X, Y y B en su posición actual, y nada retira antes la herramienta"
+        en "retract is empty: the first motion takes Z to its retract height with X, Y and B in their present position, and nothing retracts the tool before"
         remedy "escriba el bloque con el que su máquina sube Z; o, antes de cada arranque, lleve la herramienta a mano a lo alto de Z",
-            "write the block with which your machine raises Z; or, before each start, take the tool to the top of Z by hand";
-        why "La altura de retirada se cuenta con B en su sitio; desde otra posición el camino puede pasar por la pieza.",
-            "The retract height is reckoned with B in its place; from another position the way may lead through the part.";
+            "write the block that raises Z on your machine; or, before each start, move the tool by hand to the top of Z";
+        why "La altura de retirada vale con B en su sitio; desde otra posición el camino puede atravesar la pieza.",
+            "The retract height holds with B in its place; from another position the path may go through the part.";
         example book!("impeller", "retract" = "");
     "P1041" RetractIsAssumed Caution {}
-        es "retract con G53 es una suposición: que el cero de máquina está en lo alto de Z y que G53 cuenta desde él sin corrector (G44); no se tuvo a mano la página de G53 del control"
-        en "retract with G53 is an assumption: that machine zero is at the top of Z and that G53 counts from it without a length offset (G44); the page of G53 of the control was not at hand"
-        remedy "compruébelo en el manual de la máquina y ejecute ese bloque la primera vez bloque a bloque y con el avance reducido",
-            "check it in the machine's manual, and run that block the first time in single block with the feed turned down";
-        why "Si el cero de máquina está abajo, ese bloque lleva la herramienta en rápido a la pieza.",
-            "Where machine zero is at the bottom, that block takes the tool to the part at rapid.";
+        es "retract con G53 es una suposición: que el cero máquina está en lo alto de Z y que G53 cuenta desde él sin corrector (G44); no está contrastada con la página de G53 del manual del control"
+        en "retract with G53 rests on an assumption: that machine zero is at the top of Z and that G53 counts from it without a tool length offset (G44); it is not checked against the control manual's page on G53"
+        remedy "compruébelo en el manual de la máquina y la primera vez ejecute ese bloque en modo bloque a bloque y con el avance reducido",
+            "check it in the machine's manual, and the first time run that block in single block with the feed turned down";
+        why "Si el cero máquina está abajo, ese bloque lleva la herramienta en rápido contra la pieza.",
+            "If machine zero is at the bottom, that block takes the tool into the part in rapid.";
         example book!("impeller");
     "P1042" RibsLeft Caution { most: Size, from: Size, width: Size, across: Size }
-        es "quedan nervios sin cortar en los canales: hasta un {most} % de la superficie torneada entre dos álabes no lo toca ninguna pasada (cota superior), desde el {from} % del camino del cubo al borde; en el borde el más ancho mide hasta {width} a lo largo del canto ({across} de través)"
-        en "ribs stay uncut in the channels: up to {most} % of the turned surface between two blades is touched by no pass (upper bound), from {from} % of the way from the hub to the rim on; at the rim the widest measures up to {width} along the edge ({across} across)"
-        remedy "vacíe los canales con un programa propio, o más álabes o una herramienta mayor si la separación real lo permite: el plan solo corta a los lados de cada álabe",
-            "clear the channels with a program of your own; or more blades or a larger tool, if the true gap allows: the plan cuts beside each blade only";
-        why "El metal que queda cierra el canal entre los álabes.", "The metal that stays closes the channel between the blades.";
+        es "quedan nervios sin cortar en los canales: ninguna pasada toca hasta un {most} % de la superficie torneada entre dos álabes (cota superior), desde el {from} % del camino del cubo al borde; en el borde el más ancho mide hasta {width} a lo largo del canto ({across} de través)"
+        en "ribs stay uncut in the channels: no pass touches up to {most} % of the turned surface between two blades (upper bound), from {from} % of the way from hub to rim; at the rim the widest rib measures up to {width} along the edge ({across} across)"
+        remedy "vacíe los canales con un programa propio, o use más álabes o una herramienta mayor si la separación real lo permite: el plan solo corta a los lados de cada álabe",
+            "clear the channels with a program of your own, or use more blades or a larger tool if the true gap allows: the plan cuts only beside each blade";
+        why "El metal que queda obstruye el canal entre los álabes.", "The metal left blocks the channel between the blades.";
         example book!("impeller", "splitters" = "no");
     "P1043" FloorTooDeep Caution { most: Size, track: Text, point: Size, law: Size }
-        es "el fondo queda junto a los álabes hasta {most} más hondo que a_p (cota superior; lo peor, {track}, punto {point}): el extremo plano de la fresa no cabe en el fondo cóncavo (la ley √(r_f² + (d_t/2 + w·cos α)²) − r_f da {law}; el resto, los bloques)"
-        en "beside the blades the floor becomes up to {most} deeper than a_p (upper bound; worst on {track}, point {point}): the flat end of the tool does not fit the hollow floor (the law √(r_f² + (d_t/2 + w·cos α)²) − r_f gives {law}; the rest is the blocks')"
-        remedy "una herramienta menor; o cuente con ese fondo más hondo, en el cubo y donde la pieza es delgada",
-            "a smaller tool; or reckon with the deeper floor, at the hub and where the part is thin";
-        why "En el cubo lo que queda de pared es R − r − a_p, y esto se lo quita.", "At the hub the wall that stays is R − r − a_p, and this is taken from it.";
+        es "junto a los álabes el fondo queda hasta {most} más hondo que a_p (cota superior; lo peor, {track}, punto {point}): el extremo plano de la fresa no cabe en el fondo cóncavo (la ley √(r_f² + (d_t/2 + w·cos α)²) − r_f da {law}; el resto viene de los bloques)"
+        en "beside the blades the floor is up to {most} deeper than a_p (upper bound; worst on {track}, point {point}): the flat end of the tool does not fit the concave floor (the law √(r_f² + (d_t/2 + w·cos α)²) − r_f gives {law}; the rest comes from the blocks)"
+        remedy "elija una herramienta menor, o cuente con ese fondo más hondo en el cubo y donde la pieza es delgada",
+            "choose a smaller tool, or allow for the deeper floor at the hub and where the part is thin";
+        why "En el cubo la pared mide R − r − a_p, menos lo que el fondo tenga de más.", "At the hub the wall is R − r − a_p, less the extra depth of the floor.";
         example book!("impeller");
     "P1044" IntoOwnFaces Caution { most: Size, faces: Text, law: Size }
-        es "las pasadas entran en las propias caras del álabe hasta {most}, y queda más delgado: {faces} (cotas superiores, bloque a bloque; la ley a·(1 − cos θ) en el cubo, que deja fuera el espesor y los bloques, da {law})"
-        en "the passes cut up to {most} into the blade's own faces, which leaves it thinner: {faces} (upper bounds, block by block; the law a·(1 − cos θ) at the hub, which leaves out thickness and blocks, gives {law})"
-        remedy "una a_p menor o una herramienta menor; un n mayor quita lo que añaden los bloques; o un e mayor, que cuente con ello",
-            "a smaller a_p or a smaller tool; a larger n takes away what the blocks add; or a larger e that reckons with it";
-        why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra sale del espesor.",
-            "The side of a cylindrical tool does not follow a twisted face: what it enters comes off the thickness.";
+        es "las pasadas entran hasta {most} en las propias caras del álabe, que queda más delgado: {faces} (cotas superiores, bloque a bloque; la ley a·(1 − cos θ) en el cubo, que no cuenta el espesor ni los bloques, da {law})"
+        en "the passes cut up to {most} into the blade's own faces and leave the blade thinner: {faces} (upper bounds, block by block; the law a·(1 − cos θ) at the hub, which leaves out thickness and blocks, gives {law})"
+        remedy "elija una a_p menor, una herramienta menor o un e mayor que lo compense; un n mayor reduce lo que añaden los bloques",
+            "choose a smaller a_p, a smaller tool, or a larger e to make up for it; a larger n reduces what the blocks add";
+        why "El flanco de una fresa cilíndrica no sigue una cara alabeada: lo que entra en ella reduce el espesor.",
+            "The side of a cylindrical cutter does not follow a twisted face: where it enters the face, the blade gets thinner.";
         example book!("impeller");
     "P1045" ToolDoesNotPass Caution { tool: Size, gap: Size, at: Size, blades: Text, thickness: Text }
-        es "la herramienta de {tool} no pasa entre los álabes: la mayor que pasa es de {gap}; es lo más estrecho, al {at} % del camino del cubo al borde; {blades}; {thickness}"
-        en "the tool of {tool} does not pass between the blades: the largest that does has {gap}; this is the narrowest place, {at} % of the way from the hub to the rim; {blades}; {thickness}"
-        remedy "menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden por el paralelo, donde la herramienta no pasa",
-            "fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not how the tool passes";
-        why "Una herramienta más ancha que el canal corta los dos álabes que lo forman.",
-            "A tool wider than the channel cuts both blades that form it.";
+        es "la herramienta de {tool} no pasa entre los álabes: la mayor que pasa es de {gap}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
+        en "the tool of {tool} does not pass between the blades: the largest that passes is {gap}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
+        remedy "use menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden a lo largo del paralelo, que no es por donde pasa la herramienta",
+            "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
+        why "Una herramienta más ancha que el canal corta los dos álabes.",
+            "A tool wider than the channel cuts into both blades.";
         example book!("impeller", "N" = "5", "splitters" = "no");
     "P1046" GapBelowPublished Caution { gap: Size, tool: Size, least: Size, at: Size, blades: Text, thickness: Text }
-        es "entre los álabes pasa una herramienta de {gap} a lo sumo; para la de {tool} se piden {least}; es lo más estrecho, al {at} % del camino del cubo al borde; {blades}; {thickness}"
-        en "a tool of {gap} at most passes between the blades; for the one of {tool}, {least} are asked for; this is the narrowest place, {at} % of the way from the hub to the rim; {blades}; {thickness}"
-        remedy "menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden por el paralelo, donde la herramienta no pasa",
-            "fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not how the tool passes";
-        why "El método pide un tercio más que la herramienta, para que flexión y desviaciones no toquen el otro álabe.",
-            "The method asks for a third more than the tool, so that bending and deviations do not touch the other blade.";
+        es "entre los álabes pasa como mucho una herramienta de {gap}; para la de {tool} el método pide {least}; el paso más estrecho está al {at} % del camino del cubo al borde; {blades}; {thickness}"
+        en "a tool of {gap} at most passes between the blades; for the tool of {tool} the method asks for {least}; the narrowest place is {at} % of the way from hub to rim; {blades}; {thickness}"
+        remedy "use menos álabes, álabes más delgados o una herramienta menor; los límites publicados miden a lo largo del paralelo, que no es por donde pasa la herramienta",
+            "use fewer blades, thinner blades, or a smaller tool; the published limits measure along the parallel, which is not where the tool passes";
+        why "El método pide un tercio más que la herramienta, para que ni la flexión ni las desviaciones toquen el otro álabe.",
+            "The method asks for a third more than the tool, so that a bent tool or a deviation does not touch the other blade.";
         example book!("impeller");
     "P1047" HeightCalledLength Caution {}
-        es "el libro es del esquema 1, que llamaba longitud de herramienta L_t a la altura H de la cara torneada sobre la nariz del husillo portapieza, y R_p a R_B: aquí L_t se lee como H y L = R_p + L_t. Si en L_t está la longitud de una herramienta, los programas son falsos"
-        en "the workbook is of schema 1, which called the height H of the turned face over the work spindle's nose a tool length L_t, and R_B it called R_p: L_t is read as H here, and L = R_p + L_t. If L_t holds the length of a tool, the programs are wrong"
-        remedy "mida H y compruébela; haga un libro nuevo con \"rodete new\" y escriba en él los valores",
+        es "el libro es del esquema 1. Allí la altura H de la cara torneada sobre la nariz del husillo portapieza se llamaba longitud de herramienta L_t, y R_B se llamaba R_p: rodete lee L_t como H y toma L = R_p + L_t. Si en L_t está la longitud de una herramienta, los programas son erróneos"
+        en "the workbook has schema 1. There the height H of the turned face above the work spindle nose was called tool length L_t, and R_B was called R_p: rodete reads L_t as H and takes L = R_p + L_t. If L_t holds the length of a tool, the programs are wrong"
+        remedy "mida H y compárela; cree un libro nuevo con \"rodete new\" y escriba en él los valores",
             "measure H and compare; make a new workbook with \"rodete new\" and type the values there";
-        why "Quien leyó longitud de herramienta pudo escribir la de una fresa, y de ella saldría la longitud de pivote.",
-            "Who read tool length may have typed that of an end mill, and the pivot length would follow from it.";
+        why "Quien leyó ese nombre pudo escribir la de una fresa, y la longitud de pivote saldría de ella.",
+            "A reader of that name may have typed the length of an end mill, and the pivot length would follow from it.";
         example Example::Made { key: "schema-1", how: t("un libro de rodete-impeller 1", "a workbook of rodete-impeller 1") };
 }

@@ -1,4 +1,4 @@
-//! What the plan of an impeller leaves or spoils, told with figures and places: for a person to judge before the work.
+//! What the plan of an impeller leaves or spoils, reported with figures and places: for a person to judge before the work.
 
 use crate::finding::{Finding, Place, Raise, Said, Size};
 use crate::kinds::impeller::design::Design;

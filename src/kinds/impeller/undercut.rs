@@ -4,7 +4,7 @@
 //! The tool stands along N of the mean line. At the depth h the trace of a face is turned against the mean line by θ(h), since
 //! the rulings are twisted, so that a cylinder along N cuts into the face by about a(1 − cos θ(a_p)), with
 //! tan θ = a_p·τ_0/(1 − a_p/R) and τ_0 = √((R + r)/(R − r))/R at the hub, where it is the most. The law leaves out the
-//! thickness and what the blocks add, and may come out some per cent too small; so what is told is an upper bound over both
+//! thickness and what the blocks add, and may come out some per cent too small; so what is reported is an upper bound over both
 //! faces, block by block, down to the floor. The published maxima, 0.050 mm in the shipped design, are greater than that of the
 //! same tool without blocks (0.045 mm): they count what lies below the tool's end and below the floor.
 //!

@@ -180,7 +180,7 @@ fn path(drawn: &Drawn, key: &'static str, set_up: &Text) -> Figure {
         axes: None,
         strokes,
         labels: Vec::new(),
-        legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "at rapid"))],
+        legend: vec![(Ink::Obverse, t("en avance", "at feed")), (Ink::Safe, t("en rápido", "in rapid"))],
     }
 }
 

@@ -101,12 +101,14 @@ pub(super) fn alarms(alarms: &[Raised]) -> Vec<Finding> {
                 let Text { es, en } = &finding.what;
                 finding.what = match left_out.len() {
                     1 => Text::new(
-                        format!("{es}; de ahí puede venir 1 alarma con este corrector, sin decir aquí"),
-                        format!("{en}; 1 alarm under this offset may follow from it and is not told here"),
+                        format!("{es}; 1 alarma más con este corrector puede venir de ahí y no se lista aquí"),
+                        format!("{en}; 1 more alarm with this offset may follow from this and is not listed here"),
                     ),
                     many => Text::new(
-                        format!("{es}; de ahí pueden venir {many} alarmas con este corrector, sin decir aquí"),
-                        format!("{en}; {many} alarms under this offset may follow from it and are not told here"),
+                        format!("{es}; {many} alarmas más con este corrector pueden venir de ahí y no se listan aquí"),
+                        format!(
+                            "{en}; {many} more alarms with this offset may follow from this and are not listed here"
+                        ),
                     ),
                 };
             }

@@ -67,7 +67,7 @@ pub enum Seen<'a> {
     Stood(&'a Standstill, &'a Simulation, Option<&'a str>),
     /// A motion was made, and this is what it left; with the name of the subprogram's file that its block stands in.
     Step(&'a Step, &'a Simulation, Option<&'a str>),
-    /// An alarm that could be told only when all programs had ended, of a motion of the program of this number, from 0; with
+    /// An alarm that could be reported only when all programs had ended, of a motion of the program of this number, from 0; with
     /// the name of the subprogram's file that its block stands in.
     Late(usize, &'a Alarm, Option<&'a str>),
     /// What the interpreter found in the program that has ended, by line; its alarms were seen with their motions.
@@ -377,7 +377,7 @@ fn follow<'a>(
                 }
                 in_force.judge(&mut step);
                 place = control.tool;
-                // A change of tool is told at its block.
+                // A change of tool is reported at its block.
                 if let Some((file, line)) = turned.take() {
                     let changes = step.alarms.iter_mut().filter(|one| matches!(one.cause, Cause::ToolChange(_)));
                     changes.for_each(|one| (one.file, one.line, one.n) = (file, line, None));
@@ -448,10 +448,10 @@ fn follow<'a>(
     one
 }
 
-/// Tells the alarms that can be told only when all programs have ended, and makes all alarms findings.
+/// Tells the alarms that can be reported only when all programs have ended, and makes all alarms findings.
 ///
 /// What a refused block left undone, or what lies behind the end of a budget, may have been what takes a mark away: of such a
-/// program's marks, and of those on the part that it began with, none is told.
+/// program's marks, and of those on the part that it began with, none is reported.
 fn late(followed: &mut [Followed], watch: &mut dyn FnMut(Seen<'_>)) {
     let whole = |one: &Followed| !one.lost && !one.endless;
     for number in 0..followed.len() {
@@ -565,7 +565,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
     let left = followed.last().map_or(0.0, |one| one.drawn.part.iter().map(|ring| volume(ring)).sum());
     let mm3 = Unit::CubicMillimetre;
     let mut quantities = vec![
-        quantity("L3", t("Voladizo", "Overhang"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
+        quantity("L3", t("Voladizo", "Stick-out"), given.setup.stock.overhang, Unit::Millimetre, t("L − L4", "L − L4")),
         quantity(
             "Z_W1",
             t("Origen W1, desde M", "Zero W1, from M"),
@@ -577,7 +577,7 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         quantity("t_c", t("de ella, cortando", "of it, cutting"), sum(|all| all.cutting_seconds), Unit::Second, none()),
         quantity(
             "t_G0",
-            t("de ella, en rápido", "of it, at rapid"),
+            t("de ella, en rápido", "of it, in rapid"),
             sum(|all| all.rapid_seconds),
             Unit::Second,
             none(),

@@ -39,7 +39,7 @@ choices! { for HolePlane;
 }
 
 choices! { for Support;
-    "auto" ("según el voladizo", "by the overhang") => Support::ByOverhang,
+    "auto" ("según el voladizo", "by the stick-out") => Support::ByOverhang,
     "yes" ("sí", "yes") => Support::Always,
     "no" ("no", "no") => Support::Never
 }
@@ -90,15 +90,15 @@ pub(crate) static POINT: Field<DecimalPoint, Optional> = Field::choice(
     "decimal_point",
     t("Cotas sin punto decimal", "Dimensions without a decimal point"),
     t(
-        "Obligatorio con fanuc-lathe-a: es un parámetro de la máquina",
-        "Required with fanuc-lathe-a: a setting of the machine",
+        "Obligatorio con fanuc-lathe-a: depende de un parámetro de la máquina",
+        "Required with fanuc-lathe-a: depends on a machine parameter",
     ),
 );
 pub(crate) static BLOCK_DELETE: Field<bool, Usual> = Field::choice_or(
     false,
     "block_delete",
     "block_delete",
-    t("Salta los bloques con /", "Skip blocks that begin with /"),
+    t("Saltar los bloques que empiezan por /", "Skip blocks that begin with /"),
     t("Vacío: no", "Empty: no"),
 );
 pub(crate) static EPS: Field<f64, Usual> = Field::real_or(
@@ -107,22 +107,22 @@ pub(crate) static EPS: Field<f64, Usual> = Field::real_or(
     "tolerance_eps",
     MM,
     [0.000_01, 0.01],
-    t("Tolerancia de los arcos", "Tolerance of arcs"),
+    t("Tolerancia de los arcos", "Arc tolerance"),
     t("Vacío: 0.0002", "Empty: 0.0002"),
 );
 
 const PROGRAM: &[&Parameter] = &[&DIALECT.row, &POINT.row, &BLOCK_DELETE.row, &EPS.row];
 
 pub(crate) static D: Field<f64, Required> =
-    Field::real("D", "stock_D", MM, [1.0, 1000.0], t("Diámetro del bruto D", "Diameter of the stock D"), NONE);
+    Field::real("D", "stock_D", MM, [1.0, 1000.0], t("Diámetro del bruto D", "Stock diameter D"), NONE);
 pub(crate) static L: Field<f64, Required> =
-    Field::real("L", "stock_L", MM, [1.0, 1000.0], t("Longitud del bruto L", "Length of the stock L"), NONE);
+    Field::real("L", "stock_L", MM, [1.0, 1000.0], t("Longitud del bruto L", "Stock length L"), NONE);
 pub(crate) static STOCK_BORE_D: Field<f64, Optional> = Field::real(
     "d",
     "stock_bore_d",
     MM,
     [0.5, 999.0],
-    t("Agujero del bruto d", "Bore of the stock d"),
+    t("Agujero del bruto d", "Stock bore d"),
     t("Vacío: macizo", "Empty: solid"),
 );
 pub(crate) static L4: Field<f64, Required> = Field::real(
@@ -131,7 +131,7 @@ pub(crate) static L4: Field<f64, Required> = Field::real(
     MM,
     [0.0, 400.0],
     t("Longitud sujeta en las garras L4", "Length held in the jaws L4"),
-    t("El voladizo es L3 = L − L4", "The overhang is L3 = L − L4"),
+    t("El voladizo es L3 = L − L4", "The stick-out is L3 = L − L4"),
 );
 pub(crate) static L5: Field<f64, Required> = Field::real(
     "L5",
@@ -139,7 +139,10 @@ pub(crate) static L5: Field<f64, Required> = Field::real(
     MM,
     [0.0, 50.0],
     t("Sobremetal de refrentado L5", "Facing allowance L5"),
-    t("El origen W1 (G54) está L5 a la izquierda de la cara", "The zero W1 (G54) lies L5 to the left of the face"),
+    t(
+        "El cero pieza W1 (G54) está L5 a la izquierda de la cara",
+        "The part zero W1 (G54) is L5 to the left of the face",
+    ),
 );
 
 const STOCK: &[&Parameter] = &[&D.row, &L.row, &STOCK_BORE_D.row, &L4.row, &L5.row];
@@ -150,7 +153,7 @@ pub(crate) static L1: Field<f64, Required> = Field::real(
     MM,
     [0.0, 1000.0],
     t("Cuerpo del plato L1", "Chuck body L1"),
-    t("Desde el cero máquina M, la cara del husillo", "From machine zero M, the face of the spindle"),
+    t("Desde el cero máquina M, la cara del husillo", "From machine zero M, the spindle face"),
 );
 pub(crate) static L2: Field<f64, Required> = Field::real(
     "L2",
@@ -166,7 +169,7 @@ pub(crate) static TAILSTOCK: Field<Support, Required> = Field::choice(
     "tailstock",
     "tailstock",
     t("Contrapunto", "Tailstock"),
-    t("Según el voladizo: cuando L3 pasa de 3·D", "By the overhang: where L3 is more than 3·D"),
+    t("Según el voladizo: si L3 pasa de 3·D", "By the stick-out: if L3 is above 3·D"),
 );
 
 const CHUCK: &[&Parameter] = &[&L1.row, &L2.row, &D_C.row, &TAILSTOCK.row];
@@ -176,33 +179,21 @@ pub(crate) static X_MIN: Field<f64, Optional> = Field::real(
     "travel_X_min",
     MM,
     [-5000.0, 5000.0],
-    t("Recorrido X mínimo", "Least X of the travel"),
-    t("Diámetro, del punto de referencia de la torreta, desde M", "Diameter, of the turret's reference point, from M"),
+    t("Recorrido mínimo en X", "Minimum X travel"),
+    t("Punto de referencia de la torreta, en diámetro, desde M", "Turret reference point, as a diameter, from M"),
 );
-pub(crate) static X_MAX: Field<f64, Optional> = Field::real(
-    "X_max",
-    "travel_X_max",
-    MM,
-    [-5000.0, 5000.0],
-    t("Recorrido X máximo", "Greatest X of the travel"),
-    NONE,
-);
+pub(crate) static X_MAX: Field<f64, Optional> =
+    Field::real("X_max", "travel_X_max", MM, [-5000.0, 5000.0], t("Recorrido máximo en X", "Maximum X travel"), NONE);
 pub(crate) static Z_MIN: Field<f64, Optional> = Field::real(
     "Z_min",
     "travel_Z_min",
     MM,
     [-5000.0, 5000.0],
-    t("Recorrido Z mínimo", "Least Z of the travel"),
-    t("Del punto de referencia de la torreta, desde M", "Of the turret's reference point, from M"),
+    t("Recorrido mínimo en Z", "Minimum Z travel"),
+    t("Punto de referencia de la torreta, desde M", "Turret reference point, from M"),
 );
-pub(crate) static Z_MAX: Field<f64, Optional> = Field::real(
-    "Z_max",
-    "travel_Z_max",
-    MM,
-    [-5000.0, 5000.0],
-    t("Recorrido Z máximo", "Greatest Z of the travel"),
-    NONE,
-);
+pub(crate) static Z_MAX: Field<f64, Optional> =
+    Field::real("Z_max", "travel_Z_max", MM, [-5000.0, 5000.0], t("Recorrido máximo en Z", "Maximum Z travel"), NONE);
 pub(crate) static G_X: Field<f64, Required> = Field::real(
     "G_X",
     "rapid_G_X",
@@ -224,22 +215,22 @@ pub(crate) static S_MAX: Field<f64, Required> = Field::real(
     "spindle_S_max",
     Unit::RevolutionPerMinute,
     [1.0, 100_000.0],
-    t("Giro máximo del husillo", "Greatest speed of the spindle"),
+    t("Giro máximo del husillo", "Maximum spindle speed"),
     NONE,
 );
 pub(crate) static RAPID: Field<Rapids, Required> = Field::choice(
     "rapid",
     "rapid_path",
-    t("Recorrido de G0", "Way of G0"),
-    t("Lo decide un parámetro del control", "A setting of the control decides"),
+    t("Trayectoria de G0", "Path of G0"),
+    t("Depende de un parámetro del control", "Depends on a parameter of the control"),
 );
 pub(crate) static TURRET: Field<Side, Required> = Field::choice(
     "turret",
     "turret",
     t("Torreta", "Turret"),
     t(
-        "Delantera: X hacia el operario; decide qué sentido de giro corta",
-        "Front: X towards the operator; decides which way the spindle must turn",
+        "Delantera: X hacia el operario. Decide el sentido de giro para cortar",
+        "Front: X towards the operator. Decides which way the spindle must turn",
     ),
 );
 
@@ -251,10 +242,10 @@ pub(crate) static BX_MIN: Field<f64, Optional> = Field::real(
     "body_BX_min",
     MM,
     [-1000.0, 1000.0],
-    t("Menor X del cuerpo, en radio", "Least X of the body, on the radius"),
+    t("X mínima del cuerpo, en radio", "Minimum X of the body, as a radius"),
     t(
-        "Desde el punto de referencia de la torreta, como Q_x; incluya lo que alcanzan el disco y las herramientas vecinas. Los cuatro vacíos: no se vigila",
-        "From the turret's reference point, as Q_x; include what the disc and the neighbouring tools reach. All four empty: not watched",
+        "Desde el punto de referencia de la torreta, como Q_x. Incluya el alcance del disco y de las herramientas vecinas. Las cuatro vacías: no se vigila",
+        "From the turret reference point, like Q_x. Include the reach of the disc and the neighbouring tools. All four empty: not watched",
     ),
 );
 pub(crate) static BX_MAX: Field<f64, Optional> = Field::real(
@@ -262,7 +253,7 @@ pub(crate) static BX_MAX: Field<f64, Optional> = Field::real(
     "body_BX_max",
     MM,
     [-1000.0, 1000.0],
-    t("Mayor X del cuerpo, en radio", "Greatest X of the body, on the radius"),
+    t("X máxima del cuerpo, en radio", "Maximum X of the body, as a radius"),
     NONE,
 );
 pub(crate) static BZ_MIN: Field<f64, Optional> = Field::real(
@@ -270,10 +261,10 @@ pub(crate) static BZ_MIN: Field<f64, Optional> = Field::real(
     "body_BZ_min",
     MM,
     [-1000.0, 1000.0],
-    t("Menor Z del cuerpo", "Least Z of the body"),
+    t("Z mínima del cuerpo", "Minimum Z of the body"),
     t(
-        "Una broca o una barra queda libre hasta su largo l, o hasta el punto de referencia",
-        "A drill or a bar is free up to its length l, or up to the reference point",
+        "Una broca o barra sobresale libre hasta su largo l, o hasta el punto de referencia",
+        "A drill or bar sticks out free up to its length l, or up to the reference point",
     ),
 );
 pub(crate) static BZ_MAX: Field<f64, Optional> = Field::real(
@@ -281,7 +272,7 @@ pub(crate) static BZ_MAX: Field<f64, Optional> = Field::real(
     "body_BZ_max",
     MM,
     [-1000.0, 1000.0],
-    t("Mayor Z del cuerpo", "Greatest Z of the body"),
+    t("Z máxima del cuerpo", "Maximum Z of the body"),
     NONE,
 );
 
@@ -322,10 +313,10 @@ pub(crate) static Z_S: Field<f64, Optional> = Field::real(
     "second_Z_s",
     MM,
     [-1000.0, 1000.0],
-    t("Desplazamiento de la pieza vuelta", "Shift of the part turned round"),
+    t("Desplazamiento de la pieza vuelta", "Shift of the turned-round part"),
     t(
-        "Se refleja por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2",
-        "It is mirrored about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2",
+        "La pieza se refleja por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2",
+        "The part is mirrored about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2",
     ),
 );
 
@@ -355,15 +346,15 @@ pub(crate) static HOLE_R: Field<HolePlane, Optional> = Field::choice(
     "hole_R",
     t("R de G81 a G83", "R of G81 to G83"),
     t(
-        "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde donde está la herramienta. Vacío: absoluta",
-        "fanuc-lathe-a. Absolute: the Z of the plane. Incremental: from where the tool stands. Empty: absolute",
+        "fanuc-lathe-a. Absoluta: la Z del plano. Incremental: desde la posición de la herramienta. Vacío: absoluta",
+        "fanuc-lathe-a. Absolute: the Z of the plane. Incremental: from the tool's position. Empty: absolute",
     ),
 );
 
 const CONTROL: &[&Parameter] = &[&R_X.row, &R_Z.row, &HOLE_R.row];
 
 pub(crate) static BLOCK: Field<String, Required> =
-    Field::line("program/BLOCK", "", 200, t("un bloque por fila", "one block a row"), NONE);
+    Field::line("program/BLOCK", "", 200, t("un bloque por fila", "one block per row"), NONE);
 pub(crate) static NOTE: Field<String, Optional> =
     Field::line("program/NOTE", "", 200, t("no se lee", "not read"), NONE);
 
@@ -378,7 +369,7 @@ pub(crate) static PROFILE_G: Field<Element, Required> = Field::choice(
 pub(crate) static PROFILE_X: Field<f64, Required> =
     Field::real("profile/X", "", MM, [0.0, 2000.0], t("diámetro", "diameter"), NONE);
 pub(crate) static PROFILE_Z: Field<f64, Required> =
-    Field::real("profile/Z", "", MM, [-2000.0, 2000.0], t("desde el origen W1", "from the zero W1"), NONE);
+    Field::real("profile/Z", "", MM, [-2000.0, 2000.0], t("desde el cero pieza W1", "from the part zero W1"), NONE);
 pub(crate) static PROFILE_R: Field<f64, Optional> =
     Field::real("profile/R", "", MM, [0.001, 10_000.0], t("radio del arco", "radius of the arc"), NONE);
 
@@ -396,8 +387,8 @@ pub const SUBPROGRAM_KEY: &str = "subprogram";
 pub const PROFILE_KEY: &str = "profile";
 
 const BLOCKS_NOTE: Text = t(
-    "Un bloque por fila en la columna BLOCK; las filas vacías se saltan. Los subprogramas externos van en hojas llamadas O y su número, como O0005.",
-    "One block a row in column BLOCK; empty rows are skipped. External subprograms go on sheets called O and their number, such as O0005.",
+    "Escriba un bloque por fila en la columna BLOCK; rodete salta las filas vacías. Ponga los subprogramas externos en hojas llamadas O y su número, como O0005.",
+    "Write one block per row in column BLOCK; rodete skips empty rows. Put external subprograms on sheets named O and their number, like O0005.",
 );
 
 /// The lathe workbook.
@@ -412,7 +403,7 @@ pub static FORM: Form = Form {
     viewer: true,
     sheets: &[Sheet {
         name: t("DATOS", "DATA"),
-        title: t("Datos del torneado", "Data of the turning"),
+        title: t("Datos del torneado", "Turning data"),
         optional: false,
         sections: &[
             Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
@@ -428,9 +419,9 @@ pub static FORM: Form = Form {
                 ),
                 parameters: BODY,
             },
-            Section { title: t("Otros orígenes, desde M", "Further zeros, from M"), parameters: ZEROS },
+            Section { title: t("Otros ceros pieza, desde M", "Other part zeros, from M"), parameters: ZEROS },
             Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND },
-            Section { title: t("Ajustes del control", "Settings of the control"), parameters: CONTROL },
+            Section { title: t("Ajustes del control", "Control settings"), parameters: CONTROL },
             title_block::SECTION,
         ],
     }],
@@ -474,8 +465,8 @@ pub static FORM: Form = Form {
             naming: Naming::One(t("PERFIL", "PROFILE")),
             title: t("Perfil deseado", "Wanted profile"),
             note: t(
-                "Los puntos del contorno que debe quedar, en orden; el primero es el comienzo. Se compara con el contorno torneado.",
-                "The points of the contour that is wanted, in order; the first one is its beginning. It is held against the turned contour.",
+                "Los puntos del contorno deseado, en orden; el primero es el comienzo. rodete lo compara con el contorno torneado.",
+                "The points of the wanted contour, in order; the first one is its beginning. rodete compares it with the turned contour.",
             ),
             is_program: false,
             optional: true,

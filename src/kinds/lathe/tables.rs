@@ -119,7 +119,7 @@ impl Rows {
         self.alarms.push(Text::same(numbers.join(", ")));
     }
 
-    /// Adds to the row of a motion an alarm that was told when the program had ended.
+    /// Adds to the row of a motion an alarm that was reported when the program had ended.
     pub fn late(&mut self, alarm: &Alarm) {
         if let Some(numbers) = self.alarms.get_mut(alarm.motion) {
             let before = if numbers.en.is_empty() { String::new() } else { format!("{}, ", numbers.en) };
@@ -221,7 +221,7 @@ pub fn lines_table(motions: &[Table]) -> Table {
         title: t("Lo que hace cada bloque", "What each block does"),
         source: t(
             "Sumas sobre los movimientos de cada línea; de a_p, V_c y Q, el mayor valor; a_p de una rosca, desde el exterior",
-            "Sums over the motions of each line; of a_p, V_c and Q the greatest; a_p of a thread from the outside",
+            "Sums over the motions of each line; for a_p, V_c and Q the maximum; a_p of a thread from the outside",
         ),
         index: Index::None,
         print: Print::Short,
@@ -297,7 +297,7 @@ pub fn tools_table<'a>(turret: &Turret, programs: impl Iterator<Item = &'a Total
         title: t("Lo que hace cada herramienta", "What each tool does"),
         source: t(
             "Sumas sobre los movimientos; de a_p, V_c y Q, el mayor valor",
-            "Sums over the motions; of a_p, V_c and Q the greatest",
+            "Sums over the motions; for a_p, V_c and Q the maximum",
         ),
         index: Index::None,
         print: Print::Short,

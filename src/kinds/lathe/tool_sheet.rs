@@ -105,9 +105,9 @@ pub(crate) static PSI: Field<f64, Optional> = Field::real(
     NONE,
 );
 pub(crate) static P_MIN: Field<f64, Optional> =
-    Field::real("tools/p_min", "", MM, [0.05, 50.0], t("paso menor", "least lead"), NONE);
+    Field::real("tools/p_min", "", MM, [0.05, 50.0], t("paso mínimo", "minimum lead"), NONE);
 pub(crate) static P_MAX: Field<f64, Optional> =
-    Field::real("tools/p_max", "", MM, [0.05, 50.0], t("paso mayor", "greatest lead"), NONE);
+    Field::real("tools/p_max", "", MM, [0.05, 50.0], t("paso máximo", "maximum lead"), NONE);
 pub(crate) static HAND: Field<Hand, Usual> =
     Field::choice_or(Hand::Right, "tools/hand", "", t("mano; vacío: R", "hand; empty: R"), NONE);
 pub(crate) static TIP: Field<u32, Optional> = Field::whole(
@@ -176,8 +176,8 @@ pub(super) const LIST: List = List {
     naming: Naming::One(t("HERRAMIENTAS", "TOOLS")),
     title: t("Herramientas", "Tools"),
     note: t(
-        "El catálogo: una herramienta por fila; las que llevan T están montadas en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al de referencia de la torreta, hacia +X y +Z: son los correctores del control. M: el giro con el que corta, según qué cara mira arriba; en las de ranurar y roscar dice, con la mano, a qué lado queda el mango. En ellas, vacía: R con M3; L en torreta delantera con M3 y el mango hacia el plato, en trasera con M4.",
-        "The catalogue: one tool a row; those with a T are mounted in that place of the turret, 1 to 8. The programmed point is the imaginary tip of the insert; of a grooving insert its left corner; of a drill its point. Q_x and Q_z go from that point to the turret's reference point, towards +X and +Z: they are the offsets in the control. M: the spindle's way in the cut, by the face that looks up; of grooving and threading tools it says, with the hand, to which side the shank lies. Empty, of these: R with M3; L in a front turret with M3, its shank towards the chuck, in a rear one with M4.",
+        "El catálogo: una herramienta por fila. Una herramienta con T está montada en ese puesto de la torreta, de 1 a 8. El punto programado es la punta teórica de la placa; en una ranuradora, su esquina izquierda; en una broca, su punta. Q_x y Q_z van de ese punto al punto de referencia de la torreta, hacia +X y +Z: son los correctores del control. M es el giro de corte, según la cara que queda arriba; en las de ranurar y roscar, M y la mano dan además el lado del mango. Si M está vacía en una de ellas: R corta con M3; L corta con M3 en torreta delantera, con el mango hacia el plato, y con M4 en torreta trasera.",
+        "The catalogue: one tool per row. A tool with a T is mounted in that turret place, 1 to 8. The programmed point is the imaginary tip of the insert; for a grooving insert its left corner, for a drill its point. Q_x and Q_z go from that point to the turret reference point, towards +X and +Z: they are the tool offsets in the control. M is the spindle direction in the cut, according to the face that is up; for grooving and threading tools, M and the hand also give the side of the shank. If M is empty for such a tool: R cuts with M3; L cuts with M3 in a front turret, with its shank towards the chuck, and with M4 in a rear turret.",
     ),
     is_program: false,
     optional: false,

@@ -11,33 +11,33 @@ rules! {
         es "ASME B36.10 no tiene cédula {number} en el tamaño {nps}"
         en "ASME B36.10 has no schedule {number} in size {nps}"
         remedy "elija otra cédula, o escriba {diameter} y {wall}", "choose another schedule, or fill in {diameter} and {wall}";
-        why "La norma no da pared para ese par; no se adivina.", "The standard gives no wall for this pair; none is guessed.";
+        why "La norma no da espesor para ese par, y rodete no lo adivina.", "The standard gives no wall thickness for this pair, and rodete does not guess one.";
         example book!("pipe-insert", "branch_size" = "1/8 in", "branch_schedule" = "Sch 160");
     "P2002" TwoSizes Stop {
         size: &'static str, nps: &'static str, number: &'static str, outside: Typed, thick: Typed, diameter: &'static str, wall: &'static str,
     }
-        es "{size} {nps} cédula {number} es {outside} × {thick}, y {diameter} o {wall} dicen otra cosa"
-        en "{size} {nps} schedule {number} is {outside} × {thick}, and {diameter} or {wall} say otherwise"
-        remedy "deje vacíos {diameter} y {wall}, o el tamaño nominal", "leave {diameter} and {wall} empty, or the nominal size";
-        why "De dos medidas de un tubo no se sabe cuál es la suya.", "Of two sizes of one pipe it is not known which one is its own.";
+        es "{size} {nps} cédula {number} es {outside} × {thick}, pero {diameter} o {wall} no coincide"
+        en "{size} {nps} schedule {number} is {outside} × {thick}, but {diameter} or {wall} differs"
+        remedy "deje vacíos {diameter} y {wall}, o el tamaño nominal", "empty {diameter} and {wall}, or the nominal size";
+        why "Con dos medidas distintas no se sabe cuál es la del tubo.", "With two different sizes it is not clear which one the pipe has.";
         example book!("pipe-insert", "D_branch" = "90");
     "P2003" SizeMissing Stop { size: &'static str, schedule: &'static str, diameter: &'static str, wall: &'static str }
         es "falta el tamaño: {size} y {schedule}, o {diameter} y {wall}"
         en "the size is missing: {size} and {schedule}, or {diameter} and {wall}"
         remedy "rellene uno de los dos pares", "fill in one of the two pairs";
-        why "Sin diámetro y pared no hay curva.", "Without diameter and wall there is no curve.";
+        why "La curva de corte sale del diámetro y la pared.", "The cut depends on the diameter and the wall.";
         example book!("pipe-insert", "branch_schedule" = "");
     "P2004" WallBeyondRadius Stop { pipe: Text, wall: Size, radius: Size }
-        es "la pared {pipe} es {wall} y debe ser menor que su radio, {radius}"
-        en "the wall {pipe} is {wall}, must be below its radius, {radius}"
+        es "la pared {pipe} mide {wall} y debe ser menor que el radio, {radius}"
+        en "the wall {pipe} is {wall}; it must be less than the radius, {radius}"
         remedy "compruebe diámetro y pared", "check diameter and wall";
-        why "Un tubo tiene un hueco.", "A pipe has a bore.";
+        why "Con una pared así el tubo no tendría hueco.", "With such a wall the pipe would have no bore.";
         example book!("pipe-hole", "branch_size" = "", "branch_schedule" = "", "D_branch" = "20", "t_branch" = "15");
     "P2005" NoLeadIn Caution {}
         es "sin entrada: la antorcha perfora sobre la curva"
         en "no lead-in: the torch pierces on the curve"
-        remedy "una entrada de unos milímetros", "a lead-in of some millimetres";
-        why "Al perforar el arco deja un cráter más ancho que el corte, y ahí quedaría en la pieza.",
-            "Where it pierces the arc leaves a crater wider than the cut, and that would stay in the part.";
+        remedy "ponga una entrada de unos milímetros", "use a lead-in of a few millimetres";
+        why "La perforación deja un cráter más ancho que el corte, y sin entrada queda en la pieza.",
+            "Piercing leaves a crater wider than the cut, and without a lead-in it stays in the part.";
         example book!("pipe-hole", "lead_in" = "0");
 }

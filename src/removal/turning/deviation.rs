@@ -51,7 +51,7 @@ pub struct Deviation {
     pub under: Option<(f64, [f64; 2])>,
 }
 
-/// Why a part was not held against a profile.
+/// Why a part was not compared with a profile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unmeasured {
     /// No surface is left of the part.
@@ -133,10 +133,10 @@ fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<
 /// How far a part's contours are from a wanted profile, on either side.
 ///
 /// The distance to the nearest contour is taken at the profile's points, along its lines every quarter of a millimetre, and
-/// where each corner of the contours is nearest to it; whether metal is left or missing is told by whether the place lies in
+/// where each corner of the contours is nearest to it; whether metal is left or missing is reported by whether the place lies in
 /// metal. So it does not matter which way the profile runs, nor whether it is outside or inside.
 ///
-/// Each place is held against every edge and each corner against every line: `most_work` is how many steps that may take, of
+/// Each place is compared with every edge and each corner against every line: `most_work` is how many steps that may take, of
 /// 16 of them each.
 pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result<Deviation, Unmeasured> {
     let points = profile.points().ok_or(Unmeasured::Work)?;

@@ -25,13 +25,13 @@ pub struct InForceWatch {
     own: BTreeMap<u32, u32>,
     /// Tools with the offsets that were told of.
     told: BTreeSet<(u32, u32)>,
-    /// The spindle stands still in a feed per revolution, and that was told.
+    /// The spindle stands still in a feed per revolution, and that was reported.
     stands: bool,
-    /// Tools with feeds that are none of turning, and that was told.
+    /// Tools with feeds that are none of turning, and that was reported.
     fed: BTreeSet<(u32, u64)>,
     /// The tool of the thread in hand, and the speed of its first pass.
     thread: Option<(u32, f64)>,
-    /// Tools whose speed in a thread changes, and that was told.
+    /// Tools whose speed in a thread changes, and that was reported.
     threads: BTreeSet<u32>,
 }
 
@@ -74,7 +74,7 @@ impl InForceWatch {
         if let Some(Feed { mode: FeedMode::PerRevolution, value }) = feed
             && value > 0.0
         {
-            // No time can be told: the spindle does not turn.
+            // No time can be reported: the spindle does not turn.
             let stopped = step.seconds.is_none();
             let cutting = step.alarms.iter().any(|alarm| alarm.cause == Cause::SpindleStopped);
             if stopped && !cutting && !self.stands {

@@ -151,7 +151,7 @@ impl Watch {
         }
     }
 
-    /// How many passes of threads are held against a new one.
+    /// How many passes of threads are compared with a new one.
     pub const fn passes(&self) -> usize {
         self.passes.len()
     }

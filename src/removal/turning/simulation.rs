@@ -206,7 +206,7 @@ impl Simulation {
         self.part.volume()
     }
 
-    /// The alarms that can be told only of the part as it is when the program has ended: where an edge has taken away again
+    /// The alarms that can be reported only of the part as it is when the program has ended: where an edge has taken away again
     /// what the nose had made, and no later motion has taken that surface.
     #[must_use]
     pub fn lasting(&self) -> Vec<Alarm> {
@@ -532,7 +532,7 @@ impl Simulation {
                 tally.raise(cause, tally.begins.unwrap_or(start), None);
             }
         }
-        // What is deeper than its edge is told for that.
+        // What is deeper than its edge is reported for that.
         let deep = if contact.edge.is_some() { 0.0 } else { contact.across };
         watch.edge(&ready.tool, control, pieces, deep, tally);
         let back = contact.back.or(contact.beside.filter(|_| !contact.dragged));

@@ -4,7 +4,7 @@
 //! behind the nose stands, that edge goes ahead of it into the surface that the nose has just made, and leaves its own line
 //! below: the profile cannot be made by this tool. Each stretch of the part's contour carries a label for it: made by a nose,
 //! with the direction of its way; or a mark, with how deep it lies below what a nose had made. At the end of the program the
-//! marks that are on the part are told; what a later motion takes away has left none. Labels and marks go with a part that is
+//! marks that are on the part are reported; what a later motion takes away has left none. Labels and marks go with a part that is
 //! turned about, so that this holds over both its set-ups.
 //!
 //! # What counts as a mark

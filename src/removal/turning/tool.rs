@@ -186,7 +186,7 @@ impl TurningTool {
         matches!(self.cutter, Cutter::Drill { .. } | Cutter::CentreDrill { .. })
     }
 
-    /// The nose radius that nose-radius compensation reckons with, mm; 0 for drills.
+    /// The nose radius that nose-radius compensation counts on, mm; 0 for drills.
     #[must_use]
     pub const fn nose(&self) -> f64 {
         match self.cutter {

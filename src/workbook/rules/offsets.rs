@@ -11,88 +11,88 @@ rules! {
     "W0701" OffsetsSheetNotFound Stop { wanted: Text, there: String }
         es "no se encuentra la hoja {wanted}; hay: {there}"
         en "sheet {wanted} not found; there are: {there}"
-        remedy "dé el nombre de un libro que no exista: se escribe con los orígenes del archivo",
-            "give the name of a workbook that does not exist: it is written with the file's offsets";
-        why "Los orígenes se leen de una hoja de este nombre.", "The offsets are read from a sheet of this name.";
+        remedy "dé el nombre de un libro que no exista: rodete lo escribe con los decalajes del archivo",
+            "give the name of a workbook that does not exist: rodete writes it with the file's offsets";
+        why "rodete lee los decalajes de una hoja con este nombre.", "rodete reads the offsets from a sheet with this name.";
         example made!("offsets-none", "el libro de un rodete en lugar de uno de orígenes", "an impeller workbook in place of one of offsets");
     "W0702" OffsetsSchemaMissing Stop { known: &'static str }
-        es "la hoja no dice su esquema; aquí rodete lee \"{known}\""
-        en "the sheet does not name its schema; rodete reads \"{known}\" here"
-        remedy "dé el nombre de un libro que no exista, para que se escriba, y pase a él los valores",
-            "give the name of a workbook that does not exist, to have it written, and copy the values into it";
-        why "El esquema dice qué significa cada columna.", "The schema tells what each column means.";
+        es "la hoja no indica su esquema; rodete lee \"{known}\""
+        en "the sheet does not name its schema; rodete reads \"{known}\""
+        remedy "dé el nombre de un libro que no exista, para que rodete lo escriba, y pase a él los valores",
+            "give the name of a workbook that does not exist, so that rodete writes it, and copy the values into it";
+        why "El esquema fija qué significa cada columna.", "The schema fixes what each column means.";
         example made!("offsets-no-schema", "una hoja OFFSETS sin su esquema", "a sheet OFFSETS without its schema");
     "W0703" OffsetsOtherSchema Stop { found: String, known: &'static str }
-        es "el esquema es \"{found}\"; aquí rodete lee \"{known}\""
-        en "the schema is \"{found}\"; rodete reads \"{known}\" here"
-        remedy "dé el nombre de un libro que no exista, para que se escriba, y pase a él los valores",
-            "give the name of a workbook that does not exist, to have it written, and copy the values into it";
+        es "el esquema es \"{found}\"; rodete lee \"{known}\""
+        en "the schema is \"{found}\"; rodete reads \"{known}\""
+        remedy "dé el nombre de un libro que no exista, para que rodete lo escriba, y pase a él los valores",
+            "give the name of a workbook that does not exist, so that rodete writes it, and copy the values into it";
         why "En otra versión una misma columna puede significar otra cosa.", "In another version the same column may mean something else.";
         example made!("offsets-schema", "una hoja OFFSETS del esquema rodete-offsets 9", "a sheet OFFSETS of the schema rodete-offsets 9");
     "W0704" SeveralTables Stop {}
         es "hay varias filas de títulos"
         en "there are several rows of headings"
-        remedy "deje una sola tabla en la hoja", "leave one table only on the sheet";
-        why "No se sabe cuál de las tablas vale.", "Nobody knows which of the tables holds.";
+        remedy "deje una sola tabla en la hoja", "keep only one table on the sheet";
+        why "No se sabe cuál de las tablas vale.", "It is not clear which table counts.";
         example made!("offsets-tables", "una hoja OFFSETS con dos filas de títulos", "a sheet OFFSETS with two rows of headings");
     "W0705" OffsetsUnitNotSaid Stop { column: &'static str, unit: &'static str, cell: String }
-        es "{column} no dice su unidad"
-        en "{column} does not say its unit"
+        es "{column} no indica su unidad"
+        en "{column} does not give its unit"
         remedy "escriba {unit} en {cell}", "write {unit} in {cell}";
-        why "Unos orígenes en pulgadas leídos como milímetros llevan la herramienta contra la pieza.",
+        why "Unos decalajes en pulgadas leídos como milímetros llevan la herramienta contra la pieza.",
             "Offsets in inches read as millimetres take the tool into the work.";
         example made!("offsets-unit-empty", "una hoja OFFSETS con la unidad de X borrada", "a sheet OFFSETS with the unit of X cleared");
     "W0706" OffsetsOtherUnit Stop { column: &'static str, written: String, unit: &'static str, cell: String }
-        es "{column} está en \"{written}\", y el archivo en {unit}"
-        en "{column} is in \"{written}\", and the file in {unit}"
+        es "{column} está en \"{written}\", pero el archivo está en {unit}"
+        en "{column} is in \"{written}\", but the file is in {unit}"
         remedy "escriba {unit} en {cell}", "write {unit} in {cell}";
-        why "Las unidades se comparan y no se convierten.", "Units are compared and not converted.";
+        why "rodete compara las unidades y no las convierte.", "rodete compares units and does not convert them.";
         example made!("offsets-unit", "una hoja OFFSETS con X en cm", "a sheet OFFSETS with X in cm");
     "W0707" OffsetsInInches Stop { column: &'static str, written: String, unit: &'static str, cell: String }
-        es "{column} está en \"{written}\", y el archivo en {unit}"
-        en "{column} is in \"{written}\", and the file in {unit}"
-        remedy "dé --inch si la máquina cuenta en pulgadas; si no, convierta los valores y escriba {unit} en {cell}",
-            "give --inch if the machine counts in inches; else convert the values and write {unit} in {cell}";
-        why "El archivo de parámetros no dice su unidad: la dice la opción.",
-            "The parameter file does not name its unit: the option does.";
+        es "{column} está en \"{written}\", pero el archivo está en {unit}"
+        en "{column} is in \"{written}\", but the file is in {unit}"
+        remedy "dé --inch si la máquina trabaja en pulgadas; si no, convierta los valores y escriba {unit} en {cell}",
+            "give --inch if the machine works in inches; otherwise convert the values and write {unit} in {cell}";
+        why "El archivo de parámetros no indica su unidad: la indica la opción.",
+            "The parameter file does not give its unit: the option does.";
         example made!("offsets-inches", "una hoja OFFSETS con X en inch, leída sin --inch", "a sheet OFFSETS with X in inch, read without --inch");
     "W0708" OffsetsInMillimetres Stop { column: &'static str, written: String, unit: &'static str, cell: String }
-        es "{column} está en \"{written}\", y el archivo en {unit}"
-        en "{column} is in \"{written}\", and the file in {unit}"
-        remedy "quite --inch si la máquina cuenta en milímetros; si no, convierta los valores y escriba {unit} en {cell}",
-            "leave --inch out if the machine counts in millimetres; else convert the values and write {unit} in {cell}";
-        why "El archivo de parámetros no dice su unidad: la dice la opción.",
-            "The parameter file does not name its unit: the option does.";
+        es "{column} está en \"{written}\", pero el archivo está en {unit}"
+        en "{column} is in \"{written}\", but the file is in {unit}"
+        remedy "quite --inch si la máquina trabaja en milímetros; si no, convierta los valores y escriba {unit} en {cell}",
+            "leave out --inch if the machine works in millimetres; otherwise convert the values and write {unit} in {cell}";
+        why "El archivo de parámetros no indica su unidad: la indica la opción.",
+            "The parameter file does not give its unit: the option does.";
         example made!("offsets-millimetres", "una hoja OFFSETS en mm, leída con --inch", "a sheet OFFSETS in mm, read with --inch");
     "W0709" NoSystems Stop {}
-        es "bajo los títulos no hay ningún sistema"
-        en "there is no system below the headings"
+        es "no hay ningún decalaje bajo los títulos"
+        en "there is no work offset below the headings"
         remedy "escriba G54 a G59.3 en la columna A", "write G54 to G59.3 in column A";
-        why "Sin el nombre del sistema no se sabe de quién son los valores.", "Without a system's name nobody knows whose the values are.";
+        why "Sin su nombre no se sabe a qué decalaje pertenecen los valores.", "Without its name it is not clear which offset the values belong to.";
         example made!("offsets-empty", "una hoja OFFSETS sin filas", "a sheet OFFSETS without rows");
     "W0710" G92Rotation Stop { cell: String }
         es "G92 no tiene giro"
         en "G92 has no rotation"
         remedy "vacíe la celda {cell}", "empty cell {cell}";
-        why "LinuxCNC guarda un giro con cada sistema de G54 a G59.3, y ninguno con G92.",
-            "LinuxCNC keeps a rotation with each system from G54 to G59.3, and none with G92.";
+        why "LinuxCNC guarda un giro con cada decalaje de G54 a G59.3, pero no con G92.",
+            "LinuxCNC keeps a rotation with each offset from G54 to G59.3, but not with G92.";
         example made!("offsets-g92", "una hoja OFFSETS con un giro en la fila G92", "a sheet OFFSETS with a rotation in the row G92");
     "W0711" NoActiveSystem Stop {}
-        es "ningún sistema está activo"
-        en "no system is active"
-        remedy "escriba sí en uno de ellos, o quite la columna", "write yes for one of them, or take the column out";
-        why "La máquina arranca siempre con uno.", "The machine always starts with one.";
+        es "ningún decalaje está activo"
+        en "no work offset is active"
+        remedy "escriba sí en uno de ellos, o quite la columna", "write yes for one of them, or delete the column";
+        why "La máquina arranca siempre con un decalaje activo.", "The machine always starts with one active offset.";
         example made!("offsets-inactive", "una hoja OFFSETS con no en todos los sistemas", "a sheet OFFSETS with no for every system");
     "W0712" SeveralActiveSystems Stop { names: String }
-        es "hay varios sistemas activos: {names}"
-        en "several systems are active: {names}"
-        remedy "deje sí en uno solo", "leave yes for one only";
-        why "La máquina arranca con uno solo.", "The machine starts with one only.";
+        es "hay varios decalajes activos: {names}"
+        en "several work offsets are active: {names}"
+        remedy "deje sí en uno solo", "keep yes for only one";
+        why "La máquina arranca con un solo decalaje activo.", "The machine starts with only one active offset.";
         example made!("offsets-active", "una hoja OFFSETS con sí en G54 y en G55", "a sheet OFFSETS with yes for G54 and for G55");
     "W0713" NotOnSheet Note { names: String }
-        es "no está en la hoja y queda como en el archivo: {names}"
-        en "not on the sheet and left as in the file: {names}"
+        es "la hoja no lo nombra y queda como en el archivo: {names}"
+        en "not on the sheet, so unchanged in the file: {names}"
         remedy "", "";
-        why "Lo que la hoja no nombra no se borra.", "What the sheet does not name is not cleared.";
+        why "rodete no borra lo que la hoja no nombra.", "rodete does not clear what the sheet does not name.";
         example made!("offsets-left", "una hoja OFFSETS sin la fila G59.3", "a sheet OFFSETS without the row G59.3");
 }

@@ -140,7 +140,11 @@ fn notes_alone_tell_no_more() {
     let folder = with_refused();
     fs::write(folder.path().join("part.ngc"), "G0 X1\nM2\n").expect("a program");
     let (out, err) = said(&folder, &["verify", "part.ngc"]);
-    assert!(out.contains("\nnote U0127: dialect not named: read as linuxcnc\n") && !out.contains("explain"), "{out}");
+    assert!(
+        out.contains("\nnote U0127: no dialect given: rodete reads the program as linuxcnc\n")
+            && !out.contains("explain"),
+        "{out}"
+    );
     assert_eq!(err, "");
 }
 

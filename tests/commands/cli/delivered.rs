@@ -64,7 +64,7 @@ fn every_command_completes_a_set_that_a_killed_run_left_half_delivered() {
         assert_eq!(done.status.code(), Some(0), "{command:?}: {}", String::from_utf8_lossy(&done.stderr));
         let said = [done.stderr, done.stdout].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
         let wanted = "the set was completed: impeller-blade.nc, impeller-impeller.nc";
-        assert!(said.contains("a run was stopped while it delivered its files into"), "{command:?}: {said}");
+        assert!(said.contains("a run was interrupted while delivering its files to"), "{command:?}: {said}");
         assert!(said.contains(wanted), "{command:?}: {said}");
         if command[0] != "build" {
             assert_eq!(programs(&out), [NEW, NEW], "{command:?}");
@@ -89,10 +89,10 @@ fn a_mixed_set_that_cannot_be_mended_is_refused_by_every_command_with_its_names(
         let done = rodete(&folder).args(command).output().expect("run");
         assert_eq!(done.status.code(), Some(code), "{command:?}");
         let said = [done.stderr, done.stdout].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
-        let wanted = "do not belong together: a run was stopped while it delivered them; new: impeller-blade.nc; of \
+        let wanted = "do not belong together: a run was interrupted while delivering them; new: impeller-blade.nc; of \
                       before: impeller-impeller.nc";
         assert!(said.contains(wanted), "{command:?}: {said}");
-        assert!(said.contains("use none of them; delete the new ones and build again"), "{command:?}: {said}");
+        assert!(said.contains("use none of these files; delete the new ones and build again"), "{command:?}: {said}");
         assert_eq!(programs(&out), [NEW, OLD], "{command:?}");
         fs::remove_file(out.join(FILES[0])).expect("the new one");
         rodete(&folder).args(["verify", "impeller-out/impeller-impeller.nc"]).assert().code(0);

@@ -112,9 +112,9 @@ fn wrong_words_end_with_2_all_at_once_and_write_nothing() {
         .code(2)
         .stdout("")
         .stderr(
-            "error G1113: 'G55 X1,5': '1,5' is not a number\nhint: the decimal separator is the point: X1.5\n\
-             error G1103: 'G92 X1': G92 starts from the position of the machine, which the file does not know\n\
-             hint: write G52 with the offsets, which are kept in the same registers, or G92.1 to clear them\n\
+            "error G1113: 'G55 X1,5': '1,5' is not a number\nhint: use a point as decimal separator is the point: X1.5\n\
+             error G1103: 'G92 X1': G92 depends on the machine's position, which the file does not contain\n\
+             hint: write G52 with the offsets, which use the same registers, or G92.1 to clear them\n\
              rodete explain G1113 says what it means, with an example\n",
         );
     for arguments in [&["--use", "G53"][..], &["--use", "2"], &["--workbook", "a.var"], &["--workbook", "o.ods"]] {
@@ -128,11 +128,13 @@ fn a_bad_file_is_refused_line_by_line() {
     let folder = folder();
     fs::write(folder.path().join("a.var"), "5161\t0\n5221\t1,5\n5220\t1\nx\n").expect("a file");
     rodete(&folder).args(["offsets", "a.var", "--set", "G54 X1"]).assert().code(3).stdout("").stderr(
-        predicate::str::contains("error G1009: '1,5' is not a number\n  --> a.var:2:6\nhint: the decimal separator")
-            .and(predicate::str::contains("error G1005: 'x' is not the number of a parameter\n  --> a.var:4:1\n"))
-            .and(predicate::str::ends_with(
-                "a.var: nothing was written\nrodete explain G1009 says what it means, with an example\n",
-            )),
+        predicate::str::contains(
+            "error G1009: '1,5' is not a number\n  --> a.var:2:6\nhint: use a point as decimal separator",
+        )
+        .and(predicate::str::contains("error G1005: 'x' is not a parameter number\n  --> a.var:4:1\n"))
+        .and(predicate::str::ends_with(
+            "a.var: nothing was written\nrodete explain G1009 says what it means, with an example\n",
+        )),
     );
     fs::write(folder.path().join("a.var"), vec![b'\n'; 300_000]).expect("a file");
     rodete(&folder).args(["offsets", "a.var"]).assert().code(7).stdout("");
@@ -146,7 +148,7 @@ fn an_active_system_that_is_none_is_a_caution() {
     fs::write(folder.path().join("a.var"), "5220\t3.5\n").expect("a file");
     rodete(&folder).args(["offsets", "a.var"]).assert().code(0).stderr(
         predicate::str::starts_with(
-            "caution G1202: parameter 5220 is no whole number from 1 to 9: system 1, G54, is taken",
+            "caution G1202: parameter 5220 is not a whole number from 1 to 9: rodete takes offset 1, G54",
         )
         .and(predicate::str::contains(": 3.5 (limit 1 … 9)\n")),
     );
@@ -206,9 +208,9 @@ fn a_wrong_workbook_or_folder_changes_no_file() {
         .code(3)
         .stderr(
             predicate::str::contains(
-                "error W0708: X is in \"mm\", and the file in in\n  --> o.xlsx, sheet \"OFFSETS\", cell B5\n",
+                "error W0708: X is in \"mm\", but the file is in in\n  --> o.xlsx, sheet \"OFFSETS\", cell B5\n",
             )
-            .and(predicate::str::contains("leave --inch out if the machine counts in millimetres")),
+            .and(predicate::str::contains("leave out --inch if the machine works in millimetres")),
         );
     rodete(&folder).args(["offsets", "a.var", "--workbook", "a.var/o.xlsx", "--set", "G54 X1"]).assert().code(5);
     fs::write(folder.path().join("no.xlsx"), "hello").expect("a file");

@@ -103,7 +103,7 @@ fn the_viewer_takes_rodete_s_own_blank_program_as_it_is() {
         let shown = |one: &Json| format!("{} {}", one["grade"].as_str()?, one["what"]["en"].as_str()?).into();
         findings.map(shown).collect::<Option<Vec<String>>>().expect("graded findings")
     };
-    let named = "note the header names this tool; its offset, which is measured at the machine, is taken as 0 here";
+    let named = "note the header names this tool; rodete takes its offset, which is measured at the machine, as 0";
     let found = told(&document);
     assert!(found.iter().all(|one| one.starts_with("note ")) && found.iter().any(|one| one == named), "{found:?}");
     // The same blocks of somebody else's, and another tool than the header's.
@@ -112,7 +112,7 @@ fn the_viewer_takes_rodete_s_own_blank_program_as_it_is() {
         fs::write(folder.path().join("other.nc"), other).expect("a program");
         let done = rodete(&folder).args(["verify", "other.nc", "--json"]).output().expect("run");
         let found = told(&serde_json::from_slice(&done.stdout).expect("a document"));
-        let asks = "caution no tool table: tool lengths are taken as 0";
+        let asks = "caution no tool table: rodete takes the tool lengths as 0";
         assert!(found.iter().any(|one| one == asks), "{found:?}");
     }
 }

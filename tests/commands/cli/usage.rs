@@ -74,7 +74,7 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
         .assert()
         .code(2)
         .stdout("")
-        .stderr("error U0141: Q9999 is no code of rodete\nhint: rodete explain without a code lists them\nrodete explain U0141 says what it means, with an example\n");
+        .stderr("error U0141: Q9999 is not a rodete code\nhint: rodete explain without a code lists them\nrodete explain U0141 says what it means, with an example\n");
 }
 
 #[test]

@@ -45,9 +45,7 @@ fn the_published_blade_program_does_not_come_back() {
         .assert()
         .code(0)
         .stdout(predicate::str::contains("net travel: X 535.796  Y 0  Z 435.797  B -180  C 343.742"))
-        .stderr(predicate::str::contains(
-            "caution V0020: the incremental program does not come back to where it starts",
-        ))
+        .stderr(predicate::str::contains("caution V0020: the incremental program does not return to where it starts"))
         .stderr(predicate::str::contains("feed move without F"));
 }
 
@@ -174,7 +172,7 @@ fn what_is_wrong_is_refused_with_its_line_and_column() {
 fn what_does_not_end_is_a_limit() {
     for (text, what) in [
         ("o1 while [1]\no1 endwhile\nM2\n", "endless loop: 1000 rounds"),
-        ("G0 X1\nM99\n", "repeats it without end"),
+        ("G0 X1\nM99\n", "repeats it forever"),
         ("F1\nG83 X1 Z-99 R1 Q0.001\nM2\n", "more than 10000 pecks"),
     ] {
         let found = refusal(text.as_bytes());

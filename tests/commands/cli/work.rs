@@ -56,7 +56,7 @@ fn a_new_workbook_replaces_nothing() {
         .args(["new", "impeller"])
         .assert()
         .code(5)
-        .stderr("error S0142: impeller.xlsx exists already\nhint: give another name, or remove that file\nrodete explain S0142 says what it means, with an example\n");
+        .stderr("error S0142: impeller.xlsx already exists\nhint: give another name, or remove that file\nrodete explain S0142 says what it means, with an example\n");
     assert_eq!(fs::read(folder.path().join("impeller.xlsx")).expect("the file"), b"mine");
 }
 

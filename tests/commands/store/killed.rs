@@ -254,7 +254,7 @@ fn a_mixed_set_that_can_be_neither_completed_nor_put_back_is_told_with_its_names
         assert!(
             said(&refusal).contains(
                 "do not belong together: a run was stopped while it delivered them; new: blade.nc; of before: \
-                 impeller.nc; missing or changed: splitter.nc | use none of them; delete the new ones and build again"
+                 impeller.nc; missing or changed: splitter.nc | use none of these files; delete the new ones and build again"
             ),
             "{}",
             said(&refusal)

@@ -117,16 +117,16 @@ fn hostile_packages_are_refused() {
         at("A9 in all", four.zip(), Limit, "", "unpacks to more than 256 MiB in all", "delete the sheets"),
         file("A10 many", zip_of(&many), "the package has more than 1000 entries", ""),
         file("A10 twice", doubled, "two entries of the package have the same name", ""),
-        file("A10 capitals", Parts::sound().put("XL/Workbook.xml", "x").zip(), "(but for capitals)", ""),
+        file("A10 capitals", Parts::sound().put("XL/Workbook.xml", "x").zip(), "(apart from upper and lower case)", ""),
         file(
             "A10 outside",
             Parts::sound().put("xl/../../etc/passwd", "x").zip(),
             "is named \"xl/../../etc/passwd\" and points outside",
             "",
         ),
-        file("A10 backslash", Parts::sound().put("xl\\..\\..\\x", "x").zip(), "points outside of it", ""),
-        file("A10 absolute", Parts::sound().put("/etc/passwd", "x").zip(), "points outside of it", ""),
-        file("A10 drive", Parts::sound().put("C:\\x", "x").zip(), "points outside of it", ""),
+        file("A10 backslash", Parts::sound().put("xl\\..\\..\\x", "x").zip(), "points outside the package", ""),
+        file("A10 absolute", Parts::sound().put("/etc/passwd", "x").zip(), "points outside the package", ""),
+        file("A10 drive", Parts::sound().put("C:\\x", "x").zip(), "points outside the package", ""),
     ]);
 }
 
@@ -264,7 +264,7 @@ fn hostile_or_broken_parts_are_refused_by_name() {
             sound().value("part", "t=\"s\"", "<v>99999</v>").zip(),
             Unreadable,
             &cell("part"),
-            "asks for shared text 99999",
+            "refers to shared text 99999",
             "clear cell",
         ),
         at(
@@ -272,10 +272,17 @@ fn hostile_or_broken_parts_are_refused_by_name() {
             sound().value("part", "t=\"s\"", "<v>x</v>").zip(),
             Unreadable,
             &cell("part"),
-            "asks for shared text x",
+            "refers to shared text x",
             "clear cell",
         ),
-        at("A22 no table", sound().without(strings).zip(), Unreadable, "A1", "and the workbook has 0", "clear cell"),
+        at(
+            "A22 no table",
+            sound().without(strings).zip(),
+            Unreadable,
+            "A1",
+            "but the workbook has only 0",
+            "clear cell",
+        ),
         at(
             "F28 depth",
             sound()
@@ -283,7 +290,7 @@ fn hostile_or_broken_parts_are_refused_by_name() {
                 .zip(),
             Limit,
             DATA,
-            "has more than 256 elements inside one another",
+            "has more than 256 nested elements",
             "",
         ),
         at(
@@ -399,7 +406,7 @@ fn the_sheet_must_be_there_under_its_name() {
             Refused,
             "",
             "it is not clear which sheet to read: \"DATA\", \"Data\"",
-            "leave only one of them",
+            "keep only one of these sheets",
         ),
         at(
             "A24 both languages",
@@ -407,7 +414,7 @@ fn the_sheet_must_be_there_under_its_name() {
             Refused,
             "",
             "it is not clear which sheet to read: \"DATA\", \"DATOS\"",
-            "leave only one of them",
+            "keep only one of these sheets",
         ),
     ]);
 }
@@ -415,7 +422,7 @@ fn the_sheet_must_be_there_under_its_name() {
 #[test]
 fn the_schema_is_looked_at_first() {
     let both = Parts::sound().string("schema", "rodete-impeller 3").value("R", "t=\"n\"", "<v>abc</v>");
-    let versions = "schema is \"rodete-impeller 3\"; rodete reads \"rodete-impeller 2\" here";
+    let versions = "schema is \"rodete-impeller 3\"; rodete reads \"rodete-impeller 2\"";
     // A fault that keeps the sheet from being read is told first; one that does not, never.
     let other = Parts::sound().string("schema", "rodete-impeller 3").number("R", "-1");
     let refusal = impeller(&other.zip()).unwrap_err();
@@ -426,13 +433,13 @@ fn the_schema_is_looked_at_first() {
     );
     compare(vec![
         at("A28", other.zip(), Refused, &cell("schema"), versions, "make a new workbook"),
-        at("A28 unsound", both.zip(), Refused, &cell("R"), "as if it were a number", ""),
+        at("A28 unsound", both.zip(), Refused, &cell("R"), "as a number", ""),
         at(
             "A28 empty",
             Parts::sound().cell(DATA, &cell("schema"), "").zip(),
             Refused,
             &cell("schema"),
-            "schema is empty; rodete reads \"rodete-impeller 2\" here",
+            "schema is empty; rodete reads \"rodete-impeller 2\"",
             "make a new workbook",
         ),
         at(
@@ -448,8 +455,8 @@ fn the_schema_is_looked_at_first() {
             Parts::sound().string("schema", "x").cell(DATA, "A9", "<c r=\"A9\" t=\"str\"><v>schema</v></c>").zip(),
             Refused,
             "A4,A9",
-            "the symbol \"schema\" stands in several rows",
-            "leave one row",
+            "several rows have the symbol \"schema\"",
+            "keep only one row",
         ),
         at(
             "A29",

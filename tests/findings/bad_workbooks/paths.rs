@@ -25,7 +25,10 @@ fn a1_a_missing_file_is_refused_with_names_like_it() {
     assert_eq!(exit, Exit::Unreadable);
     assert!(what.starts_with("cannot open ") && what.ends_with("impeler.xlsx: no such file"), "{what}");
     assert_eq!(remedy, "did you mean impeller.xlsx?");
-    assert_eq!(said(&folder.path().join("something-else.xlsx")).2, "the folder has: impeller.xlsx, pump.xlsx");
+    assert_eq!(
+        said(&folder.path().join("something-else.xlsx")).2,
+        "use one of the files in the folder: impeller.xlsx, pump.xlsx"
+    );
     assert_eq!(said(&folder.path().join("none/x.xlsx")).2, "check the name and the folder");
     assert!(said(&folder.path().join("pump.xlsx/x.xlsx")).1.contains("a part of the path is not a folder"));
     assert_eq!(said(Path::new("impeller-not-here.xlsx")).1, "cannot open impeller-not-here.xlsx: no such file");
@@ -37,7 +40,7 @@ fn a1_a_folder_is_refused() {
     let (exit, what, remedy) = said(folder.path());
     assert_eq!(exit, Exit::Unreadable);
     assert!(what.ends_with(": it is a folder"), "{what}");
-    assert_eq!(remedy, "name the .xlsx workbook inside the folder");
+    assert_eq!(remedy, "give the name of the .xlsx workbook inside the folder");
 }
 
 #[cfg(unix)]

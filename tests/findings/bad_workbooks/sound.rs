@@ -84,7 +84,7 @@ fn targets_that_go_through_folders_are_followed() {
     let refusal = impeller(&outside.zip()).unwrap_err();
     assert_eq!(refusal.exit, rodete::finding::Exit::Unreadable);
     let said = &refusal.findings[0].what.en;
-    assert!(said.contains("stands in \"../../worksheets/sheet1.xml\", outside of the package"), "{said}");
+    assert!(said.contains("is in \"../../worksheets/sheet1.xml\", outside the package"), "{said}");
 }
 
 /// What a formula came to when the workbook was saved is read, and noted with its cell.
@@ -100,7 +100,7 @@ fn the_stored_value_of_a_formula_is_noted() {
         &parts,
         Grade::Note,
         &cell("R"),
-        "input values that are results of formulas: 1; what the spreadsheet stored is read",
+        "input values that are results of formulas: 1; rodete reads the stored value",
     );
 }
 
@@ -113,8 +113,8 @@ fn a_renamed_sheet_is_told_its_name_in_the_language_of_the_workbook() {
         let parts = Parts::of(&sound(language)).replace("xl/workbook.xml", right, &right.to_lowercase());
         let filled = impeller(&parts.zip()).unwrap();
         let [told] = filled.findings.as_slice() else { panic!("{:?}", filled.findings) };
-        assert_eq!(told.remedy.es, format!("cambie su nombre a \"{right}\" para que se lea"));
-        assert_eq!(told.remedy.en, format!("rename it to \"{right}\" to have it read"));
+        assert_eq!(told.remedy.es, format!("cambie el nombre de la hoja a \"{right}\" para que rodete la lea"));
+        assert_eq!(told.remedy.en, format!("rename the sheet to \"{right}\" if rodete should read it"));
         assert!(!told.what.en.contains(wrong.as_str()), "{}", told.what.en);
     }
 }
@@ -239,7 +239,7 @@ fn assert_noted(parts: &Parts, grade: Grade, at: &str, what: &str) {
 #[test]
 fn a6_macros_are_noted_and_not_read() {
     let parts = Parts::sound().put("xl/vbaProject.bin", b"\xD0\xCF".to_vec());
-    assert_noted(&parts, Grade::Note, "", "carries macros (.xlsm)");
+    assert_noted(&parts, Grade::Note, "", "contains macros (.xlsm)");
 }
 
 #[test]
@@ -267,7 +267,7 @@ fn a16_a_tag_with_eighty_thousand_attributes_is_read() {
 #[test]
 fn a23_a_hidden_sheet_is_read_and_said_so() {
     let parts = Parts::sound().replace("xl/workbook.xml", "name=\"DATA\"", "name=\"DATA\" state=\"veryHidden\"");
-    assert_noted(&parts, Grade::Note, "DATA", "is hidden; it is read all the same");
+    assert_noted(&parts, Grade::Note, "DATA", "is hidden; rodete reads it all the same");
 }
 
 #[test]
@@ -276,7 +276,7 @@ fn b13_a_percentage_is_read_as_stored_with_a_caution() {
     let text = Parts::sound().text("xl/styles.xml");
     let (start, end) = (text.find("<cellXfs").unwrap(), text.find("</cellXfs>").unwrap() + 10);
     let parts = Parts::sound().replace("xl/styles.xml", &text[start..end], styles).value("e", "s=\"1\"", "<v>2.1</v>");
-    assert_noted(&parts, Grade::Caution, &cell("e"), "2.1 is read, and the sheet shows 210 %");
+    assert_noted(&parts, Grade::Caution, &cell("e"), "rodete reads 2.1, but the sheet shows 210 %");
 }
 
 #[test]
@@ -291,13 +291,13 @@ fn b14_merged_labels_do_no_harm() {
 
 #[test]
 fn b18_an_angle_that_looks_like_radians_is_a_caution() {
-    assert_noted(&Parts::sound().number("B_max", "1.7453"), Grade::Caution, &cell("B_max"), "very little for an angle");
+    assert_noted(&Parts::sound().number("B_max", "1.7453"), Grade::Caution, &cell("B_max"), "very small for an angle");
 }
 
 #[test]
 fn b24_hidden_characters_in_a_name_are_read_raw_and_shown_escaped() {
     let parts = Parts::sound().string("part", "A_x001B_[31m\u{202e}B");
-    assert_noted(&parts, Grade::Caution, &cell("part"), "characters that are not seen: \"A\\u{1b}[31m\\u{202e}B\"");
+    assert_noted(&parts, Grade::Caution, &cell("part"), "invisible characters: \"A\\u{1b}[31m\\u{202e}B\"");
     assert_eq!(line(&impeller(&parts.zip()).unwrap(), "part"), "A\u{1b}[31m\u{202e}B");
 }
 
@@ -307,7 +307,7 @@ fn b27_an_unknown_symbol_with_a_value_is_noted_and_a_heading_is_not() {
         <row r=\"201\"><c r=\"A201\" t=\"inlineStr\"><is><t>Remarks</t></is></c></row>\
         <row r=\"202\"><c r=\"B202\" t=\"inlineStr\"><is><t>loose</t></is></c><c r=\"G202\"><v>1</v></c></row></sheetData>";
     let parts = Parts::sound().replace(DATA, "</sheetData>", more);
-    assert_noted(&parts, Grade::Note, "A200", "the symbol \"foo\" is not one of this form");
+    assert_noted(&parts, Grade::Note, "A200", "the symbol \"foo\" does not belong to this form");
 }
 
 #[test]

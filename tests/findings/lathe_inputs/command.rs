@@ -164,7 +164,7 @@ fn r_of_a_hole_is_what_the_option_says_before_the_workbook() {
         let canon = run(folder.path(), &[&given[..], more, &["--canon"]].concat()).out;
         let first = canon.lines().filter(|line| line.contains("\"rapid\"")).nth(1).unwrap().to_owned();
         let motion: Json = serde_json::from_str(&first).unwrap();
-        (motion["to"]["Z"].as_f64().unwrap(), said.out.contains("nothing says what R is in G81 to G83"))
+        (motion["to"]["Z"].as_f64().unwrap(), said.out.contains("the meaning of R in G81 to G83 is not given"))
     };
     assert_eq!(rapid(&[]), (-4.0, true));
     assert_eq!(rapid(&["--hole-r", "absolute"]), (-4.0, false));
@@ -250,15 +250,11 @@ fn a_workbook_of_tools_is_named_where_it_is_wrong() {
     let long = Book::of(Language::En).put("L4", rodete::parameter::Value::Real(200.0));
     fs::write(folder.path().join("held.xlsx"), long.bytes()).unwrap();
     for (tools, exit, what) in [
-        (
-            "other.xlsx",
-            3,
-            "error W0514: other.xlsx: schema is \"rodete-impeller 2\"; rodete reads \"rodete-lathe 1\" here",
-        ),
+        ("other.xlsx", 3, "error W0514: other.xlsx: schema is \"rodete-impeller 2\"; rodete reads \"rodete-lathe 1\""),
         ("p.nc", 4, "error W0203: p.nc: this is not an .xlsx workbook"),
         ("missing.xlsx", 4, "error W0106: cannot open missing.xlsx: no such file"),
         (".", 4, "error W0101: cannot open .: it is a folder"),
-        ("held.xlsx", 3, "error P4001: held.xlsx: L4 is 200 mm, must be less than L = 120 mm"),
+        ("held.xlsx", 3, "error P4001: held.xlsx: L4 is 200 mm; it must be less than L = 120 mm"),
         ("comma.xlsx", 3, "error W0410: comma.xlsx: R (nose radius) is the text \"0,8\", not a number"),
     ] {
         let said = simulate(folder.path(), &["--tools", tools, "-o", "out"]);
@@ -343,7 +339,9 @@ fn the_dialect_is_told_where_nobody_names_it() {
         let said = run(folder.path(), &["simulate", input, "--stock", "D50xL120", "--json"]);
         let document: Json = serde_json::from_str(&said.out).unwrap();
         assert_eq!(document["dialect"], dialect, "{document}");
-        assert!(lines(&document).contains(&format!("note file dialect not named: read as {dialect}")));
+        assert!(
+            lines(&document).contains(&format!("note file no dialect given: rodete reads the program as {dialect}"))
+        );
     }
 }
 

@@ -37,7 +37,7 @@ fn a_rib_of_a_thread_wholly_inside_the_metal_is_judged_as_any_other() {
     let (document, exit) = simulate(&lines, "D200xL300");
     let wanted = [
         "stop 4 103 The holder runs into metal, X135.582 Z-13.225 13.225 mm",
-        "caution 4 144 A thread is cut with a tool that is not for threads, X33 Z2 ",
+        "caution 4 144 A tool that is not for threading cuts a thread, X33 Z2 ",
     ];
     assert_eq!((grave(&document), exit), (wanted.map(str::to_owned).to_vec(), 3));
     // The farthest out that the blade cuts is the top of its sides, 14 mm out from its tip at r 21.384.
@@ -59,7 +59,7 @@ fn of_a_part_that_is_all_gone_no_deviation_of_0_is_told() {
     let (_folder, document, exit) = build(&book.list(Rows { list: "profile", sheet: String::new(), rows }).bytes());
     bilingual(&document);
     let wanted =
-        "caution file nothing is left of the part to hold against the profile on the workbook's sheet PROFILE ";
+        "caution file nothing is left of the part to compare with the profile on the workbook's sheet PROFILE ";
     assert!(grave(&document).contains(&wanted.to_owned()), "{:?}", grave(&document));
     assert_eq!(exit, 3);
 }
@@ -127,12 +127,12 @@ fn passes_and_pecks_are_counted_and_an_end_of_the_work_is_told() {
     assert!(made > 10 && spent && work < 100_000, "{made} {work}");
     let (document, exit) =
         simulate(&["T0404", "G97 S500 M3", "G0 X40. Z3000.", "G32 Z2000. F0.00001", "M30"], "D50xL100");
-    let wanted = "stop 4 to follow this thread takes more work than is done; motions made before it: 1 ";
+    let wanted = "stop 4 simulating this thread exceeds the limit of the computation; motions made before it: 1 ";
     assert_eq!(exit, 7, "{:?}", grave(&document));
     assert!(grave(&document).contains(&wanted.to_owned()), "{:?}", grave(&document));
     let findings = document["findings"].as_array().unwrap();
     let remedies: Vec<_> = findings.iter().filter_map(|one| one["remedy"]["en"].as_str()).collect();
-    let wanted = "check F: at a lead of 0.00001 mm the spindle makes 100000000 turns";
+    let wanted = "check F: with a lead of 0.00001 mm the spindle makes 100000000 turns";
     assert!(remedies.contains(&wanted), "{remedies:?}");
 }
 
@@ -143,10 +143,10 @@ fn a_second_set_up_of_a_part_that_was_not_made_is_not_judged() {
     let (_folder, document, exit) = build(&Book::new(&endless).second(&second).bytes());
     assert_eq!(exit, 7, "{document}");
     let stops: Vec<_> = grave(&document).into_iter().filter(|one| one.starts_with("stop ")).collect();
-    let wanted = "PROGRAM!A9 to follow this thread takes more work than is done; motions made before it: 1";
+    let wanted = "PROGRAM!A9 simulating this thread exceeds the limit of the computation; motions made before it: 1";
     assert!(stops.iter().any(|one| one.contains(wanted)), "{stops:?}");
     assert!(stops.iter().all(|one| one.contains("PROGRAM!")), "{stops:?}");
-    let told = "the motions of this program are not judged: the part is not what is meant, or nothing holds it";
+    let told = "the motions of this program are not checked: the part is not the intended one, or nothing holds it";
     let findings = document["findings"].as_array().unwrap();
     assert!(findings.iter().any(|one| one["what"]["en"] == told), "{findings:?}");
 }
@@ -171,8 +171,8 @@ fn a_profile_with_more_points_than_are_held_is_an_end_of_the_work() {
         (grave(&document), exit)
     };
     assert_eq!(profile(3), (Vec::new(), 0));
-    let wanted = "stop file to hold the part (35 corners) against the profile on the workbook's sheet PROFILE (399 spans) \
-                  takes more work than is done ";
+    let wanted = "stop file comparing the part (35 corners) with the profile on the workbook's sheet PROFILE (399 elements) \
+                  exceeds the limit of the computation ";
     assert_eq!(profile(400), (vec![wanted.to_owned()], 7));
 }
 
@@ -204,12 +204,12 @@ fn verify_reads_the_tool_sheet_of_a_workbook_and_tells_diameters() {
     assert!(said.err.contains("tool 9 is not in the tool table"), "{}", said.err);
     let said = verify(&["p.nc", "--dialect", "fanuc-lathe-a", "--tools", "wrong.xlsx"]);
     assert!(
-        said.exit == 3 && said.err.contains("wrong.xlsx: L4 is 400 mm, must be less than L = 120 mm"),
+        said.exit == 3 && said.err.contains("wrong.xlsx: L4 is 400 mm; it must be less than L = 120 mm"),
         "{}",
         said.err
     );
     let said = verify(&["mill.nc", "--dialect", "linuxcnc", "--tools", "lathe.xlsx"]);
-    let wanted = "error U0126: --tools is a lathe workbook, and the program is read as linuxcnc";
+    let wanted = "error U0126: --tools is a lathe workbook, but the program is read as linuxcnc";
     assert!(said.exit == 3 && said.err.contains(wanted), "{}", said.err);
 }
 

@@ -30,19 +30,19 @@ fn only(finding: &str, exit: i32) -> (Vec<String>, i32) {
 
 #[test]
 fn a_change_of_tool_over_the_stock_or_in_it_is_a_stop_at_its_block() {
-    let wanted = "stop PROGRAM!A13 184 The turret turns to place 2 inside the work, in what holds it or over the stock, X60 Z-20 [] []";
+    let wanted = "stop PROGRAM!A13 184 The turret indexes to place 2 inside the work, inside the clamping or over the stock, X60 Z-20 [] []";
     assert_eq!(of("G0 X60.|Z-20.|T0202|G0 X100. Z50."), only(wanted, 3));
     // To the right of the face, and farther off than any tool needs.
     assert_eq!(of("G0 X60.|Z2.|T0202|G0 X100. Z50."), none());
     // The drill of 120 mm, in a tool change near the face, would stand in the chuck.
     let (found, exit) = of("G0 X54.|Z-60.|X60.|T0505|G0 X100.|Z50.");
-    assert!(exit == 3 && found[0].contains(" 184 The turret turns to place 5 inside the work"), "{found:?}");
+    assert!(exit == 3 && found[0].contains(" 184 The turret indexes to place 5 inside the work"), "{found:?}");
 }
 
 #[test]
 fn a_feed_is_held_against_the_nose_of_0_8_mm() {
     assert_eq!(of("X46.|G1 Z-20. F.64|X54.|G0 Z2."), none());
-    let wanted = "caution PROGRAM!A12 173 The feed per revolution is too much for the nose radius: it leaves ridges, X46 Z0 [0.65 mm] [≤ 0.64 mm]";
+    let wanted = "caution PROGRAM!A12 173 The feed per revolution is too large for the nose radius: it leaves ridges, X46 Z0 [0.65 mm] [≤ 0.64 mm]";
     assert_eq!(of("X46.|G1 Z-20. F.65|X54.|G0 Z2."), only(wanted, 0));
     // 585 mm/min at 900 rpm.
     assert_eq!(of("X46.|G98 G1 Z-20. F585.|X54.|G0 Z2."), only(wanted, 0));
@@ -53,7 +53,7 @@ fn the_nose_is_kept_off_the_work() {
     let pass = |code: &str| format!("{code} G0 X44.|G1 Z-20. F.2|G40 X54.|G0 Z2.");
     assert_eq!(of(&pass("G42")), none());
     let (found, exit) = of(&pass("G41"));
-    let wanted = "185 G41 keeps the nose on the side of the work, ";
+    let wanted = "185 G41 puts the nose on the wrong side, in the work, ";
     assert!(exit == 0 && found.len() == 1 && found[0].contains(wanted), "{found:?}");
 }
 
@@ -69,7 +69,7 @@ fn a_thread_has_its_run_in_and_no_more_depth_than_its_lead() {
     let (found, exit) = of(&thread("1.", "38.2"));
     assert!(exit == 0 && found.len() == 1, "{found:?}");
     assert!(
-        found[0].contains(" 147 The run-in of the thread is shorter than the control needs")
+        found[0].contains(" 147 The thread's run-in is shorter than the control needs")
             && found[0].ends_with("[≥ 2.4 mm]"),
         "{found:?}"
     );
@@ -95,14 +95,14 @@ fn a_boring_bar_needs_a_hole() {
     let drilled = "G1 Z-25. F.1|";
     assert_eq!(bore("20.", drilled), none());
     let (found, exit) = bore("20.", "");
-    let wanted = "stop PROGRAM!A15 105 The boring bar is fed into solid metal, where there is no hole, X";
+    let wanted = "stop PROGRAM!A15 105 The boring bar feeds into solid metal, where there is no hole, X";
     assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 0 mm] [≥ Ø "), "{found:?}");
     // So is it where the edge reaches over the axis, and the bar touches nothing.
     let (found, exit) = bore("11.", "");
     assert!(exit == 3 && found.len() == 1 && found[0].starts_with(wanted), "{found:?}");
     assert!(found[0].ends_with(" [Ø 0 mm] [≥ Ø 7.5 mm]"), "{found:?}");
     let (found, exit) = bore("26.", drilled);
-    let wanted = "stop PROGRAM!A16 105 The boring bar is fed into a hole that is too narrow for it, X";
+    let wanted = "stop PROGRAM!A16 105 The boring bar feeds into a hole that is too narrow for it, X";
     assert!(exit == 3 && found[0].starts_with(wanted) && found[0].contains(" [Ø 10 mm] [≥ Ø "), "{found:?}");
 }
 
@@ -128,14 +128,11 @@ fn the_reference_point_is_where_the_workbook_says() {
     assert!((volume(&plain) - volume(&referred)).abs() < 1e-6);
     // Nothing given: G53 counts from the face of the spindle, and that is told.
     let (found, exit) = told(&Book::new(&home));
-    let wanted = "G53 without a reference point in the workbook: it is taken to count from M";
+    let wanted = "G53 without a reference point in the workbook: rodete counts from M";
     assert!(exit == 3 && found.iter().any(|one| one.contains(wanted)), "{found:?}");
     let one = Book::new(&cut).put("R_X", Value::Real(400.0));
     let (found, exit) = told(&one);
-    assert!(
-        exit == 3 && found[0].contains("the reference point is given by X and Z, and only one of them is"),
-        "{found:?}"
-    );
+    assert!(exit == 3 && found[0].contains("the reference point needs R_X and R_Z, and one is missing"), "{found:?}");
 }
 
 #[test]
@@ -148,7 +145,7 @@ fn r_of_a_hole_is_what_the_workbook_says_and_without_q_nothing_is_cleared() {
     assert_eq!(hole("G83 Z-20. R1. Q5000 F.1", "absolute"), none());
     let (found, exit) = hole("G83 Z-20. R-4. Q5000 F.1", "absolute");
     assert!(exit == 3 && found.iter().any(|one| one.contains("101 Rapid motion through metal")), "{found:?}");
-    let wanted = "caution PROGRAM!A10 G83 without Q: drills 21 mm at one go, without clearing the chips [] []";
+    let wanted = "caution PROGRAM!A10 G83 without Q drills 21 mm in one go, without clearing the chips [] []";
     assert_eq!(hole("G83 Z-20. R1. F.1", "absolute"), only(wanted, 0));
 }
 

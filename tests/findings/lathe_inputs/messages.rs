@@ -20,7 +20,7 @@ fn a_remedy_names_what_a_workbook_has() {
     });
     let remedy = &finding(&unmounted, "tool 3 is not in the tool table")["remedy"];
     assert!(remedy["es"].as_str().unwrap().ends_with("hoja HERRAMIENTAS, columna T"), "{remedy}");
-    assert!(remedy["en"].as_str().unwrap().ends_with("on the sheet TOOLS, column T"), "{remedy}");
+    assert!(remedy["en"].as_str().unwrap().ends_with("sheet TOOLS, column T"), "{remedy}");
     let remedy = &finding(&Book::new(&program("G199")), "does not exist in the dialect")["remedy"];
     assert!(remedy["es"].as_str().unwrap().contains("la hoja DATOS"), "{remedy}");
     assert!(remedy["en"].as_str().unwrap().contains("the sheet DATA"), "{remedy}");
@@ -54,15 +54,18 @@ fn a_block_number_that_stands_twice_is_shown_in_its_cells() {
     let blocks = program("G71 U2. R1.||G71 P10 Q20|N10 G0 X30.|G1 Z-10. F.1|N20 X52.||N10 G0 X60.");
     let (_folder, document, exit) = build(&Book::new(&blocks).bytes());
     let stops: Vec<_> = lines(&document).into_iter().filter(|line| line.starts_with("stop")).collect();
-    assert_eq!((exit, stops), (3, vec!["stop PROGRAM!A13 PROGRAM!A14 PROGRAM!A18 N10 stands twice".to_owned()]));
+    assert_eq!(
+        (exit, stops),
+        (3, vec!["stop PROGRAM!A13 PROGRAM!A14 PROGRAM!A18 two blocks have the number N10".to_owned()])
+    );
     // In a subprogram's sheet, its cells.
     let lines_of = ["M97 P5", "M99", "N5 G0 X60.", "M99", "N5 G0 X61.", "M99"];
     let (_folder, document, _) = build(&Book::new(&program("M98 P0005")).subprogram("O0005", &lines_of).bytes());
     let stops: Vec<_> = lines(&document).into_iter().filter(|line| line.starts_with("stop")).collect();
-    assert_eq!(stops, ["stop O0005!A6 O0005!A8 O0005!A10 N5 stands twice"]);
+    assert_eq!(stops, ["stop O0005!A6 O0005!A8 O0005!A10 two blocks have the number N5"]);
     // Of M99 in a subprogram's sheet, its cell there and those of the blocks in the program's.
     let blocks = program("M98 P0005|N5 G0 X60.|N5 G0 X61.");
     let (_folder, document, _) = build(&Book::new(&blocks).subprogram("O0005", &["G4 X1.", "M99 P5"]).bytes());
     let stops: Vec<_> = lines(&document).into_iter().filter(|line| line.starts_with("stop")).collect();
-    assert_eq!(stops, ["stop O0005!A7 PROGRAM!A12 PROGRAM!A13 N5 stands twice"]);
+    assert_eq!(stops, ["stop O0005!A7 PROGRAM!A12 PROGRAM!A13 two blocks have the number N5"]);
 }

@@ -62,11 +62,11 @@ fn fanuc(cases: &[Case]) {
 #[test]
 fn calls_and_loops_that_do_not_end_are_refused() {
     fanuc(&[
-        case("D30 M99", "M99", 7, "stop 6 M99 in the main program repeats it without end"),
-        case("D30 M97", "N10 M97 P10", 7, "stop 6 more than 4 calls inside one another: N10 → N10 → N10 → N10 → N10"),
+        case("D30 M99", "M99", 7, "stop 6 M99 in the main program repeats it forever"),
+        case("D30 M97", "N10 M97 P10", 7, "stop 6 more than 4 nested calls: N10 → N10 → N10 → N10 → N10"),
         case("D30 GOTO", "N10 G0 U0.|GOTO 10", 3, "stop 7:1 macros (#, IF, WHILE, GOTO) are not supported"),
         case("D31 no P", "M98", 3, "stop 6:1 M98 without P"),
-        case("D31 L", "M98 P0005 L1000000000", 3, "stop 6:11 L1000000000 repeats"),
+        case("D31 L", "M98 P0005 L1000000000", 3, "stop 6:11 L1000000000 is not a number of repeats"),
         case("D31 missing", "M98 P0006", 3, "stop 6:5 PS0078: there is no subprogram O0006"),
         case("D31 twice", "M98 P0007|M30|O0007|M99|O0007|M99", 3, "stop 6:5 O0007 is defined twice: 8, 10"),
         case("D32 path", "M98 P/etc/passwd", 3, "stop 6:6 character '/' is not allowed"),
@@ -106,9 +106,9 @@ fn what_the_control_does_not_know_is_refused_and_never_skipped() {
         case("D46 X#", "G0 X#1", 3, "stop 6:5 macros (#, IF, WHILE, GOTO) are not supported"),
         case("D46 IF", "IF [#1 GT 2] GOTO 10", 3, "stop 6:1 macros (#, IF, WHILE, GOTO) are not supported"),
         case("D46 while", "WHILE [1 EQ 1] DO 1|END 1", 3, "stop 7:1 macros (#, IF, WHILE, GOTO) are not supported"),
-        case("D35 G92", "G92 X40.", 3, "stop 6:1 Z missing in G92, which is a turning cycle here"),
+        case("D35 G92", "G92 X40.", 3, "stop 6:1 Z missing in G92, which here is a turning cycle"),
         case("a milling program", "G0 X10. Y5.", 3, "stop 6:9 letter Y is not supported in the dialect fanuc-lathe-a"),
-        case("D34 units", "G20|G21", 0, "note 7:1 the units change in mid-program"),
+        case("D34 units", "G20|G21", 0, "note 7:1 the units change in the middle of the program"),
     ]);
 }
 
@@ -119,8 +119,8 @@ fn tools_and_offsets_that_do_not_fit_are_told() {
         case("D36 T0", "T0000|G1 X40. F0.1", 3, "stop 7 181 There is no tool in place 0 of the turret"),
         case("D36 offset", "T0177", 3, "stop 6:1 offset 77 is not in the tool table"),
         case("D36 negative", "T-1", 3, "stop 6:2 negative T: -1"),
-        case("D36 fraction", "T1.5", 3, "stop 6:1 T1.5 is no place with its offset"),
-        case("D36 none", "T0100|G1 X48. F0.1", 0, "caution 7 183 Motion at feed without a tool offset"),
+        case("D36 fraction", "T1.5", 3, "stop 6:1 T1.5 is not a turret place with its offset"),
+        case("D36 none", "T0100|G1 X48. F0.1", 0, "caution 7 183 Cutting motion without a tool offset"),
         case("D36 other", "T0102|G1 X51. F0.1", 0, "caution 7 183 The offset in force is not the tool's own"),
         case("D37 arc", "G42 G2 X50. Z0. R5. F0.1", 3, "stop 6 G41 or G42 begins on an arc"),
         case(
@@ -133,7 +133,7 @@ fn tools_and_offsets_that_do_not_fit_are_told() {
             "D37 corner too small",
             "G42 G0 X50.|G1 Z-10. F0.1|X49.|Z-10.5|X50.|Z-20.|X54.|G40 G0 X60.",
             3,
-            "stop 9 nose radius 0.8 does not fit: the piece is 0.5 long and the corners at its ends take 1.6",
+            "stop 9 nose radius 0.8 does not fit: the element is 0.5 long and the corners at its ends need 1.6",
         ),
     ]);
 }
@@ -164,7 +164,10 @@ fn what_may_follow_from_another_offset_is_counted_with_it_and_not_told_one_by_on
     let other = followed("T0102");
     assert!(!other.iter().any(|line| line.contains(" 101 ")), "{other:?}");
     assert!(other[0].starts_with("stop 127 183 The offset in force is not the tool's own"), "{other:?}");
-    assert!(other[0].ends_with("; 59 alarms under this offset may follow from it and are not told here"), "{other:?}");
+    assert!(
+        other[0].ends_with("; 59 more alarms with this offset may follow from this and are not listed here"),
+        "{other:?}"
+    );
     // Without any, 60 mm too deep, the cut lies beyond the axis, where the spindle would have to turn the other way.
     let none = program("G0 X60. Z5.|T0100|G1 X46. Z2. F.2|Z-20.");
     let (_folder, document, exit) = build(&Book::new(&none).bytes());
@@ -180,7 +183,7 @@ fn a_spindle_that_stands_still_or_runs_away_is_told() {
         case("D39 G95 in metal", "M5|G1 X49. Z-5. F0.1", 3, "stop 7 153 Cutting with the spindle stopped"),
         case("D39 G96 no S", "G96|G1 X53. F0.1", 3, "caution 6:1 G96 without S"),
         case("D39 G96 S0", "G96 S0|G1 X53. F0.1", 3, "stop 7 155 Feed per revolution with the spindle stopped"),
-        case("no feed", "G1 X53.", 3, "stop 6 171 Motion at feed with a feed of 0"),
+        case("no feed", "G1 X53.", 3, "stop 6 171 Cutting motion with a feed of 0"),
     ]);
     // Without the limit in the head.
     compare(
@@ -198,7 +201,7 @@ fn a_spindle_that_stands_still_or_runs_away_is_told() {
                 "D39 G96",
                 "G96 S200 M3|G1 X-1.6 F0.1|G0 Z2.",
                 0,
-                "caution 5 151 Constant surface speed without a greatest",
+                "caution 5 151 Constant surface speed without a speed limit",
             ),
         ],
     );
@@ -217,8 +220,8 @@ fn a_stopped_spindle_is_one_alarm_until_it_turns_again() {
 #[test]
 fn radius_and_diameter_cannot_be_mixed_unseen() {
     fanuc(&[
-        case("D40 X and U", "G0 X40. U-1.", 3, "stop 6:4:9 X and U in one block: both move the axis X"),
-        case("D40 Z and W", "G0 Z1. W1.", 3, "stop 6:4:8 Z and W in one block: both move the axis Z"),
+        case("D40 X and U", "G0 X40. U-1.", 3, "stop 6:4:9 X and U in one block: both move axis X"),
+        case("D40 Z and W", "G0 Z1. W1.", 3, "stop 6:4:8 Z and W in one block: both move axis Z"),
         case("D40 negative", "G0 X-20. Z5.", 0, "caution 6:4 negative X: the programmed point is beyond the axis"),
         case(
             "D40 facing",
@@ -239,7 +242,7 @@ fn a_roughing_cycle_is_checked_before_it_is_made() {
     fanuc(&[
         with("D42 no P", "U2. R0.5", "Q20", CONTOUR, 3, "stop 7:1 PS0061: P is missing in G71: the number of a block"),
         with("D42 no Q", "U2. R0.5", "P10", CONTOUR, 3, "stop 7:1 PS0061: Q is missing in G71: the number of a block"),
-        with("D42 order", "U2. R0.5", "P20 Q10", CONTOUR, 3, "stop 7:9:5 PS0063: G71: N10 stands before N20"),
+        with("D42 order", "U2. R0.5", "P20 Q10", CONTOUR, 3, "stop 7:9:5 PS0063: G71: N10 comes before N20"),
         with("D42 no block", "U2. R0.5", "P10 Q30", CONTOUR, 3, "stop 7:9 PS0063: there is no block N30"),
         with("D42 depth 0", "U0. R0.5", "P10 Q20", CONTOUR, 3, "stop 7:1 PS0062: the depth of cut is zero or negative"),
         with("D42 depth below 0", "U-1. R0.5", "P10 Q20", CONTOUR, 3, "stop 7:1 PS0062: the depth of cut is zero"),
@@ -249,7 +252,7 @@ fn a_roughing_cycle_is_checked_before_it_is_made() {
             "P10 Q20",
             CONTOUR,
             7,
-            "stop 7:1 the cycle asks for 17000 passes; 10000 are",
+            "stop 7:1 the cycle asks for 17000 passes; the limit is 10000",
         ),
         with(
             "D42 forth and back in Z",
@@ -257,7 +260,7 @@ fn a_roughing_cycle_is_checked_before_it_is_made() {
             "P10 Q20",
             "N10 G0 X20.|G1 Z-20. F0.1|X30. Z-10.|N20 Z-30.",
             3,
-            "stop 10 PS0064: the contour goes forth and back along Z",
+            "stop 10 PS0064: the contour reverses along Z",
         ),
         with(
             "D42 forth and back in X",
@@ -265,7 +268,7 @@ fn a_roughing_cycle_is_checked_before_it_is_made() {
             "P10 Q20",
             "N10 G0 X20.|G1 Z-20. F0.1|X30. Z-25.|X26. Z-30.|N20 Z-40.",
             3,
-            "stop 11 PS0329: the contour goes forth and back along X",
+            "stop 11 PS0329: the contour reverses along X",
         ),
         with(
             "D42 first block",
@@ -356,7 +359,7 @@ fn a_threading_cycle_is_checked_before_it_is_made() {
             "D43 no lead",
             "T0404|G76 P020060 Q100 R0.05|G76 X20. Z-20. P1200 Q300",
             3,
-            "stop 8 thread without F, its lead",
+            "stop 8 thread without its lead F",
         ),
         case(
             "D43 height 0",
@@ -371,15 +374,20 @@ fn a_threading_cycle_is_checked_before_it_is_made() {
             "stop 8:1 P is missing in the",
         ),
         case("D43 no cut", "T0404|G76 P020060 Q100 R0.05|G76 X20. Z-20. P1200 F2.", 3, "stop 8:1 Q is missing in the"),
-        case("D43 angle", "T0404|G76 P020061 Q100 R0.05|G76 X20. Z-20. P1200 Q300 F2.", 3, "stop 8:1 PS0315: angle of"),
+        case(
+            "D43 angle",
+            "T0404|G76 P020061 Q100 R0.05|G76 X20. Z-20. P1200 Q300 F2.",
+            3,
+            "stop 8:1 PS0315: tip angle",
+        ),
         case(
             "D43 endless",
             "T0404|G76 P020060 Q0 R0.|G76 X20. Z-20. P12000 Q1 F2.",
             7,
-            "stop 8:1 the cycle asks for 144000000 passes; 10000 are allowed",
+            "stop 8:1 the cycle asks for 144000000 passes; the limit is 10000",
         ),
         case("D43 G92", "T0404|G92 X48. Z-20. F0.", 3, "stop 7:16 thread with lead 0"),
-        case("D43 G32", "T0404|G32 Z-20.", 3, "stop 7 thread without F, its lead"),
+        case("D43 G32", "T0404|G32 Z-20.", 3, "stop 7 thread without its lead F"),
     ]);
 }
 
@@ -398,8 +406,8 @@ fn bare_numbers_are_read_by_the_rule_and_refused_without_one() {
     let (document, exit) = with(&[]);
     assert_eq!(exit, 3);
     for wanted in [
-        "stop 6:4 X52 has no decimal point: mm or µm, depending on the control",
-        "stop 7:4 Z-10000 has no decimal point: mm or µm, depending on the control",
+        "stop 6:4 X52 has no decimal point: the control reads it as mm or µm, depending on its setting",
+        "stop 7:4 Z-10000 has no decimal point: the control reads it as mm or µm, depending on its setting",
     ] {
         assert!(lines(&document).contains(&wanted.to_owned()), "{:?}", lines(&document));
     }
@@ -450,9 +458,9 @@ fn a_fagor_program_is_refused_in_the_same_way() {
 #[test]
 fn what_is_no_program_is_refused() {
     for (text, found) in [
-        ("", "stop 1 no program: the file has no block, 0 moves"),
-        ("%\n%\n", "stop 2 no program: the file has no block, 0 moves"),
-        ("(only words)\n", "stop 1 no program: the file has no block, 0 moves"),
+        ("", "stop 1 no program: the file has no blocks"),
+        ("%\n%\n", "stop 2 no program: the file has no blocks"),
+        ("(only words)\n", "stop 1 no program: the file has no blocks"),
         ("\u{1}\u{2}\u{3}\n", "stop 1:1 "),
         ("<html>\n", "stop 1:1 character '<' is not allowed"),
     ] {
@@ -465,7 +473,7 @@ fn what_is_no_program_is_refused() {
     let (document, exit) = simulate("G0 X50.\n", &[], &["--dialect", "fanuc-lathe-a"]);
     let found = lines(&document);
     assert!(
-        exit == 0 && found.iter().any(|line| line.contains("the program ends without M2 or M30: read as")),
+        exit == 0 && found.iter().any(|line| line.contains("the program ends without M2 or M30: rodete takes")),
         "{found:?}"
     );
 }

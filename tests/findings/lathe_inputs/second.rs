@@ -147,7 +147,7 @@ fn the_jaws_close_on_what_is_left_of_the_part() {
     let (found, _, exit) = held(&new().put("Z_s", Value::Real(28.0)));
     assert_eq!(
         found,
-        ["caution DATA!C53 DATA!C19 in the second set-up the jaws, closed on X40, hardly hold the part along Z"]
+        ["caution DATA!C53 DATA!C19 in the second set-up the jaws, closed on X40, hold hardly any length along Z"]
     );
     assert_eq!(exit, 0);
     let (found, _, exit) = held(&new().put("Z_s", Value::Real(29.5)));

@@ -55,22 +55,22 @@ fn contradictions_name_all_their_cells() {
         values.iter().fold(sound(), |book, (key, value)| book.put(key, Value::Real(*value))).bytes()
     };
     for (values, what, remedy) in [
-        (&[("L4", 120.0)][..], "DATA!C19 DATA!C17 L4 is 120 mm, must be less than L = 120 mm", "hold less"),
-        (&[("L4", 200.0)], "DATA!C19 DATA!C17 L4 is 200 mm, must be less than L = 120 mm", "longer stock"),
+        (&[("L4", 120.0)][..], "DATA!C19 DATA!C17 L4 is 120 mm; it must be less than L = 120 mm", "use a smaller L4"),
+        (&[("L4", 200.0)], "DATA!C19 DATA!C17 L4 is 200 mm; it must be less than L = 120 mm", "longer stock"),
         (
             &[("L", 60.0), ("L5", 30.0)],
-            "DATA!C20 DATA!C17 DATA!C19 L5 is 30 mm, must be less than the overhang of 30 mm",
+            "DATA!C20 DATA!C17 DATA!C19 L5 is 30 mm; it must be less than the stick-out of 30 mm",
             "a smaller facing allowance",
         ),
-        (&[("d", 50.0)], "DATA!C18 DATA!C16 the bore d is 50 mm, must be less than D = 50 mm", "correct d or D"),
+        (&[("d", 50.0)], "DATA!C18 DATA!C16 the bore d is 50 mm; it must be less than D = 50 mm", "correct d or D"),
         (
             &[("X_min", 100.0), ("X_max", 50.0)],
-            "DATA!C27 DATA!C28 X_min is 100, must be less than X_max = 50",
+            "DATA!C27 DATA!C28 X_min is 100; it must be less than X_max = 50",
             "travel",
         ),
         (
             &[("Z_min", 100.0), ("Z_max", 100.0)],
-            "DATA!C29 DATA!C30 Z_min is 100, must be less than Z_max = 100",
+            "DATA!C29 DATA!C30 Z_min is 100; it must be less than Z_max = 100",
             "travel",
         ),
     ] {
@@ -84,27 +84,29 @@ fn contradictions_name_all_their_cells() {
         "all at once",
         &all.bytes(),
         &[
-            "DATA!C19 DATA!C17 L4 is 120 mm, must be less than L = 120 mm",
-            "DATA!C18 DATA!C16 the bore d is 60 mm, must be less than D = 50 mm",
-            "TOOLS!A7 place 1 of the turret is given twice",
-            "DATA!C12 it must be said what a dimension without a decimal point is: a setting of the control decides",
+            "DATA!C19 DATA!C17 L4 is 120 mm; it must be less than L = 120 mm",
+            "DATA!C18 DATA!C16 the bore d is 60 mm; it must be less than D = 50 mm",
+            "TOOLS!A7 two tools are in place 1 of the turret",
+            "DATA!C12 the form does not say how the control reads a dimension without a decimal point",
         ],
-        "hold less",
+        "use a smaller L4",
     );
 }
 
 #[test]
 fn the_rule_for_bare_numbers_is_asked_for_by_its_cell_where_the_control_has_one() {
-    let what = "DATA!C12 it must be said what a dimension without a decimal point is: a setting of the control decides";
+    let what = "DATA!C12 the form does not say how the control reads a dimension without a decimal point";
     stops("D41", &sound().without("point").bytes(), &[what], "write calculator or micrometre");
     let spanish = Book::of(Language::Es).without("point").bytes();
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("t.xlsx"), spanish).unwrap();
     let said = run(folder.path(), &["build", "t.xlsx", "--no-report", "--lang", "es"]);
     assert_eq!(said.exit, 3);
-    for wanted in
-        ["falta decir qué es una cota sin punto decimal", "hoja \"DATOS\", celda C12", "escriba calculadora o micras"]
-    {
+    for wanted in [
+        "falta decir cómo lee el control una cota sin punto decimal",
+        "hoja \"DATOS\", celda C12",
+        "escriba calculadora o micras",
+    ] {
         assert!(said.err.contains(wanted), "{}", said.err);
     }
     // Fagor's numbers are millimetres with or without a point.
@@ -120,13 +122,28 @@ fn places_and_offsets_are_given_once() {
             rows[row].values.insert(key, Value::Whole(value));
         })
     };
-    stops("two T", &with("tools/T", 1, 1).bytes(), &["TOOLS!A7 place 1 of the turret is given twice"], "one tool");
-    stops("two D", &with("tools/D", 1, 1).bytes(), &["TOOLS!B7 TOOLS!A7 offset 1 is given twice"], "one offset");
-    stops("D of another", &with("tools/D", 0, 2).bytes(), &["TOOLS!B7 TOOLS!A7 offset 2 is given twice"], "one offset");
+    stops(
+        "two T",
+        &with("tools/T", 1, 1).bytes(),
+        &["TOOLS!A7 two tools are in place 1 of the turret"],
+        "give each tool its own place",
+    );
+    stops(
+        "two D",
+        &with("tools/D", 1, 1).bytes(),
+        &["TOOLS!B7 TOOLS!A7 two tools have offset 1"],
+        "give each tool its own offset",
+    );
+    stops(
+        "D of another",
+        &with("tools/D", 0, 2).bytes(),
+        &["TOOLS!B7 TOOLS!A7 two tools have offset 2"],
+        "give each tool its own offset",
+    );
     stops(
         "T 9",
         &with("tools/T", 1, 9).bytes(),
-        &["TOOLS!A7 T (place in the turret; empty: not mounted) is 9, must be from 1 to 8"],
+        &["TOOLS!A7 T (place in the turret; empty: not mounted) is 9; it must be from 1 to 8"],
         "from 1 to 8",
     );
 }
@@ -138,9 +155,9 @@ fn a_tool_says_what_it_needs_and_cannot_be() {
             rows[row].values.remove(key);
         })
     };
-    stops("IC", &without(0, "tools/IC").bytes(), &["TOOLS!F6 tool 1 needs IC"], "fill the cell in");
+    stops("IC", &without(0, "tools/IC").bytes(), &["TOOLS!F6 tool 1 needs IC"], "fill in the cell");
     stops("shape", &without(0, "tools/shape").bytes(), &["TOOLS!E6 tool 1 needs shape"], "ISO 1832");
-    stops("psi", &without(3, "tools/psi").bytes(), &["TOOLS!L9 tool 4 needs psi"], "fill the cell in");
+    stops("psi", &without(3, "tools/psi").bytes(), &["TOOLS!L9 tool 4 needs psi"], "fill in the cell");
     let with = |key: &'static str, value| {
         sound().change(TOOLS_KEY, |rows| {
             rows[0].values.insert(key, Value::Real(value));
@@ -170,8 +187,8 @@ fn a_tool_says_what_it_needs_and_cannot_be() {
         });
         stops(key, &book.bytes(), &[said], "check the sizes of the tool");
     }
-    stops("p_min", &without(3, "tools/p_min").bytes(), &["TOOLS!M9 tool 4 needs p_min"], "fill the cell in");
-    stops("c", &without(5, "tools/c").bytes(), &["TOOLS!T11 tool 6 needs c"], "fill the cell in");
+    stops("p_min", &without(3, "tools/p_min").bytes(), &["TOOLS!M9 tool 4 needs p_min"], "fill in the cell");
+    stops("c", &without(5, "tools/c").bytes(), &["TOOLS!T11 tool 6 needs c"], "fill in the cell");
     let comma = sound().change(TOOLS_KEY, |rows| {
         rows[0].values.insert("tools/R", Value::Line("0,8".to_owned()));
     });
@@ -199,16 +216,16 @@ fn a_profile_that_cannot_be_drawn_is_refused() {
     for (rows, what, remedy) in [
         (
             vec![start, ("2", 50.0, -20.0, Some(5.0))],
-            "PROFILE!D7 the arc of the profile has a radius of 5 mm and a chord of 25 mm: it does not reach its end",
+            "PROFILE!D7 the profile's arc has a radius of 5 mm and a chord of 25 mm: it does not reach its end",
             "at least 12.5 mm",
         ),
         (vec![start, ("3", 50.0, -15.0, None)], "PROFILE!D7 the arc of the profile has no radius", "write the radius"),
         (
             vec![start, ("1", 30.0, -5.0, None), ("2", 30.0, -5.0, Some(5.0))],
-            "PROFILE!D8 the arc of the profile has a radius of 5 mm and a chord of 0 mm: it does not reach its end",
+            "PROFILE!D8 the profile's arc has a radius of 5 mm and a chord of 0 mm: it does not reach its end",
             "the arc ends where it begins",
         ),
-        (vec![start], "PROFILE!A6 the profile has one point only", "where it ends too"),
+        (vec![start], "PROFILE!A6 the profile has only one point", "add the end point"),
     ] {
         stops(what, &profile(&rows).bytes(), &[what], remedy);
     }
@@ -240,7 +257,7 @@ fn an_emptied_unit_of_a_list_is_told_with_its_cell_also_where_the_whole_row_is()
         columns.iter().fold(parts(&sound()), |parts, (column, ..)| parts.cell(TOOLS, &format!("{column}4"), "")).zip()
     };
     let told = |&(column, symbol, unit): &(&str, &str, &str)| {
-        format!("TOOLS!{column}4 {symbol} is given in {unit}, and {column}4 is empty")
+        format!("TOOLS!{column}4 {symbol} is given in {unit}, but {column}4 is empty")
     };
     stops("one", &empty(&units[2..3]), &[&told(&units[2])], "convert the values to ° and write ° in H4");
     let all: Vec<String> = units.iter().map(told).collect();
@@ -262,7 +279,7 @@ fn an_emptied_unit_of_a_list_is_told_with_its_cell_also_where_the_whole_row_is()
     let filled = sound().list(rodete::parameter::list::Rows { list: PROFILE_KEY, sheet: String::new(), rows });
     let told = ["B4 X", "C4 Z", "D4 R"].map(|one| {
         let (cell, symbol) = one.split_once(' ').unwrap();
-        format!("PROFILE!{cell} {symbol} is given in mm, and {cell} is empty")
+        format!("PROFILE!{cell} {symbol} is given in mm, but {cell} is empty")
     });
     stops("a profile", &bare(&filled), &told.each_ref().map(String::as_str), "convert the values to mm");
 }
@@ -291,24 +308,24 @@ fn headings_and_sheets_that_are_missing_are_named() {
     stops(
         "a unit",
         &renamed(TOOLS, "G4", "inch"),
-        &["TOOLS!G4 R is given in mm, and G4 says \"inch\""],
+        &["TOOLS!G4 R is given in mm, but G4 says \"inch\""],
         "convert the values to mm",
     );
     let called = |from: &str, to: &str| {
         let from = format!("<sheet name=\"{from}\"");
         parts(&sound()).replace("xl/workbook.xml", &from, &format!("<sheet name=\"{to}\"")).zip()
     };
-    stops("no TOOLS", &called("TOOLS", "OTHER"), &["file the sheet \"TOOLS\" is missing"], "add the sheet \"TOOLS\"");
+    stops("no TOOLS", &called("TOOLS", "OTHER"), &["file the sheet \"TOOLS\" is missing"], "copy the sheet \"TOOLS\"");
     stops(
         "no PROGRAM",
         &called("PROGRAM", "OTHER"),
         &["file the sheet \"PROGRAM\" is missing"],
-        "add the sheet \"PROGRAM\"",
+        "copy the sheet \"PROGRAM\"",
     );
     let (_folder, document, exit) = build(&called("PROGRAM", "Program "));
     assert_eq!(exit, 3);
     let found = lines(&document);
-    let hint = "caution Program  the sheet \"Program \" is not read: its name is not \"PROGRAM\"";
+    let hint = "caution Program  rodete does not read the sheet \"Program \": its name is not \"PROGRAM\"";
     assert!(found.iter().any(|line| line == hint), "{found:?}");
     let (_folder, document, exit) = build(&called("PROFILE", "OTHER"));
     assert_eq!(exit, 0, "{:?}", lines(&document));
@@ -318,7 +335,7 @@ fn headings_and_sheets_that_are_missing_are_named() {
 fn a_block_must_be_a_text() {
     let with = |inner: &str| parts(&sound()).cell(PROGRAM, "A8", inner).zip();
     let text = "write a text of up to 200 characters in A8";
-    let block = "PROGRAM!A8 BLOCK (one block a row)";
+    let block = "PROGRAM!A8 BLOCK (one block per row)";
     stops("a truth", &with("<c r=\"A8\" t=\"b\"><v>1</v></c>"), &[&format!("{block} is the truth value TRUE")], text);
     stops(
         "an error",
@@ -361,8 +378,8 @@ fn a_block_formatted_as_a_date_is_refused() {
     stops(
         "B12",
         &bytes,
-        &["PROGRAM!A8 BLOCK (one block a row): its cell is formatted as a date"],
-        "set the format of A8 to General and type the value again",
+        &["PROGRAM!A8 BLOCK (one block per row): its cell is formatted as a date"],
+        "set the format of A8 to General and retype the value",
     );
 }
 
@@ -380,7 +397,7 @@ fn merged_cells_hide_no_value() {
         };
         parts.put(part, sheet)
     };
-    let block = "BLOCK (one block a row): its cell lies inside the merged cells A8:A9, whose value stands in A8";
+    let block = "BLOCK (one block per row): its cell is inside the merged cells A8:A9, whose value is in A8";
     stops("over a block", &merged(PROGRAM, "A8:A9").zip(), &[&format!("PROGRAM!A9 {block}")], "unmerge A8:A9");
     // As a spreadsheet leaves it: what stood there is gone, and the row would be missing.
     let emptied = merged(PROGRAM, "A8:A9").cell(PROGRAM, "A9", "").zip();
@@ -388,15 +405,13 @@ fn merged_cells_hide_no_value() {
     stops(
         "over a radius",
         &merged(TOOLS, "G6:H6").zip(),
-        &["TOOLS!H6 phi1 (main angle φ1): its cell lies inside the merged cells G6:H6, whose value stands in G6"],
+        &["TOOLS!H6 phi1 (main angle φ1): its cell is inside the merged cells G6:H6, whose value is in G6"],
         "unmerge G6:H6",
     );
     stops(
         "over the diameter",
         &merged(DATA, "B16:C16").zip(),
-        &[
-            "DATA!C16 D (Diameter of the stock D): its cell lies inside the merged cells B16:C16, whose value stands in B16",
-        ],
+        &["DATA!C16 D (Stock diameter D): its cell is inside the merged cells B16:C16, whose value is in B16"],
         "unmerge B16:C16",
     );
     // Merged cells with nothing in them below the last block are none of the program's.
@@ -437,5 +452,5 @@ fn the_results_are_an_input_that_comes_to_the_same() {
 #[test]
 fn a_program_without_blocks_is_refused_by_its_sheet() {
     let book = sound().change(PROGRAM_KEY, Vec::clear);
-    stops("no block", &book.bytes(), &["PROGRAM there is no row below the headings"], "write one row at least");
+    stops("no block", &book.bytes(), &["PROGRAM there are no rows below the headings"], "write at least one row");
 }

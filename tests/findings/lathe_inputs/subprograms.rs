@@ -94,7 +94,7 @@ fn a_subprogram_that_is_missing_or_there_twice_is_refused() {
     let book = Book::new(&program(CALL)).subprogram("O0005", &GOOD).subprogram("O5", &RAPID);
     let (_folder, document, exit) = build(&book.bytes());
     assert_eq!(exit, 3);
-    has(&document, "stop O5 subprogram O0005 is given twice: on the sheets \"O0005\" and \"O5\"");
+    has(&document, "stop O5 there are two subprograms O0005: on the sheets \"O0005\" and \"O5\"");
     let (document, exit) = beside(CALL, &[("O0005.nc", &GOOD), ("5.nc", &RAPID)]);
     assert_eq!(exit, 3);
     has(&document, "stop 6:5 O0005 is defined twice: O0005, 5");
@@ -124,5 +124,5 @@ fn a_program_is_delivered_with_the_subprograms_that_it_calls() {
 fn recursion_ends_with_the_calls_that_led_to_it() {
     let (document, exit) = beside(CALL, &[("O0005.nc", &["M98 P0005", "M99"])]);
     assert_eq!(exit, 7);
-    has(&document, "stop O0005 1 more than 4 calls inside one another: O5 → O5 → O5 → O5 → O5");
+    has(&document, "stop O0005 1 more than 4 nested calls: O5 → O5 → O5 → O5 → O5");
 }

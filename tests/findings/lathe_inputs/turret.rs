@@ -66,14 +66,13 @@ fn the_shipped_program_goes_with_a_body_that_its_tools_stand_out_of() {
 fn a_body_is_given_whole_or_not_at_all() {
     let book = with([-30.0, 100.0, -40.0, 50.0], "G4 X1.").without("BX_max").without("BZ_min");
     let (_folder, document, exit) = build(&book.bytes());
-    let wanted =
-        "stop DATA!C38 DATA!C39 the turret's body is given by all four of its sizes; empty: BX_max, BZ_min".to_owned();
+    let wanted = "stop DATA!C38 DATA!C39 the turret's body needs all four sizes; missing: BX_max, BZ_min".to_owned();
     assert_eq!((lines(&document), exit), (vec![wanted], 3));
     bilingual(&document);
     let (_folder, document, exit) = build(&with([100.0, 100.0, 50.0, -40.0], "G4 X1.").bytes());
     let wanted = [
-        "stop DATA!C37 DATA!C38 BX_min is 100, must be less than BX_max = 100",
-        "stop DATA!C39 DATA!C40 BZ_min is 50, must be less than BZ_max = -40",
+        "stop DATA!C37 DATA!C38 BX_min is 100; it must be less than BX_max = 100",
+        "stop DATA!C39 DATA!C40 BZ_min is 50; it must be less than BZ_max = -40",
     ];
     assert_eq!((lines(&document), exit), (wanted.map(str::to_owned).to_vec(), 3));
     bilingual(&document);

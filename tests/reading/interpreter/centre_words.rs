@@ -24,9 +24,9 @@ fn read(dialect: &'static Control, arc: &str) -> (usize, Vec<String>, Vec<String
 #[test]
 fn a_zero_across_a_planar_arc_is_told_where_no_page_says_what_the_control_does() {
     for (dialect, arc, told) in [
-        (&FAGOR_8070, "G2 X10 Y0 I5 J0 K0", "K0 in an arc of G17: read as if it were not there"),
-        (&FAGOR_8070, "G2 X10 Y0 Z0 I5 J0 K-0.000", "K0 in an arc of G17: read as if it were not there"),
-        (&FAGOR_8055_T, "G2 X0 Z10 I0 J0 K5", "J0 in an arc of G18: read as if it were not there"),
+        (&FAGOR_8070, "G2 X10 Y0 I5 J0 K0", "K0 in an arc of G17: rodete ignores it"),
+        (&FAGOR_8070, "G2 X10 Y0 Z0 I5 J0 K-0.000", "K0 in an arc of G17: rodete ignores it"),
+        (&FAGOR_8055_T, "G2 X0 Z10 I0 J0 K5", "J0 in an arc of G18: rodete ignores it"),
     ] {
         let (arcs, refused, cautions) = read(dialect, arc);
         assert_eq!((arcs, refused.as_slice()), (1, [].as_slice()), "{arc}");

@@ -37,7 +37,7 @@ fn told(program: &str, part: &str) -> Read {
 
 #[test]
 fn g90_and_g91_alone_are_told_on_a_lathe_of_system_a() {
-    let bare = told("G90\nG0 X20. Z5.\nM30\n", "in system A it is the turning cycle");
+    let bare = told("G90\nG0 X20. Z5.\nM30\n", "in system A this is the turning cycle");
     assert_eq!(bare.ends, [[10.0, 5.0]]);
     // Without G0 or G1 the cycle is what the next block makes.
     let pass = told("G0 X20. Z5.\nG90\nX10. Z0. F0.1\nM30\n", "in force until G0 or G1");
@@ -54,7 +54,7 @@ fn g90_and_g91_alone_are_told_on_a_lathe_of_system_a() {
 #[test]
 fn text_before_the_first_percent_is_not_read_on_a_lathe_of_system_a() {
     let program = "shaft, second side\n\n%\nO0001\nG0 X20. Z5.\nM30\n%\n";
-    assert_eq!(told(program, "what stands before the first '%' is not read").ends, [[10.0, 5.0]]);
+    assert_eq!(told(program, "text before the first '%' is not read").ends, [[10.0, 5.0]]);
     assert!(told("G0 X20. Z5.\n%\n", "without M2 or M30").ends.len() == 1, "the program itself is no such text");
     assert!(
         !read(&FANUC_LATHE_A, "O0001\nG0 X1. Z1.\n%\nO0002\nG0 X2.\nM30\n%\n")
@@ -85,7 +85,10 @@ fn arcs_behind_a_refused_block_are_not_refused_again_until_the_position_is_known
     let found = read(&LINUXCNC, &program);
     let lines: Vec<usize> = found.refused.iter().map(|refused| refused.0).collect();
     assert_eq!(lines, [3, 685], "the cause, and what does not follow from it: {:?}", found.refused);
-    assert_eq!(found.cautions, ["680 errors that follow from refused blocks, left out: from here on not known: X, Y"]);
+    assert_eq!(
+        found.cautions,
+        ["680 errors that follow omitted, caused by rejected blocks; unknown from here on: X, Y"]
+    );
 }
 
 #[test]
@@ -93,20 +96,20 @@ fn a_motion_a_feed_a_tool_or_a_parameter_that_a_refused_block_named_is_in_doubt(
     for (program, left_out) in [
         (
             "G38.2 Z-1\nX5\nX6\nM2\n",
-            "2 errors that follow from refused blocks, left out: from here on not known: the motion in force",
+            "2 errors that follow omitted, caused by rejected blocks; unknown from here on: the motion in force",
         ),
         (
             "G1 F1,5 X1\nG1 X2\nM2\n",
-            "1 error that follows from refused blocks, left out: from here on not known: the feed",
+            "1 error that follows omitted, caused by rejected blocks; unknown from here on: the feed",
         ),
-        ("T1,0\nM6\nM2\n", "1 error that follows from refused blocks, left out: from here on not known: the tool"),
+        ("T1,0\nM6\nM2\n", "1 error that follows omitted, caused by rejected blocks; unknown from here on: the tool"),
         (
             "#<a>=[1/0]\nG0 X#<a>\nM2\n",
-            "1 error that follows from refused blocks, left out: from here on not known: a parameter",
+            "1 error that follows omitted, caused by rejected blocks; unknown from here on: a parameter",
         ),
         (
             "M3,1\nG84 X0 Y0 Z-1 R1 F1\nM2\n",
-            "1 error that follows from refused blocks, left out: from here on not known: the spindle's way",
+            "1 error that follows omitted, caused by rejected blocks; unknown from here on: the spindle's way",
         ),
     ] {
         let found = read(&LINUXCNC, &format!("G21 G90\n{program}"));
@@ -138,7 +141,7 @@ fn where_linuxcnc_goes_elsewhere_is_a_caution() {
     let cautions = |program: &str| read(&LINUXCNC, &format!("G21 G90 F100 G98\n{program}M2\n")).cautions;
     let tap = |plane: &str| cautions(&format!("{plane} M3 S100\nG84 X1 Y1 Z1 R2\n"));
     assert!(tap("G17").is_empty());
-    assert!(tap("G18").iter().any(|one| one.contains("G84 outside G17: LinuxCNC 2.9 takes the axes for one another")));
+    assert!(tap("G18").iter().any(|one| one.contains("G84 outside G17: LinuxCNC 2.9 swaps the axes")));
     let turn = "G10 L2 P1 R30\nG92.1\n";
     assert!(cautions(&format!("G0 X1\n{turn}")).is_empty());
     assert!(cautions(&format!("G92 X5\n{turn}")).iter().any(|one| one.contains("LinuxCNC 2.9 forgets G92")));

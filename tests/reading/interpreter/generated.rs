@@ -13,7 +13,7 @@ use super::{corpus, expressions, generator, ours, soup};
 
 /// Where rodete refuses on purpose what rs274 takes: a part of the message, and why.
 const STRICTER: [(&str, &str); 9] = [
-    ("over ±99,999.999", "numbers beyond what any machine reaches are slips"),
+    ("beyond ±99,999.999", "numbers beyond what any machine reaches are slips"),
     ("not a finite number", "infinity is no number, whatever is made of it afterwards"),
     ("G43.1 without axis words", "it changes nothing, so that the axis word has been forgotten"),
     ("motion under G93 with F0", "a move that takes for ever means nothing"),

@@ -87,7 +87,10 @@ fn a_block_that_a_loop_repeats_is_refused_once_and_ends_the_program_at_the_hundr
     let program = "G21 G90\n#1=0\no1 while [#1 LT 1000000]\nG38.2 Z-1 F100\n#1=[#1+1]\no1 endwhile\nM2\n";
     let [first, last] = refusals(program, &LINUXCNC).try_into().expect("two refusals");
     assert_eq!((first.0, first.1), (4, Exit::Refused));
-    assert_eq!(last, (4, Exit::Limit, "the block was refused 100 times in a loop; nothing more is read".to_owned()));
+    assert_eq!(
+        last,
+        (4, Exit::Limit, "the block was rejected 100 times in a loop; rodete stops reading here".to_owned())
+    );
     let ends = program.replace("1000000", "99");
     assert_eq!(refusals(&ends, &LINUXCNC).len(), 1, "99 times are told once, and the program is read on");
 }
@@ -95,7 +98,7 @@ fn a_block_that_a_loop_repeats_is_refused_once_and_ends_the_program_at_the_hundr
 #[test]
 fn a_loop_whose_rounds_change_nothing_is_stopped_and_one_that_counts_is_not() {
     let told = |program: &str| refusals(program, &LINUXCNC);
-    let idle = "endless loop: 1000 rounds in which nothing moves and no parameter changes";
+    let idle = "endless loop: in 1000 passes nothing moves and no parameter changes";
     for program in [
         "o1 while [1]\no1 endwhile\nM2\n",
         "o1 while [#5399 EQ 0]\nM3 S100\nM5\n#1=7\no1 endwhile\nM2\n",
@@ -128,7 +131,7 @@ fn every_word_is_bounded_in_every_dialect() {
     for dialect in ALL {
         for word in ["F", "S", "F-", "T", "X", "Z"] {
             let told = refusals(&format!("G1 X1. {word}{digits}\nM30\n"), dialect);
-            let wanted = ["number too great", "the line has more than 255 characters"];
+            let wanted = ["number too large", "the line is longer than 255 characters"];
             assert!(
                 told.first().is_some_and(|one| wanted.contains(&one.2.as_str())),
                 "{} {word}: {told:?}",
@@ -136,10 +139,10 @@ fn every_word_is_bounded_in_every_dialect() {
             );
         }
         for (word, message) in [
-            ("F99999999999.", "F99999999999 is over 9,999,999,999"),
-            ("F100000.", "F100000 is over 99,999.999"),
-            ("S100000", "S100000 is over 99,999.999"),
-            ("T10000000000", "T10000000000 is over 9,999,999,999"),
+            ("F99999999999.", "F99999999999 is above 9,999,999,999"),
+            ("F100000.", "F100000 is above 99,999.999"),
+            ("S100000", "S100000 is above 99,999.999"),
+            ("T10000000000", "T10000000000 is above 9,999,999,999"),
         ] {
             let told = refusals(&format!("G1 X1. Z1. F0.1 S100\n{word}\nM30\n"), dialect);
             let told: Vec<&str> = told.iter().filter(|one| one.0 == 2).map(|one| one.2.as_str()).collect();
@@ -148,7 +151,7 @@ fn every_word_is_bounded_in_every_dialect() {
     }
     assert!(refusals("G21 G93 G1 X1 F1000000\nM2\n", &LINUXCNC).is_empty(), "an inverse time in minutes");
     let cycle = "T1 D1 S100 M3\nG83 X0 Z0 I-10 B5 D1 K9999999\nM30\n";
-    assert!(refusals(cycle, &FAGOR_8055_T).iter().any(|one| one.2.contains("K9999999 is over")));
+    assert!(refusals(cycle, &FAGOR_8055_T).iter().any(|one| one.2.contains("K9999999 is beyond")));
 }
 
 /// Pieces of programs, so that chance gets further than the first byte.

@@ -81,34 +81,34 @@ const CONTOURS: u64 = 80;
 const BAD: [(&str, &str); 24] = [
     (
         "G41.1 D6; G1 X2.9; X20; G40; X30",
-        "the entry into compensation is 2.9 long, and must be longer than the radius 3",
+        "the entry into compensation is 2.9 long; it must be longer than the radius 3",
     ),
     ("G41.1 D6; G1 Z-1; X10; X20", "the entry into compensation is 0 long"),
     ("G41.1 D6; G1 X10; X30; G3 X34 I2; G1 X50", "the cutter's radius 3 does not fit into the arc of radius 2"),
-    ("G41.1 D6; G1 X10; X30; Y2; X10", "corners take more than the piece before has"),
+    ("G41.1 D6; G1 X10; X30; Y2; X10", "the corners need more length than the element before them has"),
     ("G41.1 D6; G1 X10; G3 X2 I-4", "the cutter's radius 3 does not fit into the corner"),
     (
         "G20 F20; G1 X0 Y0; G41.1 D0.25; G1 X1; X2; G2 X2.1 Y-0.1 I-0.001 J-0.1; G40; G1 X5",
-        "corners take more than the piece before has",
+        "the corners need more length than the element before them has",
     ),
-    ("G41.1 D6; G1 X10; X20; G40; G2 X40 I10", "the first motion behind G40 is an arc"),
-    ("G41.1 D6; G1 X10; G42.1 D6; X20", "G41 or G42 with compensation already in force"),
+    ("G41.1 D6; G1 X10; X20; G40; G2 X40 I10", "the first motion after G40 is an arc"),
+    ("G41.1 D6; G1 X10; G42.1 D6; X20", "G41 or G42 while compensation is already in force"),
     ("G19 G41.1 D6; G1 X10", "cutter radius compensation in G19 is not supported"),
     ("G41.1 G1 X10", "G41.1 or G42.1 without D"),
     ("G41.1 D6 L2 G1 X10", "L with G41.1 or G42.1 in G17"),
-    ("G41 D4 G1 X10", "G41 or G42 in G17 with tool 4, which is a lathe's"),
+    ("G41 D4 G1 X10", "G41 or G42 in G17 with tool 4, a turning tool"),
     ("G41 D9 G1 X10", "tool 9 is not in the tool table"),
-    ("G41.1 D6 G43 H1; G1 X10", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6 G55; G1 X10", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6 G81 X10 Z-1 R1", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; G55", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; G28", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; G53 G1 X20", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; G81 X20 Z-1 R1", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; T1 M6", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; G18", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; M66 P0 L0", "this code cannot stand with G41 or G42 in force"),
-    ("G41.1 D6; G1 X10; G1 X[#5420 + 10]", "the position cannot be read with G41 or G42 in force"),
+    ("G41.1 D6 G43 H1; G1 X10", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6 G55; G1 X10", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6 G81 X10 Z-1 R1", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; G55", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; G28", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; G53 G1 X20", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; G81 X20 Z-1 R1", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; T1 M6", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; G18", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; M66 P0 L0", "this code is not allowed while G41 or G42 is in force"),
+    ("G41.1 D6; G1 X10; G1 X[#5420 + 10]", "a program cannot read the position while G41 or G42 is in force"),
 ];
 
 #[test]
@@ -202,10 +202,10 @@ fn what_linuxcnc_refuses_under_cutter_compensation_is_refused() {
 fn what_is_not_followed_under_cutter_compensation_is_refused() {
     for (body, told) in [
         ("G18 G41.1 D6; G1 X10", "cutter radius compensation in G18 is not supported"),
-        ("G41.1 D6; G1 X10; X20 A5; X30", "rotary axes or U, V, W with G41 or G42 in force are not supported"),
+        ("G41.1 D6; G1 X10; X20 A5; X30", "rotary axes or U, V, W are not supported while G41 or G42 is in force"),
         (&*format!("G41.1 D6; G1 X10; G1{}; X20", "\nZ1\nZ0".repeat(5_001)), "more than 10000 blocks without motion"),
-        ("G41; G1 X10", "it is not known which tool is in the spindle"),
-        ("G41.1 D6; G1 X10; X20; M0; X30", "this code cannot stand with G41 or G42 in force"),
+        ("G41; G1 X10", "the tool in the spindle is not known"),
+        ("G41.1 D6; G1 X10; X20; M0; X30", "this code is not allowed while G41 or G42 is in force"),
     ] {
         let fault = ours::run(program(body).as_bytes(), &judge()).expect_err(body);
         assert!(fault.message.contains(told), "{body}: {}", fault.message);

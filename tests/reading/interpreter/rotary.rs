@@ -89,8 +89,8 @@ fn an_absolute_program_for_linear_axes_turns_the_other_way_where_they_are_rollov
     assert_eq!(rollover.ends, [-90.0, -94.5, -99.0, -90.0, 265.5, 621.25]);
     assert_eq!(
         rollover.cautions,
-        ["more than half a turn of a rotary axis in one block at feed: C turns 355.75°; 2 such blocks, this the \
-             greatest, in line 6"]
+        ["a rotary axis makes more than half a turn in one feed block: C turns 355.75°; 2 such blocks, the \
+             largest in line 6"]
     );
 }
 
@@ -99,7 +99,7 @@ fn a_turn_of_more_than_half_at_feed_is_told_with_its_figure_and_one_at_rapid_is_
     let told = |program: &str| read(&LINUXCNC, None, program).cautions;
     assert_eq!(
         told("G21 G1 F100 A180\nA360.5\nG0 A0\nM2\n"),
-        ["more than half a turn of a rotary axis in one block at feed: A turns 180.5°"]
+        ["a rotary axis makes more than half a turn in one feed block: A turns 180.5°"]
     );
     let arc = "G21 G17 G3 X0 Y0 I5 J0 B-181 F100\nM2\n";
     assert!(told(arc).iter().any(|what| what.ends_with("B turns -181°")), "{:?}", told(arc));
@@ -122,11 +122,11 @@ fn a_target_beyond_the_turn_is_refused() {
 #[test]
 fn what_the_manuals_do_not_say_is_a_caution() {
     let cautions = |program: &str| read(&FAGOR_8055, None, program).cautions;
-    let reached = "C stands at the angle of its word in G90 already: undefined on this control";
+    let reached = "C is already at the angle of its G90 word: the control's behaviour is undefined";
     assert_eq!(cautions("G91 G0 C90\nG90 C90\nM30\n"), [reached]);
     assert_eq!(cautions("G91 G0 C-0.001\nC0.001\nG90 C0\nM30\n"), [reached]);
     let minus = cautions("G91 G0 C90\nG90 C-0\nM30\n");
-    assert_eq!(minus, ["C-0 in G90: undefined on this control; read as a turn in minus to 0"]);
+    assert_eq!(minus, ["C-0 in G90: undefined on this control; rodete reads it as a turn in minus to 0"]);
     assert_eq!(ends(Rotary::Rollover, "G91 G0 C90\nG90 C-0\nM30\n"), [90.0, 0.0]);
 }
 

@@ -121,8 +121,8 @@ fn missing_and_unknown_words_and_impossible_cycles_are_refused_by_name() {
         ("G86 X40 Z0 Q40 R-20 I1 B1 D3 C2 K5", "K in G86 is not supported"),
         ("G83 X0 Z0 I10 B0 D1 H3", "H in G83 with B0"),
         ("G81 X20 Z0 Q20 R-20 C0", "the step C is not above 0"),
-        ("G85 X20 Z-10 Q0 R0 C1 I0 K1", "no single radius"),
-        ("G81 X10 Z0 Q60 R-20 C5", "the tool stands where the cycle cannot start"),
+        ("G85 X20 Z-10 Q0 R0 C1 I0 K1", "two radii"),
+        ("G81 X10 Z0 Q60 R-20 C5", "the cycle cannot start here"),
     ] {
         let program = format!("G95 F0.2 S500 M3\nG0 X40 Z2\n{block}\nM30\n");
         let (motions, faults, _) = run(program.as_bytes());
@@ -137,7 +137,7 @@ fn missing_and_unknown_words_and_impossible_cycles_are_refused_by_name() {
 fn a_groove_is_remarked_for_the_width_of_its_cutter() {
     let (_, faults, remarks) = run(b"G95 F0.2 S500 M3\nG0 X40 Z2\nG88 X30 Z-5 Q20 R-9 C2 D1\nM30\n");
     assert_eq!(faults, []);
-    assert!(remarks.iter().any(|remark| remark.contains("width of the cutter")), "{remarks:?}");
+    assert!(remarks.iter().any(|remark| remark.contains("width of the grooving tool")), "{remarks:?}");
 }
 
 #[test]

@@ -196,7 +196,7 @@ fn a_nose_that_does_not_fit_is_refused_at_its_block_with_its_numbers() {
     assert_eq!(fault.line, 9);
     assert_eq!(
         fault.what.en.as_ref(),
-        "nose radius 0.8 does not fit: the piece is 1.5 long and the corners at its ends take 1.6"
+        "nose radius 0.8 does not fit: the element is 1.5 long and the corners at its ends need 1.6"
     );
     assert_eq!(fault.remedy.en.as_ref(), "use a nose radius of 0.75 or less, or change the contour");
 }
@@ -206,7 +206,7 @@ fn an_offset_without_a_nose_is_refused_once_and_radius_0_follows_the_program() {
     let text = format!("{HEAD}G42 G1 X20. Z2.\nZ-10.\nX30.\nG40 X40.\nM30\n");
     let fault = refused(&text.replace("T0101", "T0303"));
     assert_eq!(fault.line, 6);
-    assert_eq!(fault.what.en.as_ref(), "G41 or G42, and offset 3 has no nose radius in the tool table");
+    assert_eq!(fault.what.en.as_ref(), "G41 or G42, but offset 3 has no nose radius in the tool table");
     let sharp = clean(&FANUC_LATHE_A, &text.replace("T0101", "T0202"));
     let plain = clean(&FANUC_LATHE_A, &text.replace("T0101", "T0202").replace("G42 ", ""));
     let only = |run: &Run| run.motions.iter().map(|(motion, _)| *motion).collect::<Vec<_>>();
@@ -231,7 +231,7 @@ fn threads_and_tool_changes_under_compensation_are_refused_by_name() {
     let fault = refused(&format!("{HEAD}G42 G1 X20. Z2.\nZ0.\nG32 Z-10. F1.5\nG40 G0 X40.\nM30\n"));
     assert_eq!((fault.line, fault.what.en.as_ref()), (8, "thread with G41 or G42 in force"));
     let fault = refused(&format!("{HEAD}G42 G1 X20. Z2.\nZ-10.\nT0404\nX30.\nG40 X40.\nM30\n"));
-    assert_eq!((fault.line, fault.what.en.as_ref()), (9, "the nose of the tool changes with G41 or G42 in force"));
+    assert_eq!((fault.line, fault.what.en.as_ref()), (9, "the tool nose changes with G41 or G42 in force"));
 }
 
 #[test]
@@ -367,7 +367,7 @@ fn g70_follows_the_contour_with_the_nose_and_g71_does_not() {
     assert!(
         run.remarks
             .iter()
-            .any(|(grade, what)| *grade == Grade::Note && what.contains("without nose radius compensation"))
+            .any(|(grade, what)| *grade == Grade::Note && what.contains("have no nose radius compensation"))
     );
     let bare = cycle(&CONTOUR.replace("G42 ", "").replace("G40 ", ""));
     let roughing = |run: &Run| run.motions.iter().map(|(motion, _)| *motion).take(finishing).collect::<Vec<_>>();

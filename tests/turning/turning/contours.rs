@@ -27,7 +27,7 @@ fn roughing_makes_the_same_motions_whatever_else_the_contour_s_blocks_say() {
                 && !control.coolant
         }));
         let cycle = &first[..3];
-        assert!(remarked(&full, &format!("{cycle} passes over M, T, G4 and G96 to G99 of the contour")));
+        assert!(remarked(&full, &format!("{cycle} ignores M, T, G4, G96 to G99, F and S within the contour")));
         assert!(!remarked(&plain, "passes over"));
     }
 }
@@ -79,7 +79,7 @@ fn revolutions_without_s_keep_the_speed_of_the_place_in_the_contour() {
 #[test]
 fn a_feed_from_before_the_contour_is_told_where_the_contour_changes_its_meaning() {
     let read = read(&format!("{HEAD}G70 P10 Q20\nM30\nN10 G0 X30. G98\nG1 Z-10.\nN20 X50.\n"));
-    assert!(remarked(&read, "feed per minute or per revolution has changed"));
+    assert!(remarked(&read, "the program changes between feed per minute and per revolution"));
     assert!(
         matches!(read.motions[2].kind, MotionKind::Feed(feed) if feed.mode == FeedMode::PerMinute && feed.value == 0.2)
     );

@@ -144,7 +144,7 @@ fn a_contour_has_its_corners_broken_for_roughing_and_for_finishing() {
         [false, true, true, true, true, true],
         "M8 is obeyed once, before the first motion of its block"
     );
-    assert!(remarked(&read, "the oldest Fanuc controls do not take them between P and Q"));
+    assert!(remarked(&read, "the oldest Fanuc controls do not allow them between P and Q"));
 }
 
 #[test]

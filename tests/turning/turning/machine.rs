@@ -33,9 +33,9 @@ fn t_names_place_and_offset() {
     for (word, message) in [
         ("T0701", "tool 7 is not in the tool table"),
         ("T0107", "offset 7 is not in the tool table"),
-        ("T1", "T1 names no place of the turret, only offset 1; write T0101"),
-        ("T10101", "T10101 is no place with its offset"),
-        ("T1.5", "T1.5 is no place with its offset"),
+        ("T1", "T1 gives no turret place, only offset 1; write T0101"),
+        ("T10101", "T10101 is not a turret place with its offset"),
+        ("T1.5", "T1.5 is not a turret place with its offset"),
     ] {
         let refused = refusal(&format!("{word}\nM30\n"));
         assert!(refused.starts_with(&format!("1:1 {message}")), "{refused}");
@@ -58,7 +58,7 @@ fn work_offsets_are_selected_and_shifted_from_the_first_zero() {
     let positions = machine("G0 X50. Z5.\nG55 X50. Z5. G0\nG54 X30. Z15.\nX50. Z5.\nG54\nX50. Z5.\nG54 G0 X1. Z2.");
     assert_eq!(positions, [[50.0, 5.0], [70.0, 105.0], [80.0, 20.0], [50.0, 5.0], [1.0, 2.0]]);
     let shifted = read("G54 X30. Z15.\nG0 X0");
-    assert!(remarked(&shifted, "the system is shifted from the zero W1"));
+    assert!(remarked(&shifted, "this shifts the system from zero W1"));
     assert_eq!(shifted.motions.len(), 1);
     // G56 lies at the machine's zero; shifted it still counts from W1.
     assert_eq!(machine("G55 X10. Z1.\nG0 X0 Z0"), [[10.0, 1.0]]);
@@ -100,7 +100,7 @@ fn x_beyond_the_axis_is_told_of_increments_too() {
 fn codes_of_the_builder_are_noted_and_not_run() {
     let read = read("M41\nG0 X1. M19\nM13");
     assert_eq!(read.remarks.len(), 3);
-    assert!(remarked(&read, "M41 is a code of the machine's own: it is not run"));
+    assert!(remarked(&read, "M41 is a machine builder's code: rodete does not run it"));
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn a_comment_stands_in_parentheses_or_behind_a_semicolon() {
     let read = read_with("G0 X40.\n/G0 X20.\nM30\n", skipping);
     assert_eq!(read.motions.len(), 1);
     let refused = refusal("G0 X40. ; Z5.\nM30\n");
-    assert!(refused.starts_with("1:9 there is a block after the end of block"), "{refused}");
+    assert!(refused.starts_with("1:9 there is a block after ';'"), "{refused}");
     for text in ["T1 roughing", "Z0 face", "N10", "", " G0 fast"] {
         moves(&format!("G0 X40. ; {text}"), &["G0 X40 Z5"]);
     }

@@ -237,7 +237,7 @@ fn x_beyond_the_axis_and_a_stale_feed_are_remarked() {
     let facing = read("S500 M3\nG0 X50. Z0\nG1 X-1.6 F0.2");
     assert!(remarked(&facing, "negative X"));
     let stale = read("S500 M3\nG0 X50. Z0\nG1 X40. F0.2\nG98\nX30.\nX20. F100.");
-    assert!(remarked(&stale, "feed per minute or per revolution has changed"));
+    assert!(remarked(&stale, "the program changes between feed per minute and per revolution"));
     let fresh = read("S500 M3\nG0 X50. Z0\nG1 X40. F0.2\nG98 X30. F120.");
     assert!(!remarked(&fresh, "has changed"));
 }
@@ -267,7 +267,7 @@ fn a_start_angle_holds_in_its_block_alone() {
 fn a_pass_that_loses_the_start_angle_of_its_thread_is_told_and_two_starts_are_not() {
     let told = |passes: &str| {
         let read = read(&format!("T0101 M3 S1000 F0.2\nG0 X50. Z5.\n{passes}"));
-        remarked(&read, "Q holds in its block alone")
+        remarked(&read, "Q counts only in its own block")
     };
     // The second start of a thread, whose Q was not given again at the next depth.
     assert!(told("G92 X29. Z-20. F3. Q180000\nX28.5\nX28."));

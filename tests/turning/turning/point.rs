@@ -21,7 +21,9 @@ fn lines(program: &str, point: DecimalPoint) -> Vec<String> {
 fn without_the_setting_such_a_dimension_is_refused() {
     let refused = refusal("G0 X100\nM30\n");
     assert!(
-        refused.starts_with("1:4 X100 has no decimal point: mm or µm, depending on the control; write X100."),
+        refused.starts_with(
+            "1:4 X100 has no decimal point: the control reads it as mm or µm, depending on its setting; write X100."
+        ),
         "{refused}"
     );
     assert!(refused.contains("--decimal-point"), "{refused}");
@@ -56,8 +58,8 @@ fn inches_and_dwells_have_increments_of_their_own() {
             "dimensions without decimal point, read as least increments (0.0001 inch)",
         ),
         ("G20 G0 X1", DecimalPoint::Calculator, "dimensions without decimal point, read as inches"),
-        ("G20\nG4 X1500", DecimalPoint::Micrometre, "dwells without decimal point, read as ms"),
-        ("G4 U2", DecimalPoint::Calculator, "dwells without decimal point, read as s"),
+        ("G20\nG4 X1500", DecimalPoint::Micrometre, "dwell times without a decimal point, read as ms"),
+        ("G4 U2", DecimalPoint::Calculator, "dwell times without a decimal point, read as s"),
     ] {
         let remarks = read(program, point).remarks;
         assert!(remarks.iter().any(|remark| remark.what.en == said), "{program} {remarks:?}");
@@ -94,6 +96,6 @@ fn a_feed_per_revolution_without_a_point_is_refused_where_the_control_counts_inc
     let mut setting = setting();
     setting.point = Some(DecimalPoint::Micrometre);
     let refused = refusal_with("G0 X0\nG1 Z-1. F2\nM30\n", setting);
-    assert!(refused.starts_with("2:9 F2 has no decimal point: the increment of a feed per revolution"), "{refused}");
+    assert!(refused.starts_with("2:9 F2 has no decimal point: the unit of a feed per revolution"), "{refused}");
     assert_eq!(lines("G0 X0 Z0\nG1 Z-1. F2", DecimalPoint::Calculator), ["G0 X0 Z0", "G1 X0 Z-1 F2"]);
 }

@@ -55,11 +55,7 @@ fn subprograms_call_subprograms_four_deep() {
     let read = with_files("M98 P1\nM30\n", &[("1", "M98 P2\nM99\n"), ("2", "M98 P1\nM99\n")]);
     let fault = read.faults.first().unwrap();
     assert_eq!(fault.exit, Exit::Limit);
-    assert!(
-        fault.what.en.contains("more than 4 calls inside one another: O1 → O2 → O1 → O2 → O1"),
-        "{}",
-        fault.what.en
-    );
+    assert!(fault.what.en.contains("more than 4 nested calls: O1 → O2 → O1 → O2 → O1"), "{}", fault.what.en);
     let refused = refusal("M97 P100\nM30\nN100 M97 P100\nM99\n");
     assert!(refused.contains("N100 → N100 → N100 → N100 → N100"), "{refused}");
 }
@@ -74,7 +70,7 @@ fn m99_with_p_goes_back_to_a_block_of_the_caller() {
 fn a_block_that_m99_does_not_find_is_refused_in_its_own_file() {
     for (program, said) in [
         ("M98 P2\nM30\n", "PS0078: there is no block N50 in the program that calls"),
-        ("M98 P2\nN50 Z6.\nM30\nN50 Z7.\n", "N50 stands twice: in lines 2 and 4 of the program"),
+        ("M98 P2\nN50 Z6.\nM30\nN50 Z7.\n", "two blocks have the number N50: in lines 2 and 4 of the program"),
     ] {
         let read = with_files(program, &[("O0002", "G0 X10.\n\nM99 P50\n")]);
         let [fault] = read.faults.as_slice() else { panic!("{:?}", read.faults) };
@@ -93,16 +89,16 @@ fn block_numbers_belong_to_their_program() {
 #[test]
 fn calls_that_lead_nowhere_are_refused() {
     for (program, message) in [
-        ("M98 P7\nM30\n", "1:5 PS0078: there is no subprogram O0007; put it beside the program, in a file O0007.nc"),
+        ("M98 P7\nM30\n", "1:5 PS0078: there is no subprogram O0007; put it in a file O0007.nc beside the program"),
         ("M98\nM30\n", "1:1 M98 without P"),
         ("M97 L2\nM30\n", "1:1 M97 without P"),
         ("M97 P7\nM30\n", "1:5 PS0078: there is no block N7"),
-        ("M97 P7\nM30\nN7 M99\nN7 M99\n", "1:5 N7 stands twice: in lines 3 and 4"),
+        ("M97 P7\nM30\nN7 M99\nN7 M99\n", "1:5 two blocks have the number N7: in lines 3 and 4"),
         ("M98 P7 L10000\nM30\n", "1:8 L10000 repeats"),
-        ("M98 P20007 L2\nM30\n", "1:5 P20007 says how often, and so does L"),
+        ("M98 P20007 L2\nM30\n", "1:5 P20007 and L both give a number of repeats"),
         ("M98 P990000007\nM30\n", "1:5 P990000007: 99000 repeats"),
-        ("M98 P0\nM30\n", "1:5 P0 is no subprogram number"),
-        ("G0 X1.\nM99\nM30\n", "2 M99 in the main program repeats it without end"),
+        ("M98 P0\nM30\n", "1:5 P0 is not a subprogram number"),
+        ("G0 X1.\nM99\nM30\n", "2 M99 in the main program repeats it forever"),
         ("O1\nM98 P2\nM30\nO2\nM99\nO2\nM99\n", "2:5 O0002 is defined twice: 4, 6"),
         ("O1\nM98 P2\nM30\nO2\nG0 X1.\nO3\nM99\n", "6 the file ends inside a subprogram"),
         ("O1\nG0 X1.\nO2\nM99\n", "3 the program ends without M2 or M30"),

@@ -3,7 +3,7 @@
 //! # Path of a hole
 //! At rapid along X over the hole, at rapid along Z to R, at feed to the bottom, the dwell, at rapid back to R, where the tool
 //! stays. G83 pecks by Q: after each peck at rapid back to R and down again to [`PECK_CLEARANCE`] above the depth reached, which
-//! is a parameter of the control; without Q it goes to the bottom at one go, and that is told. Blocks with X or Z alone make further holes; G80 ends the cycle and leaves the motion code in
+//! is a parameter of the control; without Q it goes to the bottom at one go, and that is reported. Blocks with X or Z alone make further holes; G80 ends the cycle and leaves the motion code in
 //! force that was so before it.
 //!
 //! # References

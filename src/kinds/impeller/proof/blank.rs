@@ -1,4 +1,4 @@
-//! The turning of the blank: its program followed over the stock, and what is left held against the torus.
+//! The turning of the blank: its program followed over the stock, and what is left compared with the torus.
 //!
 //! # Assumed
 //! Of the lathe nothing is known, so that nothing of it can be met: no chuck, no tailstock, no limit of travel or speed.

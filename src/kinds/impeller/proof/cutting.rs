@@ -190,7 +190,7 @@ impl Cutting<'_, '_> {
         let told = design.tol.unwrap_or(NAMED);
         let wanted = (total.value() > told).then(|| needed(design, total.value(), told));
         let (n, tolerance) = (wanted.flatten(), size(told));
-        let name = t("Punta entre bloques: mayor desviación", "Tip between blocks: greatest deviation");
+        let name = t("Punta entre bloques: desviación máxima", "Tip between blocks: maximum deviation");
         let limit = Text::same(design.tol.map(mm).unwrap_or_default());
         let path = Question::new("tip-path", name, program).showing(at_most(&total), limit);
         let path = match design.tol {
@@ -239,7 +239,7 @@ impl Cutting<'_, '_> {
         let bound = measured.iter().map(|one| one.along.grid_limit).fold(0.0, f64::max);
         let name = t("Puntos: lo que los mueve el redondeo a 0.001", "Points: moved by rounding to 0.001");
         let asked = Question::new("grid", name, program).showing(Text::same(mm(moved.value())), Text::same(mm(bound)));
-        // Each point is held against the limit of its own place.
+        // Each point is compared with the limit of its own place.
         let kept = past.value() <= 0.0;
         asked
             .of(if kept { &moved } else { &past })

@@ -1,16 +1,16 @@
 //! Clearance to the other blades while the tool cuts, and on its ways in and out.
 //!
-//! The tool, a cylinder along its axis, is held against both faces of all other blades and splitters, along the motions
+//! The tool, a cylinder along its axis, is compared with both faces of all other blades and splitters, along the motions
 //! that the text gives, from one safe point to the next: a lower and an upper bound over time and face
 //! ([`clearance`](crate::kinds::impeller::clearance)), no samples. A pass is only taken as clear where the lower bound says so;
-//! where the work ends before it is known, it is not. Rapid and crossing motions are not held against the faces: all blades
+//! where the work ends before it is known, it is not. Rapid and crossing motions are not compared with the faces: all blades
 //! are in the stock, and from that they are judged to keep clear by a lower bound of their own, over the whole of each
 //! ([`stock`](crate::kinds::impeller::proof::stock)).
 //!
 //! A splitter's faces count from the point at which it stands in full: the paths on both of its sides have crossed its
 //! neighbours' and have their whole offset. Before it the splitter ends in its neighbours' channels, which were cut before
 //! it and are meant to cut it off. How far they still reach into it past the crossing, which is that of the tips in plan,
-//! is said and not held against them. Its own passes must leave the blades alone, and where each side fades by itself
+//! is said and not compared with them. Its own passes must leave the blades alone, and where each side fades by itself
 //! they do. One fraction for both sides, as published, is made for the side on which the paths cross first, and on the
 //! other side the tool reaches the neighbour. That is for a person to judge, since it belongs to the published method;
 //! anything else that cuts into a blade, or a splitter into a splitter, stops the work.

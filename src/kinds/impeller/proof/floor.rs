@@ -5,7 +5,7 @@
 //! middle. The floor itself is a_p below the torus and has the radius r + a_p, so that against the floor the same formula
 //! holds with r + a_p. Both take the middle to be on the arc. It is not: the tip stands w beside the mean line in the
 //! mean line's tangent plane. How deep the rim really reaches over all blocks is bounded by
-//! [`floor_depth`](crate::kinds::impeller::floor_depth) and told with the plan's shortfalls.
+//! [`floor_depth`](crate::kinds::impeller::floor_depth) and reported with the plan's shortfalls.
 
 /// How much deeper the rim of a flat end mill cuts than its middle across a meridian of some radius, mm.
 #[must_use]

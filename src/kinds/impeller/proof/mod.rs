@@ -42,7 +42,7 @@ use crate::proof::travel::Axes;
 use crate::proof::turning::RotarySteps;
 use crate::text::{Text, t};
 
-/// The geometry that programs are held against.
+/// The geometry that programs are compared with.
 #[derive(Clone, Copy, Debug)]
 pub struct Geometry<'a> {
     /// The design.

@@ -8,7 +8,7 @@
 //!
 //! What a pass may lack of the safety distance is what rounding to the grid takes: safe points and retract height are made
 //! for d_s exactly, and 0.0005 mm in each of X, Y and Z and 0.0005° of B, at the distance of the stock's farthest point from
-//! the pivot, may bring the tool nearer. It is told beside the limit.
+//! the pivot, may bring the tool nearer. It is reported beside the limit.
 //!
 //! # Units
 //! Millimetres and radians.

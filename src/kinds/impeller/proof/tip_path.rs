@@ -16,8 +16,8 @@
 //! by τ ≤ |T″|/|T′| and that by τ₂ ≤ |T‴|/|T′| + 3τ², so that |P′| ≤ τ and |P″| ≤ 2τ₂ + 2τ²; |D″| is at most the acceleration of the tip
 //! in the part and |T″|, for which there are bounds over a whole block ([`Ideal::bends`]). Between two looks D, D′ and T′ follow
 //! from their values there and |D″|. So |e|, −e·N and e·(∓b) exceed their greater values at two looks by no more than an eighth of the
-//! bound of their second derivative times the square of the span, and spans are parted until that is `FINE`. What is told and
-//! held against a tolerance is the bound.
+//! bound of their second derivative times the square of the span, and spans are parted until that is `FINE`. What is reported and
+//! compared with a tolerance is the bound.
 //!
 //! The deviation falls with 1/n², down to what the grid of 0.001 mm and 0.001° leaves: half a thousandth of a degree of
 //! B at the distance L of the pivot.

@@ -242,8 +242,8 @@ fn quantities(
             Unit::Degree,
             t("asen(g0/√(d0² + r_g²)) + atan(r_g/d0)", "asin(g0/√(d0² + r_g²)) + atan(r_g/d0)"),
         ),
-        quantity("sigma_min", t("Menor σ", "Least σ"), least(|one| one.sigma).to_degrees(), Unit::Degree, t("", "")),
-        quantity("D_most", t("Mayor altura D", "Greatest height D"), most(|one| one.D), mm, t("", "")),
+        quantity("sigma_min", t("σ mínimo", "Minimum σ"), least(|one| one.sigma).to_degrees(), Unit::Degree, t("", "")),
+        quantity("D_most", t("Altura máxima D", "Maximum height D"), most(|one| one.D), mm, t("", "")),
     ];
     if !account.untimed && account.seconds > 0.0 {
         let meaning = t("Duración con antorcha, con la espera", "Time with the torch, delay included");

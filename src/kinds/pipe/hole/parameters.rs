@@ -24,7 +24,7 @@ pub(super) static GAMMA: Field<f64, Required> = Field::real(
     Unit::Degree,
     [0.0, 80.0],
     t("Ángulo del bisel γ", "Groove angle γ"),
-    t("0: paralelo a la pared del injerto", "0: along the branch's wall"),
+    t("0: paralelo a la pared del injerto", "0: parallel to the branch wall"),
 );
 pub(super) static B: Field<f64, Required> = Field::real(
     "b",
@@ -47,8 +47,8 @@ pub(super) static N: Field<u32, Required> = Field::whole(
     "divisions_N",
     Unit::Count,
     [8, 10_000],
-    t("Puntos de las tablas por vuelta", "Points of the tables, once round"),
-    t("El programa se parte según su tolerancia", "The program is parted by its tolerance"),
+    t("Puntos de las tablas por vuelta", "Points of the tables per turn"),
+    t("Los tramos del programa salen de su tolerancia", "The program's moves follow from its tolerance"),
 );
 
 const JOINT: &[&Parameter] = &[&THETA.row, &E.row, &GAMMA.row, &B.row, &H.row, &N.row];
@@ -61,14 +61,14 @@ pub(super) static TORCH_BODY_RADIUS: Field<f64, Required> = Field::real(
     MM,
     [0.5, 200.0],
     t("Radio del cuerpo R_g", "Radius of the body R_g"),
-    t("No menor que r_g", "Not below r_g"),
+    t("Como mínimo r_g", "At least r_g"),
 );
 pub(super) static PSI: Field<f64, Required> = Field::real(
     "Psi",
     "taper_Psi",
     Unit::Degree,
     [1.0, 89.0],
-    t("Semiángulo del cono de la boquilla Ψ", "Half angle of the nozzle's taper Ψ"),
+    t("Semiángulo del cono de la boquilla Ψ", "Half angle of the nozzle taper Ψ"),
     t("", ""),
 );
 pub(super) static M: Field<f64, Required> = Field::real(
@@ -77,14 +77,14 @@ pub(super) static M: Field<f64, Required> = Field::real(
     MM,
     [0.0, 10.0],
     t("Radio del chorro m", "Radius of the beam m"),
-    t("El corte es 2·m si kerf está vacío", "The kerf is 2·m where kerf is empty"),
+    t("El ancho de corte es 2·m si kerf está vacío", "The kerf is 2·m if kerf is empty"),
 );
 pub(super) static D0: Field<f64, Required> = Field::real(
     "d0",
     "height_d0",
     MM,
     [0.1, 100.0],
-    t("Altura deseada d0, sobre el eje de la antorcha", "Wanted height d0, along the torch's axis"),
+    t("Altura deseada d0, sobre el eje de la antorcha", "Wanted height d0, along the torch axis"),
     t("Mayor que g0", "Greater than g0"),
 );
 pub(super) static G0: Field<f64, Required> = Field::real(
@@ -92,7 +92,7 @@ pub(super) static G0: Field<f64, Required> = Field::real(
     "least_gap_g0",
     MM,
     [0.05, 100.0],
-    t("Distancia mínima de la antorcha al tubo g0", "Least distance from torch to pipe g0"),
+    t("Distancia mínima de la antorcha al tubo g0", "Minimum distance from torch to pipe g0"),
     t("Menor que d0", "Less than d0"),
 );
 pub(super) static D_MAX: Field<f64, Required> = Field::real(
@@ -100,7 +100,7 @@ pub(super) static D_MAX: Field<f64, Required> = Field::real(
     "greatest_height_D_max",
     MM,
     [0.1, 500.0],
-    t("Altura máxima", "Greatest height"),
+    t("Altura máxima", "Maximum height"),
     t("Más allá el arco no corta", "Beyond it the arc does not cut"),
 );
 
@@ -121,7 +121,7 @@ pub(super) static F_MAX: Field<f64, Optional> = Field::real(
     "feed_limit_F_max",
     Unit::MillimetrePerMinute,
     [1.0, 200_000.0],
-    t("Velocidad máxima de cada eje (°/min en A, B y C)", "Greatest speed of any axis (°/min in A, B and C)"),
+    t("Velocidad máxima de cada eje (°/min en A, B y C)", "Maximum speed of each axis (°/min in A, B and C)"),
     t("Vacío: no se limita", "Empty: not limited"),
 );
 pub(super) static LEAD_IN: Field<f64, Required> = Field::real(
@@ -137,7 +137,7 @@ pub(super) static OVERCUT: Field<f64, Required> = Field::real(
     "overcut",
     MM,
     [0.0, 200.0],
-    t("Salida sobre el principio del corte", "Overcut over the beginning of the cut"),
+    t("Salida sobre el principio del corte", "Overcut past the beginning of the cut"),
     t("", ""),
 );
 pub(super) static ARC_TOLERANCE: Field<f64, Required> = Field::real(
@@ -145,7 +145,7 @@ pub(super) static ARC_TOLERANCE: Field<f64, Required> = Field::real(
     "arc_tolerance",
     MM,
     [0.01, 5.0],
-    t("Tolerancia del chorro a la curva exacta", "Tolerance of the beam against the exact curve"),
+    t("Tolerancia del chorro a la curva exacta", "Tolerance from the beam to the exact curve"),
     t("Fija los tramos", "Sets the moves"),
 );
 pub(super) static Z_S: Field<f64, Required> = Field::real(
@@ -165,14 +165,14 @@ pub(super) static HOLD_ON: Field<Codes, Optional> = Field::other(
     "hold_on",
     FieldKind::Codes,
     t("Códigos que bloquean el control de altura", "Codes that hold the height control"),
-    t("Vacío: en linuxcnc M62 P2; en otro, ninguno", "Empty: M62 P2 in linuxcnc; none in another"),
+    t("Vacío: M62 P2 en linuxcnc; ninguno en los demás", "Empty: M62 P2 in linuxcnc; none in others"),
 );
 pub(super) static HOLD_OFF: Field<Codes, Optional> = Field::other(
     "hold_off",
     "hold_off",
     FieldKind::Codes,
-    t("Códigos que lo sueltan", "Codes that let it go"),
-    t("Vacío: en linuxcnc M63 P2; en otro, ninguno", "Empty: M63 P2 in linuxcnc; none in another"),
+    t("Códigos que lo sueltan", "Codes that release it"),
+    t("Vacío: M63 P2 en linuxcnc; ninguno en los demás", "Empty: M63 P2 in linuxcnc; none in others"),
 );
 
 const PROGRAM: &[&Parameter] = &[

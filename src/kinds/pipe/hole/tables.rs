@@ -55,7 +55,7 @@ pub fn curve(stations: &[Station]) -> Table {
     Table {
         key: "curve",
         name: t("Curva", "Curve"),
-        title: t("Curva de la raíz y su salida por el exterior", "Curve of the root, and where it leaves the outside"),
+        title: t("Curva de la raíz y su salida por el exterior", "Root curve, and where it comes out on the outside"),
         source: t("Deducido aquí; φ como en la patente", "Derived here; φ as in the patent"),
         index: Index::Point,
         print: Print::Short,

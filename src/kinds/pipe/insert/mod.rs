@@ -217,7 +217,13 @@ fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
             mm,
             t("2π·r_dev", "2π·r_dev"),
         ),
-        quantity("y_min", t("y menor de la plantilla", "Least y of the template"), least, mm, t("ec. (9)", "eq. (9)")),
+        quantity(
+            "y_min",
+            t("y mínima de la plantilla", "Minimum y of the template"),
+            least,
+            mm,
+            t("ec. (9)", "eq. (9)"),
+        ),
         quantity(
             "y_max",
             t("y mayor de la plantilla", "Greatest y of the template"),
@@ -227,7 +233,7 @@ fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
         ),
         quantity(
             "e_max",
-            t("Mayor excentricidad sin que sobresalga", "Greatest eccentricity without overhang"),
+            t("Excentricidad máxima sin que sobresalga", "Maximum eccentricity without overhang"),
             design.R - design.r,
             mm,
             t("R − r", "R − r"),

@@ -62,7 +62,7 @@ pub(super) static Z: Field<f64, Required> = Field::real(
     "offset_Z",
     MM,
     [0.0, 10_000.0],
-    t("Z, del borde de la plantilla a la curva en φ = 0", "Z, from the template's edge to the curve at φ = 0"),
+    t("Z, del borde de la plantilla a la curva en φ = 0", "Z, from the template edge to the curve at φ = 0"),
     t("Publicado: 20", "Published: 20"),
 );
 pub(super) static N: Field<u32, Required> = Field::whole(
@@ -71,7 +71,10 @@ pub(super) static N: Field<u32, Required> = Field::whole(
     Unit::Count,
     [3, 10_000],
     t("Número de divisiones de la circunferencia", "Number of divisions of the circumference"),
-    t("Par: arcos por ternas; impar: acaba en recta", "Even: arcs through triples; odd: ends in a line"),
+    t(
+        "Par: arcos de tres en tres puntos; impar: acaba en recta",
+        "Even: arcs through three points each; odd: ends in a line",
+    ),
 );
 pub(super) static EXPERT_BRANCH_R: Field<f64, Optional> = Field::real(
     "r",
@@ -79,7 +82,7 @@ pub(super) static EXPERT_BRANCH_R: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 1500.0],
     t("Experto: r, radio de la curva del injerto", "Expert: r, radius of the branch's curve"),
-    t("Sustituye al que sale de D, t y contacto", "In place of that from D, t and contact"),
+    t("En lugar del que sale de D, t y el contacto", "Replaces the radius from D, t and contact"),
 );
 pub(super) static R: Field<f64, Optional> = Field::real(
     "R",
@@ -87,7 +90,7 @@ pub(super) static R: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 1500.0],
     t("Experto: R, radio del tubo base", "Expert: R, radius of the header"),
-    t("Sustituye a D/2", "In place of D/2"),
+    t("En lugar de D/2", "Replaces D/2"),
 );
 pub(super) static R_DEV: Field<f64, Optional> = Field::real(
     "r_dev",
@@ -95,7 +98,10 @@ pub(super) static R_DEV: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 1700.0],
     t("Experto: radio del desarrollo", "Expert: radius of the development"),
-    t("Sustituye al que sale de la chapa", "In place of that from the sheet"),
+    t(
+        "En lugar del que sale de la superficie del desarrollo",
+        "Replaces the radius from the surface of the development",
+    ),
 );
 
 const JOINT: &[&Parameter] =
@@ -119,7 +125,7 @@ pub(super) static KERF: Field<f64, Required> = Field::real(
     MM,
     [0.0, 20.0],
     t("Ancho del corte", "Kerf"),
-    t("0: sin compensar", "0: not compensated"),
+    t("0: sin compensación", "0: no compensation"),
 );
 pub(super) static F: Field<f64, Optional> = Field::real(
     "F",
@@ -150,8 +156,8 @@ pub(super) static ARC_TOLERANCE: Field<f64, Required> = Field::real(
     "arc_tolerance",
     MM,
     [0.004, 5.0],
-    t("Tolerancia de la trayectoria a la curva exacta", "Tolerance of the path against the exact curve"),
-    t("giratorio: fija los tramos; plano: se comprueba", "rotary: sets the moves; flat: is checked"),
+    t("Tolerancia de la trayectoria a la curva exacta", "Tolerance from the path to the exact curve"),
+    t("giratorio: fija los tramos; plano: solo se comprueba", "rotary: sets the moves; flat: only checked"),
 );
 
 const CUTTING: &[&Parameter] =

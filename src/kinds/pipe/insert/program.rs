@@ -108,7 +108,7 @@ fn way(design: &Design, from: [Milli; 2], leg: &Leg) -> f64 {
 }
 
 /// The refusal of a cutting speed for which a move on the turning pipe would have no F word. A time in seconds that is too
-/// short for its decimals has one: what that slows is told where the program is read back.
+/// short for its decimals has one: what that slows is reported where the program is read back.
 #[must_use]
 pub fn beyond_f_word(design: &Design, cut: &Cut) -> Option<Finding> {
     let (law, F) = (design.control.feed.law, design.F.filter(|_| design.mode == Mode::Rotary)?);
@@ -136,7 +136,7 @@ fn resultant(from: [Milli; 2], leg: &Leg) -> f64 {
 ///
 /// On a flat sheet F is in mm a minute (G94). On the turning pipe it is made block by block, so that the torch runs over
 /// the pipe's outside at F: as the control wants it, the time of the move, its inverse, or the resultant of mm and degrees.
-/// By increments (see [`distance`]) A is taken to stand at 0; it is left where the cut ends, as nothing says that the torch
+/// By increments (see [`distance`]) A is taken to stand at 0; it is left where the cut ends, as it is not known that the torch
 /// is clear of the pipe there.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-(expected: 4:9 PS0052: no line with G1 comes behind ',R')
+(expected: 4:9 PS0052: no G1 line follows ',R')
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G1 X20. ,R1.

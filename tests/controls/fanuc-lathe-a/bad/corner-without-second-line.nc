@@ -1,4 +1,4 @@
-(expected: 4:14 PS0051: the block behind ',C' makes no motion with G1)
+(expected: 4:14 PS0051: the block after ',C' is not a G1 motion)
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G1 X20. Z-5. ,C1.

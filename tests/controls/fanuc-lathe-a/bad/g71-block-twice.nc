@@ -1,4 +1,4 @@
-(expected: 5:5 N10 stands twice: in lines 6 and 9)
+(expected: 5:5 two blocks have the number N10: in lines 6 and 9)
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G71 U2. R1.

@@ -1,4 +1,4 @@
-(expected: 7:8 PS0052: no line with G1 comes behind ',C')
+(expected: 7:8 PS0052: no G1 line follows ',C')
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G71 U2. R1.

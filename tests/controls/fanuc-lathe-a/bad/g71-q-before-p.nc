@@ -1,4 +1,4 @@
-(expected: 5:9 PS0063: G71: N10 stands before N20)
+(expected: 5:9 PS0063: G71: N10 comes before N20)
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G71 U2. R1.

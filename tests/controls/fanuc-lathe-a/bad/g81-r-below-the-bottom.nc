@@ -1,4 +1,4 @@
-(expected: 4 lies below the bottom)
+(expected: 4 is below the bottom)
 T0101 S500 M3 F.2
 G0 X50. Z5.
 G81 X0 Z-10. R-20.

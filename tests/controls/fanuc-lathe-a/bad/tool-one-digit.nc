@@ -1,3 +1,3 @@
-(expected: 2:1 names no place of the turret)
+(expected: 2:1 T3 gives no turret place, only offset 3)
 T3
 M30

@@ -1,4 +1,4 @@
-//! The verification of a hole's program: what the torch would do, held against plan, curve, pipes and torch.
+//! The verification of a hole's program: what the torch would do, compared with plan, curve, pipes and torch.
 //!
 //! Every motion of the cut is looked at in several poses, put back onto the pipe by the machine's forward kinematics. From
 //! each the nearest place of the exact cut is sought: how far the beam passes from its root is how far the cut is off. Half
@@ -111,7 +111,7 @@ fn pose(place: Place) -> Pose {
     pose
 }
 
-/// The axes that are held against the plan: Y must not move.
+/// The axes that are compared with the plan: Y must not move.
 const HELD: &[Axis] = &[Axis::A, Axis::X, Axis::Y, Axis::Z, Axis::B, Axis::C];
 
 /// Where the torch goes from the end of the cut: up to the safe height and, by increments, back to where A, B and C show 0.
@@ -187,7 +187,7 @@ impl Judge for BeamOnRoot<'_> {
                 "the edge that is cut is off the branch with its gap by",
             ),
         );
-        let name = t("Bisel: mayor error de ángulo", "Bevel: greatest error of angle");
+        let name = t("Bisel: error máximo de ángulo", "Bevel: maximum angle error");
         let most = (degrees(errors.at_most(1)) * 1e3 - 1e-6).ceil() / 1e3;
         let value = Text::same(format!("≤ {}°", shown(most, 3)));
         let asked = Question::new("bevel", name, program).showing(value, Text::same(format!("{BEVEL}°")));
@@ -306,7 +306,7 @@ impl Judge for Swing<'_> {
         let name = t("Inclinación B", "Tilt B");
         let value = Text::same(format!("{} … {}°", shown(self.tilt[0], 3), shown(self.tilt[1], 3)));
         let tilt = Question::new("tilt", name, program).showing(value, Text::same("")).informs();
-        let name = t("Continuidad de C: mayor paso", "Continuity of C: greatest step");
+        let name = t("Continuidad de C: paso máximo", "Continuity of C: largest step");
         let degrees = |value: f64| Text::same(format!("{}°", shown(value, 3)));
         let asked = Question::new("turning", name, program).showing(degrees(self.turn.value()), degrees(SWING));
         let turning = asked.within(&self.turn, SWING, |found, place| {

@@ -1,4 +1,4 @@
-//! The verification of a branch's program: what the torch would do, held against plan, curve and both pipes.
+//! The verification of a branch's program: what the torch would do, compared with plan, curve and both pipes.
 //!
 //! Every motion of the cut is looked at in some points. From each the nearest point of the exact torch path is sought,
 //! which gives how far the torch leaves it; half a kerf back across the curve lies the edge that is cut, and that edge, put
