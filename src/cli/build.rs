@@ -121,7 +121,7 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
         outcome.told(*caution);
         None
     });
-    Delivery { item, outcome: &outcome, language }.write(scene, &mut set)?;
+    Delivery { item, outcome: &outcome, language, printed: true }.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
         let at_work = AtWork::begin();

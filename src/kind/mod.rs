@@ -36,6 +36,11 @@ pub trait Kind: Send + Sync {
     /// The cases that a new workbook can start from, the usual one first.
     fn cases(&self) -> &'static [Case];
 
+    /// The part with the symbols of its form, for the form; `None` where there is nothing to draw.
+    fn sketch(&self) -> Option<Figure> {
+        None
+    }
+
     /// What it brings to the report.
     fn chapters(&self) -> &'static Chapters;
 

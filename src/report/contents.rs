@@ -301,7 +301,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
         path: if path > 0.0 { number::fixed(path, 1) } else { String::new() },
         start: start(program),
         timed,
-        time: seconds.map(number::duration).unwrap_or_default(),
+        time: seconds.map(crate::number::duration).unwrap_or_default(),
         extents: extents(proved),
     })
 }
