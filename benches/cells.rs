@@ -95,7 +95,7 @@ fn main() {
     let (mut ours, mut theirs, mut cells) = (Vec::new(), Vec::new(), 0);
     for _ in 0..ROUNDS {
         let start = Instant::now();
-        if let Err(error) = results::write(&outcome, Language::En, Cursor::new(Vec::new())) {
+        if let Err(error) = results::write(&outcome, &[], Language::En, Cursor::new(Vec::new())) {
             panic!("{error}");
         }
         ours.push(start.elapsed());

@@ -239,6 +239,9 @@ pub(super) struct Build {
     /// Open the report when it is written, or the folder if there is no report
     #[arg(long)]
     pub(super) open: bool,
+    /// Folder of your own typst files: each replaces the built-in file of the same name
+    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
+    pub(super) templates: Option<PathBuf>,
     /// Typst program that typesets the report [default: RODETE_TYPST, or the built-in typst]
     #[arg(long, value_name = "PATH")]
     pub(super) typst: Option<PathBuf>,

@@ -13,10 +13,11 @@ use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::verdict::Ending;
-use super::{BUILD, Sink, drawings, finding, opened, reading, refused, side_by_side};
+use super::{BUILD, Sink, drawings, finding, opened, reading, refused, side_by_side, stationery};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::{Kind, Outcome, Wants};
+use crate::report::stationery::{Stationery, Template};
 use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, t};
@@ -31,12 +32,24 @@ struct Settings<'a> {
     language: Option<Language>,
     /// The typst that sets the report; `None`: no report.
     typst: Option<Typst>,
+    /// The typst files of one's own, or why there is no report with them.
+    templates: Result<Vec<Template>, Box<Finding>>,
     /// The folder of all outputs, if there is one.
     folder: Option<&'a Folder>,
     /// Every workbook named: no output may replace one.
     inputs: Vec<&'a Path>,
     /// The kinds of workbooks.
     kinds: &'a [&'a dyn Kind],
+}
+
+/// What a report is set with.
+struct Setter<'a> {
+    /// What the office brings.
+    stationery: Stationery<'a>,
+    /// The language of the report.
+    language: Language,
+    /// The compiler.
+    typst: &'a Typst,
 }
 
 /// Builds every workbook and prints what came of it.
@@ -54,6 +67,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     let settings = Settings {
         language: arguments.lang,
         typst: if arguments.no_report { None } else { Some(typst(arguments.typst.clone(), interrupted)) },
+        templates: arguments.templates.as_deref().map_or_else(|| Ok(Vec::new()), stationery::templates),
         folder: folder.as_ref(),
         inputs: arguments.workbooks.iter().map(PathBuf::as_path).collect(),
         kinds,
@@ -101,13 +115,25 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
         return Ok(());
     }
     let scene = outcome.scene.take().transpose()?;
-    Delivery { item, outcome: &outcome, language }.write(scene, &mut set)?;
+    let logo = if settings.typst.is_some() { stationery::logo(&item.workbook, &outcome) } else { Ok(None) };
+    let logo = logo.unwrap_or_else(|caution| {
+        verdict.findings.push((*caution).clone());
+        outcome.told(*caution);
+        None
+    });
+    Delivery { item, outcome: &outcome, language, printed: true }.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
         let at_work = AtWork::begin();
         failed = drawings::print(item, &outcome, language, typst, &mut set)?;
         drop(at_work);
-        failed.extend(typeset(item, &bytes, &outcome, language, typst, &mut set, verdict)?);
+        match &settings.templates {
+            Ok(templates) => {
+                let setter = Setter { stationery: Stationery { logo, templates }, language, typst };
+                failed.extend(typeset(item, &bytes, &outcome, &setter, &mut set, verdict)?);
+            }
+            Err(refused) => failed.push((**refused).clone()),
+        }
     }
     verdict.files = set.commit()?;
     verdict.folder = Some(item.folder.clone());
@@ -126,8 +152,7 @@ fn typeset(
     item: &Item,
     workbook: &[u8],
     outcome: &Outcome,
-    language: Language,
-    typst: &Typst,
+    setter: &Setter<'_>,
     set: &mut Set<'_>,
     verdict: &mut Ending,
 ) -> Result<Option<Finding>, Refusal> {
@@ -154,7 +179,7 @@ fn typeset(
         .chain(delivery::attachments(item, outcome.fields.form(), set))
         .collect();
     let at_work = AtWork::begin();
-    let report = report::typeset(outcome, &attachments, language, typst);
+    let report = report::typeset(outcome, &attachments, &setter.stationery, setter.language, setter.typst);
     drop(at_work);
     match report {
         Ok(report) => {

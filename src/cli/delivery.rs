@@ -16,7 +16,7 @@ use crate::removal::turning::mesh;
 use crate::report::{Attachment, Content, Role};
 use crate::scene::Scene;
 use crate::store::{self, Set};
-use crate::text::{Language, t};
+use crate::text::{Language, Text, t};
 use crate::view;
 use crate::workbook::results;
 
@@ -28,6 +28,9 @@ pub(super) const REPORT: &str = "-report.pdf";
 pub(super) const SETUP: &str = "-setup.pdf";
 /// The ending of the viewer.
 const VIEWER: &str = "-viewer.html";
+
+/// What it is.
+const VIEWED: Text = t("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
 
 /// Endings of every file that may be delivered; one that is not of this set may be left from an earlier one.
 pub(super) fn endings(kinds: &[&dyn Kind]) -> BTreeSet<String> {
@@ -56,17 +59,18 @@ pub(super) struct Delivery<'a> {
     pub(super) outcome: &'a Outcome,
     /// The language of sheets and drawings.
     pub(super) language: Language,
+    /// The command can make what is printed: report, set-up sheet and templates.
+    pub(super) printed: bool,
 }
 
 /// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
 pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
     let results = t("Libro de resultados", "Results workbook");
-    let viewer = t("Visor de la simulación, para el navegador", "Viewer of the simulation, for a browser");
     let sheets = "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet";
     let solids = form.solids.iter().map(|(key, name)| (solid_ending(key), "model/stl", name.clone()));
     std::iter::once((RESULTS.to_owned(), sheets, results))
         .chain(solids)
-        .chain([(VIEWER.to_owned(), "text/html", viewer)])
+        .chain([(VIEWER.to_owned(), "text/html", VIEWED)])
         .filter_map(|(ending, mime, description)| {
             let name = store::file_name(&item.stem, &ending);
             Some(Attachment {
@@ -81,13 +85,37 @@ pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec
 }
 
 impl Delivery<'_> {
+    /// The files beside the results, as their first sheet lists them.
+    fn files(&self, viewer: bool) -> Vec<results::File> {
+        let Self { item, outcome, .. } = *self;
+        let shown = |name: OsString| printable(&name.to_string_lossy());
+        let named = |ending: &str| shown(store::file_name(&item.stem, ending));
+        let programs = outcome.programs.iter().map(|one| (shown(program_name(item, one)), one.title.clone()));
+        let solids =
+            outcome.fields.form().solids.iter().filter(|(key, _)| outcome.solids.iter().any(|one| one.key == *key));
+        let setup = t("Hoja de preparación, para la máquina", "Set-up sheet, for the machine");
+        let report = t("Informe, para leer e imprimir", "Report, to read and print");
+        let mut files: Vec<results::File> = Vec::new();
+        if self.printed {
+            files.extend(
+                [(named(SETUP), setup), (named(REPORT), report)].map(|(name, what)| (name, drawings::set(&what))),
+            );
+        }
+        files.extend(programs);
+        files.extend(drawings::named(item, outcome, self.printed).map(|(name, what)| (shown(name), what)));
+        files.extend(solids.map(|(key, name)| (named(&solid_ending(key)), name.clone())));
+        files.extend(viewer.then(|| (named(VIEWER), VIEWED)));
+        files
+    }
+
     /// Adds everything but report and set-up sheet to the set; `scene` is what is shown in the viewer, where there is one.
     ///
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
     pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
-        let Self { item, outcome, language } = *self;
-        set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, language, out))?;
+        let Self { item, outcome, language, .. } = *self;
+        let files = self.files(scene.is_some());
+        set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, language, out))?;
         for program in &outcome.programs {
             set.write(&program_name(item, program), |out| program.write(out))?;
         }

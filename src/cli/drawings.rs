@@ -85,17 +85,39 @@ pub(super) fn print(
     Ok(failed)
 }
 
+/// The names of the drawings' files with what they are; with what is printed, or without.
+pub(super) fn named(item: &Item, outcome: &Outcome, printed: bool) -> impl Iterator<Item = (OsString, Text)> {
+    outcome.drawings.iter().flat_map(move |drawing| {
+        let pdf = (printed && drawing.paper.is_some()).then_some("pdf");
+        let extensions = FORMATS.into_iter().map(|(extension, _)| extension).chain(pdf);
+        extensions.map(|extension| {
+            let what = described(drawing, extension);
+            (name(item, drawing, extension), if extension == "pdf" { set(&what) } else { what })
+        })
+    })
+}
+
+/// What a file is that typst sets, and that a build without it leaves out.
+pub(super) fn set(what: &Text) -> Text {
+    Text::new(format!("{} (no con --no-report)", what.es), format!("{} (not with --no-report)", what.en))
+}
+
+/// What a drawing's file is.
+fn described(drawing: &Drawing, extension: &str) -> Text {
+    let Text { es, en } = &drawing.title;
+    let kind = extension.to_uppercase();
+    Text::new(format!("{es}, 1:1, {kind}"), format!("{en}, 1:1, {kind}"))
+}
+
 /// What the report lists and carries of the drawings in a set.
 pub(super) fn attachments<'a>(item: &Item, outcome: &Outcome, set: &'a Set<'_>) -> Vec<Attachment<'a>> {
     let formats = FORMATS.into_iter().chain([("pdf", "application/pdf")]);
     let one = |drawing: &Drawing, (extension, mime): (&str, &'static str)| {
         let name = name(item, drawing, extension);
-        let Text { es, en } = &drawing.title;
-        let kind = extension.to_uppercase();
         Some(Attachment {
             role: Role::Result,
             mime,
-            description: Text::new(format!("{es}, 1:1, {kind}"), format!("{en}, 1:1, {kind}")),
+            description: described(drawing, extension),
             content: Content::File(set.draft(&name)?),
             name: printable(&name.to_string_lossy()),
         })

@@ -144,7 +144,8 @@ fn hint(finding: &Finding, language: Language, width: Option<usize>) -> String {
 
 /// What was found, with value and limit where the sentence does not name them already.
 fn sentence(finding: &Finding, language: Language) -> String {
-    let what = printable(finding.what.get(language));
+    // A compiler's lines stay lines.
+    let what = finding.what.get(language).split('\n').map(printable).collect::<Vec<_>>().join("\n");
     if let Some(count) = finding.value.strip_suffix(" ×") {
         return format!("{what}, {count} {}", t("veces", "times").get(language));
     }

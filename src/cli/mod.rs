@@ -28,6 +28,7 @@ mod rules;
 mod show;
 mod side_by_side;
 mod simulate;
+mod stationery;
 mod stock;
 mod terminal;
 mod turning;

@@ -50,7 +50,7 @@ fn write(arguments: &New, kinds: &[&dyn Kind]) -> Result<(Vec<Written>, Option<F
     let folder = Folder::open(file.parent().unwrap_or(Path::new("")))?;
     let mut set = Set::new(&folder, &[], Existing::Keep);
     let (values, lists) = (case.values(arguments.lang), (case.listed)(arguments.lang));
-    set.write(name, |out| template::write(form, &values, &lists, &case.note, arguments.lang, out))?;
+    set.write(name, |out| template::write(*kind, &values, &lists, &case.note, arguments.lang, out))?;
     Ok((set.commit()?, folder.settled().cloned()))
 }
 

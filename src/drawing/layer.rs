@@ -36,6 +36,7 @@ pub(super) const fn layer(ink: Ink) -> Layer {
         Ink::Profile => of("PERFIL", "PROFILE", 5, FULL),
         Ink::Thin => of("AUXILIAR", "AUXILIARY", 8, FULL),
         Ink::Centre => of("EJES", "CENTRES", 4, CENTRE),
+        Ink::Dimension => of("COTAS", "DIMENSIONS", 5, FULL),
         Ink::Blade => of("ALABE", "BLADE", 5, FULL),
         Ink::Obverse => of("ANVERSO", "OBVERSE", 1, FULL),
         Ink::Reverse => of("REVERSO", "REVERSE", 3, FULL),

@@ -1,5 +1,6 @@
 //! A drawing: strokes and labels in millimetres of the thing drawn, to be scaled by whoever shows it.
 
+pub mod diagram;
 mod sketch;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -25,6 +26,8 @@ pub enum Ink {
     Thin,
     /// Centre line: dash-dotted.
     Centre,
+    /// Dimension line.
+    Dimension,
     /// Mean line of a blade.
     Blade,
     /// Path along the obverse.

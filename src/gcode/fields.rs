@@ -41,7 +41,10 @@ pub static RAPID_ROTARY: Field<f64, Optional> = Field::real(
     Unit::DegreePerMinute,
     [1.0, 1_000_000.0],
     t("Avance rápido de los ejes giratorios", "Rapid rate of the rotary axes"),
-    t("El del eje más lento. 10 rpm son 3600 °/min", "That of the slowest axis. 10 rpm are 3600 °/min"),
+    t(
+        "El del eje más lento. 10 rpm son 3600 °/min. Vacío: el tiempo no cuenta los rápidos, y lo dice",
+        "That of the slowest axis. 10 rpm are 3600 °/min. Empty: times leave rapid motions out, and say so",
+    ),
 );
 
 /// How long a change of the tool takes.

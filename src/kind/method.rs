@@ -51,6 +51,11 @@ pub trait Method: Send + Sync + 'static {
     /// How the proof goes, for the table of the checks.
     const PROVED: Text;
 
+    /// The part with the symbols of its form; `None` where there is nothing to draw.
+    fn sketch() -> Option<Figure> {
+        None
+    }
+
     /// The design of checked values.
     ///
     /// # Errors
@@ -157,6 +162,10 @@ impl<M: Method> Kind for Of<M> {
         M::CASES
     }
 
+    fn sketch(&self) -> Option<Figure> {
+        M::sketch()
+    }
+
     fn chapters(&self) -> &'static Chapters {
         M::CHAPTERS
     }
@@ -227,6 +236,7 @@ impl<M: Method> Kind for Of<M> {
             solids: Vec::new(),
             scene,
             setup: Vec::new(),
+            checks: verification.checks,
             findings,
             end,
             fields,

@@ -8,6 +8,7 @@ pub mod method;
 pub mod rules;
 mod staging;
 
+use std::cmp::Reverse;
 use std::fmt;
 use std::ops::Deref;
 use std::sync::LazyLock;
@@ -22,6 +23,7 @@ use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
 use crate::proof::account::Account;
+use crate::proof::check::Check;
 use crate::scene::Scene;
 use crate::table::{Quantity, Table};
 use crate::text::Text;
@@ -33,6 +35,11 @@ pub trait Kind: Send + Sync {
 
     /// The cases that a new workbook can start from, the usual one first.
     fn cases(&self) -> &'static [Case];
+
+    /// The part with the symbols of its form, for the form; `None` where there is nothing to draw.
+    fn sketch(&self) -> Option<Figure> {
+        None
+    }
 
     /// What it brings to the report.
     fn chapters(&self) -> &'static Chapters;
@@ -243,6 +250,8 @@ pub struct Outcome {
     pub scene: Option<Result<Scene, Refusal>>,
     /// What the set-up chapter of the kind prints beside values and derived quantities, by the names that it knows.
     pub setup: Vec<(&'static str, Shown)>,
+    /// Every check of every program that was read back, in their order.
+    pub checks: Vec<Check>,
     /// All findings, passed checks among them, gravest first.
     pub findings: Vec<Finding>,
     /// How the work ended.
@@ -266,6 +275,12 @@ impl Outcome {
             End::Stopped => Exit::Refused,
             End::Endless => Exit::Limit,
         }
+    }
+
+    /// Takes in what was found of it afterwards, gravest first.
+    pub fn told(&mut self, finding: Finding) {
+        self.findings.push(finding);
+        self.findings.sort_by_key(|finding| Reverse(finding.grade));
     }
 
     /// The part's name.

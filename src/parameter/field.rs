@@ -507,13 +507,17 @@ mod tests {
                 name: t("DATOS", "DATA"),
                 title: NONE,
                 optional: false,
-                sections: &[Section { title: NONE, parameters: &[&R.row, &EPS.row, &BORE.row, &WAY.row] }],
+                sections: &[Section {
+                    title: NONE,
+                    parameters: &[&R.row, &EPS.row, &BORE.row, &WAY.row],
+                    optional: false,
+                }],
             },
             Sheet {
                 name: t("RANURAS", "SLOTS"),
                 title: NONE,
                 optional: true,
-                sections: &[Section { title: NONE, parameters: &[&SLOT.row] }],
+                sections: &[Section { title: NONE, parameters: &[&SLOT.row], optional: false }],
             },
         ],
         lists: &[List {

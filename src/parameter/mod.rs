@@ -95,6 +95,8 @@ pub struct Section {
     pub title: Text,
     /// The parameters, in order.
     pub parameters: &'static [&'static Parameter],
+    /// All of it may stay empty; so it comes folded.
+    pub optional: bool,
 }
 
 /// One sheet of an input workbook.

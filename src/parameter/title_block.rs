@@ -40,8 +40,8 @@ pub static LOGO: Field<String, Optional> = Field::line(
     200,
     t("Archivo del logotipo", "File of the logo"),
     t(
-        "SVG, PNG o JPEG junto a este libro o en una carpeta de dentro, como logo.svg",
-        "SVG, PNG or JPEG beside this workbook or in a folder below it, such as logo.svg",
+        "SVG, PNG o JPEG junto a este libro o en una carpeta de dentro, como logo.svg; vacía: ninguno",
+        "SVG, PNG or JPEG beside this workbook or in a folder below it, such as logo.svg; empty: none",
     ),
 );
 
@@ -51,7 +51,7 @@ pub const PARAMETERS: &[&Parameter] =
 
 /// The section that a form ends its first sheet with.
 pub const SECTION: Section =
-    Section { title: t("Cajetín del informe", "Title block of the report"), parameters: PARAMETERS };
+    Section { title: t("Cajetín del informe", "Title block of the report"), parameters: PARAMETERS, optional: true };
 
 /// True for a parameter of the title block.
 #[must_use]

@@ -7,11 +7,12 @@ use std::path::Path;
 
 use super::attachments::files;
 use super::document::{
-    Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Timed, Title,
+    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Timed, Title,
 };
 use super::number;
 use super::rules::CharactersByCode;
 use super::shorten::{self, Listing};
+use super::stationery::Logo;
 use super::svg::svg;
 use super::{Attachment, Role};
 use crate::figure::{Figure, Ink};
@@ -22,29 +23,50 @@ use crate::kind::{Duration, Outcome, Proved, Shown, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, title_block};
+use crate::proof::check::Check as Checked;
 use crate::table::{Entry, Index, Print, Table};
 use crate::text::{Language, Text};
 use crate::typeset::characters::{Words, code_point};
 use crate::typeset::failure::ReportFailure;
 use crate::typeset::pen::pen;
 
+/// What a report is made of.
+pub(super) struct Contents<'a> {
+    /// What came of the design.
+    pub outcome: &'a Outcome,
+    /// The files that it lists and carries.
+    pub attachments: &'a [Attachment<'a>],
+    /// The picture in its title block.
+    pub logo: Option<&'a Logo>,
+    /// What was found of the report before.
+    pub found: Vec<Finding>,
+    /// Its language.
+    pub language: Language,
+}
+
 /// The JSON and what was found while it was made.
-pub(super) struct Contents {
+pub(super) struct Written {
     /// The text of `contents.json`.
     pub json: Vec<u8>,
-    /// Characters without a glyph, files not carried.
+    /// What was found before, characters without a glyph, files not carried.
     pub findings: Vec<Finding>,
 }
 
-/// Puts figures and attachments into the folder and returns the JSON.
-pub(super) fn write(
-    outcome: &Outcome,
-    attachments: &[Attachment<'_>],
-    language: Language,
-    folder: &Path,
-) -> Result<Contents, ReportFailure> {
+impl Contents<'_> {
+    /// Puts figures, logo and attachments into the folder and returns the JSON.
+    pub(super) fn write(&self, folder: &Path) -> Result<Written, ReportFailure> {
+        write(self, folder)
+    }
+}
+
+#[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
+fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailure> {
+    let &Contents { outcome, attachments, logo, language, .. } = contents;
     let mut words = Words::new(language);
-    let mut findings = Vec::new();
+    let mut findings = contents.found.clone();
+    if let Some(logo) = logo {
+        fs::write(folder.join(logo.file()), logo.bytes())?;
+    }
     let files = files(attachments, folder, &mut words, &mut findings)?;
     let mut programs = Vec::with_capacity(outcome.programs.len());
     for program in &outcome.programs {
@@ -74,7 +96,7 @@ pub(super) fn write(
             FeedLaw::Seconds => "seconds",
             FeedLaw::InverseTime => "inverse",
         },
-        title: title(outcome, &mut words),
+        title: title(outcome, logo, &mut words),
         stopped: outcome.stopped(),
         parameters: parameters(outcome, &mut words),
         values: outcome
@@ -93,6 +115,7 @@ pub(super) fn write(
         figures,
         programs,
         setup: outcome.setup.iter().map(|&(name, shown)| (name, SetUp::from(shown))).collect(),
+        answers: outcome.checks.iter().map(|check| answer(check, outcome, &mut words)).collect(),
         checks: Vec::new(),
         files,
     };
@@ -102,7 +125,7 @@ pub(super) fn write(
     }
     document.checks = checks;
     document.checks.extend(findings.iter().map(|finding| check(finding, &mut words)));
-    Ok(Contents { json: serde_json::to_vec(&document)?, findings })
+    Ok(Written { json: serde_json::to_vec(&document)?, findings })
 }
 
 /// The note on characters that no font of the report has.
@@ -137,7 +160,7 @@ fn value(outcome: &Outcome, parameter: &Parameter, words: &mut Words) -> Option<
     }
 }
 
-fn title(outcome: &Outcome, words: &mut Words) -> Title {
+fn title(outcome: &Outcome, logo: Option<&Logo>, words: &mut Words) -> Title {
     let mut line = |field| words.line(outcome.fields.values().line(field));
     Title {
         customer: line(&title_block::CUSTOMER),
@@ -146,6 +169,7 @@ fn title(outcome: &Outcome, words: &mut Words) -> Title {
         date: line(&title_block::DATE),
         author: line(&title_block::AUTHOR),
         checker: line(&title_block::CHECKER),
+        logo: logo.map(Logo::file),
     }
 }
 
@@ -277,7 +301,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
         path: if path > 0.0 { number::fixed(path, 1) } else { String::new() },
         start: start(program),
         timed,
-        time: seconds.map(number::duration).unwrap_or_default(),
+        time: seconds.map(crate::number::duration).unwrap_or_default(),
         extents: extents(proved),
     })
 }
@@ -353,13 +377,32 @@ fn start(program: &Program) -> String {
     Axis::ALL.into_iter().filter(named).map(word).collect::<Vec<_>>().join(" ")
 }
 
+fn answer(check: &Checked, outcome: &Outcome, words: &mut Words) -> Answer {
+    let program = outcome.programs.iter().find(|program| program.key == check.program());
+    Answer {
+        key: check.key(),
+        program: program.map_or_else(|| check.program().to_owned(), |program| words.text(&program.title)),
+        what: words.text(check.name()),
+        value: words.text(check.value()),
+        limit: words.text(check.limit()),
+        place: check.at().map_or_else(String::new, |at| words.text(&at.words())),
+        verdict: check.grade().map_or("passed", key),
+        word: words.text(&check.word()),
+    }
+}
+
+/// A grade for the templates.
+const fn key(grade: Grade) -> &'static str {
+    match grade {
+        Grade::Note => "note",
+        Grade::Caution => "caution",
+        Grade::Stop => "stop",
+    }
+}
+
 fn check(finding: &Finding, words: &mut Words) -> Check {
     Check {
-        grade: match finding.grade {
-            Grade::Note => "note",
-            Grade::Caution => "caution",
-            Grade::Stop => "stop",
-        },
+        grade: key(finding.grade),
         name: words.text(&finding.grade.name()),
         code: finding.code(),
         what: words.text(&finding.what),

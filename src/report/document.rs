@@ -32,6 +32,8 @@ pub(super) struct Document {
     pub programs: Vec<Listed>,
     /// What only the set-up chapter of the kind prints.
     pub setup: BTreeMap<&'static str, SetUp>,
+    /// The checks of the programs that were read back.
+    pub answers: Vec<Answer>,
     pub checks: Vec<Check>,
     pub files: Vec<File>,
 }
@@ -45,6 +47,8 @@ pub(super) struct Title {
     pub date: String,
     pub author: String,
     pub checker: String,
+    /// The file of the logo; none where there is none.
+    pub logo: Option<&'static str>,
 }
 
 /// A value of the set-up.
@@ -156,6 +160,20 @@ pub(super) enum Timed {
     Feed,
     /// Nothing: a motion at feed has no known time.
     Unknown,
+}
+
+/// A check of a program.
+#[derive(Serialize)]
+pub(super) struct Answer {
+    pub key: &'static str,
+    pub program: String,
+    pub what: String,
+    pub value: String,
+    pub limit: String,
+    pub place: String,
+    /// `passed`, `note`, `caution` or `stop`.
+    pub verdict: &'static str,
+    pub word: String,
 }
 
 /// A finding.

@@ -11,6 +11,7 @@ mod document;
 mod number;
 pub mod rules;
 mod shorten;
+pub mod stationery;
 mod svg;
 mod templates;
 mod ticks;
@@ -24,6 +25,9 @@ use crate::text::{Language, Text};
 use crate::typeset::compiler::Typst;
 use crate::typeset::failure::ReportFailure;
 use crate::typeset::{MAIN, close};
+
+use self::contents::{Contents, Written};
+use self::stationery::{Stationery, Template};
 
 /// Where the bytes of an attachment are.
 #[derive(Clone, Copy, Debug)]
@@ -78,23 +82,39 @@ const SETUP: &str = "setup-sheet.typ";
 
 /// Sets the report of an outcome, and its set-up sheet from the same contents.
 ///
-/// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline.
+/// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline. A logo
+/// that typst does not draw is left out, with a caution; then it takes twice as long.
 ///
 /// # Errors
 /// A [`ReportFailure`] when the folder cannot be filled, typst cannot be started, fails, hangs, or leaves no whole PDF.
-#[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 pub fn typeset(
     outcome: &Outcome,
     attachments: &[Attachment<'_>],
+    stationery: &Stationery<'_>,
     language: Language,
     typst: &Typst,
 ) -> Result<Report, ReportFailure> {
+    let Stationery { logo, templates } = stationery;
+    let contents = |logo, found| Contents { outcome, attachments, logo, found, language };
+    let first = set(&contents(logo.as_ref(), Vec::new()), templates, typst);
+    let set = match (first, logo) {
+        (Err(failure), Some(logo)) if failure.refused() => {
+            set(&contents(None, vec![outcome.fields.locate(logo.not_drawn())]), templates, typst)
+        }
+        (first, _) => first,
+    };
+    set.map_err(|failure| if templates.is_empty() { failure } else { failure.of_own_templates() })
+}
+
+/// Sets the report of its contents.
+#[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
+fn set(contents: &Contents<'_>, templates: &[Template], typst: &Typst) -> Result<Report, ReportFailure> {
     let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;
-    let contents = contents::write(outcome, attachments, language, folder.path())?;
-    templates::write(folder.path(), outcome.kind.chapters())?;
-    fs::write(folder.path().join("contents.json"), &contents.json)?;
+    templates::write(folder.path(), contents.outcome.kind, templates)?;
+    let Written { json, findings } = contents.write(folder.path())?;
+    fs::write(folder.path().join("contents.json"), &json)?;
     let pdf = typst.compile(folder.path(), MAIN)?;
     let setup = typst.compile(folder.path(), SETUP)?;
     close(folder)?;
-    Ok(Report { pdf, setup, findings: contents.findings })
+    Ok(Report { pdf, setup, findings })
 }

@@ -27,25 +27,40 @@ pub(super) fn given(value: f64) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// A single value in its unit.
+/// A single value in its unit, to the digits that a shop can use; one that is too small for them is said to be so.
 pub(super) fn quantity(value: f64, unit: Unit) -> String {
-    match unit {
-        Unit::Count => fixed(value, 0),
-        Unit::Radian | Unit::One => trimmed(value, 8),
-        Unit::Degree => trimmed(value, 7),
-        _ => trimmed(value, 4),
+    let decimals = match unit {
+        Unit::Count | Unit::CubicMillimetre | Unit::RevolutionPerMinute => 0,
+        Unit::MetrePerMinute
+        | Unit::CubicCentimetrePerMinute
+        | Unit::MillimetrePerMinute
+        | Unit::DegreePerMinute
+        | Unit::Second => 1,
+        Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution | Unit::One | Unit::None => 3,
+        Unit::Radian => 5,
+        Unit::Step => 6,
+    };
+    let text = trimmed(value, decimals);
+    if text == "0" && value != 0.0 {
+        let least = trimmed(1.0 / (0..decimals).fold(1.0, |power, _| power * 10.0), decimals);
+        return if value > 0.0 { format!("< {least}") } else { format!("> {MINUS}{least}") };
     }
+    text
 }
 
-/// The decimals of a table's column: those of the published annexes.
+/// The decimals of a table's column: for lengths and angles one more than programs have.
 pub(super) const fn decimals(unit: Unit) -> usize {
     match unit {
-        Unit::Count => 0,
-        Unit::One | Unit::Radian => 8,
-        Unit::Degree => 7,
-        Unit::Millimetre => 5,
-        Unit::CubicMillimetre | Unit::CubicCentimetrePerMinute => 2,
-        _ => 4,
+        Unit::Count | Unit::RevolutionPerMinute => 0,
+        Unit::CubicMillimetre
+        | Unit::CubicCentimetrePerMinute
+        | Unit::MetrePerMinute
+        | Unit::MillimetrePerMinute
+        | Unit::DegreePerMinute => 1,
+        Unit::Second => 2,
+        Unit::MillimetrePerRevolution => 3,
+        Unit::Millimetre | Unit::Degree | Unit::None => 4,
+        Unit::One | Unit::Radian | Unit::Step => 6,
     }
 }
 
@@ -62,25 +77,10 @@ pub(super) fn grouped(value: u64) -> String {
     out
 }
 
-/// A time in seconds as `1 h 02 min 03.4 s`, to the tenth as the viewer's clock has it, so that times of programs add up to
-/// that of all as far as they are shown; empty for a time that is none.
-pub(super) fn duration(seconds: f64) -> String {
-    if !seconds.is_finite() || seconds < 0.0 {
-        return String::new();
-    }
-    // Text is the one way from a float to a whole number that cannot wrap.
-    let Ok(tenths) = format!("{:.0}", (seconds * 10.0).round()).parse::<u64>() else { return String::new() };
-    let (total, tenth) = (tenths / 10, tenths % 10);
-    match (total / 3600, total / 60 % 60, total % 60) {
-        (0, 0, second) => format!("{second}.{tenth} s"),
-        (0, minute, second) => format!("{minute} min {second:02}.{tenth} s"),
-        (hour, minute, second) => format!("{hour} h {minute:02} min {second:02}.{tenth} s"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{duration, fixed, given, grouped, trimmed};
+    use super::{fixed, given, grouped, quantity, trimmed};
+    use crate::table::Unit;
 
     #[test]
     fn numbers_carry_a_point_a_true_minus_and_no_minus_zero() {
@@ -95,12 +95,18 @@ mod tests {
     }
 
     #[test]
-    fn times_and_counts_are_readable() {
-        assert_eq!(duration(3.2), "3.2 s");
-        assert_eq!(duration(59.96), "1 min 00.0 s");
-        assert_eq!(duration(125.04), "2 min 05.0 s");
-        assert_eq!(duration(3725.0), "1 h 02 min 05.0 s");
-        assert_eq!(duration(f64::NAN), "");
+    fn a_quantity_has_the_digits_that_its_unit_is_worth_and_is_never_0_unless_it_is() {
+        assert_eq!(quantity(19.999_999_969, Unit::Millimetre), "20");
+        assert_eq!(quantity(36.869_897_6, Unit::Degree), "36.87");
+        assert_eq!(quantity(78_444.5, Unit::CubicMillimetre), "78444");
+        assert_eq!(quantity(227.537, Unit::MetrePerMinute), "227.5");
+        assert_eq!(quantity(6.4e-12, Unit::Millimetre), "< 0.001");
+        assert_eq!(quantity(-6.4e-12, Unit::Millimetre), "> \u{2212}0.001");
+        assert_eq!(quantity(0.0, Unit::Millimetre), "0");
+    }
+
+    #[test]
+    fn counts_are_readable() {
         assert_eq!(grouped(1_234_567), "1\u{202F}234\u{202F}567");
         assert_eq!(grouped(12), "12");
     }

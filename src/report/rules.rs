@@ -2,7 +2,7 @@
 
 use crate::finding::Example;
 use crate::finding::rule::rules;
-use crate::text::t;
+use crate::text::{Text, t};
 
 rules! {
     /// The rows of reports.
@@ -22,4 +22,30 @@ rules! {
         why "Si no, el informe imprimiría una caja vacía.", "Otherwise the report would print an empty box.";
         example Example::Made { key: "foreign-letters", how: t(
             "una pieza llamada 中", "a part named 中") };
+    "T0203" LogoNotRead Caution { name: String, reason: Text }
+        es "no se ha podido leer el logotipo {name}: {reason}; el informe va sin él"
+        en "the logo {name} could not be read: {reason}; the report goes without it"
+        remedy "ponga el archivo junto al libro o en una carpeta de dentro y escriba su nombre en la celda, o déjela vacía",
+            "put the file beside the workbook or into a folder below it and write its name into the cell, or leave the cell empty";
+        why "El libro nombra el archivo desde su propia carpeta, para que ambos puedan llevarse juntos a otra máquina.",
+            "The workbook names the file from its own folder, so that both can be taken to another machine together.";
+        example Example::Made { key: "no-logo", how: t(
+            "un libro que nombra un logotipo que no está junto a él", "a workbook that names a logo that is not beside it") };
+    "T0204" LogoNotDrawn Caution { name: String }
+        es "el logotipo {name} no es un SVG, PNG o JPEG que se pueda dibujar; el informe va sin él"
+        en "the logo {name} is no SVG, PNG or JPEG that can be drawn; the report goes without it"
+        remedy "guárdelo de nuevo como SVG, PNG o JPEG desde el programa que lo hizo, o deje vacía la celda",
+            "save it again as SVG, PNG or JPEG from the program that made it, or leave the cell empty";
+        why "Un archivo dañado o de otro formato no puede detener todo el informe.",
+            "A damaged file, or one of another format, must not stop the whole report.";
+        example Example::Made { key: "false-logo", how: t(
+            "un libro que nombra como logotipo un archivo dañado", "a workbook that names a damaged file as its logo") };
+    "T0205" TemplatesNotRead Caution { folder: String, reason: Text }
+        es "no se han podido leer las plantillas de {folder}: {reason}; no hay informe"
+        en "the templates of {folder} could not be read: {reason}; there is no report"
+        remedy "dé con --templates una carpeta con archivos propios, sin enlaces; las hojas y los programas están completos",
+            "give --templates a folder with files of its own, without links; the sheets and programs are complete";
+        why "Un informe con otras plantillas que las pedidas pasaría por bueno.", "A report with other templates than those asked for would pass for the right one.";
+        example Example::Made { key: "no-templates", how: t(
+            "build --templates con una carpeta que no existe", "build --templates with a folder that does not exist") };
 }

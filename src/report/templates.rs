@@ -4,7 +4,11 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use crate::kind::Chapters;
+use super::stationery::Template;
+use crate::kind::{Chapters, Kind};
+
+/// The folder of the kind's chapters.
+const KIND: &str = "kind";
 
 macro_rules! templates {
     ($($name:literal),+ $(,)?) => {
@@ -31,14 +35,23 @@ templates![
     "setup-parts.typ",
 ];
 
-/// Writes the templates of all kinds into a folder, and the chapters of one into the folder `kind` in it.
+/// Writes the templates of all kinds into a folder, and the chapters of one into the folder `kind` in it; then those of an
+/// office over them, whose folder with the name of the kind is `kind`, too.
 #[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
-pub(super) fn write(folder: &Path, chapters: &Chapters) -> io::Result<()> {
+pub(super) fn write(folder: &Path, kind: &dyn Kind, own: &[Template]) -> io::Result<()> {
     TEMPLATES.iter().try_for_each(|(name, text)| fs::write(folder.join(name), text))?;
-    let folder = folder.join("kind");
-    fs::create_dir(&folder)?;
-    let [es, en] = chapters.method;
-    let own =
-        [("labels.typ", chapters.labels), ("method-es.typ", es), ("method-en.typ", en), ("setup.typ", chapters.setup)];
-    own.iter().chain(chapters.further).try_for_each(|(name, text)| fs::write(folder.join(name), text))
+    fs::create_dir(folder.join(KIND))?;
+    let Chapters { labels, method: [es, en], setup, further } = kind.chapters();
+    let chapters = [("labels.typ", *labels), ("method-es.typ", es), ("method-en.typ", en), ("setup.typ", setup)];
+    let mut chapters = chapters.iter().chain(*further);
+    chapters.try_for_each(|(name, text)| fs::write(folder.join(KIND).join(name), text))?;
+    for Template { path, bytes } in own {
+        let path = match path.split_once('/') {
+            Some((first, rest)) if first == kind.form().kind => folder.join(KIND).join(rest),
+            _ => folder.join(path),
+        };
+        path.parent().map_or(Ok(()), fs::create_dir_all)?;
+        fs::write(path, bytes)?;
+    }
+    Ok(())
 }

@@ -57,6 +57,12 @@ pub enum ReportFailure {
         /// Why.
         error: io::Error,
     },
+    /// The compiler refused a document of templates that are the user's own.
+    #[error("a template is refused: {}", first_lines(diagnostics))]
+    OwnTemplate {
+        /// What it wrote on standard error, as it came.
+        diagnostics: Vec<u8>,
+    },
     /// The typst command line gave no report.
     #[error("{} gave no report: {ending:?}", program.display())]
     Failed {
@@ -76,6 +82,21 @@ impl ReportFailure {
         matches!(self, Self::Failed { ending: Ending::Interrupted, .. })
     }
 
+    /// True where the compiler ran to its end and refused what it was given.
+    #[must_use]
+    pub(crate) const fn refused(&self) -> bool {
+        matches!(self, Self::Failed { ending: Ending::Status(_), .. })
+    }
+
+    /// The same, of a document with templates that are the user's own: what is refused is most likely theirs.
+    #[must_use]
+    pub(crate) fn of_own_templates(self) -> Self {
+        match self {
+            Self::Failed { ending: Ending::Status(_), diagnostics, .. } => Self::OwnTemplate { diagnostics },
+            other => other,
+        }
+    }
+
     /// The failure as a finding: the path tried, how it ended, its first lines, and what to do.
     #[must_use]
     pub fn finding(&self) -> Finding {
@@ -92,6 +113,9 @@ impl ReportFailure {
             Self::NotStarted { program, error } => {
                 let (program, reason) = (clean(&program.to_string_lossy()), error.to_string());
                 CompilerNotStarted { document, program, reason, version: TYPST_VERSION }.at(Place::File)
+            }
+            Self::OwnTemplate { diagnostics } => {
+                TemplateRefused { document, lines: first_lines(diagnostics) }.at(Place::File)
             }
             Self::Failed { program, ending, diagnostics } => {
                 let (program, lines) = (clean(&program.to_string_lossy()), first_lines(diagnostics));

@@ -8,26 +8,32 @@ use std::fmt::Write as _;
 use super::pen::pen;
 use crate::figure::Ink;
 
-/// A filled arrow head at the end of a polyline on paper.
-pub fn arrow_head(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
-    let [.., from, to] = points else { return };
+/// The arrow head at the end of a polyline on paper; `scale` is the number of its units in a millimetre.
+pub fn head(points: &[[f64; 2]], scale: f64) -> Option<[[f64; 2]; 3]> {
+    let [.., from, to] = points else { return None };
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length = (dx * dx + dy * dy).sqrt();
     if length < 1e-6 {
-        return;
+        return None;
     }
-    let (dx, dy) = (dx / length * 2.2, dy / length * 2.2);
+    let (dx, dy) = (dx / length * 2.2 * scale, dy / length * 2.2 * scale);
     let (wing_x, wing_y) = (-dy * 0.32, dx * 0.32);
     let (base_x, base_y) = (to[0] - dx, to[1] - dy);
+    Some([*to, [base_x + wing_x, base_y + wing_y], [base_x - wing_x, base_y - wing_y]])
+}
+
+/// A filled arrow head at the end of a polyline on paper.
+pub fn arrow_head(body: &mut String, ink: Ink, points: &[[f64; 2]]) {
+    let Some([tip, left, right]) = head(points, 1.0) else { return };
     let _ = writeln!(
         body,
         "<path d=\"M{:.3} {:.3} {:.3} {:.3} {:.3} {:.3} Z\" fill=\"{}\"/>",
-        to[0],
-        to[1],
-        base_x + wing_x,
-        base_y + wing_y,
-        base_x - wing_x,
-        base_y - wing_y,
+        tip[0],
+        tip[1],
+        left[0],
+        left[1],
+        right[0],
+        right[1],
         pen(ink).colour
     );
 }

@@ -28,6 +28,7 @@ pub(crate) const fn pen(ink: Ink) -> Pen {
         Ink::Profile => of("#1f4fa3", 0.25, FULL, "#d5dff2"),
         Ink::Thin => of("#8d97a3", 0.13, FULL, "#f4f6f8"),
         Ink::Centre => of("#6b7682", 0.15, &[3.0, 0.8, 0.5, 0.8], "#f4f6f8"),
+        Ink::Dimension => of("#1f4fa3", 0.15, FULL, "#d5dff2"),
         Ink::Blade => of("#163a63", 0.5, FULL, "#cfdceb"),
         Ink::Obverse => of("#a8261c", 0.4, FULL, "#f3d6d2"),
         Ink::Reverse => of("#1c6b43", 0.4, FULL, "#d2e9dc"),

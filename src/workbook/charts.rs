@@ -1,7 +1,5 @@
 //! Charts beside tables: scatter charts of columns against columns.
 
-use std::fmt;
-
 use rust_xlsxwriter::{
     Chart, ChartAxisLabelPosition, ChartFont, ChartFormat, ChartLayout, ChartLegendPosition, ChartLine, ChartMarker,
     ChartMarkerType, ChartSolidFill, ChartType, ColNum, Color, RowNum,
@@ -14,10 +12,16 @@ use crate::table::{Entry, Index, Table};
 use crate::text::Language;
 
 /// The plot area, in pixels: the greatest where both axes have one scale, the usual one else.
-const PLOT: [f64; 2] = [520.0, 380.0];
+const PLOT: [f64; 2] = [600.0, 380.0];
+/// The least width of a chart.
+const LEAST: f64 = 560.0;
 /// Around it: left, right, top, bottom; and what a legend takes at the bottom.
 const MARGINS: [f64; 4] = [85.0, 25.0, 45.0, 60.0];
 const LEGEND: f64 = 35.0;
+/// The width of the widest chart, in pixels.
+pub const WIDTH: u32 = 710;
+/// The height of the highest, in pixels.
+pub const HEIGHT: u32 = 520;
 /// Curves of fewer points than this are points.
 const POINTS: usize = 12;
 /// Where both axes have one scale, the shorter one covers at least this part of the longer.
@@ -37,19 +41,8 @@ pub struct Placed<'a> {
     pub table: &'a Table,
 }
 
-/// A chart with its height in pixels.
-pub struct Drawn {
-    /// The chart.
-    pub chart: Chart,
-    /// Its height.
-    pub height: u32,
-}
-
-impl fmt::Debug for Drawn {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Drawn").field("height", &self.height).finish_non_exhaustive()
-    }
-}
+/// A chart with its width and height in pixels.
+pub type Sized = (Chart, [u32; 2]);
 
 /// A column of a table, or its point index.
 struct Axis<'a> {
@@ -101,7 +94,7 @@ impl<'a> Axis<'a> {
 ///
 /// # Errors
 /// For a table longer than a sheet.
-pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> Result<Option<Drawn>, WriteError> {
+pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> Result<Option<Sized>, WriteError> {
     let mut drawn = Chart::new(ChartType::ScatterStraight);
     let mut extents = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let mut count = 0;
@@ -139,11 +132,13 @@ pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> R
         return Ok(None);
     }
     let mut plot = PLOT;
-    if chart.equal
-        && let Some([x, y]) = one_scale(extents)
-    {
+    // Left to themselves, axes begin at 0 and end far from the curve.
+    let scales = if chart.equal { one_scale(extents) } else { own_scales(extents) };
+    if let Some([x, y]) = scales {
         drawn.x_axis().set_min(x.low).set_max(x.high).set_major_unit(x.unit);
         drawn.y_axis().set_min(y.low).set_max(y.high).set_major_unit(y.unit);
+    }
+    if let Some([x, y]) = scales.filter(|_| chart.equal) {
         let pixels = f64::min(PLOT[0] / x.span(), PLOT[1] / y.span());
         plot = [pixels * x.span(), pixels * y.span()];
     }
@@ -151,7 +146,8 @@ pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> R
     if count > 1 {
         bottom += LEGEND;
     }
-    let (width, height) = (left + plot[0] + right, top + plot[1] + bottom);
+    // A narrow chart would break its title over two lines.
+    let (width, height) = ((left + plot[0] + right).max(LEAST), top + plot[1] + bottom);
     drawn.plot_area().set_layout(
         &ChartLayout::new().set_offset(left / width, top / height).set_dimensions(plot[0] / width, plot[1] / height),
     );
@@ -175,10 +171,10 @@ pub fn draw(chart: &kind::Chart, tables: &[Placed<'_>], language: Language) -> R
     } else {
         drawn.legend().set_hidden();
     }
-    let height = pixels(height);
-    drawn.set_width(pixels(width)).set_height(height);
+    let size = [pixels(width), pixels(height)];
+    drawn.set_width(size[0]).set_height(size[1]);
     drawn.set_alt_text(words(chart.title.get(language)));
-    Ok(Some(Drawn { chart: drawn, height }))
+    Ok(Some((drawn, size)))
 }
 
 /// One axis: from, to, and the interval of its marks.
@@ -214,6 +210,21 @@ fn one_scale(extents: [[f64; 2]; 2]) -> Option<[Scale; 2]> {
     Some(scales)
 }
 
+/// Two axes, each with marks at an interval of its own; `None` where one has no values.
+fn own_scales(extents: [[f64; 2]; 2]) -> Option<[Scale; 2]> {
+    let [x, y] = extents.map(|[low, high]| {
+        let span = high - low;
+        span.is_finite().then(|| {
+            // What stays the same is drawn in the middle.
+            let aside = if span > 1e-9 * low.abs().max(high.abs()) { 0.0 } else { 1.0 };
+            let (low, high) = (low - aside, high + aside);
+            let unit = round_interval((high - low) / INTERVALS);
+            Scale { low: (low / unit).floor() * unit, high: (high / unit).ceil() * unit, unit }
+        })
+    });
+    Some([x?, y?])
+}
+
 /// The next of 1, 2, 5, 10 … that is not below a positive value.
 fn round_interval(value: f64) -> f64 {
     let mut power = 1.0;
@@ -239,7 +250,7 @@ fn pixels(size: f64) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{one_scale, round_interval};
+    use super::{one_scale, own_scales, round_interval};
 
     #[test]
     fn intervals_are_round() {
@@ -258,5 +269,15 @@ mod tests {
         assert!(y.high - y.low >= 0.25 * (x.high - x.low));
         assert_eq!(one_scale([[1.0, 1.0], [2.0, 2.0]]), None);
         assert_eq!(one_scale([[f64::INFINITY, f64::NEG_INFINITY]; 2]), None);
+    }
+
+    #[test]
+    fn axes_of_their_own_hold_the_curve_closely() {
+        let [x, y] = own_scales([[3.2, 4.7], [-251.0, -249.0]]).expect("scales");
+        assert!(x.low <= 3.2 && x.high >= 4.7 && x.span() < 2.0, "{x:?}");
+        assert!(y.low <= -251.0 && y.high >= -249.0 && y.span() < 3.0, "{y:?}");
+        let [x, _] = own_scales([[-250.0, -250.0], [2.0, 3.0]]).expect("scales");
+        assert!(x.low < -250.0 && x.high > -250.0, "{x:?}");
+        assert_eq!(own_scales([[f64::INFINITY, f64::NEG_INFINITY], [2.0, 3.0]]), None);
     }
 }

@@ -1,18 +1,19 @@
 //! One sheet of a form: the parameters with their values, to be filled in.
 //!
-//! Column A holds the symbol, B the meaning, C the value, D the unit, E the allowed range and a note. The same sheet
-//! opens a new workbook and a results workbook, so that results can be edited and built again.
+//! Column A holds the symbol, B the meaning, C the value, D the unit, E the allowed range and a note; the sketch of the part
+//! stands beside them. The same sheet stands in a new workbook and in a results workbook, so that results can be edited and
+//! built again. Sections fold. A spreadsheet does not fold on a protected sheet: what is not to be written over is guarded cell
+//! by cell.
 
-use std::collections::BTreeMap;
-
-use rust_xlsxwriter::{ColNum, IgnoreError, ProtectionOptions, RowNum, Worksheet};
+use rust_xlsxwriter::{ColNum, DataValidation, Formula, IgnoreError, RowNum, Worksheet};
 
 use super::cell::{row_height, write_text};
+use super::drawn::Drawn;
 use super::error::WriteError;
 use super::page::Page;
 use super::style::Styles;
 use super::validation::{range_and_note, validation};
-use crate::parameter::{FieldKind, Parameter, Sheet, Value};
+use crate::parameter::{FieldKind, Parameter, Section, Sheet, Value};
 use crate::text::{Language, Text, t};
 
 const SYMBOL: ColNum = 0;
@@ -21,8 +22,11 @@ const VALUE: ColNum = 2;
 const UNIT: ColNum = 3;
 const RANGE: ColNum = 4;
 
-/// The last column of a form.
-pub const LAST: ColNum = RANGE;
+/// The column where the sketch begins, and the width of the one before it in characters.
+const SKETCH: ColNum = 6;
+const GAP: f64 = 3.0;
+/// The width in pixels of a column that was given none.
+const PLAIN: u32 = 64;
 
 /// Widths of columns A to E, in characters.
 const WIDTHS: [f64; 5] = [15.5, 37.0, 19.0, 8.0, 42.0];
@@ -36,6 +40,8 @@ pub struct Filling<'a, V> {
     pub values: V,
     /// Notes under the title, one a row.
     pub notes: &'a [&'a str],
+    /// The sketch beside the values.
+    pub sketch: Option<Drawn<'a>>,
     /// The language of everything but the values.
     pub language: Language,
 }
@@ -47,43 +53,22 @@ pub struct Layout {
     pub header: RowNum,
     /// The last row.
     pub last: RowNum,
+    /// The last column that is printed.
+    last_column: ColNum,
     /// The defined name and row of every value cell; all are in column C.
     pub names: Vec<(&'static str, RowNum)>,
-    /// The heights of rows in points.
-    heights: BTreeMap<RowNum, f64>,
 }
 
 impl Layout {
-    /// Makes a row at least so many points high.
-    pub fn raise(&mut self, row: RowNum, height: f64) {
-        let least = self.heights.entry(row).or_insert(height);
-        *least = least.max(height);
-        self.last = self.last.max(row);
-    }
-
-    /// Sets heights, panes, printing and protection, when everything is written.
+    /// Sets panes and printing.
     ///
     /// # Errors
     /// For rows outside the sheet.
-    pub fn finish(
-        &self,
-        sheet: &mut Worksheet,
-        last_column: ColNum,
-        page: &Page<'_>,
-        language: Language,
-    ) -> Result<(), WriteError> {
-        for (&row, &height) in &self.heights {
-            sheet.set_row_height(row, height)?;
-        }
+    pub fn finish(&self, sheet: &mut Worksheet, page: &Page<'_>, language: Language) -> Result<(), WriteError> {
         sheet.set_freeze_panes(self.header + 1, 0)?;
-        sheet.set_print_area(0, SYMBOL, self.last, last_column)?;
-        Page { repeat: (self.header, self.header), ..*page }.set_up(sheet, language)?;
-        sheet.protect_with_options(&ProtectionOptions {
-            format_cells: true,
-            format_columns: true,
-            format_rows: true,
-            ..ProtectionOptions::new()
-        });
+        sheet.set_print_area(0, SYMBOL, self.last, self.last_column)?;
+        let landscape = self.last_column > RANGE;
+        Page { repeat: (self.header, self.header), landscape, ..*page }.set_up(sheet, language)?;
         Ok(())
     }
 
@@ -95,8 +80,7 @@ impl Layout {
 }
 
 impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
-    /// Writes the sheet's cells, value cells unlocked and validated; [`Layout::finish`] protects it, without a
-    /// password.
+    /// Writes the sheet's cells, value cells validated, the others guarded against being written over.
     ///
     /// # Errors
     /// For a value that is not finite, and for a form that a workbook cannot hold.
@@ -106,24 +90,76 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         for (column, width) in (0..).zip(WIDTHS) {
             sheet.set_column_width(column, width)?;
         }
+        sheet.group_symbols_above(true);
         let header = self.write_head(sheet, styles)?;
-        let mut layout = Layout { header, last: header, names: Vec::new(), heights: BTreeMap::new() };
-        for section in self.sheet.sections {
+        let mut layout = Layout { header, last: header, last_column: RANGE, names: Vec::new() };
+        let mut sections = self.sheet.sections.iter().peekable();
+        while let Some(section) = sections.next() {
             layout.last += 1;
+            let title = layout.last;
             for column in SYMBOL..=RANGE {
-                sheet.write_blank(layout.last, column, &styles.section)?;
+                sheet.write_blank(title, column, &styles.section)?;
             }
-            write_text(sheet, layout.last, SYMBOL, section.title.get(language), &styles.section)?;
+            write_text(sheet, title, SYMBOL, &self.title(section), &styles.section)?;
             for parameter in section.parameters {
                 layout.last += 1;
-                let height = self.write_parameter(sheet, styles, layout.last, parameter)?;
-                layout.raise(layout.last, height);
+                self.write_parameter(sheet, styles, layout.last, parameter)?;
                 layout.names.push((parameter.name, layout.last));
             }
+            let (first, last) = (title + 1, layout.last);
+            // A spreadsheet takes the row behind a group for its mark, or the one before it: only where the next group is
+            // folded too, or there is none, do both see the same.
+            match (self.folds(section), sections.peek().is_none_or(|next| self.folds(next))) {
+                (false, _) => sheet.group_rows(first, last)?,
+                (true, true) => sheet.group_rows_collapsed(first, last)?,
+                (true, false) => {
+                    for row in first..=last {
+                        sheet.set_row_hidden(row)?;
+                    }
+                    sheet.group_rows(first, last)?
+                }
+            };
         }
         sheet.ignore_error_range(header, VALUE, layout.last, VALUE, IgnoreError::NumberStoredAsText)?;
         sheet.set_selection(header + 2, VALUE, header + 2, VALUE)?;
+        self.guard(sheet, &layout)?;
+        if let Some(sketch) = &self.sketch {
+            sheet.set_column_width(SKETCH - 1, GAP)?;
+            // On the row of the headings it would be printed again on every page.
+            sketch.place(sheet, header + 1, SKETCH)?;
+            let [width, _] = sketch.size();
+            layout.last_column = SKETCH + ColNum::try_from(width / PLAIN).unwrap_or_default();
+        }
         Ok(layout)
+    }
+
+    /// True for a section that may stay empty, and is: it comes folded.
+    fn folds(&self, section: &Section) -> bool {
+        section.optional && section.parameters.iter().all(|parameter| (self.values)(parameter.key).is_none())
+    }
+
+    /// The heading of a section.
+    fn title(&self, section: &Section) -> String {
+        static OPTIONAL: Text = t("opcional", "optional");
+        let title = section.title.get(self.language);
+        if section.optional { format!("{title} ({})", OPTIONAL.get(self.language)) } else { title.to_owned() }
+    }
+
+    /// Has every cell but those of values refuse what is typed over it.
+    fn guard(&self, sheet: &mut Worksheet, layout: &Layout) -> Result<(), WriteError> {
+        static TITLE: Text = t("Aquí no se escribe", "Not to be written over");
+        static MESSAGE: Text = t(
+            "Los valores van en las celdas amarillas de la columna C.",
+            "Values go into the yellow cells of column C.",
+        );
+        let refused = DataValidation::new()
+            .allow_custom(Formula::new("=FALSE"))
+            .set_error_title(TITLE.get(self.language))?
+            .set_error_message(MESSAGE.get(self.language))?;
+        for [first, last] in [[SYMBOL, MEANING], [UNIT, RANGE]] {
+            sheet.add_data_validation(layout.header, first, layout.last, last, &refused)?;
+        }
+        Ok(())
     }
 
     /// Title, notes and column headings; returns the row of the headings.
@@ -159,7 +195,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         styles: &Styles,
         row: RowNum,
         parameter: &Parameter,
-    ) -> Result<f64, WriteError> {
+    ) -> Result<(), WriteError> {
         let language = self.language;
         let meaning = parameter.meaning.get(language);
         let range = range_and_note(parameter, language);
@@ -200,7 +236,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             let optional = !parameter.required || self.sheet.optional;
             sheet.add_data_validation(row, VALUE, row, VALUE, &validation(parameter, optional, language)?)?;
         }
-        Ok(row_height(&[(meaning, WIDTHS[1]), (line, WIDTHS[2]), (range.as_str(), WIDTHS[4])]))
+        Ok(())
     }
 }
 

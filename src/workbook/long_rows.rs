@@ -6,24 +6,19 @@
 //! to that one row, too (else the library would keep a text for each cell they refer to), and are stretched to all rows.
 
 use std::fmt;
-use std::io::{Cursor, Read, Seek, Write};
+use std::io::Write;
 
 use quick_xml::Reader;
 use quick_xml::events::Event;
-use rust_xlsxwriter::{RowNum, Workbook, column_number_to_name, quote_sheet_name};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipArchive, ZipWriter};
+use rust_xlsxwriter::{RowNum, column_number_to_name, quote_sheet_name};
 
 use super::error::WriteError;
 
 /// Text is handed on in blocks of about this many bytes.
 const BLOCK: usize = 64 * 1024;
 
-/// Deflate level of every part: far quicker than the default for a tenth more bytes.
-const LEVEL: u8 = 3;
-
 /// A sheet with more rows than this may need the 64-bit form of a zip entry.
-const LARGE: RowNum = 500_000;
+pub(super) const LARGE: RowNum = 500_000;
 
 /// Writes the rows of a sheet.
 pub type RowWriter<'a> = Box<dyn FnOnce(&mut Rows<'_>) -> Result<(), WriteError> + 'a>;
@@ -140,55 +135,8 @@ impl Rows<'_> {
     }
 }
 
-/// Saves the workbook to `out`, with the rows of its long sheets streamed in.
-///
-/// # Errors
-/// For what the workbook or `out` refuses, and for a number that is not finite.
-pub fn save<W: Write + Seek + Send>(
-    workbook: &mut Workbook,
-    long: Vec<LongRows<'_>>,
-    out: W,
-) -> Result<(), WriteError> {
-    workbook.set_zip_compression_level(LEVEL);
-    if long.is_empty() {
-        workbook.save_to_writer(out)?;
-        return Ok(());
-    }
-    let mut skeleton = ZipArchive::new(Cursor::new(workbook.save_to_buffer()?))?;
-    let mut package = ZipWriter::new(out);
-    let spans: Vec<Span> = long.iter().map(Span::of).collect();
-    let mut long: Vec<(String, LongRows<'_>)> =
-        long.into_iter().map(|rows| (format!("xl/worksheets/sheet{}.xml", rows.sheet + 1), rows)).collect();
-    for index in 0..skeleton.len() {
-        let mut part = skeleton.by_index(index)?;
-        let name = part.name_raw().to_vec();
-        let at = long.iter().position(|(one, _)| one.as_bytes() == name);
-        let chart = name.starts_with(b"xl/charts/");
-        if at.is_none() && !chart {
-            package.raw_copy_file(part)?;
-            continue;
-        }
-        let mut xml = String::new();
-        part.read_to_string(&mut xml)?;
-        let rows = at.map(|at| long.swap_remove(at).1);
-        let options = SimpleFileOptions::default()
-            .compression_method(CompressionMethod::Deflated)
-            .compression_level(Some(i64::from(LEVEL)))
-            .last_modified_time(zip::DateTime::default())
-            .unix_permissions(0o600)
-            .large_file(rows.as_ref().is_some_and(|rows| rows.count > LARGE));
-        package.start_file(String::from_utf8_lossy(&name), options)?;
-        match rows {
-            Some(rows) => stream(&xml, rows, &mut package)?,
-            None => package.write_all(spans.iter().fold(xml, |xml, span| span.stretch(&xml)).as_bytes())?,
-        }
-    }
-    package.finish()?;
-    Ok(())
-}
-
 /// The rows of a long sheet, as charts have to refer to them.
-struct Span {
+pub(super) struct Span {
     /// What a reference to a column of the sheet starts with, up to the column.
     start: String,
     /// How a reference to the sheet's first row ends, from the column on.
@@ -198,7 +146,7 @@ struct Span {
 }
 
 impl Span {
-    fn of(rows: &LongRows<'_>) -> Self {
+    pub(super) fn of(rows: &LongRows<'_>) -> Self {
         let mut sheet = Vec::new();
         escape(&quote_sheet_name(&rows.name), &mut sheet);
         Self {
@@ -210,7 +158,7 @@ impl Span {
 
     /// A chart with its references to the first row made to go down to the last, and without the values stored for
     /// them.
-    fn stretch(&self, chart: &str) -> String {
+    pub(super) fn stretch(&self, chart: &str) -> String {
         let mut stretched = String::with_capacity(chart.len());
         let mut rest = chart;
         while let Some((before, after)) = rest.split_once(self.start.as_str()) {
@@ -234,7 +182,7 @@ impl Span {
 }
 
 /// Writes a sheet's text with its row of formatted empty cells replaced.
-fn stream(sheet: &str, rows: LongRows<'_>, out: &mut dyn Write) -> Result<(), WriteError> {
+pub(super) fn stream(sheet: &str, rows: LongRows<'_>, out: &mut dyn Write) -> Result<(), WriteError> {
     const LOST: WriteError = WriteError::Skeleton("a long sheet without its row of formatted cells");
     let start = sheet.rfind(&format!("<row r=\"{}\"", rows.first + 1)).ok_or(LOST)?;
     let (head, rest) = sheet.split_at_checked(start).ok_or(LOST)?;

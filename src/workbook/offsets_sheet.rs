@@ -8,8 +8,8 @@ use rust_xlsxwriter::{ColNum, ProtectionOptions, RowNum, Workbook, Worksheet};
 
 use super::cell::{row_height, write_text};
 use super::error::WriteError;
-use super::long_rows::save;
 use super::page::{Page, properties};
+use super::save::{Additions, save};
 use super::style::Styles;
 use super::validation::validation;
 use crate::gcode::offset_preamble::value;
@@ -169,7 +169,7 @@ pub fn write<W: Write + Seek + Send>(
     workbook.set_properties(&properties(TITLE.get(language))?);
     let sheet = workbook.add_worksheet();
     OffsetsSheet { file, unit, origin, language, styles: Styles::default() }.write(sheet)?;
-    save(&mut workbook, Vec::new(), out)
+    save(&mut workbook, Additions::default(), out)
 }
 
 struct OffsetsSheet<'a> {

@@ -28,10 +28,15 @@ impl Page<'_> {
     /// # Errors
     /// For rows outside the sheet.
     pub fn set_up(&self, sheet: &mut Worksheet, language: Language) -> Result<(), XlsxError> {
-        self.set_up_columns(sheet, language);
-        sheet.set_print_fit_to_pages(1, u16::from(self.single));
+        self.set_up_fitted(sheet, language);
         sheet.set_repeat_rows(self.repeat.0, self.repeat.1)?;
         Ok(())
+    }
+
+    /// Sets a sheet up for A4, fitted to one page across, without repeated rows.
+    pub fn set_up_fitted(&self, sheet: &mut Worksheet, language: Language) {
+        self.set_up_columns(sheet, language);
+        sheet.set_print_fit_to_pages(1, u16::from(self.single));
     }
 
     /// Sets a sheet up for A4 in its own size, without repeated rows.

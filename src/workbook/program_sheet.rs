@@ -13,7 +13,7 @@ use crate::gcode::program::Program;
 use crate::text::{Language, Text, t};
 
 /// The sheet's name, in both languages.
-pub const NAME: &str = "INCR";
+pub static NAME: Text = t("INCR", "INCR");
 
 /// The sheet's name for the user's own programs, where one is too long for the sheet that it is read from.
 pub static OWN: Text = t("LISTADO", "LISTING");
@@ -92,7 +92,7 @@ impl<'a> ProgramSheet<'a> {
         // Each pair of columns is printed on pages of its own, one program after the other.
         let mut breaks = Vec::new();
         for strand in &self.strands {
-            let column = ColNum::try_from(strand.column).map_err(|_| WriteError::TooLarge(NAME))?;
+            let column = ColNum::try_from(strand.column).map_err(|_| WriteError::TooLarge("INCR"))?;
             if column > 0 {
                 breaks.push(u32::from(column));
             }

@@ -1,36 +1,44 @@
-//! The results workbook: the form again, every table, the programs, and the checks.
+//! The results workbook: what came out, the form again, charts, every table, the programs, and the checks.
 
 use std::io::{Seek, Write};
 
-use rust_xlsxwriter::{RowNum, Workbook, Worksheet};
+use rust_xlsxwriter::Workbook;
 
 use super::charts::{Placed, draw};
-use super::checks_sheet;
-use super::derived;
+use super::drawn::Drawn;
 use super::error::WriteError;
-use super::form_sheet::{self, Filling};
+use super::form_sheet::Filling;
 use super::limits;
-use super::long_rows::{LongRows, save};
+use super::long_rows::LongRows;
 use super::names::SheetNames;
 use super::page::{Page, properties};
 use super::program_sheet::{self, ProgramSheet};
+use super::save::{Additions, save};
 use super::style::Styles;
+use super::summary_sheet::{self, Summary};
 use super::table_sheet::{FIRST, TableSheet};
 use super::template::{HOW, OPTIONAL, write_lists};
-use crate::kind::{Chart, Outcome, checks};
+use super::{chart_sheet, checks_sheet};
+use crate::figure::Figure;
+use crate::kind::{Outcome, checks};
 use crate::table::Table;
 use crate::text::{Language, Text, t};
 
-/// The height of a row in pixels.
-const ROW: u32 = 20;
+pub use super::summary_sheet::File;
 
-/// Writes the results of an outcome: first the form with the values it was computed from, to be edited and built again,
-/// with the derived quantities beside them; then each table, the programs, and the checks. The same outcome gives the
-/// same bytes. Long tables and programs are streamed and take no memory of their own.
+/// Writes the results of an outcome: first what came out, with the files that are delivered beside it; then the form with the
+/// values it was computed from, to be edited and built again; then charts, each table, the programs, and the checks. The same
+/// outcome gives the same bytes. Long tables and programs are streamed and take no memory of their own.
 ///
 /// # Errors
 /// For a value that is not finite, for a table larger than a sheet, and for what `out` refuses.
-pub fn write<W: Write + Seek + Send>(outcome: &Outcome, language: Language, out: W) -> Result<(), WriteError> {
+pub fn write<W: Write + Seek + Send>(
+    outcome: &Outcome,
+    files: &[File],
+    language: Language,
+    out: W,
+) -> Result<(), WriteError> {
+    let sketch = outcome.kind.sketch();
     let mut results = Results {
         outcome,
         language,
@@ -43,15 +51,31 @@ pub fn write<W: Write + Seek + Send>(outcome: &Outcome, language: Language, out:
             single: false,
         },
         names: SheetNames::default(),
+        sheets: Vec::new(),
         workbook: Workbook::new(),
-        long: Vec::new(),
+        additions: Additions::default(),
     };
-    results.write_forms()?;
+    // It stands first and is filled last, when the others are known.
+    let first = results.names.take(summary_sheet::NAME.get(language));
+    results.workbook.add_worksheet().set_name(first)?;
+    results.write_forms(sketch.as_ref())?;
     results.write_tables()?;
     results.write_programs()?;
     results.write_checks()?;
-    save(&mut results.workbook, results.long, out)
+    let again = if within_limits(outcome) { &AGAIN } else { &TOO_LARGE };
+    let summary = Summary { outcome, files, sheets: &results.sheets, again, language };
+    summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
+    save(&mut results.workbook, results.additions, out)
 }
+
+static AGAIN: Text = t(
+    "Este libro es a su vez una entrada válida: cambie los valores en la hoja siguiente y vuelva a calcular.",
+    "This workbook is itself a valid input: change the values on the next sheet and build again.",
+);
+static TOO_LARGE: Text = t(
+    "Este libro es demasiado grande para volver a leerlo: cambie los valores en el libro de entrada.",
+    "This workbook is too large to be read again: change the values in the input workbook.",
+);
 
 struct Results<'a> {
     outcome: &'a Outcome,
@@ -59,75 +83,71 @@ struct Results<'a> {
     styles: Styles,
     page: Page<'a>,
     names: SheetNames,
+    /// The names of the sheets behind the first, with what they hold.
+    sheets: Vec<(String, String)>,
     workbook: Workbook,
-    long: Vec<LongRows<'a>>,
+    additions: Additions<'a>,
 }
 
 impl<'a> Results<'a> {
-    fn write_forms(&mut self) -> Result<(), WriteError> {
+    /// A free name for the next sheet, noted with what it holds.
+    fn name(&mut self, wanted: &Text, holds: &Text) -> String {
+        let name = self.names.take(wanted.get(self.language));
+        self.sheets.push((name.clone(), holds.get(self.language).to_owned()));
+        name
+    }
+
+    fn write_forms(&mut self, sketch: Option<&'a Figure>) -> Result<(), WriteError> {
         let (outcome, language) = (self.outcome, self.language);
-        let source = &outcome.source;
-        let origin = Text::new(
-            format!(
-                "Calculado por rodete {} a partir de {} (SHA-256 {}).",
-                source.version, source.workbook, source.sha256
-            ),
-            format!("Computed by rodete {} from {} (SHA-256 {}).", source.version, source.workbook, source.sha256),
-        );
-        let again = if within_limits(outcome) {
-            t(
-                "Este libro es a su vez una entrada válida: cambie los valores y vuelva a calcular.",
-                "This workbook is itself a valid input: change the values and build again.",
-            )
-        } else {
-            t(
-                "Este libro es demasiado grande para volver a leerlo: cambie los valores en el libro de entrada.",
-                "This workbook is too large to be read again: change the values in the input workbook.",
-            )
-        };
+        self.additions.drawn = sketch.map(|figure| Drawn { figure, language });
         for (index, sheet) in outcome.fields.form().sheets.iter().enumerate() {
-            let name = self.names.take(sheet.name.get(language));
+            let name = self.name(&sheet.name, &sheet.title);
             if index == 0 {
                 self.workbook.set_properties(&properties(sheet.title.get(language))?);
             }
-            let notes = match (index, sheet.optional) {
-                (0, _) => vec![origin.get(language), again.get(language), HOW.get(language)],
-                (_, true) => vec![OPTIONAL.get(language), HOW.get(language)],
-                (_, false) => vec![HOW.get(language)],
-            };
+            let notes = [if sheet.optional { OPTIONAL.get(language) } else { "" }, HOW.get(language)];
             let values = |key: &str| outcome.fields.values().values.get(key);
-            let page = Page { landscape: index == 0, ..self.page };
+            let sketch = self.additions.drawn.filter(|_| index == 0);
             let worksheet = self.workbook.add_worksheet();
-            let mut layout = Filling { sheet, values, notes: &notes, language }.write(worksheet, &self.styles)?;
-            let mut last_column = form_sheet::LAST;
-            if index == 0 && !outcome.quantities.is_empty() {
-                derived::write(worksheet, &mut layout, &outcome.quantities, language, &self.styles)?;
-                last_column = derived::LAST;
-            }
-            layout.finish(worksheet, last_column, &page, language)?;
+            let layout = Filling { sheet, values, notes: &notes, sketch, language }.write(worksheet, &self.styles)?;
+            layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {
                 self.workbook.define_name(defined, &cell)?;
             }
         }
-        let names = &mut self.names;
+        let Self { names, sheets, .. } = self;
         let lists = &outcome.fields.values().lists;
-        write_lists(&mut self.workbook, outcome.fields.form(), lists, &self.styles, &self.page, language, |name| {
-            names.take(name)
+        let form = outcome.fields.form();
+        write_lists(&mut self.workbook, form, lists, &self.styles, &self.page, language, |wanted, list| {
+            let name = names.take(wanted);
+            sheets.push((name.clone(), list.title.get(language).to_owned()));
+            name
         })
     }
 
+    /// The charts, then the tables.
     fn write_tables(&mut self) -> Result<(), WriteError> {
         let (outcome, language) = (self.outcome, self.language);
-        let placed: Vec<Placed<'_>> = outcome
-            .tables
-            .iter()
-            .map(|table| Placed { sheet: self.names.take(table.name.get(language)), table })
-            .collect();
+        static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
+        let charts = (!outcome.charts.is_empty()).then(|| self.name(&chart_sheet::NAME, &CHARTS));
+        let placed: Vec<Placed<'_>> =
+            outcome.tables.iter().map(|table| Placed { sheet: self.name(&table.name, &table.title), table }).collect();
+        if let Some(name) = charts {
+            let mut drawn = Vec::new();
+            for chart in &outcome.charts {
+                let of = placed.iter().find(|one| one.table.key == chart.table).map(|one| one.sheet.clone());
+                if let Some((chart, size)) = draw(chart, &placed, language)? {
+                    drawn.push((of.unwrap_or_default(), chart));
+                    self.additions.charts.push(size);
+                }
+            }
+            let worksheet = self.workbook.add_worksheet().set_name(name)?;
+            chart_sheet::write(worksheet, &drawn, language, &self.styles, &self.page)?;
+        }
         for Placed { sheet: name, table } in &placed {
-            let charts: Vec<&Chart> = outcome.charts.iter().filter(|chart| chart.table == table.key).collect();
             let sheet = TableSheet { table, language };
             if sheet.long() {
-                self.long.push(LongRows {
+                self.additions.long.push(LongRows {
                     sheet: self.workbook.worksheets().len(),
                     name: name.clone(),
                     first: FIRST,
@@ -137,8 +157,7 @@ impl<'a> Results<'a> {
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
             sheet.write(worksheet, &self.styles)?;
-            let below = insert_charts(worksheet, &sheet, &charts, &placed)?;
-            sheet.finish(worksheet, &self.page, below)?;
+            sheet.finish(worksheet, &self.page)?;
         }
         Ok(())
     }
@@ -156,19 +175,24 @@ impl<'a> Results<'a> {
         let Some(programs) = ProgramSheet::new(programs, form.programs, program_sheet::ROWS) else {
             return Ok(());
         };
-        let name = if own { program_sheet::OWN.get(self.language) } else { program_sheet::NAME };
-        let name = self.names.take(name);
+        static BLOCKS: Text = t("Los programas, bloque a bloque", "The programs, block by block");
+        let name = self.name(if own { &program_sheet::OWN } else { &program_sheet::NAME }, &BLOCKS);
         let index = self.workbook.worksheets().len();
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         programs.write(worksheet, self.language, &self.styles, &self.page)?;
-        self.long.push(LongRows { sheet: index, name, first: 0, count: programs.rows(), source: programs.source() });
+        let (count, source) = (programs.rows(), programs.source());
+        self.additions.long.push(LongRows { sheet: index, name, first: 0, count, source });
         Ok(())
     }
 
     fn write_checks(&mut self) -> Result<(), WriteError> {
         let findings = &self.outcome.findings;
         let table = checks::table(findings);
-        let name = self.names.take(table.name.get(self.language));
+        static FOUND: Text = t(
+            "Todo lo que se encontró: paradas, precauciones, notas y comprobaciones, con su lugar y su remedio",
+            "All that was found: stops, cautions, notes and checks, with places and remedies",
+        );
+        let name = self.name(&table.name, &FOUND);
         let worksheet = self.workbook.add_worksheet().set_name(name)?;
         checks_sheet::write(worksheet, &table, findings, self.language, &self.styles, &self.page)
     }
@@ -189,22 +213,4 @@ fn within_limits(outcome: &Outcome) -> bool {
         && programs < limits::PART
         && all < limits::TOTAL
         && all < 2 * limits::FILE
-}
-
-/// Puts charts beside a table, one below the other. Returns the row below them; `None` where there are none.
-fn insert_charts(
-    worksheet: &mut Worksheet,
-    sheet: &TableSheet<'_>,
-    charts: &[&Chart],
-    placed: &[Placed<'_>],
-) -> Result<Option<RowNum>, WriteError> {
-    let mut below = None;
-    for chart in charts {
-        if let Some(drawn) = draw(chart, placed, sheet.language)? {
-            let row = below.map_or(FIRST, |row| row + 1);
-            worksheet.insert_chart(row, sheet.beside()?, &drawn.chart)?;
-            below = Some(row + drawn.height.div_ceil(ROW));
-        }
-    }
-    Ok(below)
 }

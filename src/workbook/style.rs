@@ -3,6 +3,7 @@
 use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder};
 
 use crate::finding::Grade;
+use crate::table::Unit;
 
 const INK: Color = Color::RGB(0x1F3A5F);
 const BAND: Color = Color::RGB(0xDCE6F1);
@@ -40,14 +41,8 @@ pub struct Styles {
     pub input_line: Format,
     /// A value cell that stays as it is.
     pub fixed: Format,
-    /// A computed value beside the form: boxed.
+    /// A computed value: boxed.
     pub number: Format,
-    /// A computed count beside the form: boxed.
-    pub whole: Format,
-    /// A value of a table.
-    pub value: Format,
-    /// A count of a table.
-    pub count: Format,
     /// A column heading over numbers.
     pub number_header: Format,
     /// A column heading over text.
@@ -96,10 +91,7 @@ impl Default for Styles {
             ),
             input_line: input(Format::new().set_num_format("@").set_font_name("Consolas").set_font_size(10)),
             fixed: ruled(top().set_align(FormatAlign::Right).set_indent(1).set_font_color(FAINT)),
-            number: ruled(top().set_num_format("0.000000").set_align(FormatAlign::Right).set_indent(1)),
-            whole: ruled(top().set_align(FormatAlign::Right)),
-            value: Format::new().set_num_format("0.000000"),
-            count: Format::new(),
+            number: ruled(top().set_align(FormatAlign::Right).set_indent(1)),
             number_header: header().set_align(FormatAlign::Right),
             number_unit: ruled(Format::new().set_font_color(FAINT).set_align(FormatAlign::Right)),
             index: Format::new().set_num_format("0").set_font_color(FAINT).set_align(FormatAlign::Right),
@@ -109,6 +101,19 @@ impl Default for Styles {
             block_number: Format::new().set_font_name("Consolas").set_font_size(10).set_font_color(FAINT),
             block: Format::new().set_font_name("Consolas").set_font_size(10),
         }
+    }
+}
+
+/// How many digits of a value are shown: one more than means something at the machine or on a drawing. The cell keeps them all.
+#[must_use]
+pub const fn digits(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Count | Unit::RevolutionPerMinute | Unit::MetrePerMinute | Unit::CubicMillimetre => "0",
+        Unit::Second | Unit::MillimetrePerMinute | Unit::DegreePerMinute | Unit::CubicCentimetrePerMinute => "0.0",
+        Unit::Step => "0.000",
+        Unit::Millimetre | Unit::Degree | Unit::MillimetrePerRevolution => "0.0000",
+        Unit::One | Unit::Radian => "0.000000",
+        Unit::None => "General",
     }
 }
 

@@ -1,16 +1,16 @@
 //! A table of the method as a sheet.
 //!
 //! Row 1 is the title, row 2 the source, row 3 the symbols, row 4 the units; values stand from row 5 on, the point
-//! index in column A. Values are stored whole and shown with six decimals.
+//! index in column A. Values are stored whole and shown to the digits of their unit.
 
-use rust_xlsxwriter::{ColNum, DataValidation, RowNum, Worksheet};
+use rust_xlsxwriter::{ColNum, DataValidation, Format, RowNum, Worksheet};
 
 use super::cell::{row_height, shortened, write_text};
 use super::error::WriteError;
 use super::long_rows::{RowWriter, Rows};
 use super::page::Page;
-use super::style::Styles;
-use crate::table::{Cells, Column, Entry, Index, Table, Unit};
+use super::style::{Styles, digits};
+use crate::table::{Cells, Column, Entry, Index, Table};
 use crate::text::Language;
 
 /// The row of the symbols, from 0.
@@ -59,14 +59,6 @@ impl<'a> TableSheet<'a> {
         }
     }
 
-    /// The first column right of the table and of a gap.
-    ///
-    /// # Errors
-    /// For a table wider than a sheet.
-    pub fn beside(&self) -> Result<ColNum, WriteError> {
-        Ok(column_number(self.table.columns.len())? + self.offset() + 1)
-    }
-
     /// The last row, from 0; the row of the units for an empty table.
     ///
     /// # Errors
@@ -107,18 +99,16 @@ impl<'a> TableSheet<'a> {
         Ok(())
     }
 
-    /// Sets panes and printing, when everything is written; `below` is the row below the charts, if there are any.
+    /// Sets panes and printing, when everything is written.
     ///
     /// # Errors
     /// For a table larger than a sheet.
-    pub fn finish(&self, sheet: &mut Worksheet, page: &Page<'_>, below: Option<RowNum>) -> Result<(), WriteError> {
+    pub fn finish(&self, sheet: &mut Worksheet, page: &Page<'_>) -> Result<(), WriteError> {
         sheet.set_freeze_panes(FIRST, self.offset())?;
         let last = self.last_row()?;
-        if below.is_none() {
-            sheet.set_print_area(0, 0, last, self.printed()?)?;
-        }
-        let landscape = below.is_some() || self.table.columns.len() > UPRIGHT;
-        let single = last.max(below.unwrap_or(0)) < ONE_PAGE;
+        sheet.set_print_area(0, 0, last, self.printed()?)?;
+        let landscape = self.table.columns.len() > UPRIGHT;
+        let single = last < ONE_PAGE;
         Page { repeat: (0, UNITS), landscape, single, ..*page }.set_up(sheet, self.language)?;
         Ok(())
     }
@@ -170,22 +160,22 @@ impl<'a> TableSheet<'a> {
             sheet.write_blank(FIRST, 0, &styles.index)?;
         }
         for (at, column) in self.table.columns.iter().enumerate() {
-            sheet.write_blank(FIRST, column_number(at)? + self.offset(), styles.values(column))?;
+            sheet.write_blank(FIRST, column_number(at)? + self.offset(), &styles.values(column))?;
         }
         Ok(())
     }
 
     fn write_rows(&self, sheet: &mut Worksheet, styles: &Styles) -> Result<(), WriteError> {
         let offset = self.offset();
-        let widths: Vec<f64> = self.table.columns.iter().map(|column| self.width(column)).collect();
+        let looks: Vec<(f64, Format)> =
+            self.table.columns.iter().map(|column| (self.width(column), styles.values(column))).collect();
         for (row, index) in (FIRST..=self.last_row()?).zip(0_u32..) {
             if offset > 0 {
                 sheet.write_number_with_format(row, 0, index, &styles.index)?;
             }
             let mut texts = Vec::new();
-            for (at, column) in self.table.columns.iter().enumerate() {
+            for ((at, column), (width, format)) in self.table.columns.iter().enumerate().zip(&looks) {
                 let to = column_number(at)? + offset;
-                let format = styles.values(column);
                 match self.entry(column, row)? {
                     Entry::Number(value) if value.is_finite() => {
                         sheet.write_number_with_format(row, to, value, format)?;
@@ -193,7 +183,7 @@ impl<'a> TableSheet<'a> {
                     Entry::Number(_) => return Err(self.not_finite(column, row)),
                     Entry::Text(text) => {
                         let text = text.get(self.language);
-                        texts.push((text, widths.get(at).copied().unwrap_or(NUMBER_WIDTH)));
+                        texts.push((text, *width));
                         write_text(sheet, row, to, text, format)?;
                     }
                 }
@@ -264,11 +254,10 @@ fn column_number(at: usize) -> Result<ColNum, WriteError> {
 
 impl Styles {
     /// The format of a column's values.
-    fn values(&self, column: &Column) -> &rust_xlsxwriter::Format {
-        match (&column.values, column.unit) {
-            (Cells::Texts(_), _) => &self.entry,
-            (_, Unit::Count) => &self.count,
-            _ => &self.value,
+    fn values(&self, column: &Column) -> Format {
+        match column.values {
+            Cells::Texts(_) => self.entry.clone(),
+            Cells::Numbers(_) | Cells::Component(..) => Format::new().set_num_format(digits(column.unit)),
         }
     }
 }

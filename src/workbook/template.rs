@@ -4,20 +4,22 @@ use std::io::{Seek, Write};
 
 use rust_xlsxwriter::Workbook;
 
+use super::drawn::Drawn;
 use super::error::WriteError;
-use super::form_sheet::{Filling, LAST, Layout};
+use super::form_sheet::{Filling, Layout};
 use super::list_sheet::ListSheet;
-use super::long_rows::save;
 use super::page::{Page, properties};
+use super::save::{Additions, save};
 use super::style::Styles;
-use crate::parameter::list::{Naming, Rows};
+use crate::kind::Kind;
+use crate::parameter::list::{List, Naming, Rows};
 use crate::parameter::{Form, Sheet, Value};
 use crate::text::{Language, Text, t};
 
 /// How the sheets are filled in; stands under the title of every form.
 pub(super) static HOW: Text = t(
-    "Escriba solo en las celdas amarillas de la columna C; al seleccionar una se ve qué admite. La hoja está protegida, sin contraseña, para que no se borre nada sin querer.",
-    "Write only in the yellow cells of column C; selecting one shows what it admits. The sheet is protected, without a password, so that nothing is deleted by accident.",
+    "Escriba solo en las celdas amarillas de la columna C; al seleccionar una se ve qué admite. Los signos + y − del margen izquierdo abren y pliegan los grupos; un grupo opcional que está vacío viene plegado.",
+    "Write only in the yellow cells of column C; selecting one shows what it admits. The signs + and − at the left edge open and fold the groups; an optional group that is empty comes folded.",
 );
 
 /// What stands under the title of a sheet that may be left out.
@@ -26,19 +28,20 @@ pub(super) static OPTIONAL: Text = t(
     "This sheet is optional: if all its values stay empty, nothing is computed from it.",
 );
 
-/// Writes a new workbook with one sheet for each sheet and each list of the form. `values` are by key, parameters
+/// Writes a new workbook with one sheet for each sheet and each list of the kind's form. `values` are by key, parameters
 /// without one stay empty; `lists` are the rows of its lists; `note` says where the values come from. The same input gives the same bytes.
 ///
 /// # Errors
 /// For a value that is not finite, for a form that a workbook cannot hold, and for what `out` refuses.
 pub fn write<W: Write + Seek + Send>(
-    form: &'static Form,
+    kind: &dyn Kind,
     values: &[(&'static str, Value)],
     lists: &[Rows],
     note: &Text,
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
+    let form = kind.form();
     let find = |key: &str| values.iter().find(|(one, _)| *one == key).map(|(_, value)| value);
     let part = match find(form.part.key()) {
         Some(Value::Line(part)) => part.as_str(),
@@ -50,17 +53,20 @@ pub fn write<W: Write + Seek + Send>(
     if let Some(first) = form.sheets.first() {
         workbook.set_properties(&properties(first.title.get(language))?);
     }
-    for sheet in form.sheets {
-        let filling = Filling { sheet, values: find, notes: &notes(sheet, note, language), language };
+    let sketch = kind.sketch();
+    let drawn = sketch.as_ref().map(|figure| Drawn { figure, language });
+    let additions = Additions { drawn, ..Additions::default() };
+    for (index, sheet) in form.sheets.iter().enumerate() {
+        let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
         let worksheet = workbook.add_worksheet();
-        let layout = filling.write(worksheet, &styles)?;
-        layout.finish(worksheet, LAST, &page, language)?;
+        let layout = Filling { sheet, values: find, notes: &notes, sketch, language }.write(worksheet, &styles)?;
+        layout.finish(worksheet, &page, language)?;
         for (name, cell) in layout.defined_names(sheet.name.get(language)) {
             workbook.define_name(name, &cell)?;
         }
     }
-    write_lists(&mut workbook, form, lists, &styles, &page, language, |name| name.to_owned())?;
-    save(&mut workbook, Vec::new(), out)
+    write_lists(&mut workbook, form, lists, &styles, &page, language, |name, _| name.to_owned())?;
+    save(&mut workbook, additions, out)
 }
 
 /// What stands under the title of a sheet.
@@ -76,7 +82,8 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
     let (mut workbook, styles) = (Workbook::new(), Styles::default());
     let layout = |sheet| {
         let notes = notes(sheet, note, language);
-        Filling { sheet, values: |_: &str| None, notes: &notes, language }.write(workbook.add_worksheet(), &styles)
+        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, sketch: None, language };
+        filling.write(workbook.add_worksheet(), &styles)
     };
     form.sheets.iter().map(layout).collect()
 }
@@ -92,19 +99,19 @@ pub(super) fn write_lists(
     styles: &Styles,
     page: &Page<'_>,
     language: Language,
-    mut take: impl FnMut(&str) -> String,
+    mut take: impl FnMut(&str, &List) -> String,
 ) -> Result<(), WriteError> {
     for list in form.lists {
         let filled: Vec<&Rows> = lists.iter().filter(|rows| rows.list == list.key).collect();
         match &list.naming {
             Naming::One(name) => {
-                let name = take(name.get(language));
+                let name = take(name.get(language), list);
                 let rows = filled.first().map_or(&[][..], |rows| &rows.rows);
                 ListSheet { list, name: &name, rows, language }.write(workbook.add_worksheet(), styles, page)?;
             }
             Naming::Numbered(_) => {
                 for rows in filled {
-                    let name = take(&rows.sheet);
+                    let name = take(&rows.sheet, list);
                     ListSheet { list, name: &name, rows: &rows.rows, language }.write(
                         workbook.add_worksheet(),
                         styles,

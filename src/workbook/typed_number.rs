@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn the_hint_names_the_number_that_was_meant() {
         for (text, unit, hinted) in [
-            ("12.5", "mm", "the cell is formatted as text: set its format to General and type 12.5 again"),
+            ("12.5", "mm", "set the cell's format to General instead of text and retype 12.5"),
             ("1,5", "mm", "use 1.5"),
             ("-0,25", "mm", "use -0.25"),
             ("1 234,5", "mm", "use 1234.5"),

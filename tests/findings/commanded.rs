@@ -9,9 +9,10 @@ use std::process::Command;
 use rodete::cli::rows;
 use rodete::drawing::{Drawing, template};
 use rodete::figure::{Figure, Ink, Paper, Stroke};
-use rodete::finding::{Example, Finding, Grade, Rule};
+use rodete::finding::{Example, Finding, Grade, Place, Rule};
 use rodete::kinds::KINDS;
 use rodete::parameter::Value;
+use rodete::report::stationery::{Logo, Stationery, Template};
 use rodete::report::{self, Attachment, Content, Role};
 use rodete::store::sha256;
 use rodete::text::{Language, Text};
@@ -152,6 +153,15 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
             put("turn.nc", TURNING);
             "simulate turn.nc --dialect fanuc-lathe-a -o out".to_owned()
         }
+        "no-logo" | "no-templates" => {
+            let named = common::workbook::Parts::sound().string("logo", "logo.svg").zip();
+            let bare = common::workbook::sound(Language::En);
+            fs::write(path("impeller.xlsx"), if key == "no-logo" { named } else { bare }).unwrap();
+            match key {
+                "no-logo" => "build impeller.xlsx".to_owned(),
+                _ => "build impeller.xlsx --templates nowhere".to_owned(),
+            }
+        }
         "workbook-as-program" | "lathe-tools" => {
             run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
             match key {
@@ -191,7 +201,7 @@ fn set(key: &str) -> Option<Vec<Finding>> {
         fs::set_permissions(path("typst"), fs::Permissions::from_mode(0o755)).unwrap();
         Typst::installed(path("typst"))
     };
-    let report = |typst: &Typst, part: &str| {
+    let report = |typst: &Typst, part: &str, stationery: &Stationery<'_>| {
         let outcome = common::outcome("tfg-2021", &[("part", Value::Line(part.to_owned()))]);
         fs::File::create(path("large")).unwrap().set_len(33 << 20).unwrap();
         let file = path("large");
@@ -202,18 +212,29 @@ fn set(key: &str) -> Option<Vec<Finding>> {
             description: Text::same("large"),
             content: Content::File(&file),
         };
-        match report::typeset(&outcome, &[attachment], Language::En, typst) {
+        match report::typeset(&outcome, &[attachment], stationery, Language::En, typst) {
             Ok(report) => report.findings,
             Err(failure) => vec![failure.finding()],
         }
     };
+    let bare = Stationery::default();
     let whole = "for word; do output=$word; done; printf '%%PDF-1.7\\n%%%%EOF\\n' > \"$output\"";
     Some(match key {
         "no-tmpdir" => vec![ReportFailure::Folder(std::io::ErrorKind::NotFound.into()).finding()],
-        "no-typst" => report(&Typst::installed("/nowhere/typst"), "a"),
-        "false-typst" => report(&script("exit 1"), "a"),
-        "large-attachment" => report(&script(whole), "a"),
-        "foreign-letters" => report(&script(whole), "\u{4e2d}"),
+        "no-typst" => report(&Typst::installed("/nowhere/typst"), "a", &bare),
+        "false-typst" => report(&script("exit 1"), "a", &bare),
+        "false-templates" => {
+            let templates = [Template { path: "cover.typ".to_owned(), bytes: b"#nothing".to_vec() }];
+            let stationery = Stationery { templates: &templates, ..Stationery::default() };
+            report(&script("echo cover.typ:1:2: error: unknown variable: nothing >&2; exit 1"), "a", &stationery)
+        }
+        "false-logo" => {
+            let logo = Logo::new("logo.png".to_owned(), b"\x89PNG\r\n\x1a\n".to_vec(), Place::File).ok();
+            let stationery = Stationery { logo, ..Stationery::default() };
+            report(&script(&format!("if [ -e logo.png ]; then exit 1; fi; {whole}")), "a", &stationery)
+        }
+        "large-attachment" => report(&script(whole), "a", &bare),
+        "foreign-letters" => report(&script(whole), "\u{4e2d}", &bare),
         "wide-drawing" => {
             let points = vec![[0.0, 0.0], [20_000.0, 20_000.0]];
             let stroke = Stroke { ink: Ink::Cut, points, filled: false, arrow: false };

@@ -41,7 +41,7 @@ fn usual(kind: &str) -> (&'static Form, Vec<u8>) {
     let (form, case) = (kind.form(), &kind.cases()[0]);
     let mut out = Cursor::new(Vec::new());
     let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
-    template::write(form, &values, &lists, &case.note, Language::En, &mut out).unwrap();
+    template::write(kind, &values, &lists, &case.note, Language::En, &mut out).unwrap();
     (form, out.into_inner())
 }
 
@@ -363,7 +363,7 @@ type Known = BTreeMap<(&'static str, &'static [(&'static str, &'static str)]), V
 
 /// The shipped lathe workbook of an example's key, and the lists that it is filled in with in place of its own.
 fn made_turning(key: &str) -> Option<Vec<u8>> {
-    let (form, case) = (&lathe::parameters::FORM, &lathe::cases::CASES[0]);
+    let case = &lathe::cases::CASES[0];
     let mut values: Vec<_> = case.values(Language::En);
     let mut lists = (case.listed)(Language::En);
     let mut put = |list: &'static str, sheet: &str, rows: Vec<Vec<(&'static str, Value)>>| {
@@ -395,7 +395,7 @@ fn made_turning(key: &str) -> Option<Vec<u8>> {
         _ => return None,
     }
     let mut out = Cursor::new(Vec::new());
-    template::write(form, &values, &lists, &case.note, Language::En, &mut out).unwrap();
+    template::write(&lathe::Lathe, &values, &lists, &case.note, Language::En, &mut out).unwrap();
     Some(out.into_inner())
 }
 

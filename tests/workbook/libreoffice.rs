@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use calamine::{Data, Reader, Xlsx, open_workbook};
-use rodete::kinds::lathe::{cases as lathe_cases, parameters as lathe};
+use rodete::kinds::lathe::{Lathe, cases as lathe_cases, parameters as lathe};
 use rodete::machine::length_unit::LengthUnit;
 use rodete::machine::var_file::VarFile;
 use rodete::parameter::Value;
@@ -69,10 +69,10 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
     let hostile = ("part", Value::Line("=1/0 & <b> \u{7} +álabe".to_owned()));
     for (kind, case, language) in common::cases() {
         let name = format!("{kind:?}-{}-{}", case.name, language.code());
-        let (form, values, lists) = (kind.form(), case.values(language), (case.listed)(language));
-        template::write(form, &values, &lists, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
+        let (values, lists) = (case.values(language), (case.listed)(language));
+        template::write(kind, &values, &lists, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
         let outcome = common::outcome_of(kind, case, language, std::slice::from_ref(&hostile));
-        results::write(&outcome, language, create(format!("{name}-results.xlsx"))).expect("results");
+        results::write(&outcome, &[], language, create(format!("{name}-results.xlsx"))).expect("results");
     }
     for language in Language::ALL {
         let unit = LengthUnit::Inch;
@@ -131,7 +131,7 @@ fn the_lists_of_a_lathe_come_back_from_libreoffice_row_by_row() {
         let mut lists = (case.listed)(language);
         lists.push(Rows { list: "subprogram", sheet: "O0005".to_owned(), rows: odd.iter().map(block).collect() });
         let to = std::fs::File::create(&path).expect("a file");
-        template::write(&lathe::FORM, &case.values(language), &lists, &case.note, language, to).expect("a form");
+        template::write(&Lathe, &case.values(language), &lists, &case.note, language, to).expect("a form");
         files.push(path);
     }
     let read = |path: &Path| {
@@ -202,7 +202,7 @@ fn libreoffice_prints_the_results() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("results.xlsx");
     let outcome = common::outcome("full", &[]);
-    results::write(&outcome, Language::Es, std::fs::File::create(&file).expect("a file")).expect("results");
+    results::write(&outcome, &[], Language::Es, std::fs::File::create(&file).expect("a file")).expect("results");
     let pdf = std::fs::read(&converted(&[file], "pdf", "pdf")[0]).expect("the pages");
     assert!(pdf.starts_with(b"%PDF"));
 }

@@ -1,6 +1,5 @@
 //! The typeset report: its bytes, its literal texts, and what happens when typst does not do its work.
 
-#[cfg(feature = "embedded-typst")]
 use crate::common;
 
 use std::path::{Path, PathBuf};
@@ -18,6 +17,7 @@ use rodete::kinds::impeller::parameters::FORM;
 use rodete::kinds::impeller::rules::NoRetract;
 use rodete::parameter::field::Fields;
 use rodete::parameter::{Value, Values};
+use rodete::report::stationery::Stationery;
 use rodete::report::typeset;
 #[cfg(feature = "embedded-typst")]
 use rodete::report::{Attachment, Content, Role};
@@ -78,8 +78,35 @@ fn outcome(part: &str, rows: usize) -> Outcome {
         solids: Vec::new(),
         scene: None,
         setup: Vec::new(),
+        checks: Vec::new(),
         findings: vec![NoRetract {}.at(Place::File).with("1 mm", "2 mm")],
     }
+}
+
+/// True for what is set as a symbol, as `x`, `N_x`, `y″`; words say themselves what they mean.
+fn is_symbol(name: &str) -> bool {
+    let mut letters = name.trim_start_matches('Δ').chars().skip(1);
+    letters.next().is_none_or(|second| second == '_' || second == '″' || second.is_ascii_digit())
+}
+
+#[test]
+fn no_symbol_stands_over_a_column_without_its_meaning() {
+    let mut seen = 0;
+    for (kind, case, language) in common::cases() {
+        let outcome = common::outcome_of(kind, case, language, &[]);
+        let labels = kind.chapters().labels;
+        let own = labels.split(&format!("\n  {}: (", language.code())).nth(1).expect("words of the language");
+        for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.key != "verification") {
+            let line = own.lines().find(|line| line.trim_start().starts_with(&format!("{}: \"", table.key)));
+            for column in table.columns.iter().map(|column| column.symbol.get(language)).filter(|one| is_symbol(one)) {
+                let told = line
+                    .is_some_and(|line| line.contains(&format!("{column}:")) || line.contains(&format!("{column},")));
+                assert!(told, "{kind:?} {}: {column} of {} ({language:?})", case.name, table.key);
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 100, "{seen} symbols");
 }
 
 fn script(name: &str) -> PathBuf {
@@ -90,13 +117,16 @@ fn script(name: &str) -> PathBuf {
 #[cfg(unix)]
 fn failure(name: &str, deadline: Duration) -> ReportFailure {
     let typst = Typst::installed(script(name)).with_deadline(deadline);
-    typeset(&outcome("part", 5), &[], Language::En, &typst).expect_err("the script gives no report")
+    typeset(&outcome("part", 5), &[], &Stationery::default(), Language::En, &typst)
+        .expect_err("the script gives no report")
 }
 
 #[test]
 fn a_missing_typst_is_named_with_the_version_wanted() {
     let typst = Typst::installed("/nowhere/typst");
-    let finding = typeset(&outcome("part", 5), &[], Language::Es, &typst).expect_err("no such program").finding();
+    let finding = typeset(&outcome("part", 5), &[], &Stationery::default(), Language::Es, &typst)
+        .expect_err("no such program")
+        .finding();
     assert!(
         finding.what.en.starts_with("the report could not be typeset: cannot run '/nowhere/typst'"),
         "{}",
@@ -136,7 +166,8 @@ fn a_hanging_typst_is_killed_with_its_children_at_the_deadline() {
 fn an_interrupted_typst_is_killed() {
     let flag = std::sync::Arc::new(std::sync::atomic::AtomicBool::new(true));
     let typst = Typst::installed(script("hangs.sh")).with_interrupt(flag);
-    let failure = typeset(&outcome("part", 5), &[], Language::En, &typst).expect_err("it is interrupted");
+    let failure =
+        typeset(&outcome("part", 5), &[], &Stationery::default(), Language::En, &typst).expect_err("it is interrupted");
     assert!(failure.interrupted(), "{failure}");
 }
 
@@ -197,8 +228,8 @@ mod embedded {
     #[test]
     fn the_same_outcome_gives_the_same_bytes() {
         let outcome = outcome("part", 70);
-        let once = typeset(&outcome, &[workbook()], Language::Es, &typst()).unwrap().pdf;
-        let again = typeset(&outcome, &[workbook()], Language::Es, &typst()).unwrap().pdf;
+        let once = typeset(&outcome, &[workbook()], &Stationery::default(), Language::Es, &typst()).unwrap().pdf;
+        let again = typeset(&outcome, &[workbook()], &Stationery::default(), Language::Es, &typst()).unwrap().pdf;
         assert!(once == again);
         assert!(once.starts_with(b"%PDF-1.7"));
     }
@@ -208,7 +239,8 @@ mod embedded {
     fn every_kind_of_workbook_has_its_report() {
         for (kind, case, language) in common::cases() {
             let outcome = common::outcome_of(kind, case, language, &[]);
-            let report = typeset(&outcome, &[workbook()], language, &typst()).expect("a report");
+            let report =
+                typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).expect("a report");
             assert!(report.findings.is_empty(), "{kind:?} {}: {:?}", case.name, report.findings);
             let Some(text) = text(&report.pdf) else { continue };
             for table in outcome.tables.iter().filter(|table| table.print != Print::No && table.rows() > 0) {
@@ -220,7 +252,7 @@ mod embedded {
     #[test]
     fn markup_in_a_name_is_shown_and_not_run() {
         let part = r##"#read("/etc/passwd") $x^2$ *b* #import "a.typ": * \u{41} <label> @ref // /* `c` = h"##;
-        let report = typeset(&outcome(part, 5), &[], Language::En, &typst()).unwrap();
+        let report = typeset(&outcome(part, 5), &[], &Stationery::default(), Language::En, &typst()).unwrap();
         if let Some(text) = text(&report.pdf) {
             let flat = text.split_whitespace().collect::<Vec<_>>().join(" ").replace('\u{200B}', "");
             assert!(flat.contains(part), "{flat}");
@@ -229,7 +261,9 @@ mod embedded {
 
     #[test]
     fn characters_without_a_glyph_are_shown_by_code_with_a_note() {
-        let report = typeset(&outcome("部品 \u{1B}[31m\u{202E} ñ ⌀ 😀", 5), &[], Language::En, &typst()).unwrap();
+        let report =
+            typeset(&outcome("部品 \u{1B}[31m\u{202E} ñ ⌀ 😀", 5), &[], &Stationery::default(), Language::En, &typst())
+                .unwrap();
         let [note] = report.findings.as_slice() else { panic!("{:?}", report.findings) };
         assert_eq!(note.grade, Grade::Note);
         assert_eq!(note.value, "[U+90E8] [U+54C1] [U+001B] [U+202E] [U+1F600]");
@@ -240,13 +274,14 @@ mod embedded {
 
     #[test]
     fn a_name_of_two_hundred_characters_without_a_blank_is_set() {
-        let report = typeset(&outcome(&"W".repeat(200), 5), &[], Language::En, &typst()).unwrap();
+        let report =
+            typeset(&outcome(&"W".repeat(200), 5), &[], &Stationery::default(), Language::En, &typst()).unwrap();
         assert!(report.findings.is_empty());
     }
 
     #[test]
     fn long_tables_lose_their_middle_and_say_so() {
-        let report = typeset(&outcome("part", 61), &[], Language::En, &typst()).unwrap();
+        let report = typeset(&outcome("part", 61), &[], &Stationery::default(), Language::En, &typst()).unwrap();
         if let Some(text) = text(&report.pdf) {
             assert!(text.contains("21 rows are omitted here"), "{text}");
         }
@@ -272,7 +307,7 @@ mod embedded {
                 Language::Es => ("Hoja de preparación", "Operario"),
                 Language::En => ("Set-up sheet", "Machinist"),
             };
-            let report = typeset(&outcome, &[workbook()], language, &typst()).unwrap();
+            let report = typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).unwrap();
             let (Some(sheet), Some(whole)) = (text(&report.setup), text(&report.pdf)) else { return };
             let setups = outcome.figures.iter().filter(|figure| ["setup", "setup-2"].contains(&figure.key)).count();
             let sheet = pages(&sheet);
@@ -308,7 +343,7 @@ mod embedded {
                 other => other.clone(),
             };
         }
-        let report = typeset(&outcome, &[workbook()], language, &typst()).unwrap();
+        let report = typeset(&outcome, &[workbook()], &Stationery::default(), language, &typst()).unwrap();
         let Some(text) = text(&report.setup) else { return };
         let pages = pages(&text);
         assert!(pages.len() > 1 && pages[0].contains("this sheet goes on"), "{text}");
@@ -317,7 +352,7 @@ mod embedded {
     #[test]
     fn a_design_of_many_points_gives_a_report_of_bounded_length() {
         let outcome = common::outcome("full", &[("n", Value::Whole(5000))]);
-        let report = typeset(&outcome, &[workbook()], Language::En, &typst()).unwrap();
+        let report = typeset(&outcome, &[workbook()], &Stationery::default(), Language::En, &typst()).unwrap();
         if let Some(text) = text(&report.pdf) {
             assert!(
                 text.contains("4 961 rows are omitted here") || text.contains("4961 rows are omitted here"),

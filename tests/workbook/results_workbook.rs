@@ -17,11 +17,12 @@ use rodete::text::{Language, Text, t};
 use rodete::workbook::error::WriteError;
 use rodete::workbook::program_sheet::ProgramSheet;
 use rodete::workbook::results;
+use rodete::workbook::save::{Additions, save};
 use zip::ZipArchive;
 
 fn written(outcome: &Outcome, language: Language) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
-    results::write(outcome, language, &mut out).expect("the results can be written");
+    results::write(outcome, &[], language, &mut out).expect("the results can be written");
     out.into_inner()
 }
 
@@ -180,7 +181,7 @@ fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
         count: rows,
         source: programs.source(),
     };
-    rodete::workbook::long_rows::save(&mut book, vec![long], &mut out).expect("a workbook");
+    save(&mut book, Additions { long: vec![long], ..Additions::default() }, &mut out).expect("a workbook");
     let range = sheet(&mut opened(out.into_inner()), "Sheet1");
 
     // Further pairs come after the fourth, in the programs' order.
@@ -201,11 +202,11 @@ fn a_program_longer_than_a_sheet_goes_on_to_the_right() {
 }
 
 #[test]
-fn the_first_sheet_is_the_form_with_the_values_and_the_derived_quantities() {
+fn the_form_stands_behind_the_first_sheet_with_the_values() {
     for (language, name) in [(Language::Es, "DATOS"), (Language::En, "DATA")] {
         let outcome = common::outcome("tfg-2021", &[]);
         let mut workbook = opened(written(&outcome, language));
-        assert_eq!(workbook.sheet_names().first().map(String::as_str), Some(name));
+        assert_eq!(workbook.sheet_names().get(1).map(String::as_str), Some(name));
         let range = sheet(&mut workbook, name);
         let row = |symbol: &str, column: usize| {
             (0..range.height()).find(|&row| at(&range, row, column) == Data::String(symbol.to_owned()))
@@ -222,12 +223,99 @@ fn the_first_sheet_is_the_form_with_the_values_and_the_derived_quantities() {
                 (value, read) => panic!("{key}: {value:?} reads back as {read:?}"),
             }
         }
-        assert!(!outcome.quantities.is_empty());
-        for quantity in &outcome.quantities {
-            let row = row(quantity.symbol, 6).unwrap_or_else(|| panic!("{} has no row", quantity.symbol));
-            assert_eq!(at(&range, row, 8), Data::Float(quantity.value), "{}", quantity.symbol);
-            assert_eq!(text(&range, row, 9), quantity.unit.label());
+    }
+}
+
+/// The first sheet, and the row of a label or a symbol on it.
+fn summary(outcome: &Outcome, files: &[results::File], language: Language) -> (Range<Data>, Vec<String>) {
+    let mut out = Cursor::new(Vec::new());
+    results::write(outcome, files, language, &mut out).expect("the results can be written");
+    let mut workbook = opened(out.into_inner());
+    let names = workbook.sheet_names();
+    (sheet(&mut workbook, names.first().expect("a sheet")), names)
+}
+
+fn row_of(range: &Range<Data>, label: &str) -> usize {
+    (0..range.height())
+        .find(|&row| at(range, row, 0) == Data::String(label.to_owned()))
+        .unwrap_or_else(|| panic!("{label} has no row"))
+}
+
+#[test]
+fn the_first_sheet_says_what_came_out_what_to_look_at_and_where_the_files_are() {
+    let outcome = common::outcome("full", &[]);
+    let files =
+        [("a-blade.nc".to_owned(), t("Un álabe", "One blade")), ("a-report.pdf".to_owned(), t("Informe", "Report"))];
+    for (language, first, labels) in [
+        (Language::Es, "RESUMEN", ["Pieza", "Veredicto", "A mirar", "Programas", "Archivos"]),
+        (Language::En, "SUMMARY", ["Part", "Verdict", "To look at", "Programs", "Files"]),
+    ] {
+        let (range, names) = summary(&outcome, &files, language);
+        assert_eq!(names.first().map(String::as_str), Some(first));
+        let [part, verdict, look, programs, delivered] = labels.map(|label| text(&range, row_of(&range, label), 1));
+        assert!(part.contains(outcome.part()) && part.contains(outcome.material()), "{part}");
+        assert!(verdict.contains(checks::summary(&outcome.findings).get(language)), "{verdict}");
+        let cautions: Vec<_> = outcome.findings.iter().filter(|one| one.grade == Grade::Caution).collect();
+        assert!(!cautions.is_empty());
+        for caution in &cautions {
+            assert!(look.contains(caution.code()) && look.contains(caution.what.get(language)), "{look}");
         }
+        assert_eq!(programs.lines().count(), outcome.programs.len());
+        for program in &outcome.programs {
+            let line = programs.lines().find(|line| line.contains(&format!("({})", program.key))).expect("a line");
+            assert!(line.contains(&format!(" {} ", program.blocks())), "{line}");
+        }
+        for (name, what) in &files {
+            assert!(delivered.contains(&format!("{name}: {}", what.get(language))), "{delivered}");
+        }
+        for quantity in &outcome.quantities {
+            let row = row_of(&range, quantity.symbol);
+            assert_eq!(at(&range, row, 2), Data::Float(quantity.value), "{}", quantity.symbol);
+            assert_eq!(text(&range, row, 3), quantity.unit.label());
+        }
+        // Every other sheet is named, with what it holds, and can be gone to.
+        for name in names.iter().skip(1) {
+            assert!(!text(&range, row_of(&range, name), 1).is_empty(), "{name}");
+        }
+        let xml = parts(written(&outcome, language));
+        let links = xml["xl/worksheets/sheet1.xml"].matches("<hyperlink ").count();
+        assert_eq!(links, names.len() - 1);
+    }
+}
+
+#[test]
+fn the_first_sheet_has_a_line_for_what_does_not_stand_on_it() {
+    let mut outcome = common::outcome("full", &[]);
+    let caution = NoRetract {}.at(Place::File).graded(Grade::Caution);
+    outcome.findings = vec![caution; 7];
+    let (range, _) = summary(&outcome, &[], Language::En);
+    let look = text(&range, row_of(&range, "To look at"), 1);
+    assert!(look.lines().count() == 5 && look.ends_with("And further 3. Remedies and places: sheet Checks."), "{look}");
+    outcome.findings.clear();
+    let (range, _) = summary(&outcome, &[], Language::En);
+    assert_eq!(text(&range, row_of(&range, "To look at"), 1), "Nothing in particular.");
+    assert!(text(&range, row_of(&range, "Verdict"), 1).starts_with("Nothing stops it (0 stops"));
+    outcome.end = rodete::kind::End::Stopped;
+    let (range, _) = summary(&outcome, &[], Language::En);
+    assert!(text(&range, row_of(&range, "Verdict"), 1).starts_with("Stopped: no program is handed over"));
+}
+
+#[test]
+fn values_are_shown_to_the_digits_of_their_unit_and_kept_whole() {
+    let mut outcome = common::outcome("full", &[]);
+    let third = vec![1.0 / 3.0; 3];
+    let columns = [("x", Unit::Millimetre), ("v", Unit::Radian), ("t", Unit::Second), ("n", Unit::Count)];
+    outcome.tables[0].columns =
+        columns.map(|(symbol, unit)| Column::numbers(symbol, unit, Law::None, third.clone())).into();
+    outcome.charts.clear();
+    let xml = parts(written(&outcome, Language::En));
+    let name = outcome.tables[0].name.get(Language::En);
+    let sheets = opened(written(&outcome, Language::En)).sheet_names();
+    let number = sheets.iter().position(|sheet| sheet == name).expect("the table's sheet") + 1;
+    let rows = &xml[&format!("xl/worksheets/sheet{number}.xml")];
+    assert_eq!(rows.matches("<v>0.3333333333333333</v>").count(), 12);
+    for code in ["0.0000", "0.000000", "0.0"] {
+        assert!(xml["xl/styles.xml"].contains(&format!("formatCode=\"{code}\"")), "{code}");
     }
 }
 
@@ -316,7 +404,7 @@ fn no_sheet_has_a_number_that_is_not_one() {
             let mut values = vec![1.0; rows];
             values[rows - 1] = value;
             outcome.tables[0].columns = vec![Column::numbers("x", Unit::One, Law::None, values)];
-            let written = results::write(&outcome, Language::En, Cursor::new(Vec::new()));
+            let written = results::write(&outcome, &[], Language::En, Cursor::new(Vec::new()));
             assert!(matches!(written, Err(WriteError::NotFinite { .. })), "{value} in {rows} rows: {written:?}");
         }
     }
@@ -332,6 +420,16 @@ fn every_chart_finds_all_its_curves() {
     assert_eq!(charts.len(), outcome.charts.len());
     let curves: usize = charts.iter().map(|xml| xml.matches("<c:ser>").count()).sum();
     assert_eq!(curves, outcome.charts.iter().map(|chart| chart.series.len()).sum::<usize>());
+    // All on one sheet, each of a size of its own that no width of a column changes, and printed two to a page.
+    let drawings: Vec<&String> =
+        xml.values().filter(|xml| xml.contains("<xdr:wsDr") && xml.contains("<xdr:graphicFrame")).collect();
+    let [drawing] = drawings[..] else { panic!("{} drawings with charts", drawings.len()) };
+    assert_eq!(drawing.matches("<xdr:oneCellAnchor>").count(), outcome.charts.len());
+    assert!(!drawing.contains("twoCellAnchor") && !drawing.contains("<xdr:to>"));
+    let sheets = opened(written(&outcome, Language::Es)).sheet_names();
+    let number = sheets.iter().position(|sheet| sheet == "GRAFICOS").expect("a sheet of charts") + 1;
+    let breaks = xml[&format!("xl/worksheets/sheet{number}.xml")].matches("<brk ").count();
+    assert_eq!(breaks, outcome.charts.len().div_ceil(2) - 1);
 }
 
 #[test]
@@ -396,7 +494,8 @@ fn results_say_whether_they_can_be_read_again_and_are_right() {
         let outcome = common::outcome("full", &[("n", Value::Whole(n))]);
         let bytes = written(&outcome, Language::En);
         let read = rodete::workbook::read(&bytes, &[&FORM]);
-        let said = text(&sheet(&mut opened(bytes), "DATA"), 2, 0);
+        let range = sheet(&mut opened(bytes), "SUMMARY");
+        let said = text(&range, row_of(&range, "To change something"), 1);
         assert_eq!(said.contains("valid input"), small, "{n}: {said}");
         assert_eq!(said.contains("too large"), !small, "{n}: {said}");
         assert_eq!(read.is_ok(), small, "{n}");

@@ -183,7 +183,7 @@ mod tests {
         assert!(rounded[1].starts_with("S99.6 comes back as S100:"), "{rounded:?}");
         let other = cautions("G21 G90\nT1 M6\nG43\nM70\nG43 H2\nM72\nG0 Z5\nM2\n");
         assert_eq!(other.len(), 1, "{other:?}");
-        assert!(other[0].starts_with("the tool length offset is not again the one"), "{other:?}");
+        assert!(other[0].starts_with("M72 does not restore the saved tool length offset"), "{other:?}");
         assert_eq!(cautions("G21 G90\nT1 M6\nG43\nM70\nG49\nM72\nG0 Z5\nM2\n"), Vec::<String>::new());
     }
 }

@@ -16,6 +16,7 @@ pub mod discretisation;
 pub mod fade;
 pub mod figures;
 pub mod floor_depth;
+mod form_sketch;
 pub mod gap;
 pub mod header;
 pub mod ideal;
@@ -118,6 +119,10 @@ impl Method for Impeller {
         further: &[("equations.typ", include_str!("../../../report-templates/impeller/equations.typ"))],
     };
     const PROVED: Text = SOURCE;
+
+    fn sketch() -> Option<Figure> {
+        Some(form_sketch::sketch())
+    }
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
         Design::new(fields)

@@ -231,7 +231,10 @@ pub(super) static F: Field<f64, Optional> = Field::real(
     Unit::MillimetrePerMinute,
     [0.1, 50_000.0],
     t("Avance de la punta sobre la pieza", "Feed of the tool tip over the part"),
-    t("Obligatorio con style = full", "Required with style = full"),
+    t(
+        "Obligatorio con style = full; con annex puede quedar vacía",
+        "Required with style = full; with annex it may stay empty",
+    ),
 );
 pub(super) static S: Field<u32, Optional> = Field::whole(
     "S",
@@ -239,7 +242,10 @@ pub(super) static S: Field<u32, Optional> = Field::whole(
     Unit::RevolutionPerMinute,
     [1, 200_000],
     t("Velocidad del husillo", "Spindle speed"),
-    t("Obligatorio con style = full", "Required with style = full"),
+    t(
+        "Obligatorio con style = full; con annex puede quedar vacía",
+        "Required with style = full; with annex it may stay empty",
+    ),
 );
 pub(super) static TOL: Field<f64, Optional> = Field::real(
     "tol",
@@ -366,8 +372,8 @@ pub(super) static S_M: Field<u32, Optional> = Field::whole(
     [1, 20_000],
     t("Límite de giro del husillo del torno", "Speed limit of the lathe spindle"),
     t(
-        "Con velocidad de corte constante el husillo se acelera hacia el centro. Solo con style = full",
-        "At constant surface speed the spindle speeds up towards the centre. Only with style = full",
+        "Con velocidad de corte constante el husillo se acelera hacia el centro. Solo con style = full. Vacía: sin límite",
+        "At constant surface speed the spindle speeds up towards the centre. Only with style = full. Empty: no limit",
     ),
 );
 pub(super) static T_B: Field<u32, Required> =
@@ -521,13 +527,13 @@ pub static FORM: Form = Form {
             title: t("Parámetros de diseño del rodete", "Design parameters of the impeller"),
             optional: false,
             sections: &[
-                Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
-                Section { title: t("Geometría", "Geometry"), parameters: GEOMETRY },
-                Section { title: t("Herramienta", "Tool"), parameters: TOOL },
-                Section { title: t("Máquina", "Machine"), parameters: MACHINE },
-                Section { title: t("Corte", "Cutting"), parameters: CUTTING },
-                Section { title: t("Programa", "Program"), parameters: PROGRAM },
-                Section { title: t("Torneado del bruto", "Turning of the blank"), parameters: BLANK },
+                Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row], optional: false },
+                Section { title: t("Geometría", "Geometry"), parameters: GEOMETRY, optional: false },
+                Section { title: t("Herramienta", "Tool"), parameters: TOOL, optional: false },
+                Section { title: t("Máquina", "Machine"), parameters: MACHINE, optional: false },
+                Section { title: t("Corte", "Cutting"), parameters: CUTTING, optional: false },
+                Section { title: t("Programa", "Program"), parameters: PROGRAM, optional: false },
+                Section { title: t("Torneado del bruto", "Turning of the blank"), parameters: BLANK, optional: false },
                 title_block::SECTION,
             ],
         },
@@ -535,7 +541,11 @@ pub static FORM: Form = Form {
             name: t("CALIBRACION", "CALIBRATION"),
             title: t("Calibración del eje B", "Calibration of the B axis"),
             optional: true,
-            sections: &[Section { title: t("Ranuras de prueba", "Test slots"), parameters: CALIBRATION }],
+            sections: &[Section {
+                title: t("Ranuras de prueba", "Test slots"),
+                parameters: CALIBRATION,
+                optional: false,
+            }],
         },
     ],
     ..Form::PLAIN

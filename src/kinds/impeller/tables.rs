@@ -202,8 +202,8 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
     let intersection = Table {
         key: "intersection",
         name: t("Intersección", "Intersection"),
-        title: crossing_title(splitter),
-        source: t("Sección 4.3 y ecuación (36); en planta", "Section 4.3 and equation (36); in plan"),
+        title: t("Cruce con el álabe vecino", "Crossing with the neighbouring blade"),
+        source: crossing_source(splitter),
         index: Index::Point,
         print: Print::Short,
         columns,
@@ -243,21 +243,22 @@ pub fn splitter(design: &Design, blade: &Blade, splitter: &Splitter) -> [Table; 
 }
 
 /// Where the paths cross, and from which points on the offset is full.
-fn crossing_title(splitter: &Splitter) -> Text {
+fn crossing_source(splitter: &Splitter) -> Text {
     let Splitter { out, back, .. } = splitter;
-    let at = format!("({:.4}, {:.4}) mm", splitter.crossing.at.x, splitter.crossing.at.y);
+    let at = format!("({:.3}, {:.3}) mm", splitter.crossing.at.x, splitter.crossing.at.y);
+    let [es, en] = ["Sección 4.3 y ecuación (36), en planta", "Section 4.3 and equation (36), in plan"];
     match splitter.fade {
         Fade::Published => Text::new(
-            format!("Intersección con el álabe vecino: índice {:.2}, en {at}; m = {}", back.crossing, back.m),
-            format!("Crossing with the neighbouring blade: index {:.2}, at {at}; m = {}", back.crossing, back.m),
+            format!("{es}. Índice del cruce {:.2}, en {at}; m = {}", back.crossing, back.m),
+            format!("{en}. Index of the crossing {:.2}, at {at}; m = {}", back.crossing, back.m),
         ),
         Fade::EachSide => Text::new(
             format!(
-                "Intersección con los álabes vecinos: índices {:.2} (ida) y {:.2} (vuelta), en {at}; m_1 = {}, m_2 = {}",
+                "{es}. Índices de los cruces {:.2} (ida) y {:.2} (vuelta), en {at}; m_1 = {}, m_2 = {}",
                 out.crossing, back.crossing, out.m, back.m
             ),
             format!(
-                "Crossing with the neighbouring blades: indices {:.2} (out) and {:.2} (back), at {at}; m_1 = {}, m_2 = {}",
+                "{en}. Indices of the crossings {:.2} (out) and {:.2} (back), at {at}; m_1 = {}, m_2 = {}",
                 out.crossing, back.crossing, out.m, back.m
             ),
         ),

@@ -7,6 +7,7 @@ pub mod cases;
 pub mod catalogue;
 pub mod figures;
 mod findings;
+mod form_sketch;
 pub mod parameters;
 mod part_view;
 mod profile;
@@ -21,6 +22,7 @@ pub mod tool_sheet;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule, Said, Size};
 use crate::gcode::interpreter::Standstill;
 use crate::gcode::motion::MotionKind;
@@ -135,6 +137,10 @@ pub struct Lathe;
 impl Kind for Lathe {
     fn form(&self) -> &'static Form {
         &FORM
+    }
+
+    fn sketch(&self) -> Option<Figure> {
+        Some(form_sketch::sketch())
     }
 
     fn cases(&self) -> &'static [Case] {
@@ -538,6 +544,7 @@ fn outcome(
         solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
         scene: None,
         setup: std::iter::once(("supported", Shown::Whether(supported))).chain(second).collect(),
+        checks: Vec::new(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs,
         findings,

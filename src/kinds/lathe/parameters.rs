@@ -21,6 +21,12 @@ pub const SCHEMA: &str = "rodete-lathe 1";
 
 const MM: Unit = Unit::Millimetre;
 const NONE: Text = t("", "");
+const FOUR: Text = t("Vacías las cuatro o ninguna", "All four empty, or none");
+const NOT_WATCHED: Text = t("Vacía: no se vigila", "Empty: not watched");
+const NOT_KNOWN: Text = t(
+    "Vacía: no se conoce; se rechaza el programa que la necesite",
+    "Empty: not known; a program that needs it is refused",
+);
 
 /// The controls that turn.
 pub const DIALECTS: &[Choice] = &[
@@ -90,8 +96,8 @@ pub(crate) static POINT: Field<DecimalPoint, Optional> = Field::choice(
     "decimal_point",
     t("Cotas sin punto decimal", "Dimensions without a decimal point"),
     t(
-        "Obligatorio con fanuc-lathe-a: depende de un parámetro de la máquina",
-        "Required with fanuc-lathe-a: depends on a machine parameter",
+        "Obligatorio con fanuc-lathe-a: depende de un parámetro de la máquina. Con otro control puede quedar vacía",
+        "Required with fanuc-lathe-a: depends on a machine parameter. With another control it may stay empty",
     ),
 );
 pub(crate) static BLOCK_DELETE: Field<bool, Usual> = Field::choice_or(
@@ -180,20 +186,38 @@ pub(crate) static X_MIN: Field<f64, Optional> = Field::real(
     MM,
     [-5000.0, 5000.0],
     t("Recorrido mínimo en X", "Minimum X travel"),
-    t("Punto de referencia de la torreta, en diámetro, desde M", "Turret reference point, as a diameter, from M"),
+    t(
+        "Punto de referencia de la torreta, en diámetro, desde M. Vacía: no se vigila",
+        "Turret reference point, as a diameter, from M. Empty: not watched",
+    ),
 );
-pub(crate) static X_MAX: Field<f64, Optional> =
-    Field::real("X_max", "travel_X_max", MM, [-5000.0, 5000.0], t("Recorrido máximo en X", "Maximum X travel"), NONE);
+pub(crate) static X_MAX: Field<f64, Optional> = Field::real(
+    "X_max",
+    "travel_X_max",
+    MM,
+    [-5000.0, 5000.0],
+    t("Recorrido máximo en X", "Maximum X travel"),
+    NOT_WATCHED,
+);
 pub(crate) static Z_MIN: Field<f64, Optional> = Field::real(
     "Z_min",
     "travel_Z_min",
     MM,
     [-5000.0, 5000.0],
     t("Recorrido mínimo en Z", "Minimum Z travel"),
-    t("Punto de referencia de la torreta, desde M", "Turret reference point, from M"),
+    t(
+        "Punto de referencia de la torreta, desde M. Vacía: no se vigila",
+        "Turret reference point, from M. Empty: not watched",
+    ),
 );
-pub(crate) static Z_MAX: Field<f64, Optional> =
-    Field::real("Z_max", "travel_Z_max", MM, [-5000.0, 5000.0], t("Recorrido máximo en Z", "Maximum Z travel"), NONE);
+pub(crate) static Z_MAX: Field<f64, Optional> = Field::real(
+    "Z_max",
+    "travel_Z_max",
+    MM,
+    [-5000.0, 5000.0],
+    t("Recorrido máximo en Z", "Maximum Z travel"),
+    NOT_WATCHED,
+);
 pub(crate) static G_X: Field<f64, Required> = Field::real(
     "G_X",
     "rapid_G_X",
@@ -254,7 +278,7 @@ pub(crate) static BX_MAX: Field<f64, Optional> = Field::real(
     MM,
     [-1000.0, 1000.0],
     t("X máxima del cuerpo, en radio", "Maximum X of the body, as a radius"),
-    NONE,
+    FOUR,
 );
 pub(crate) static BZ_MIN: Field<f64, Optional> = Field::real(
     "BZ_min",
@@ -263,8 +287,8 @@ pub(crate) static BZ_MIN: Field<f64, Optional> = Field::real(
     [-1000.0, 1000.0],
     t("Z mínima del cuerpo", "Minimum Z of the body"),
     t(
-        "Una broca o barra sobresale libre hasta su largo l, o hasta el punto de referencia",
-        "A drill or bar sticks out free up to its length l, or up to the reference point",
+        "Una broca o barra sobresale libre hasta su largo l, o hasta el punto de referencia. Vacías las cuatro o ninguna",
+        "A drill or bar sticks out free up to its length l, or up to the reference point. All four empty, or none",
     ),
 );
 pub(crate) static BZ_MAX: Field<f64, Optional> = Field::real(
@@ -273,7 +297,7 @@ pub(crate) static BZ_MAX: Field<f64, Optional> = Field::real(
     MM,
     [-1000.0, 1000.0],
     t("Z máxima del cuerpo", "Maximum Z of the body"),
-    NONE,
+    FOUR,
 );
 
 const BODY: &[&Parameter] = &[&BX_MIN.row, &BX_MAX.row, &BZ_MIN.row, &BZ_MAX.row];
@@ -284,26 +308,26 @@ pub(crate) static W2_X: Field<f64, Optional> = Field::real(
     MM,
     [-5000.0, 5000.0],
     t("W2 (G55), X en diámetro, desde M", "W2 (G55), X as a diameter, from M"),
-    NONE,
+    NOT_KNOWN,
 );
 pub(crate) static W2_Z: Field<f64, Optional> =
-    Field::real("W2_Z", "zero_W2_Z", MM, [-5000.0, 5000.0], t("W2 (G55), Z", "W2 (G55), Z"), NONE);
+    Field::real("W2_Z", "zero_W2_Z", MM, [-5000.0, 5000.0], t("W2 (G55), Z", "W2 (G55), Z"), NOT_KNOWN);
 pub(crate) static W3_X: Field<f64, Optional> =
-    Field::real("W3_X", "zero_W3_X", MM, [-5000.0, 5000.0], t("W3 (G56), X", "W3 (G56), X"), NONE);
+    Field::real("W3_X", "zero_W3_X", MM, [-5000.0, 5000.0], t("W3 (G56), X", "W3 (G56), X"), NOT_KNOWN);
 pub(crate) static W3_Z: Field<f64, Optional> =
-    Field::real("W3_Z", "zero_W3_Z", MM, [-5000.0, 5000.0], t("W3 (G56), Z", "W3 (G56), Z"), NONE);
+    Field::real("W3_Z", "zero_W3_Z", MM, [-5000.0, 5000.0], t("W3 (G56), Z", "W3 (G56), Z"), NOT_KNOWN);
 pub(crate) static W4_X: Field<f64, Optional> =
-    Field::real("W4_X", "zero_W4_X", MM, [-5000.0, 5000.0], t("W4 (G57), X", "W4 (G57), X"), NONE);
+    Field::real("W4_X", "zero_W4_X", MM, [-5000.0, 5000.0], t("W4 (G57), X", "W4 (G57), X"), NOT_KNOWN);
 pub(crate) static W4_Z: Field<f64, Optional> =
-    Field::real("W4_Z", "zero_W4_Z", MM, [-5000.0, 5000.0], t("W4 (G57), Z", "W4 (G57), Z"), NONE);
+    Field::real("W4_Z", "zero_W4_Z", MM, [-5000.0, 5000.0], t("W4 (G57), Z", "W4 (G57), Z"), NOT_KNOWN);
 pub(crate) static W5_X: Field<f64, Optional> =
-    Field::real("W5_X", "zero_W5_X", MM, [-5000.0, 5000.0], t("W5 (G58), X", "W5 (G58), X"), NONE);
+    Field::real("W5_X", "zero_W5_X", MM, [-5000.0, 5000.0], t("W5 (G58), X", "W5 (G58), X"), NOT_KNOWN);
 pub(crate) static W5_Z: Field<f64, Optional> =
-    Field::real("W5_Z", "zero_W5_Z", MM, [-5000.0, 5000.0], t("W5 (G58), Z", "W5 (G58), Z"), NONE);
+    Field::real("W5_Z", "zero_W5_Z", MM, [-5000.0, 5000.0], t("W5 (G58), Z", "W5 (G58), Z"), NOT_KNOWN);
 pub(crate) static W6_X: Field<f64, Optional> =
-    Field::real("W6_X", "zero_W6_X", MM, [-5000.0, 5000.0], t("W6 (G59), X", "W6 (G59), X"), NONE);
+    Field::real("W6_X", "zero_W6_X", MM, [-5000.0, 5000.0], t("W6 (G59), X", "W6 (G59), X"), NOT_KNOWN);
 pub(crate) static W6_Z: Field<f64, Optional> =
-    Field::real("W6_Z", "zero_W6_Z", MM, [-5000.0, 5000.0], t("W6 (G59), Z", "W6 (G59), Z"), NONE);
+    Field::real("W6_Z", "zero_W6_Z", MM, [-5000.0, 5000.0], t("W6 (G59), Z", "W6 (G59), Z"), NOT_KNOWN);
 
 const ZEROS: &[&Parameter] =
     &[&W2_X.row, &W2_Z.row, &W3_X.row, &W3_Z.row, &W4_X.row, &W4_Z.row, &W5_X.row, &W5_Z.row, &W6_X.row, &W6_Z.row];
@@ -339,7 +363,7 @@ pub(crate) static R_Z: Field<f64, Optional> = Field::real(
     MM,
     [-5000.0, 5000.0],
     t("Punto de referencia, Z desde M", "Reference point, Z from M"),
-    NONE,
+    t("Vacías R_X y R_Z, o ninguna", "R_X and R_Z both empty, or neither"),
 );
 pub(crate) static HOLE_R: Field<HolePlane, Optional> = Field::choice(
     "hole_R",
@@ -406,22 +430,27 @@ pub static FORM: Form = Form {
         title: t("Datos del torneado", "Turning data"),
         optional: false,
         sections: &[
-            Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
-            Section { title: t("Pieza", "Part"), parameters: PIECE },
-            Section { title: t("Programa", "Program"), parameters: PROGRAM },
-            Section { title: t("Bruto", "Stock"), parameters: STOCK },
-            Section { title: t("Plato y contrapunto", "Chuck and tailstock"), parameters: CHUCK },
-            Section { title: t("Máquina", "Machine"), parameters: MACHINE },
+            Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row], optional: false },
+            Section { title: t("Pieza", "Part"), parameters: PIECE, optional: false },
+            Section { title: t("Programa", "Program"), parameters: PROGRAM, optional: false },
+            Section { title: t("Bruto", "Stock"), parameters: STOCK, optional: false },
+            Section { title: t("Plato y contrapunto", "Chuck and tailstock"), parameters: CHUCK, optional: false },
+            Section { title: t("Máquina", "Machine"), parameters: MACHINE, optional: false },
             Section {
                 title: t(
                     "Cuerpo de la torreta con las herramientas vecinas",
                     "Body of the turret with the neighbouring tools",
                 ),
                 parameters: BODY,
+                optional: true,
             },
-            Section { title: t("Otros ceros pieza, desde M", "Other part zeros, from M"), parameters: ZEROS },
-            Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND },
-            Section { title: t("Ajustes del control", "Control settings"), parameters: CONTROL },
+            Section {
+                title: t("Otros ceros pieza, desde M", "Other part zeros, from M"),
+                parameters: ZEROS,
+                optional: true,
+            },
+            Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND, optional: true },
+            Section { title: t("Ajustes del control", "Control settings"), parameters: CONTROL, optional: true },
             title_block::SECTION,
         ],
     }],

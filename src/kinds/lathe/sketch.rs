@@ -61,8 +61,13 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     sketch.zero([held.machine, 0.0]);
     sketch.label([held.machine, gap], Side::Above, Text::same("M"));
     sketch.zero([0.0, 0.0]);
-    sketch.label([-gap / 2.0, sketch.paper(3.2)], Side::Left, t("W1 (G54)", "W1 (G54)"));
-    let (axes, beyond) = (reach + gap, up * (radius + sketch.paper(4.0)));
+    // Over the part, or beside it where its face lies behind W1.
+    if right < -gap {
+        sketch.label([0.0, -gap], Side::Below, Text::same("W1"));
+    } else {
+        sketch.label([-gap / 2.0, sketch.paper(3.2)], Side::Left, Text::same("W1 (G54)"));
+    }
+    let (axes, beyond) = (reach.max(0.0) + gap, up * (radius + sketch.paper(4.0)));
     sketch.arrow(Ink::Axis(2), vec![[axes, 0.0], [axes + long, 0.0]]);
     sketch.label([axes + long, 0.0], Side::Right, Text::same("+Z"));
     sketch.arrow(Ink::Axis(0), vec![[axes, 0.0], [axes, beyond]]);
@@ -76,18 +81,20 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     // Above: what the jaws hold, and what stands out.
     let over = high + sketch.paper(4.0);
     let (facing, clamped, out) = (right, held.jaws - left, right - held.jaws);
-    if clamped > 0.0 {
-        sketch.level([left, radius], [held.jaws, high], over, sized(symbol("L4"), clamped));
+    // Of a part that was turned about, not all that lies behind the face of the jaws is held.
+    if held.first && clamped > 0.0 {
+        sketch.level([left, radius], [held.jaws, high], over, sized("L4", clamped));
     }
     sketch.level([held.jaws, high], [right, radius], over, sized(symbol("L3"), out));
-    if facing > 0.0 {
-        sketch.level([0.0, radius], [right, radius], over + sketch.paper(7.0), sized(symbol("L5"), facing));
+    if facing.abs() > 0.0 {
+        let (low, high) = (facing.min(0.0), facing.max(0.0));
+        sketch.level([low, radius], [high, radius], over + sketch.paper(7.0), sized(symbol("L5"), high - low));
     }
     // Below: the work zero from M, and the whole length.
     let under = -high - sketch.paper(7.0);
     sketch.level([held.machine, -high], [0.0, -radius], under, sized("Z_W1", -held.machine));
     sketch.level([left, -radius], [right, -radius], under - sketch.paper(7.0), sized(symbol("L"), right - left));
-    let across = reach + sketch.paper(26.0);
+    let across = axes + sketch.paper(24.0);
     sketch.upright([right, -radius], [right, radius], across, Side::Right, sized(symbol("D"), 2.0 * radius));
     let caption = if held.first {
         t("El bruto en el plato, antes de tornear", "The stock in the chuck, before turning")

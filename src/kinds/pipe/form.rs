@@ -18,14 +18,17 @@ pub(in crate::kinds) static BRANCH_SIZE: Field<&'static Size, Optional> = Field:
     "branch_size",
     NPS,
     t("Tamaño nominal del injerto (NPS)", "Nominal size of the branch (NPS)"),
-    t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
+    t(
+        "ASME B36.10, con la cédula; vacía: valen D_branch y t_branch",
+        "ASME B36.10, with the schedule; empty: D_branch and t_branch count",
+    ),
 );
 pub(in crate::kinds) static BRANCH_SCHEDULE: Field<Schedule, Optional> = Field::of_list(
     "branch_schedule",
     "branch_schedule",
     SCHEDULES,
     t("Cédula del injerto", "Schedule of the branch"),
-    t("ASME B36.10", "ASME B36.10"),
+    t("ASME B36.10; vacía si lo está el tamaño nominal", "ASME B36.10; empty where the nominal size is"),
 );
 pub(in crate::kinds) static D_BRANCH: Field<f64, Optional> = Field::real(
     "D_branch",
@@ -41,21 +44,27 @@ pub(in crate::kinds) static T_BRANCH: Field<f64, Optional> = Field::real(
     MM,
     WALL,
     t("Espesor de pared del injerto", "Wall of the branch"),
-    t("Menor que el radio", "Less than the radius"),
+    t(
+        "Menor que el radio; vacío si se da el tamaño nominal",
+        "Less than the radius; empty where the nominal size is given",
+    ),
 );
 pub(in crate::kinds) static HEADER_SIZE: Field<&'static Size, Optional> = Field::of_list(
     "header_size",
     "header_size",
     NPS,
     t("Tamaño nominal del tubo base (NPS)", "Nominal size of the header (NPS)"),
-    t("ASME B36.10; con la cédula, en lugar de D y t", "ASME B36.10; with the schedule, in place of D and t"),
+    t(
+        "ASME B36.10, con la cédula; vacía: valen D_header y t_header",
+        "ASME B36.10, with the schedule; empty: D_header and t_header count",
+    ),
 );
 pub(in crate::kinds) static HEADER_SCHEDULE: Field<Schedule, Optional> = Field::of_list(
     "header_schedule",
     "header_schedule",
     SCHEDULES,
     t("Cédula del tubo base", "Schedule of the header"),
-    t("ASME B36.10", "ASME B36.10"),
+    t("ASME B36.10; vacía si lo está el tamaño nominal", "ASME B36.10; empty where the nominal size is"),
 );
 pub(in crate::kinds) static D_HEADER: Field<f64, Optional> = Field::real(
     "D_header",
@@ -71,7 +80,10 @@ pub(in crate::kinds) static T_HEADER: Field<f64, Optional> = Field::real(
     MM,
     WALL,
     t("Espesor de pared del tubo base", "Wall of the header"),
-    t("Menor que el radio", "Less than the radius"),
+    t(
+        "Menor que el radio; vacío si se da el tamaño nominal",
+        "Less than the radius; empty where the nominal size is given",
+    ),
 );
 
 /// The sizes of both pipes.

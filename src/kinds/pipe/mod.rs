@@ -1,6 +1,7 @@
 //! Pipes: their sizes as standards give them, what cuts a branch to fit a header, and the hole in the header.
 
 mod form;
+mod form_sketch;
 pub mod hole;
 pub mod insert;
 pub mod rules;

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
 use rodete::kinds::impeller::cases::CASES;
-use rodete::kinds::impeller::parameters::FORM;
 use rodete::parameter::Value;
 use rodete::text::{Language, Text};
 use rodete::workbook::template;
@@ -36,7 +35,7 @@ pub fn workbook_in(language: Language, path: &Path, changes: &[(&'static str, Va
         values.push((key, value.clone()));
     }
     let file = File::create(path).expect("a workbook to write");
-    template::write(&FORM, &values, &[], &Text::same(""), language, file).expect("a workbook");
+    template::write(rodete::kinds::KINDS[0], &values, &[], &Text::same(""), language, file).expect("a workbook");
 }
 
 /// A folder with `impeller.xlsx` of the usual case in it.

@@ -112,7 +112,7 @@ fn wrong_words_end_with_2_all_at_once_and_write_nothing() {
         .code(2)
         .stdout("")
         .stderr(
-            "error G1113: 'G55 X1,5': '1,5' is not a number\nhint: use a point as decimal separator is the point: X1.5\n\
+            "error G1113: 'G55 X1,5': '1,5' is not a number\nhint: use a point as decimal separator: X1.5\n\
              error G1103: 'G92 X1': G92 depends on the machine's position, which the file does not contain\n\
              hint: write G52 with the offsets, which use the same registers, or G92.1 to clear them\n\
              rodete explain G1113 says what it means, with an example\n",

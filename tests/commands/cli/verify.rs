@@ -144,7 +144,7 @@ fn what_is_wrong_is_refused_with_its_line_and_column() {
         ("G0 X1.2.3\nM2\n", 1, 8, "two decimal points"),
         ("G0 X--5\nM2\n", 1, 5, "two signs"),
         ("G0 X1e3\nM2\n", 1, 6, "exponent not allowed"),
-        ("G0 X99999999999999999999999999999\nM2\n", 1, 5, "over ±99,999.999"),
+        ("G0 X99999999999999999999999999999\nM2\n", 1, 5, "beyond ±99,999.999"),
         ("G0 X\u{2212}5\nM2\n", 1, 5, "U+2212 (minus sign)"),
         ("G0 (a (b) c)\nM2\n", 1, 4, "nested comment"),
         ("G0 X1 (open\nM2\n", 1, 7, "unclosed comment"),
@@ -171,7 +171,7 @@ fn what_is_wrong_is_refused_with_its_line_and_column() {
 #[test]
 fn what_does_not_end_is_a_limit() {
     for (text, what) in [
-        ("o1 while [1]\no1 endwhile\nM2\n", "endless loop: 1000 rounds"),
+        ("o1 while [1]\no1 endwhile\nM2\n", "endless loop: in 1000 passes"),
         ("G0 X1\nM99\n", "repeats it forever"),
         ("F1\nG83 X1 Z-99 R1 Q0.001\nM2\n", "more than 10000 pecks"),
     ] {
@@ -210,7 +210,7 @@ fn how_rotary_words_were_read_is_told() {
     };
     let [out, err] = verify(&["--dialect", "fagor-8055"]);
     assert!(out.contains("rotary axes rollover: in G90 the number is the angle to go to"), "{out}");
-    assert!(err.contains("turn.nc:2\n") && err.contains("one block at feed: C turns 355.502°"), "{err}");
+    assert!(err.contains("turn.nc:2\n") && err.contains("one feed block: C turns 355.502°"), "{err}");
     let [out, err] = verify(&["--dialect", "fagor-8055", "--rotary", "linear", "--lang", "es"]);
     assert!(out.contains("ejes rotativos como lineales") && !err.contains("media vuelta"), "{out}{err}");
     for (arguments, rotary) in

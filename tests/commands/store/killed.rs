@@ -253,7 +253,7 @@ fn a_mixed_set_that_can_be_neither_completed_nor_put_back_is_told_with_its_names
         assert_eq!(refusal.exit, Exit::Unwritable);
         assert!(
             said(&refusal).contains(
-                "do not belong together: a run was stopped while it delivered them; new: blade.nc; of before: \
+                "do not belong together: a run was interrupted while delivering them; new: blade.nc; of before: \
                  impeller.nc; missing or changed: splitter.nc | use none of these files; delete the new ones and build again"
             ),
             "{}",
@@ -324,7 +324,11 @@ fn a_notice_that_names_files_elsewhere_is_refused_and_nothing_is_touched() {
     for case in cases {
         fs::write(&notice, &case).expect("written");
         let refusal = settle(there.path()).expect_err(&case);
-        assert!(said(&refusal).contains(".rodete-delivery.json says that a run was stopped"), "{}", said(&refusal));
+        assert!(
+            said(&refusal).contains(".rodete-delivery.json shows that a run was interrupted"),
+            "{}",
+            said(&refusal)
+        );
         assert_eq!(names(there.path()), before);
     }
     fs::write(&notice, text).expect("written");

@@ -6,19 +6,25 @@ use std::sync::LazyLock;
 use proptest::prelude::*;
 use rodete::finding::Grade;
 use rodete::kinds::impeller::cases::CASES;
-use rodete::kinds::impeller::parameters::FORM;
 use rodete::text::Language;
 use rodete::workbook::template;
 
 use super::workbook::{Parts, impeller};
 
 static SOUND: LazyLock<Parts> = LazyLock::new(Parts::sound);
-/// What the command for new workbooks writes: validation, protection, defined names and all.
+/// What the command for new workbooks writes: validation, groups, a drawing, defined names and all.
 static WRITTEN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let (case, language) = (&CASES[0], Language::Es);
     let mut written = Cursor::new(Vec::new());
-    template::write(&FORM, &case.values(language), &(case.listed)(language), &case.note, language, &mut written)
-        .unwrap();
+    template::write(
+        rodete::kinds::KINDS[0],
+        &case.values(language),
+        &(case.listed)(language),
+        &case.note,
+        language,
+        &mut written,
+    )
+    .unwrap();
     written.into_inner()
 });
 static PARTS: LazyLock<Parts> = LazyLock::new(|| Parts::of(&WRITTEN));

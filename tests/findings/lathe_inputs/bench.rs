@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 use rodete::kinds::lathe::cases::CASES;
-use rodete::kinds::lathe::parameters::{FORM, PROGRAM_KEY, SECOND_KEY};
+use rodete::kinds::lathe::parameters::{PROGRAM_KEY, SECOND_KEY};
 use rodete::parameter::Value;
 use rodete::parameter::list::{Row, Rows};
 use rodete::text::Language;
@@ -101,7 +101,15 @@ impl Book {
 
     pub fn bytes(&self) -> Vec<u8> {
         let mut out = Cursor::new(Vec::new());
-        template::write(&FORM, &self.values, &self.lists, &CASES[0].note, self.language, &mut out).unwrap();
+        template::write(
+            &rodete::kinds::lathe::Lathe,
+            &self.values,
+            &self.lists,
+            &CASES[0].note,
+            self.language,
+            &mut out,
+        )
+        .unwrap();
         out.into_inner()
     }
 }

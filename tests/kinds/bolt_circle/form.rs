@@ -59,9 +59,9 @@ pub static FORM: Form = Form {
         title: t("Agujeros en círculo", "Holes on a circle"),
         optional: false,
         sections: &[
-            Section { title: t("Pieza", "Part"), parameters: &[&SCHEMA.row, &PART.row] },
-            Section { title: t("Círculo", "Circle"), parameters: CIRCLE },
-            Section { title: t("Taladrado", "Drilling"), parameters: DRILLING },
+            Section { title: t("Pieza", "Part"), parameters: &[&SCHEMA.row, &PART.row], optional: false },
+            Section { title: t("Círculo", "Circle"), parameters: CIRCLE, optional: false },
+            Section { title: t("Taladrado", "Drilling"), parameters: DRILLING, optional: false },
         ],
     }],
     ..Form::PLAIN

@@ -9,6 +9,7 @@ pub mod cases;
 pub mod cut;
 pub mod design;
 pub mod figures;
+mod form_sketch;
 pub mod height;
 pub mod parameters;
 pub mod program;
@@ -80,6 +81,10 @@ impl Method for Hole {
         "Leída del programa, postura a postura, contra la raíz exacta, el injerto y el tubo",
         "Read back from the program, pose by pose, against the exact root, the branch and the pipe",
     );
+
+    fn sketch() -> Option<Figure> {
+        Some(form_sketch::sketch())
+    }
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
         Design::new(fields)

@@ -21,6 +21,7 @@ pub mod contradictions;
 pub mod cut;
 pub mod design;
 pub mod figures;
+mod form_sketch;
 pub mod outline;
 pub mod parameters;
 pub mod program;
@@ -93,6 +94,10 @@ impl Method for Insert {
         "Leída del programa, movimiento a movimiento, contra la curva exacta y los dos tubos",
         "Read back from the program, motion by motion, against the exact curve and both pipes",
     );
+
+    fn sketch() -> Option<Figure> {
+        Some(form_sketch::sketch())
+    }
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {
         Design::new(fields)

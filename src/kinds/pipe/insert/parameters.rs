@@ -82,7 +82,10 @@ pub(super) static EXPERT_BRANCH_R: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 1500.0],
     t("Experto: r, radio de la curva del injerto", "Expert: r, radius of the branch's curve"),
-    t("En lugar del que sale de D, t y el contacto", "Replaces the radius from D, t and contact"),
+    t(
+        "En lugar del que sale de D, t y el contacto. Vacía: ese",
+        "Replaces the radius from D, t and contact. Empty: that one",
+    ),
 );
 pub(super) static R: Field<f64, Optional> = Field::real(
     "R",
@@ -90,7 +93,7 @@ pub(super) static R: Field<f64, Optional> = Field::real(
     MM,
     [1.0, 1500.0],
     t("Experto: R, radio del tubo base", "Expert: R, radius of the header"),
-    t("En lugar de D/2", "Replaces D/2"),
+    t("Vacía: D/2", "Empty: D/2"),
 );
 pub(super) static R_DEV: Field<f64, Optional> = Field::real(
     "r_dev",
@@ -99,8 +102,8 @@ pub(super) static R_DEV: Field<f64, Optional> = Field::real(
     [1.0, 1700.0],
     t("Experto: radio del desarrollo", "Expert: radius of the development"),
     t(
-        "En lugar del que sale de la superficie del desarrollo",
-        "Replaces the radius from the surface of the development",
+        "En lugar del que sale de la superficie del desarrollo. Vacía: ese",
+        "Replaces the radius from the surface of the development. Empty: that one",
     ),
 );
 
@@ -133,7 +136,10 @@ pub(super) static F: Field<f64, Optional> = Field::real(
     Unit::MillimetrePerMinute,
     [1.0, 50_000.0],
     t("Velocidad de corte", "Cutting speed"),
-    t("Obligatorio con style = full", "Required with style = full"),
+    t(
+        "Obligatorio con style = full; con annex puede quedar vacía",
+        "Required with style = full; with annex it may stay empty",
+    ),
 );
 pub(super) static LEAD_IN: Field<f64, Required> = Field::real(
     "lead_in",
@@ -196,12 +202,12 @@ pub static FORM: Form = Form {
         title: t("Injerto de tubo: parámetros", "Branch pipe: parameters"),
         optional: false,
         sections: &[
-            Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row] },
-            Section { title: t("Tubos", "Pipes"), parameters: PIPES },
-            Section { title: t("Unión", "Joint"), parameters: JOINT },
-            Section { title: t("Corte", "Cut"), parameters: CUTTING },
-            Section { title: t("Máquina", "Machine"), parameters: fields::RAPIDS },
-            Section { title: t("Programa", "Program"), parameters: PROGRAM },
+            Section { title: t("Esquema", "Schema"), parameters: &[&fields::SCHEMA.row], optional: false },
+            Section { title: t("Tubos", "Pipes"), parameters: PIPES, optional: false },
+            Section { title: t("Unión", "Joint"), parameters: JOINT, optional: false },
+            Section { title: t("Corte", "Cut"), parameters: CUTTING, optional: false },
+            Section { title: t("Máquina", "Machine"), parameters: fields::RAPIDS, optional: true },
+            Section { title: t("Programa", "Program"), parameters: PROGRAM, optional: false },
             title_block::SECTION,
         ],
     }],

@@ -64,7 +64,7 @@ pub fn arcs(design: &Design) -> Table {
             numbers("y", MM, Law::None, &|triple| triple.to.y),
             numbers("D", MM, Law::Told("x² + y² + Dx + Ey + F = 0"), &|triple| triple.D_E()[0]),
             numbers("E", MM, Law::None, &|triple| triple.D_E()[1]),
-            numbers("F", MM, Law::Told("mm²"), &|triple| triple.F()),
+            numbers("F", Unit::One, Law::Told("mm²"), &|triple| triple.F()),
             numbers("h", MM, Law::Told("h = −D/2"), &centre(0)),
             numbers("k", MM, Law::Told("k = −E/2"), &centre(1)),
             numbers("R", MM, Law::Told("R = √(h² + k² − F)"), &|triple| {

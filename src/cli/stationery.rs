@@ -1,0 +1,133 @@
+//! What an office brings to its reports, read from its files: the logo that a workbook names, the folder of templates.
+
+#![expect(clippy::disallowed_methods, reason = "the door to the files that a workbook and a command line name")]
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::{Component, Path};
+
+use super::reading::beside;
+use super::show;
+use crate::escape::{excerpt, printable};
+use crate::finding::{Finding, Place, Raise};
+use crate::kind::Outcome;
+use crate::parameter::title_block;
+use crate::report::rules::{LogoNotRead, TemplatesNotRead};
+use crate::report::stationery::{self, Logo, Template};
+use crate::text::{Text, t};
+
+/// Most files of a folder of templates.
+const FILES: usize = 1000;
+/// Most bytes of all of them.
+const BYTES: u64 = 64 * 1024 * 1024;
+/// Most folders below one another.
+const DEPTH: usize = 8;
+/// Characters of a logo's name shown in a message.
+const SHOWN: usize = 80;
+
+/// The logo that a workbook names; `None` where it names none.
+///
+/// # Errors
+/// A caution at its cell, where there is no such file beside the workbook or below its folder, or it is no picture.
+pub(super) fn logo(workbook: &Path, outcome: &Outcome) -> Result<Option<Logo>, Box<Finding>> {
+    let name = outcome.fields.values().line(&title_block::LOGO);
+    if name.is_empty() {
+        return Ok(None);
+    }
+    let located = |finding| Box::new(outcome.fields.locate(finding));
+    let shown = || excerpt(name, SHOWN);
+    let place = || Place::Parameters(vec![title_block::LOGO.key()]);
+    let not_read = |reason| located(LogoNotRead { name: shown(), reason }.at(place()));
+    // Windows writes folders with a backslash; workbooks go from one machine to another.
+    let path = name.replace('\\', "/");
+    let path = Path::new(&path);
+    if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+        return Err(not_read(t("queda fuera de la carpeta del libro", "it is outside of the workbook's folder")));
+    }
+    let bytes = bytes(&beside(workbook).join(path), stationery::LOGO).map_err(not_read)?;
+    Logo::new(shown(), bytes, place()).map(Some).map_err(|finding| located(*finding))
+}
+
+/// The bytes of a file of at most so many.
+fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Text> {
+    let unread = |error: io::Error| Text::same(printable(&error.to_string()));
+    if !fs::metadata(path).map_err(unread)?.is_file() {
+        return Err(t("no es un archivo", "it is no file"));
+    }
+    let mut bytes = Vec::new();
+    fs::File::open(path).map_err(unread)?.take(most + 1).read_to_end(&mut bytes).map_err(unread)?;
+    if u64::try_from(bytes.len()).is_ok_and(|length| length <= most) {
+        return Ok(bytes);
+    }
+    let most = most / (1024 * 1024);
+    Err(Text::new(format!("pasa de {most} MiB"), format!("it is larger than {most} MiB")))
+}
+
+/// Every file of a folder of templates and of the folders below it. What is no file and no folder, a link among them, is
+/// refused: a template reads what lies in its folder and nothing else.
+///
+/// # Errors
+/// Why there is no report with them.
+pub(super) fn templates(folder: &Path) -> Result<Vec<Template>, Box<Finding>> {
+    let mut found = Vec::new();
+    let (mut left, mut open) = (BYTES, vec![(folder.to_path_buf(), String::new(), 0)]);
+    let refused = |reason| Box::new(TemplatesNotRead { folder: show::path(folder), reason }.at(Place::File));
+    let named = |name: &str, reason: Text| {
+        Text::new(format!("{}: {}", printable(name), reason.es), format!("{}: {}", printable(name), reason.en))
+    };
+    while let Some((path, below, depth)) = open.pop() {
+        let unread = |error: io::Error| refused(Text::same(printable(&error.to_string())));
+        for entry in fs::read_dir(&path).map_err(unread)? {
+            let entry = entry.map_err(unread)?;
+            let name = format!("{below}{}", entry.file_name().to_string_lossy());
+            let kind = entry.file_type().map_err(unread)?;
+            if kind.is_dir() && depth < DEPTH {
+                open.push((entry.path(), format!("{name}/"), depth + 1));
+            } else if kind.is_file() && found.len() < FILES {
+                let bytes = bytes(&entry.path(), left).map_err(|reason| refused(named(&name, reason)))?;
+                left = left.saturating_sub(u64::try_from(bytes.len()).unwrap_or(u64::MAX));
+                found.push(Template { path: name, bytes });
+            } else if kind.is_dir() || kind.is_file() {
+                return Err(refused(t("tiene demasiados archivos o carpetas", "it has too many files or folders")));
+            } else {
+                return Err(refused(named(&name, t("no es un archivo", "it is no file"))));
+            }
+        }
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn templates_are_the_files_of_their_folder_by_their_paths() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("impeller")).unwrap();
+        fs::write(folder.path().join("cover.typ"), "a").unwrap();
+        fs::write(folder.path().join("impeller/setup.typ"), "b").unwrap();
+        let mut read: Vec<_> = templates(folder.path()).unwrap().into_iter().map(|one| (one.path, one.bytes)).collect();
+        read.sort();
+        assert_eq!(read, [("cover.typ".to_owned(), b"a".to_vec()), ("impeller/setup.typ".to_owned(), b"b".to_vec())]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_template_that_leads_out_of_its_folder_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        std::os::unix::fs::symlink("/etc/passwd", folder.path().join("cover.typ")).unwrap();
+        let refused = templates(folder.path()).unwrap_err();
+        assert!(refused.what.en.contains("cover.typ: it is no file"), "{}", refused.what.en);
+    }
+
+    #[test]
+    fn a_file_is_read_up_to_its_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("logo.svg");
+        fs::write(&path, vec![0; 1025]).unwrap();
+        assert_eq!(bytes(&path, 1024).unwrap_err().en, "it is larger than 0 MiB");
+        assert_eq!(bytes(&path, 1025).unwrap().len(), 1025);
+        assert_eq!(bytes(folder.path(), 1024).unwrap_err().en, "it is no file");
+    }
+}

@@ -1,0 +1,271 @@
+//! The first sheet of the results: what came out, what to look at and where the files are, then the derived values and what
+//! stands on the other sheets.
+
+use rust_xlsxwriter::{Color, Format, RowNum, Url, Worksheet, quote_sheet_name};
+
+use super::cell::{row_height, write_text};
+use super::error::WriteError;
+use super::page::Page;
+use super::style::{Styles, grade_fill};
+use crate::finding::{Finding, Grade};
+use crate::kind::{Duration, Outcome, Proved, checks};
+use crate::number::duration;
+use crate::parameter::field::Chosen;
+use crate::table::{Quantity, Unit};
+use crate::text::{Language, Text, t};
+
+/// The sheet's name.
+pub static NAME: Text = t("RESUMEN", "SUMMARY");
+
+/// Widths of columns A to E in characters: the derived values are the widest table.
+const WIDTHS: [f64; 5] = [23.0, 58.0, 15.0, 9.0, 46.0];
+
+/// Most cautions that are told here: the sheet of the checks tells them all.
+const CAUTIONS: usize = 4;
+
+/// A file that is delivered with the results: its name and what it is.
+pub type File = (String, Text);
+
+/// What the first sheet says.
+#[derive(Debug)]
+pub struct Summary<'a> {
+    /// What came of the design.
+    pub outcome: &'a Outcome,
+    /// The files that are delivered with the results.
+    pub files: &'a [File],
+    /// The other sheets: their names and what they hold.
+    pub sheets: &'a [(String, String)],
+    /// How to go on with this workbook as an input.
+    pub again: &'a Text,
+    /// The language.
+    pub language: Language,
+}
+
+impl Summary<'_> {
+    /// Writes the sheet.
+    ///
+    /// # Errors
+    /// For a quantity that is not finite.
+    pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, page: &Page<'_>) -> Result<(), WriteError> {
+        for (column, width) in (0..).zip(WIDTHS) {
+            sheet.set_column_width(column, width)?;
+        }
+        static TITLE: Text = t("Resultados", "Results");
+        write_text(sheet, 0, 0, TITLE.get(self.language), &styles.title)?;
+        let mut row = 1;
+        for (label, text, grade) in self.lines() {
+            row += 1;
+            let text = text.get(self.language);
+            let format = match grade {
+                Some(grade) => styles.text.clone().set_background_color(grade_fill(grade)),
+                None => styles.text.clone(),
+            };
+            write_text(sheet, row, 0, label.get(self.language), &styles.symbol)?;
+            sheet.merge_range(row, 1, row, 4, "", &format)?;
+            write_text(sheet, row, 1, text, &format)?;
+            sheet.set_row_height(row, row_height(&[(text, WIDTHS.iter().skip(1).sum())]))?;
+        }
+        row = self.write_quantities(sheet, styles, row + 2)?;
+        let last = self.write_index(sheet, styles, row + 2)?;
+        sheet.set_print_area(0, 0, last, 4)?;
+        Page { single: true, ..*page }.set_up_fitted(sheet, self.language);
+        Ok(())
+    }
+
+    /// Label, text and, where it has one, grade of each line.
+    fn lines(&self) -> Vec<(Text, Text, Option<Grade>)> {
+        let outcome = self.outcome;
+        let found = &outcome.findings;
+        let source = &outcome.source;
+        let part: Vec<&str> = [outcome.part(), outcome.material()].into_iter().filter(|one| !one.is_empty()).collect();
+        let style = outcome.style.map_or_else(String::new, |style| format!(", style {}", style.key()));
+        let control = format!("{}{style}", outcome.control.name);
+        let (verdict, grade) = verdict(outcome);
+        let looked = cautions(found);
+        let attention =
+            if outcome.stopped() || found.iter().any(|one| one.grade != Grade::Note) { Some(grade) } else { None };
+        let line = |label: Text, text: Text| (label, text, None);
+        vec![
+            line(t("Pieza", "Part"), Text::same(part.join(", "))),
+            line(t("Control", "Control"), Text::same(control)),
+            (t("Veredicto", "Verdict"), verdict, Some(grade)),
+            (t("A mirar", "To look at"), looked, attention),
+            line(t("Programas", "Programs"), programs(&outcome.programs)),
+            line(t("Archivos", "Files"), self.delivered()),
+            line(
+                t("Antes de cortar", "Before you cut"),
+                t(
+                    "Compare los primeros y los últimos bloques en el control y haga una pasada en vacío.",
+                    "Compare the first and the last blocks at the control, and make a dry run.",
+                ),
+            ),
+            line(t("Para cambiar algo", "To change something"), self.again.clone()),
+            line(
+                t("Calculado", "Computed"),
+                Text::new(
+                    format!(
+                        "por rodete {} a partir de {} (SHA-256 {}).",
+                        source.version, source.workbook, source.sha256
+                    ),
+                    format!("by rodete {} from {} (SHA-256 {}).", source.version, source.workbook, source.sha256),
+                ),
+            ),
+        ]
+    }
+
+    fn delivered(&self) -> Text {
+        if self.files.is_empty() {
+            return t("Solo este libro.", "This workbook alone.");
+        }
+        static BESIDE: Text = t("En la carpeta de este libro:", "In the folder of this workbook:");
+        let list = |language: Language| {
+            let files = self.files.iter().map(|(name, what)| format!("{name}: {}", what.get(language)));
+            std::iter::once(BESIDE.get(language).to_owned()).chain(files).collect::<Vec<_>>().join("\n")
+        };
+        Text::new(list(Language::Es), list(Language::En))
+    }
+
+    /// The derived values from a row on: symbol, meaning, value, unit, source. Returns their last row.
+    fn write_quantities(&self, sheet: &mut Worksheet, styles: &Styles, first: RowNum) -> Result<RowNum, WriteError> {
+        static HEADINGS: [Text; 5] = [
+            t("Derivado", "Derived"),
+            t("Significado", "Meaning"),
+            t("Valor", "Value"),
+            t("Unidad", "Unit"),
+            t("Procedencia", "Source"),
+        ];
+        if self.outcome.quantities.is_empty() {
+            return Ok(first - 2);
+        }
+        for (column, heading) in (0..).zip(&HEADINGS) {
+            let format = if column == 2 { &styles.number_header } else { &styles.header };
+            write_text(sheet, first, column, heading.get(self.language), format)?;
+        }
+        let mut last = first;
+        for quantity in &self.outcome.quantities {
+            last += 1;
+            self.write_quantity(sheet, styles, last, quantity)?;
+        }
+        Ok(last)
+    }
+
+    fn write_quantity(
+        &self,
+        sheet: &mut Worksheet,
+        styles: &Styles,
+        row: RowNum,
+        quantity: &Quantity,
+    ) -> Result<(), WriteError> {
+        if !quantity.value.is_finite() {
+            return Err(WriteError::NotFinite { place: quantity.symbol.to_owned() });
+        }
+        let (meaning, source) = (quantity.meaning.get(self.language), quantity.source.get(self.language));
+        write_text(sheet, row, 0, quantity.symbol, &styles.symbol)?;
+        write_text(sheet, row, 1, meaning, &styles.text)?;
+        sheet.write_number_with_format(row, 2, quantity.value, &styles.number(quantity.unit))?;
+        write_text(sheet, row, 3, quantity.unit.label(), &styles.unit)?;
+        write_text(sheet, row, 4, source, &styles.faint)?;
+        sheet.set_row_height(row, row_height(&[(meaning, WIDTHS[1]), (source, WIDTHS[4])]))?;
+        Ok(())
+    }
+
+    /// The other sheets from a row on, each with a way to it. Returns the last row.
+    fn write_index(&self, sheet: &mut Worksheet, styles: &Styles, first: RowNum) -> Result<RowNum, WriteError> {
+        static HEADINGS: [Text; 2] = [t("Hoja", "Sheet"), t("Contenido", "What it holds")];
+        let link = styles
+            .text
+            .clone()
+            .set_font_color(Color::RGB(0x1F_4FA3))
+            .set_underline(rust_xlsxwriter::FormatUnderline::Single);
+        let [name, what] = &HEADINGS;
+        write_text(sheet, first, 0, name.get(self.language), &styles.header)?;
+        sheet.merge_range(first, 1, first, 4, "", &styles.header)?;
+        write_text(sheet, first, 1, what.get(self.language), &styles.header)?;
+        let mut row = first;
+        for (name, what) in self.sheets {
+            row += 1;
+            let url = Url::new(format!("internal:{}!A1", quote_sheet_name(name))).set_text(name);
+            sheet.write_url_with_format(row, 0, url, &link)?;
+            sheet.merge_range(row, 1, row, 4, "", &styles.text)?;
+            write_text(sheet, row, 1, what, &styles.text)?;
+            sheet.set_row_height(row, row_height(&[(what, WIDTHS.iter().skip(1).sum())]))?;
+        }
+        Ok(row)
+    }
+}
+
+/// Whether programs may be used, with the grade of the worst that was found.
+fn verdict(outcome: &Outcome) -> (Text, Grade) {
+    let counted = checks::summary(&outcome.findings);
+    let (words, grade) = if outcome.stopped() {
+        (t("Parado: no se entrega ningún programa", "Stopped: no program is handed over"), Grade::Stop)
+    } else if outcome.findings.iter().any(|one| one.grade == Grade::Caution) {
+        (
+            t("Nada lo impide; cada precaución la decide usted", "Nothing stops it; each caution is yours to decide"),
+            Grade::Caution,
+        )
+    } else {
+        (t("Nada lo impide", "Nothing stops it"), Grade::Note)
+    };
+    (Text::new(format!("{} ({}).", words.es, counted.es), format!("{} ({}).", words.en, counted.en)), grade)
+}
+
+/// The gravest findings, one a line.
+fn cautions(findings: &[Finding]) -> Text {
+    let grave: Vec<&Finding> = findings.iter().filter(|one| one.grade != Grade::Note).collect();
+    let list = |language: Language, none: &str, more: &str, all: &str| {
+        if grave.is_empty() {
+            return none.to_owned();
+        }
+        let told = grave.iter().take(CAUTIONS).map(|one| format!("{} {}", one.code(), one.what.get(language)));
+        let rest = grave.len().saturating_sub(CAUTIONS);
+        let end = if rest > 0 { format!("{more} {rest}. {all}") } else { all.to_owned() };
+        told.chain(std::iter::once(end)).collect::<Vec<_>>().join("\n")
+    };
+    let name = checks::table(&[]).name;
+    Text::new(
+        list(Language::Es, "Nada en particular.", "Y otras", &format!("Remedios y lugares, en la hoja {}.", name.es)),
+        list(
+            Language::En,
+            "Nothing in particular.",
+            "And further",
+            &format!("Remedies and places: sheet {}.", name.en),
+        ),
+    )
+}
+
+/// The programs, one a line: what it is, its length, how long it takes.
+fn programs(programs: &[Proved]) -> Text {
+    if programs.is_empty() {
+        return t("Ninguno.", "None.");
+    }
+    let line = |proved: &Proved, language: Language, blocks: &str| {
+        let program = &proved.program;
+        let count = if program.blocks() > 0 { program.blocks() } else { program.parts.len() as u64 };
+        let title = program.title.get(language);
+        let time = time(proved).map_or_else(String::new, |time| format!(", {}", time.get(language)));
+        format!("{title} ({}): {count} {blocks}{time}", program.key)
+    };
+    let list = |language: Language, blocks: &str| {
+        programs.iter().map(|one| line(one, language, blocks)).collect::<Vec<_>>().join("\n")
+    };
+    Text::new(list(Language::Es, "bloques"), list(Language::En, "blocks"))
+}
+
+/// How long a program takes: with its rapid moves where those of the machine are known, else at feed alone.
+fn time(proved: &Proved) -> Option<Text> {
+    if let Some(Duration { seconds, timeless }) = proved.duration {
+        let least = if timeless > 0 { "≥ " } else { "" };
+        return Some(Text::same(format!("{least}{}", duration(seconds))));
+    }
+    let account = Some(&proved.account).filter(|account| !account.untimed && account.seconds > 0.0)?;
+    let time = duration(account.seconds);
+    Some(Text::new(format!("{time} con avance, sin rápidos"), format!("{time} at feed, without rapid moves")))
+}
+
+impl Styles {
+    /// The format of a computed value, boxed.
+    fn number(&self, unit: Unit) -> Format {
+        self.number.clone().set_num_format(super::style::digits(unit))
+    }
+}
