@@ -339,8 +339,8 @@ pub(crate) static Z_S: Field<f64, Optional> = Field::real(
     [-1000.0, 1000.0],
     t("Desplazamiento de la pieza vuelta", "Shift of the turned-round part"),
     t(
-        "La pieza se refleja por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2",
-        "The part is mirrored about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2",
+        "La pieza se refleja por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2. Vacío: 0",
+        "The part is mirrored about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2. Empty: 0",
     ),
 );
 
