@@ -232,9 +232,9 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         (
             vec![choice("branch_size", "6")],
             "the branch with its gap does not fit into the header, by 8.11 mm: r + b = 86.15 mm, e = 0 mm, radius 78.04 mm",
-            "a smaller branch or less eccentricity",
+            "choose a smaller branch or less eccentricity",
         ),
-        (vec![real("h", 7.2)], "the land h is 7.2 mm; it must be less than the wall, 7.11 mm", "a smaller land"),
+        (vec![real("h", 7.2)], "the land h is 7.2 mm; it must be less than the wall, 7.11 mm", "choose a smaller land"),
         (vec![real("R_g", 5.0)], "the body R_g = 5 mm is thinner than the nozzle r_g = 6 mm", "check both radii"),
         (
             vec![("hold_on", Value::Line("M41".to_owned())), choice("dialect", "fagor-8055")],
@@ -245,7 +245,7 @@ fn contradictions_are_refused_with_the_place_the_angle_and_the_height() {
         (
             vec![real("lead_in", 60.0)],
             "the lead-in reaches past the hole's axis: it is 60.8 mm long and the hole's radius is 46.45 mm",
-            "a shorter lead-in",
+            "choose a shorter lead-in",
         ),
     ] {
         let mut changes = changes;

@@ -177,7 +177,7 @@ fn contradictions_are_refused_with_the_amount() {
         (
             vec![real("e", 20.0)],
             "the branch overhangs the header by 1.81 mm: r = 38.96 mm, e = 20 mm, R = 57.15 mm",
-            "an eccentricity of 18.19 mm at most",
+            "choose an eccentricity of 18.19 mm at most",
         ),
         (
             vec![choice("branch_size", "6")],
@@ -197,12 +197,12 @@ fn contradictions_are_refused_with_the_amount() {
         (
             vec![choice("style", "annex"), choice("mode", "flat")],
             "style = annex has no feed F, and the dialect linuxcnc does not move without one",
-            "style = full",
+            "choose style = full",
         ),
         (
             vec![choice("style", "annex"), choice("dialect", "fagor-8055")],
             "style = annex is the published program, on flat sheet",
-            "style = full, or mode = flat",
+            "choose style = full, or mode = flat",
         ),
         (
             vec![("torch_on", Value::Line("M30".to_owned()))],
@@ -242,7 +242,7 @@ fn the_published_case_says_that_its_radius_is_the_outside_one() {
     assert!(
         cautions.iter().any(|finding| finding.what.en.starts_with("r = 44.45 mm is the outside radius (D = 88.9 mm)"))
     );
-    assert!(cautions.iter().any(|finding| finding.what.en.contains("no feed, no torch and no end")));
+    assert!(cautions.iter().any(|finding| finding.what.en.contains("no feed, no torch and no program end")));
 }
 
 /// The arcs of the published program against the exact curve: what dense sampling of the circles themselves measures.

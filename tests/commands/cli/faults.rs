@@ -44,7 +44,7 @@ fn an_output_never_replaces_an_input() {
         .args(["build", "impeller.xlsx", "impeller-results.xlsx", "--no-report", "-o", "."])
         .assert()
         .code(2)
-        .stderr(predicate::str::contains("impeller-results.xlsx is both an input and an output"));
+        .stderr(predicate::str::contains("impeller-results.xlsx is both input and output"));
     assert_eq!(fs::read(&other).expect("the input"), before);
     assert!(!folder.path().join("impeller-blade.nc").exists());
 }
@@ -95,7 +95,7 @@ fn a_full_disk_leaves_the_old_set_and_nothing_else() {
         .assert()
         .code(5)
         .stderr(predicate::str::starts_with(
-            "error S0102: cannot write to out/impeller-results.xlsx: the file is larger",
+            "error S0102: cannot write to out/impeller-results.xlsx: the file exceeds",
         ))
         .stderr(predicate::str::contains("impeller.xlsx: nothing was written"));
     assert!(contents(&out) == before);

@@ -8,7 +8,7 @@ use super::common::{folder, names, rodete, with_impeller};
 fn a_wrong_command_line_ends_with_2_and_says_how_it_is_meant() {
     let cases: [(&[&str], &str); 13] = [
         (&[], "Usage: rodete"),
-        (&["new", "pipe-hole", "--case", "full"], "cases of pipe-hole: set-in"),
+        (&["new", "pipe-hole", "--case", "full"], "a case of pipe-hole: set-in"),
         (&["bild"], "build"),
         (&["build"], "<WORKBOOK>..."),
         (&["check"], "<WORKBOOK>..."),
@@ -74,7 +74,7 @@ fn a_code_or_the_number_of_an_alarm_is_explained() {
         .assert()
         .code(2)
         .stdout("")
-        .stderr("error U0141: Q9999 is not a rodete code\nhint: rodete explain without a code lists them\nrodete explain U0141 says what it means, with an example\n");
+        .stderr("error U0141: Q9999 is not a rodete code\nhint: run rodete explain, which lists the codes\nrodete explain U0141 says what it means, with an example\n");
 }
 
 #[test]
@@ -165,7 +165,7 @@ fn one_workbook_twice_is_refused_before_anything_is_done() {
                 .assert()
                 .code(2)
                 .stdout("")
-                .stderr(predicate::str::contains("hint: give every workbook once"));
+                .stderr(predicate::str::contains("hint: give each workbook once"));
         }
     }
     assert_eq!(names(&folder), before);

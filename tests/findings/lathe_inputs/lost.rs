@@ -25,14 +25,14 @@ fn a_system_whose_zero_is_not_filled_in_is_refused_once_with_its_cells() {
     assert_eq!(
         stops(&found),
         [
-            "the program uses stop PROGRAM!A12 G55, but W2 is empty in the workbook: DATA!C42, DATA!C43",
-            "the program uses stop PROGRAM!A15 G56, but W3 is empty in the workbook: DATA!C44, DATA!C45",
+            "stop PROGRAM!A12 the program uses G55, but W2 is empty in the workbook: DATA!C42, DATA!C43",
+            "stop PROGRAM!A15 the program uses G56, but W3 is empty in the workbook: DATA!C44, DATA!C45",
         ]
     );
     assert!(found.contains(&format!("note PROGRAM!A12 {UNJUDGED}")), "{found:?}");
     // An X that is not given is 0, on the axis.
     let (found, _) = built(&Book::new(&program("G55|G1 X48. F0.2|G54")).put("W2_X", Value::Real(0.0)));
-    assert_eq!(stops(&found), ["the program uses stop PROGRAM!A12 G55, but W2 is empty in the workbook: DATA!C43"]);
+    assert_eq!(stops(&found), ["stop PROGRAM!A12 the program uses G55, but W2 is empty in the workbook: DATA!C43"]);
 }
 
 #[test]
@@ -56,13 +56,13 @@ fn without_a_workbook_only_the_first_system_has_a_zero() {
     let document = serde_json::from_str(&said.out).unwrap();
     bilingual(&document);
     let found = lines(&document);
-    assert_eq!(stops(&found), ["the program uses stop 7 G55, but without a workbook the place of W2 is not known"]);
+    assert_eq!(stops(&found), ["stop 7 the program uses G55, but without a workbook the place of W2 is not known"]);
     assert_eq!(said.exit, 3);
     // With one that has no W2 its cells are named.
     std::fs::write(folder.path().join("tools.xlsx"), Book::new(&program("")).bytes()).unwrap();
     let said = run(folder.path(), &[&arguments[..], &["--tools", "tools.xlsx"]].concat());
     let found = lines(&serde_json::from_str(&said.out).unwrap());
-    assert_eq!(stops(&found), ["the program uses stop 7 G55, but W2 is empty in the workbook: DATA!C42, DATA!C43"]);
+    assert_eq!(stops(&found), ["stop 7 the program uses G55, but W2 is empty in the workbook: DATA!C42, DATA!C43"]);
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn a_second_program_is_not_judged_on_a_part_that_the_first_has_not_made() {
     let (found, _) = built(&book);
     assert_eq!(stops(&found).len(), 1, "{found:?}");
     assert!(
-        found.iter().any(|line| line.starts_with("note file the motions of this program are not judged")),
+        found.iter().any(|line| line.starts_with("note file the motions of this program are not checked")),
         "{found:?}"
     );
 }

@@ -152,7 +152,7 @@ fn the_jaws_close_on_what_is_left_of_the_part() {
     assert_eq!(exit, 0);
     let (found, _, exit) = held(&new().put("Z_s", Value::Real(29.5)));
     assert!(
-        found[0].starts_with("stop DATA!C53 DATA!C19 in the second set-up the jaws, closed on X40, hardly"),
+        found[0].starts_with("stop DATA!C53 DATA!C19 in the second set-up the jaws, closed on X40, hold hardly"),
         "{found:?}"
     );
     assert_eq!(exit, 3);

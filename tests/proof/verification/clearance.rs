@@ -133,7 +133,7 @@ fn a_pass_that_poses_told_to_be_clear_is_stopped() {
     let narrow = common::outcome("tfg-2021", &[real("e", 3.7), no.clone()]);
     let stop = narrow.findings.iter().find(|finding| finding.grade == Grade::Stop).unwrap();
     assert!(stop.what.en.starts_with("the tool cuts into the neighbouring blade (its point -"), "{}", stop.what.en);
-    assert!(stop.what.en.contains("by 0.6194 mm across the tool, at line"), "{}", stop.what.en);
+    assert!(stop.what.en.contains("by 0.6194 mm across the tool, in line"), "{}", stop.what.en);
     assert!(stop.what.es.contains("0.6194 mm a lo ancho de la herramienta, en la línea"), "{}", stop.what.es);
     assert_eq!(stop.value, "bounded between -0.6194 and -0.6193 mm");
     assert!(narrow.programs.is_empty());
@@ -159,6 +159,6 @@ fn a_pass_whose_clearance_is_not_proved_is_not_passed() {
     assert_eq!(verdict(0.0, 0.1).0, None);
     let (undecided, what) = verdict(-1e-5, 1e-5);
     assert_eq!(undecided, Some(Grade::Stop));
-    assert!(what.starts_with("it is not proved that the tool clears the neighbouring blade (its point 3)"), "{what}");
+    assert!(what.starts_with("it is not proved that the tool clears the neighbouring blade (at its point 3)"), "{what}");
     assert_eq!(verdict(-0.2, -0.1).0, Some(Grade::Stop));
 }

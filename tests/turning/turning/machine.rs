@@ -123,7 +123,7 @@ fn g28_and_g30_go_over_a_point_to_the_reference_point() {
     let mut unknown = setting();
     unknown.var_file = Default::default();
     let read = read_with("G28 U0\nM30\n", unknown);
-    assert!(remarked(&read, "reference point of G28 not known"));
+    assert!(remarked(&read, "the reference point of G28 is not known"));
 }
 
 #[test]

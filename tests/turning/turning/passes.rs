@@ -162,9 +162,9 @@ fn a_taper_may_not_begin_beyond_the_start() {
     // From X50 to X40 the infeed is 5 mm: R up to 5 against it begins at the start, more begins beyond.
     moves("G90 X40. Z-30. R5.", &["G1 X40 Z-30 F0.2", "G1 X50 Z-30 F0.2", "G0 X50 Z5"]);
     let refused = refusal("G0 X50. Z5.\nG90 X40. Z-30. R5.1 F.2\nM30\n");
-    assert!(refused.starts_with("2:16 R5.1 of G90 begins the pass beyond"), "{refused}");
+    assert!(refused.starts_with("2:16 with R5.1, G90 begins the pass beyond"), "{refused}");
     let refused = refusal("G0 X50. Z5.\nG94 X40. Z0 R6. F.2\nM30\n");
-    assert!(refused.starts_with("2:13 R6 of G94 begins the pass beyond"), "{refused}");
+    assert!(refused.starts_with("2:13 with R6, G94 begins the pass beyond"), "{refused}");
 }
 
 #[test]
