@@ -94,9 +94,7 @@ fn a_full_disk_leaves_the_old_set_and_nothing_else() {
         .current_dir(folder.path())
         .assert()
         .code(5)
-        .stderr(predicate::str::starts_with(
-            "error S0102: cannot write to out/impeller-results.xlsx: the file exceeds",
-        ))
+        .stderr(predicate::str::starts_with("error S0102: cannot write to out/impeller-results.xlsx: the file exceeds"))
         .stderr(predicate::str::contains("impeller.xlsx: nothing was written"));
     assert!(contents(&out) == before);
 }

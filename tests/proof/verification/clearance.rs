@@ -159,6 +159,9 @@ fn a_pass_whose_clearance_is_not_proved_is_not_passed() {
     assert_eq!(verdict(0.0, 0.1).0, None);
     let (undecided, what) = verdict(-1e-5, 1e-5);
     assert_eq!(undecided, Some(Grade::Stop));
-    assert!(what.starts_with("it is not proved that the tool clears the neighbouring blade (at its point 3)"), "{what}");
+    assert!(
+        what.starts_with("it is not proved that the tool clears the neighbouring blade (at its point 3)"),
+        "{what}"
+    );
     assert_eq!(verdict(-0.2, -0.1).0, Some(Grade::Stop));
 }

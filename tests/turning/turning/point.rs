@@ -64,7 +64,10 @@ fn inches_and_dwells_have_increments_of_their_own() {
         let remarks = read(program, point).remarks;
         assert!(remarks.iter().any(|remark| remark.what.en == said), "{program} {remarks:?}");
     }
-    assert!(refusal("G20 G0 X1\nM30\n").contains("X1 has no decimal point: the control reads it as inches or ten-thousandths"));
+    assert!(
+        refusal("G20 G0 X1\nM30\n")
+            .contains("X1 has no decimal point: the control reads it as inches or ten-thousandths")
+    );
     assert!(refusal("G4 X1\nM30\n").contains("X1 has no decimal point: the control reads it as s or ms"));
 }
 
