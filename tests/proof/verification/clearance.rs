@@ -132,7 +132,7 @@ fn a_pass_that_poses_told_to_be_clear_is_stopped() {
     let no = ("splitters", Value::Choice("no"));
     let narrow = common::outcome("tfg-2021", &[real("e", 3.7), no.clone()]);
     let stop = narrow.findings.iter().find(|finding| finding.grade == Grade::Stop).unwrap();
-    assert!(stop.what.en.starts_with("the tool cuts into the neighbouring blade (its point -"), "{}", stop.what.en);
+    assert!(stop.what.en.starts_with("the tool cuts into the neighbouring blade (at its point -"), "{}", stop.what.en);
     assert!(stop.what.en.contains("by 0.6194 mm across the tool, in line"), "{}", stop.what.en);
     assert!(stop.what.es.contains("0.6194 mm a lo ancho de la herramienta, en la línea"), "{}", stop.what.es);
     assert_eq!(stop.value, "bounded between -0.6194 and -0.6193 mm");
