@@ -18,7 +18,7 @@ use crate::scene::Scene;
 use crate::store::{self, Set};
 use crate::text::{Language, Text, t};
 use crate::view;
-use crate::workbook::results;
+use crate::workbook::results::{self, Content};
 
 /// The ending of the results.
 pub(super) const RESULTS: &str = "-results.xlsx";
@@ -59,6 +59,8 @@ pub(super) struct Delivery<'a> {
     pub(super) outcome: &'a Outcome,
     /// The language of sheets and drawings.
     pub(super) language: Language,
+    /// What the results hold.
+    pub(super) content: Content,
     /// The command can make what is printed: report, set-up sheet and templates.
     pub(super) printed: bool,
 }
@@ -113,9 +115,9 @@ impl Delivery<'_> {
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
     pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
-        let Self { item, outcome, language, .. } = *self;
+        let Self { item, outcome, language, content, .. } = *self;
         let files = self.files(scene.is_some());
-        set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, language, out))?;
+        set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, content, language, out))?;
         for program in &outcome.programs {
             set.write(&program_name(item, program), |out| program.write(out))?;
         }

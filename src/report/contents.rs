@@ -225,7 +225,7 @@ fn sheet(table: &Table, words: &mut Words) -> Sheet {
     let count = table.rows();
     let whole = table.print == Print::Whole;
     let (head, omitted, tail) = if whole { (0..count, 0, count..count) } else { shorten::rows(count) };
-    let counted = table.index == Index::Point;
+    let counted = table.index.counted();
     let mut line = |row: usize| -> Vec<String> {
         let index = counted.then(|| row.to_string());
         let cells = table.columns.iter().map(|column| {

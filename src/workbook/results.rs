@@ -2,12 +2,15 @@
 
 use std::io::{Seek, Write};
 
-use rust_xlsxwriter::Workbook;
+use rust_xlsxwriter::{Workbook, quote_sheet_name};
 
 use super::charts::{Placed, draw};
 use super::drawn::Drawn;
 use super::error::WriteError;
+use super::curves::Curves;
 use super::form_sheet::Filling;
+use super::guard::{Copy, Guard, SHEET};
+use super::live::LiveTables;
 use super::limits;
 use super::long_rows::LongRows;
 use super::names::SheetNames;
@@ -18,12 +21,13 @@ use super::style::Styles;
 use super::summary_sheet::{self, Summary};
 use super::table_sheet::{FIRST, TableSheet};
 use super::template::{HOW, OPTIONAL, write_lists};
-use super::{chart_sheet, checks_sheet};
+use super::{chart_sheet, checks_sheet, curves};
 use crate::figure::Figure;
 use crate::kind::{Outcome, checks};
 use crate::table::Table;
 use crate::text::{Language, Text, t};
 
+pub use super::live::Content;
 pub use super::summary_sheet::File;
 
 /// Writes the results of an outcome: first what came out, with the files that are delivered beside it; then the form with the
@@ -35,6 +39,7 @@ pub use super::summary_sheet::File;
 pub fn write<W: Write + Seek + Send>(
     outcome: &Outcome,
     files: &[File],
+    content: Content,
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
@@ -54,17 +59,28 @@ pub fn write<W: Write + Seek + Send>(
         sheets: Vec::new(),
         workbook: Workbook::new(),
         additions: Additions::default(),
+        guard: Guard::default(),
     };
+    let guarded = results.names.take(SHEET);
+    debug_assert_eq!(guarded, SHEET, "the first name is free");
     // It stands first and is filled last, when the others are known.
     let first = results.names.take(summary_sheet::NAME.get(language));
-    results.workbook.add_worksheet().set_name(first)?;
+    results.workbook.add_worksheet().set_name(&first)?;
     results.write_forms(sketch.as_ref())?;
-    results.write_tables()?;
+    let placed = results.places();
+    let live = LiveTables::new(&placed, content);
+    results.write_tables(&placed, live)?;
     results.write_programs()?;
     results.write_checks()?;
     let again = if within_limits(outcome) { &AGAIN } else { &TOO_LARGE };
-    let summary = Summary { outcome, files, sheets: &results.sheets, again, language };
-    summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
+    let summary = Summary { outcome, files, sheets: &results.sheets, again, live, language };
+    let names = summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
+    let first = quote_sheet_name(&first);
+    for (name, row) in names {
+        results.workbook.define_name(name, &format!("={first}!$C${}", row + 1))?;
+    }
+    let made: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
+    results.guard.write(&mut results.workbook, &made, &results.styles)?;
     save(&mut results.workbook, results.additions, out)
 }
 
@@ -87,6 +103,7 @@ struct Results<'a> {
     sheets: Vec<(String, String)>,
     workbook: Workbook,
     additions: Additions<'a>,
+    guard: Guard,
 }
 
 impl<'a> Results<'a> {
@@ -109,42 +126,54 @@ impl<'a> Results<'a> {
             let values = |key: &str| outcome.fields.values().values.get(key);
             let sketch = self.additions.drawn.filter(|_| index == 0);
             let worksheet = self.workbook.add_worksheet();
-            let layout = Filling { sheet, values, notes: &notes, sketch, language }.write(worksheet, &self.styles)?;
+            let layout = Filling { sheet, values, notes: &notes, guarded: true, sketch, language }.write(worksheet, &self.styles)?;
             layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {
                 self.workbook.define_name(defined, &cell)?;
             }
+            for parameter in sheet.sections.iter().flat_map(|section| section.parameters) {
+                self.guard.watch(parameter.name, Copy::of(parameter, values(parameter.key), language));
+            }
         }
-        let Self { names, sheets, .. } = self;
+        let Self { names, sheets, guard, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
-        write_lists(&mut self.workbook, form, lists, &self.styles, &self.page, language, |wanted, list| {
+        write_lists(&mut self.workbook, form, lists, &self.styles, &self.page, language, Some(guard), |wanted, list| {
             let name = names.take(wanted);
             sheets.push((name.clone(), list.title.get(language).to_owned()));
             name
         })
     }
 
-    /// The charts, then the tables.
-    fn write_tables(&mut self) -> Result<(), WriteError> {
-        let (outcome, language) = (self.outcome, self.language);
+    /// The sheets of the tables: that of the charts stands before them.
+    fn places(&mut self) -> Vec<Placed<'a>> {
         static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
-        let charts = (!outcome.charts.is_empty()).then(|| self.name(&chart_sheet::NAME, &CHARTS));
-        let placed: Vec<Placed<'_>> =
-            outcome.tables.iter().map(|table| Placed { sheet: self.name(&table.name, &table.title), table }).collect();
-        if let Some(name) = charts {
+        let outcome = self.outcome;
+        if !outcome.charts.is_empty() {
+            self.name(&chart_sheet::NAME, &CHARTS);
+        }
+        outcome.tables.iter().map(|table| Placed { sheet: self.name(&table.name, &table.title), table }).collect()
+    }
+
+    /// The charts, then the tables.
+    fn write_tables(&mut self, placed: &[Placed<'a>], live: LiveTables<'_>) -> Result<(), WriteError> {
+        let (outcome, language) = (self.outcome, self.language);
+        let before = self.sheets.len() - placed.len();
+        let mut curves = Curves::new(live, self.names.take(curves::NAME));
+        if !outcome.charts.is_empty() {
             let mut drawn = Vec::new();
             for chart in &outcome.charts {
                 let of = placed.iter().find(|one| one.table.key == chart.table).map(|one| one.sheet.clone());
-                if let Some((chart, size)) = draw(chart, &placed, language)? {
+                if let Some((chart, size)) = draw(chart, placed, &mut curves, language)? {
                     drawn.push((of.unwrap_or_default(), chart));
                     self.additions.charts.push(size);
                 }
             }
+            let (name, _) = &self.sheets[before - 1];
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
             chart_sheet::write(worksheet, &drawn, language, &self.styles, &self.page)?;
         }
-        for Placed { sheet: name, table } in &placed {
+        for Placed { sheet: name, table } in placed {
             let sheet = TableSheet { table, language };
             if sheet.long() {
                 self.additions.long.push(LongRows {
@@ -156,10 +185,10 @@ impl<'a> Results<'a> {
                 });
             }
             let worksheet = self.workbook.add_worksheet().set_name(name)?;
-            sheet.write(worksheet, &self.styles)?;
+            sheet.write(worksheet, &self.styles, &live)?;
             sheet.finish(worksheet, &self.page)?;
         }
-        Ok(())
+        curves.write(&mut self.workbook)
     }
 
     /// The programs, where they do not stand on sheets of the form as the user's own.

@@ -7,6 +7,7 @@ use rust_xlsxwriter::Workbook;
 use super::drawn::Drawn;
 use super::error::WriteError;
 use super::form_sheet::{Filling, Layout};
+use super::guard::Guard;
 use super::list_sheet::ListSheet;
 use super::page::{Page, properties};
 use super::save::{Additions, save};
@@ -59,13 +60,13 @@ pub fn write<W: Write + Seek + Send>(
     for (index, sheet) in form.sheets.iter().enumerate() {
         let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
         let worksheet = workbook.add_worksheet();
-        let layout = Filling { sheet, values: find, notes: &notes, sketch, language }.write(worksheet, &styles)?;
+        let layout = Filling { sheet, values: find, notes: &notes, guarded: false, sketch, language }.write(worksheet, &styles)?;
         layout.finish(worksheet, &page, language)?;
         for (name, cell) in layout.defined_names(sheet.name.get(language)) {
             workbook.define_name(name, &cell)?;
         }
     }
-    write_lists(&mut workbook, form, lists, &styles, &page, language, |name, _| name.to_owned())?;
+    write_lists(&mut workbook, form, lists, &styles, &page, language, None, |name, _| name.to_owned())?;
     save(&mut workbook, additions, out)
 }
 
@@ -82,13 +83,13 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
     let (mut workbook, styles) = (Workbook::new(), Styles::default());
     let layout = |sheet| {
         let notes = notes(sheet, note, language);
-        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, sketch: None, language };
+        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, guarded: false, sketch: None, language };
         filling.write(workbook.add_worksheet(), &styles)
     };
     form.sheets.iter().map(layout).collect()
 }
 
-/// Writes the sheets of a form's lists; `take` gives a sheet the name nearest to the one wanted that is free.
+/// Writes the sheets of a form's lists, watched by a guard where there is one; `take` gives a sheet the name nearest to the one wanted that is free.
 ///
 /// # Errors
 /// For a value that is not finite, and for a list that a workbook cannot hold.
@@ -99,6 +100,7 @@ pub(super) fn write_lists(
     styles: &Styles,
     page: &Page<'_>,
     language: Language,
+    mut guard: Option<&mut Guard>,
     mut take: impl FnMut(&str, &List) -> String,
 ) -> Result<(), WriteError> {
     for list in form.lists {
@@ -107,16 +109,14 @@ pub(super) fn write_lists(
             Naming::One(name) => {
                 let name = take(name.get(language), list);
                 let rows = filled.first().map_or(&[][..], |rows| &rows.rows);
-                ListSheet { list, name: &name, rows, language }.write(workbook.add_worksheet(), styles, page)?;
+                let sheet = ListSheet { list, name: &name, rows, language };
+                sheet.write(workbook.add_worksheet(), styles, page, guard.as_deref_mut())?;
             }
             Naming::Numbered(_) => {
                 for rows in filled {
                     let name = take(&rows.sheet, list);
-                    ListSheet { list, name: &name, rows: &rows.rows, language }.write(
-                        workbook.add_worksheet(),
-                        styles,
-                        page,
-                    )?;
+                    let sheet = ListSheet { list, name: &name, rows: &rows.rows, language };
+                    sheet.write(workbook.add_worksheet(), styles, page, guard.as_deref_mut())?;
                 }
             }
         }

@@ -15,6 +15,7 @@ use rodete::parameter::Value;
 use rodete::parameter::list::{Row, Rows};
 use rodete::text::Language;
 use rodete::workbook::offsets_table::OffsetsTable;
+use rodete::workbook::results::Content;
 use rodete::workbook::{self, offsets_sheet, results, template};
 
 /// LibreOffice takes a second or two, and less than one a workbook; a hang is ended after this many.
@@ -72,7 +73,7 @@ fn workbooks(folder: &Path) -> Vec<PathBuf> {
         let (values, lists) = (case.values(language), (case.listed)(language));
         template::write(kind, &values, &lists, &case.note, language, create(format!("{name}.xlsx"))).expect("a form");
         let outcome = common::outcome_of(kind, case, language, std::slice::from_ref(&hostile));
-        results::write(&outcome, &[], language, create(format!("{name}-results.xlsx"))).expect("results");
+        results::write(&outcome, &[], Content::Formulas, language, create(format!("{name}-results.xlsx"))).expect("results");
     }
     for language in Language::ALL {
         let unit = LengthUnit::Inch;
@@ -202,7 +203,7 @@ fn libreoffice_prints_the_results() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("results.xlsx");
     let outcome = common::outcome("full", &[]);
-    results::write(&outcome, &[], Language::Es, std::fs::File::create(&file).expect("a file")).expect("results");
+    results::write(&outcome, &[], Content::Formulas, Language::Es, std::fs::File::create(&file).expect("a file")).expect("results");
     let pdf = std::fs::read(&converted(&[file], "pdf", "pdf")[0]).expect("the pages");
     assert!(pdf.starts_with(b"%PDF"));
 }

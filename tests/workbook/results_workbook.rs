@@ -16,13 +16,13 @@ use rodete::table::{Column, Entry, Index, Law, Print, Table, Unit};
 use rodete::text::{Language, Text, t};
 use rodete::workbook::error::WriteError;
 use rodete::workbook::program_sheet::ProgramSheet;
-use rodete::workbook::results;
+use rodete::workbook::results::{self, Content};
 use rodete::workbook::save::{Additions, save};
 use zip::ZipArchive;
 
 fn written(outcome: &Outcome, language: Language) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
-    results::write(outcome, &[], language, &mut out).expect("the results can be written");
+    results::write(outcome, &[], Content::Formulas, language, &mut out).expect("the results can be written");
     out.into_inner()
 }
 
@@ -65,7 +65,7 @@ fn assert_tables_read_back(outcome: &Outcome, language: Language) {
     let mut workbook = opened(written(outcome, language));
     for table in &outcome.tables {
         let range = sheet(&mut workbook, table.name.get(language));
-        let offset = usize::from(table.index == Index::Point);
+        let offset = usize::from(table.index.counted());
         assert_eq!(text(&range, 0, 0), table.title.get(language));
         assert_eq!(text(&range, 1, 0), table.source.get(language));
         assert_eq!(range.height(), table.rows() + 4, "{}", table.key);
@@ -229,7 +229,7 @@ fn the_form_stands_behind_the_first_sheet_with_the_values() {
 /// The first sheet, and the row of a label or a symbol on it.
 fn summary(outcome: &Outcome, files: &[results::File], language: Language) -> (Range<Data>, Vec<String>) {
     let mut out = Cursor::new(Vec::new());
-    results::write(outcome, files, language, &mut out).expect("the results can be written");
+    results::write(outcome, files, Content::Formulas, language, &mut out).expect("the results can be written");
     let mut workbook = opened(out.into_inner());
     let names = workbook.sheet_names();
     (sheet(&mut workbook, names.first().expect("a sheet")), names)
@@ -404,7 +404,7 @@ fn no_sheet_has_a_number_that_is_not_one() {
             let mut values = vec![1.0; rows];
             values[rows - 1] = value;
             outcome.tables[0].columns = vec![Column::numbers("x", Unit::One, Law::None, values)];
-            let written = results::write(&outcome, &[], Language::En, Cursor::new(Vec::new()));
+            let written = results::write(&outcome, &[], Content::Formulas, Language::En, Cursor::new(Vec::new()));
             assert!(matches!(written, Err(WriteError::NotFinite { .. })), "{value} in {rows} rows: {written:?}");
         }
     }

@@ -217,7 +217,7 @@ fn quantities(
     account: &Account,
 ) -> Vec<Quantity> {
     let mm = Unit::Millimetre;
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
     let most =
         |of: fn(&crate::kinds::pipe::hole::station::Station) -> f64| stations.iter().map(of).fold(f64::MIN, f64::max);
     let least =

@@ -210,7 +210,7 @@ fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
     let outline = design.template();
     let [least, most] = outline.extent();
     let mm = Unit::Millimetre;
-    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source };
+    let quantity = |symbol, meaning, value, unit, source| Quantity { symbol, meaning, value, unit, source, cell: None };
     let mut list = vec![
         quantity("r", t("Radio de la curva del injerto", "Radius of the branch's curve"), design.r, mm, t("", "")),
         quantity("R", t("Radio del tubo base", "Radius of the header"), design.R, mm, t("", "")),
