@@ -338,7 +338,7 @@ impl Quantity {
 
     /// The value in a cell with a defined name: formulas refer to it.
     #[must_use]
-    pub const fn named(mut self, name: &'static str) -> Self {
+    pub fn named(mut self, name: &'static str) -> Self {
         self.cell = Some(QuantityCell { name, live: None });
         self
     }

@@ -22,7 +22,7 @@ use crate::report::{self, Attachment, Content, Role};
 use crate::store::{self, Existing, Folder, Set};
 use crate::text::{Language, t};
 use crate::typeset::compiler::Typst;
-use crate::workbook::results::Content;
+use crate::workbook::results::Tables;
 
 /// The variable that names a typst command line.
 const TYPST: &str = "RODETE_TYPST";
@@ -32,7 +32,7 @@ struct Settings<'a> {
     /// The language of sheets and report, if not the workbook's.
     language: Option<Language>,
     /// What the results hold.
-    content: Content,
+    tables: Tables,
     /// The typst that sets the report; `None`: no report.
     typst: Option<Typst>,
     /// The typst files of one's own, or why there is no report with them.
@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
     };
     let settings = Settings {
         language: arguments.lang,
-        content: if arguments.values { Content::Values } else { Content::Formulas },
+        tables: if arguments.values { Tables::Values } else { Tables::Live },
         typst: if arguments.no_report { None } else { Some(typst(arguments.typst.clone(), interrupted)) },
         templates: arguments.templates.as_deref().map_or_else(|| Ok(Vec::new()), stationery::templates),
         folder: folder.as_ref(),
@@ -125,7 +125,7 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
         outcome.told(*caution);
         None
     });
-    Delivery { item, outcome: &outcome, language, content: settings.content, printed: true }.write(scene, &mut set)?;
+    Delivery { item, outcome: &outcome, language, tables: settings.tables, printed: true }.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
         let at_work = AtWork::begin();

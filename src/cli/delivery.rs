@@ -18,7 +18,7 @@ use crate::scene::Scene;
 use crate::store::{self, Set};
 use crate::text::{Language, Text, t};
 use crate::view;
-use crate::workbook::results::{self, Content};
+use crate::workbook::results::{self, Tables};
 
 /// The ending of the results.
 pub(super) const RESULTS: &str = "-results.xlsx";
@@ -60,7 +60,7 @@ pub(super) struct Delivery<'a> {
     /// The language of sheets and drawings.
     pub(super) language: Language,
     /// What the results hold.
-    pub(super) content: Content,
+    pub(super) tables: Tables,
     /// The command can make what is printed: report, set-up sheet and templates.
     pub(super) printed: bool,
 }
@@ -115,9 +115,11 @@ impl Delivery<'_> {
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
     pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
-        let Self { item, outcome, language, content, .. } = *self;
+        let Self { item, outcome, language, tables, .. } = *self;
         let files = self.files(scene.is_some());
-        set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, content, language, out))?;
+        set.write(&store::file_name(&item.stem, RESULTS), |out| {
+            results::write(outcome, &files, tables, language, out)
+        })?;
         for program in &outcome.programs {
             set.write(&program_name(item, program), |out| program.write(out))?;
         }

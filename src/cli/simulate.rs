@@ -18,7 +18,7 @@ use crate::kind::{Kind, Wants};
 use crate::kinds::lathe::Raised;
 use crate::store::{self, Existing, Folder, Set};
 use crate::table::Unit;
-use crate::workbook::results::Content;
+use crate::workbook::results::Tables;
 use crate::workbook::{self, Input};
 
 /// Follows the program and says what it comes to.
@@ -74,7 +74,8 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         let mut set = Set::new(folder, &inputs, Existing::Replace);
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
         let scene = followed.outcome.scene.take().transpose()?;
-        Delivery { item: &item, outcome: &followed.outcome, language, content: Content::Formulas, printed: false }.write(scene, &mut set)?;
+        Delivery { item: &item, outcome: &followed.outcome, language, tables: Tables::Live, printed: false }
+            .write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());
         verdict.findings.extend(delivery::leftovers(&item, kinds, verdict));

@@ -24,7 +24,7 @@ use crate::machine::axis::Axis;
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, title_block};
 use crate::proof::check::Check as Checked;
-use crate::table::{Entry, Index, Print, Table};
+use crate::table::{Entry, Print, Table};
 use crate::text::{Language, Text};
 use crate::typeset::characters::{Words, code_point};
 use crate::typeset::failure::ReportFailure;

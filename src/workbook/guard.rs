@@ -6,22 +6,34 @@
 //! last place of a number is not seen: it moves nothing by 0.001 mm. The flags ask for the time and make nothing of it, so
 //! that a spreadsheet which keeps stored results computes them when it opens the file.
 
+use std::collections::BTreeMap;
+
 use rust_xlsxwriter::{
     ColNum, ConditionalFormatFormula, Format, Formula, RowNum, Workbook, Worksheet, quote_sheet_name,
     utility::column_number_to_name,
 };
 
+use super::address::Position;
 use super::cell::{CELL, shortened, write_text};
 use super::error::WriteError;
 use super::form_sheet::label;
+use super::sheet_cells::{Content, SheetCells};
 use super::style::Styles;
-use crate::parameter::{Parameter, Value};
+use crate::parameter::{Form, Parameter, Value, Values};
 use crate::text::{Language, Text, t};
 
 /// The sheet of the copies.
 pub const SHEET: &str = "Verified";
 /// The defined name of how many inputs differ.
 pub const STALE: &str = "stale_inputs";
+/// What stands in the first cell of that sheet.
+const MARK: &str = "rodete";
+/// How many columns of that sheet are read.
+pub(super) const COLUMNS: u32 = 256;
+/// The columns, from 0, of the keys of lists' columns, of the files that were made, and of the sheets of the lists.
+const KEYS: ColNum = 3;
+const FILES: ColNum = 4;
+const SHEETS: ColNum = 5;
 /// The most characters of a text inside a formula.
 const LITERAL: usize = 255;
 
@@ -50,6 +62,16 @@ impl Copy {
         }
     }
 
+    /// True where both hold the same; numbers to the last bit.
+    fn same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Number(one), Self::Number(other)) => one.to_bits() == other.to_bits(),
+            // Blanks around a text are none of its value.
+            (Self::Text(one), Self::Text(other)) => one.trim() == other.trim(),
+            _ => self == other,
+        }
+    }
+
     fn write(&self, sheet: &mut Worksheet, row: RowNum, column: ColNum, styles: &Styles) -> Result<(), WriteError> {
         match self {
             Self::Number(value) if value.is_finite() => drop(sheet.write_number(row, column, *value)?),
@@ -64,6 +86,8 @@ impl Copy {
 /// A column of a list: the cells that were filled or stood ready to be.
 #[derive(Debug)]
 pub struct Column {
+    /// The key of the column in its form.
+    pub key: &'static str,
     /// The list's sheet.
     pub sheet: String,
     /// The column, from 0.
@@ -105,7 +129,7 @@ impl Guard {
         sheet.set_hidden(true).set_column_width(0, 32)?.set_column_width(1, 32)?;
         let rows = self.inputs.len() + self.columns.len();
         let last = RowNum::try_from(rows).map_err(|_| WriteError::TooLarge("guard"))? + 1;
-        write_text(sheet, 0, 0, "rodete", &styles.header)?;
+        write_text(sheet, 0, 0, MARK, &styles.header)?;
         let count = format!("=IF(ISERROR(SUM(C2:C{last})),{},SUM(C2:C{last}))", last - 1);
         sheet.write_formula(0, 2, Formula::new(count).set_result("0"))?;
         let mut row = 0;
@@ -119,17 +143,82 @@ impl Guard {
             row += 1;
             let (cells, flag) = column.flag(at);
             write_text(sheet, row, 0, &cells, &styles.entry)?;
+            write_text(sheet, row, KEYS, column.key, &styles.entry)?;
+            write_text(sheet, row, SHEETS, &column.sheet, &styles.entry)?;
             sheet.write_formula(row, 2, Formula::new(flag).set_result("0"))?;
             for (to, copy) in (0..).zip(&column.copies) {
                 copy.write(sheet, to, at, styles)?;
             }
         }
         for (row, file) in (0..).zip(files) {
-            write_text(sheet, row, 4, file, &styles.entry)?;
+            write_text(sheet, row, FILES, file, &styles.entry)?;
         }
         sheet.protect();
         Ok(())
     }
+}
+
+/// The files whose inputs differ from what they were made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stale {
+    /// The keys of the inputs that differ.
+    pub inputs: Vec<&'static str>,
+    /// The sheets of the lists that differ.
+    pub lists: Vec<String>,
+    /// The files that were made, by their names.
+    pub files: Vec<String>,
+}
+
+/// Compares the values of a form with the copies on the sheet [`SHEET`] of the same workbook. `None` where they are the same,
+/// or where the sheet is not rodete's.
+#[must_use]
+pub(super) fn stale(sheet: &SheetCells, form: &'static Form, values: &Values) -> Option<Stale> {
+    if sheet.text((0, 0)) != Some(MARK) {
+        return None;
+    }
+    let language = values.language;
+    let held = |position: Position| match sheet.cell(position).map(|cell| &cell.content) {
+        Some(Content::Number(value)) => Copy::Number(*value),
+        Some(Content::Text(text, _)) => Copy::Text(text.clone()),
+        _ => Copy::Empty,
+    };
+    let rows: BTreeMap<&str, u32> = sheet.rows.keys().filter_map(|&row| Some((sheet.text((row, 0))?, row))).collect();
+    let parameters = form.sheets.iter().flat_map(|one| one.sections).flat_map(|section| section.parameters);
+    let differs = |parameter: &Parameter| {
+        let now = Copy::of(parameter, values.values.get(parameter.key), language);
+        rows.get(parameter.name).is_none_or(|&row| !now.same(&held((row, 1))))
+    };
+    let inputs: Vec<&'static str> =
+        parameters.filter(|parameter| differs(parameter)).map(|parameter| parameter.key).collect();
+    let last = sheet.rows.keys().next_back().map_or(0, |row| row + 1);
+    let columns: Vec<(&str, &str)> = sheet
+        .rows
+        .keys()
+        .filter_map(|&row| {
+            Some((sheet.text((row, u32::from(KEYS)))?, sheet.text((row, u32::from(SHEETS))).unwrap_or_default()))
+        })
+        .collect();
+    let mut lists: Vec<String> = values
+        .lists
+        .iter()
+        .filter(|one| columns.iter().all(|(_, name)| *name != one.sheet))
+        .map(|one| one.sheet.clone())
+        .collect();
+    for (column, (key, name)) in (u32::from(LISTS)..).zip(&columns) {
+        let of = values.lists.iter().find(|one| one.sheet == *name);
+        let parameter = form.lists.iter().flat_map(|list| list.columns).find(|parameter| parameter.key == *key);
+        let Some(parameter) = parameter else { continue };
+        let now = |at: usize| of.and_then(|rows| rows.rows.get(at)).and_then(|row| row.values.get(parameter.key));
+        let filled = of.map_or(0, |rows| u32::try_from(rows.rows.len()).unwrap_or(u32::MAX));
+        let same = (0..last.max(filled))
+            .zip(0..)
+            .all(|(row, at)| Copy::of(parameter, now(at), language).same(&held((row, column))));
+        if !same && lists.iter().all(|one| one != name) {
+            lists.push((*name).to_owned());
+        }
+    }
+    let files: Vec<String> = (0..).map_while(|row| sheet.text((row, u32::from(FILES))).map(str::to_owned)).collect();
+    (!inputs.is_empty() || !lists.is_empty()).then_some(Stale { inputs, lists, files })
 }
 
 impl Column {
@@ -142,7 +231,11 @@ impl Column {
         let (first, last) = (self.first + 1, (self.first + count).min(LAST - 1));
         let cells = format!("{sheet}!${name}${first}:${name}${last}");
         let copies = format!("${own}$1:${own}${count}");
-        let differ = format!("SUMPRODUCT(1-EXACT({cells},{copies})*(ISTEXT({cells})=ISTEXT({copies})))");
+        // Not EXACT alone: over a range, LibreOffice finds no two numbers exact. Not `=` alone: it takes no notice of capitals,
+        // and an empty cell equals 0.
+        let kind = |of: &str| format!("({of}({cells})={of}({copies}))");
+        let equal = format!("(ISTEXT({copies})*EXACT({cells},{copies})+(1-ISTEXT({copies}))*({cells}={copies}))");
+        let differ = format!("SUMPRODUCT(1-{}*{}*{equal})", kind("ISTEXT"), kind("ISBLANK"));
         let below = format!("COUNTA({sheet}!${name}${}:${name}${LAST})", last + 1);
         let flag = format!("=IF(ISERROR({differ}),1,IF({differ}+{below}=0,0,1))+0*NOW()");
         (cells, flag)
@@ -181,7 +274,10 @@ pub fn banner(
 }
 
 static WARNING: [Text; 2] = [
-    t("NO VERIFICADO: datos cambiados desde que se hicieron los programas: ", "NOT VERIFIED: inputs changed since the programs were made: "),
+    t(
+        "NO VERIFICADO: datos cambiados desde que se hicieron los programas: ",
+        "NOT VERIFIED: inputs changed since the programs were made: ",
+    ),
     t("; vuelva a calcular", "; build again"),
 ];
 

@@ -77,7 +77,13 @@ impl ListSheet<'_> {
             for (column, parameter) in (0..).zip(self.list.columns) {
                 let value = |at| self.rows.get(at).and_then(|row: &Row| row.values.get(parameter.key));
                 let copies = (0..ready).map(|at| Copy::of(parameter, value(at), language)).collect();
-                guard.watch_column(guard::Column { sheet: self.name.to_owned(), column, first: FIRST, copies });
+                guard.watch_column(guard::Column {
+                    key: parameter.key,
+                    sheet: self.name.to_owned(),
+                    column,
+                    first: FIRST,
+                    copies,
+                });
             }
         }
         let most = FIRST + RowNum::try_from(self.list.most).unwrap_or(RowNum::MAX - FIRST) - 1;

@@ -9,7 +9,6 @@ use super::charts::Placed;
 use super::error::WriteError;
 use super::table_sheet::FIRST;
 use crate::table::{Index, Live, Table};
-use crate::text::Language;
 
 /// More intervals than this are written as values: the sheets would grow to many megabytes and open slowly.
 pub const MOST: usize = 400;
@@ -22,10 +21,10 @@ pub const NOTHING: &str = " ";
 
 /// Whether the results hold formulas or values alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Content {
+pub enum Tables {
     /// Formulas with their values, up to [`MOST`] intervals.
     #[default]
-    Formulas,
+    Live,
     /// Values.
     Values,
 }
@@ -40,10 +39,10 @@ pub struct LiveTables<'a> {
 impl<'a> LiveTables<'a> {
     /// The tables, live where that is wanted and none has more than [`MOST`] intervals.
     #[must_use]
-    pub fn new(placed: &'a [Placed<'a>], content: Content) -> Self {
+    pub fn new(placed: &'a [Placed<'a>], tables: Tables) -> Self {
         let follows = |table: &Table| matches!(table.index, Index::Intervals(_));
         let long = placed.iter().any(|one| follows(one.table) && one.table.rows() > MOST + 1);
-        Self { placed, on: content == Content::Formulas && !long }
+        Self { placed, on: tables == Tables::Live && !long }
     }
 
     /// True where formulas are written.

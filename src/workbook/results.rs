@@ -5,13 +5,13 @@ use std::io::{Seek, Write};
 use rust_xlsxwriter::{Workbook, quote_sheet_name};
 
 use super::charts::{Placed, draw};
+use super::curves::Curves;
 use super::drawn::Drawn;
 use super::error::WriteError;
-use super::curves::Curves;
 use super::form_sheet::Filling;
 use super::guard::{Copy, Guard, SHEET};
-use super::live::LiveTables;
 use super::limits;
+use super::live::LiveTables;
 use super::long_rows::LongRows;
 use super::names::SheetNames;
 use super::page::{Page, properties};
@@ -27,7 +27,7 @@ use crate::kind::{Outcome, checks};
 use crate::table::Table;
 use crate::text::{Language, Text, t};
 
-pub use super::live::Content;
+pub use super::live::Tables;
 pub use super::summary_sheet::File;
 
 /// Writes the results of an outcome: first what came out, with the files that are delivered beside it; then the form with the
@@ -39,7 +39,7 @@ pub use super::summary_sheet::File;
 pub fn write<W: Write + Seek + Send>(
     outcome: &Outcome,
     files: &[File],
-    content: Content,
+    tables: Tables,
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
@@ -68,7 +68,7 @@ pub fn write<W: Write + Seek + Send>(
     results.workbook.add_worksheet().set_name(&first)?;
     results.write_forms(sketch.as_ref())?;
     let placed = results.places();
-    let live = LiveTables::new(&placed, content);
+    let live = LiveTables::new(&placed, tables);
     results.write_tables(&placed, live)?;
     results.write_programs()?;
     results.write_checks()?;
@@ -126,7 +126,8 @@ impl<'a> Results<'a> {
             let values = |key: &str| outcome.fields.values().values.get(key);
             let sketch = self.additions.drawn.filter(|_| index == 0);
             let worksheet = self.workbook.add_worksheet();
-            let layout = Filling { sheet, values, notes: &notes, guarded: true, sketch, language }.write(worksheet, &self.styles)?;
+            let layout = Filling { sheet, values, notes: &notes, guarded: true, sketch, language }
+                .write(worksheet, &self.styles)?;
             layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {
                 self.workbook.define_name(defined, &cell)?;

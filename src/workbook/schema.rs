@@ -17,6 +17,7 @@ use crate::text::{Language, Text, t};
 use super::address;
 use super::book::Book;
 use super::gate::gate;
+use super::guard;
 use super::list_rows;
 use super::listing::{self, SheetEntry};
 use super::rules::form::*;
@@ -41,6 +42,8 @@ pub struct Filled {
     pub values: Values,
     /// Notes and cautions.
     pub findings: Vec<Finding>,
+    /// What was changed in a results workbook since its programs were made.
+    pub stale: Option<Finding>,
 }
 
 /// Reads a workbook that follows one of `forms`.
@@ -130,7 +133,23 @@ pub fn read(bytes: &[u8], forms: &[&'static Form]) -> Result<Filled, Refusal> {
     if findings.iter().any(|finding| finding.grade == Grade::Stop) {
         return Err(refusal(exit, findings));
     }
-    Ok(Filled { form, values, findings })
+    let stale = changed(&mut book, form, &values)?;
+    Ok(Filled { form, values, findings, stale })
+}
+
+/// What was changed since the programs of the same workbook were made, by the copies that stand in it.
+fn changed(book: &mut Book<'_>, form: &'static Form, values: &Values) -> Result<Option<Finding>, Refusal> {
+    let Some(entry) = book.gated.sheets.iter().find(|entry| entry.name == guard::SHEET).cloned() else {
+        return Ok(None);
+    };
+    let sheet = book.read(&entry, guard::COLUMNS)?;
+    let Some(guard::Stale { inputs, lists, files }) = guard::stale(&sheet, form, values) else { return Ok(None) };
+    let symbols = inputs.iter().map(|key| (*key).to_owned());
+    let inputs_told = symbols.chain(lists.iter().map(|sheet| excerpt(sheet, SHOWN))).collect::<Vec<_>>().join(", ");
+    let programs = files.join(", ");
+    let place = if inputs.is_empty() { Place::File } else { Place::Parameters(inputs) };
+    let stale = InputsChanged { inputs: inputs_told, programs }.at(place);
+    Ok(Some(values.locate(stale)))
 }
 
 /// One refusal for everything that was found, gravest first.

@@ -81,7 +81,14 @@ impl<'a> TableSheet<'a> {
     pub fn write(&self, sheet: &mut Worksheet, styles: &Styles, live: &LiveTables<'_>) -> Result<(), WriteError> {
         let offset = self.offset();
         write_text(sheet, 0, 0, self.table.title.get(self.language), &styles.title)?;
-        guard::banner(sheet, 1, [0, self.printed()?], self.table.source.get(self.language), self.language, [&styles.source, &styles.stale])?;
+        guard::banner(
+            sheet,
+            1,
+            [0, self.printed()?],
+            self.table.source.get(self.language),
+            self.language,
+            [&styles.source, &styles.stale],
+        )?;
         if offset > 0 {
             write_text(sheet, SYMBOLS, 0, "i", &styles.number_header)?;
             write_text(sheet, UNITS, 0, "", &styles.number_unit)?;

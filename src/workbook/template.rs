@@ -60,7 +60,8 @@ pub fn write<W: Write + Seek + Send>(
     for (index, sheet) in form.sheets.iter().enumerate() {
         let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
         let worksheet = workbook.add_worksheet();
-        let layout = Filling { sheet, values: find, notes: &notes, guarded: false, sketch, language }.write(worksheet, &styles)?;
+        let layout = Filling { sheet, values: find, notes: &notes, guarded: false, sketch, language }
+            .write(worksheet, &styles)?;
         layout.finish(worksheet, &page, language)?;
         for (name, cell) in layout.defined_names(sheet.name.get(language)) {
             workbook.define_name(name, &cell)?;

@@ -16,13 +16,13 @@ use rodete::table::{Column, Entry, Index, Law, Print, Table, Unit};
 use rodete::text::{Language, Text, t};
 use rodete::workbook::error::WriteError;
 use rodete::workbook::program_sheet::ProgramSheet;
-use rodete::workbook::results::{self, Content};
+use rodete::workbook::results::{self, Tables};
 use rodete::workbook::save::{Additions, save};
 use zip::ZipArchive;
 
 fn written(outcome: &Outcome, language: Language) -> Vec<u8> {
     let mut out = Cursor::new(Vec::new());
-    results::write(outcome, &[], Content::Formulas, language, &mut out).expect("the results can be written");
+    results::write(outcome, &[], Tables::Live, language, &mut out).expect("the results can be written");
     out.into_inner()
 }
 
@@ -229,7 +229,7 @@ fn the_form_stands_behind_the_first_sheet_with_the_values() {
 /// The first sheet, and the row of a label or a symbol on it.
 fn summary(outcome: &Outcome, files: &[results::File], language: Language) -> (Range<Data>, Vec<String>) {
     let mut out = Cursor::new(Vec::new());
-    results::write(outcome, files, Content::Formulas, language, &mut out).expect("the results can be written");
+    results::write(outcome, files, Tables::Live, language, &mut out).expect("the results can be written");
     let mut workbook = opened(out.into_inner());
     let names = workbook.sheet_names();
     (sheet(&mut workbook, names.first().expect("a sheet")), names)
@@ -404,7 +404,7 @@ fn no_sheet_has_a_number_that_is_not_one() {
             let mut values = vec![1.0; rows];
             values[rows - 1] = value;
             outcome.tables[0].columns = vec![Column::numbers("x", Unit::One, Law::None, values)];
-            let written = results::write(&outcome, &[], Content::Formulas, Language::En, Cursor::new(Vec::new()));
+            let written = results::write(&outcome, &[], Tables::Live, Language::En, Cursor::new(Vec::new()));
             assert!(matches!(written, Err(WriteError::NotFinite { .. })), "{value} in {rows} rows: {written:?}");
         }
     }

@@ -94,11 +94,7 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             Unit::One,
             Law::Told("N = −(cos v·cos u, cos v·sin u, sin v)"),
             &blade.N,
-            [
-                "-COS([annex-1.v])*COS([annex-1.u])",
-                "-COS([annex-1.v])*SIN([annex-1.u])",
-                "-SIN([annex-1.v])",
-            ],
+            ["-COS([annex-1.v])*COS([annex-1.u])", "-COS([annex-1.v])*SIN([annex-1.u])", "-SIN([annex-1.v])"],
         ),
         vectors(
             ["t_x", "t_y", "t_z"],
@@ -169,7 +165,8 @@ pub fn annexes(blade: &Blade, passes: &ToolPaths) -> Vec<Table> {
             t("Anexo 4, ecuaciones (7) y (14) corregidas", "Annex 4, equations (7) and (14) corrected"),
             vec![
                 Column::numbers("C", RAD, Law::Told("C = u − 2π"), Arc::clone(&blade.C)).by("[annex-1.u]-2*PI()"),
-                Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B)).by("PI()+PI()/2-[annex-1.v]"),
+                Column::numbers("B", RAD, Law::Told("B = 3π/2 − v"), Arc::clone(&blade.B))
+                    .by("PI()+PI()/2-[annex-1.v]"),
             ],
         ),
         annex(
@@ -248,10 +245,12 @@ fn safety(passes: &ToolPaths) -> Table {
                     t("reverso", "reverse"),
                 ],
             ),
-            column("β", Unit::Degree, Law::Told("tan β = (y_r − y_a)/(x_a − x_r)"), |end, _| end.beta.to_degrees())
-                .by_each(ENDS.map(|end| {
-                    format!("DEGREES(ATAN2([annex-6.x {end}]-[annex-7.x {end}],[annex-7.y {end}]-[annex-6.y {end}]))")
-                })),
+            column("β", Unit::Degree, Law::Told("tan β = (y_r − y_a)/(x_a − x_r)"), |end, _| {
+                end.beta.to_degrees()
+            })
+            .by_each(ENDS.map(|end| {
+                format!("DEGREES(ATAN2([annex-6.x {end}]-[annex-7.x {end}],[annex-7.y {end}]-[annex-6.y {end}]))")
+            })),
             column("Δx", MM, Law::Told("∓(d_s + d_t/2 ± w·cos β)"), |end, obverse| {
                 if obverse { end.step_obverse[0] } else { end.step_reverse[0] }
             })
