@@ -142,7 +142,7 @@ impl Law {
 ///
 /// Inputs and derived values stand by their defined names, as `torus_R` and `derived_k`. Cells of tables stand in brackets:
 /// `[v]` is the column v of the same table on the same row, `[annex-1.v]` that of another table, `[i]` the point index;
-/// `[annex-6.x first]` and `[annex-6.x last]` are the column's ends, `[annex-6.x all]` is the whole of it. The functions are
+/// `[v above]` is the row before. `[annex-6.x first]` and `[annex-6.x last]` are the column's ends, `[annex-6.x all]` is the whole of it. The functions are
 /// those of every spreadsheet since 2003; `ATAN2` takes x before y.
 pub type Formula = Cow<'static, str>;
 
@@ -233,8 +233,15 @@ impl Column {
 pub enum Index {
     /// The point index i, from 0.
     Point,
-    /// The point index i, from 0 to the count that an input holds: the defined name of its cell. Rows come and go with it.
-    Intervals(&'static str),
+    /// The index i, from 0 to `times` the count of intervals that an input holds, and `more`. Rows come and go with it.
+    Intervals {
+        /// The defined name of the input's cell.
+        name: &'static str,
+        /// Rows for each interval.
+        times: usize,
+        /// Rows beside them, the first not counted.
+        more: usize,
+    },
     /// Nothing is counted: the first column is the table's own.
     None,
 }
@@ -243,7 +250,7 @@ impl Index {
     /// True where points are counted.
     #[must_use]
     pub const fn counted(self) -> bool {
-        matches!(self, Self::Point | Self::Intervals(_))
+        matches!(self, Self::Point | Self::Intervals { .. })
     }
 }
 

@@ -8,7 +8,7 @@ use rust_xlsxwriter::{ColNum, RowNum, Workbook, utility::column_number_to_name};
 
 use super::error::WriteError;
 use super::live::{self, LiveTables};
-use crate::table::{Cells, Entry, Index, Table};
+use crate::table::{Cells, Entry, Table};
 
 /// The name of the sheet.
 pub const NAME: &str = "Curves";
@@ -39,7 +39,7 @@ impl<'a> Curves<'a> {
     /// # Errors
     /// For more columns than a sheet has.
     pub fn range(&mut self, table: &'a Table, column: Option<usize>) -> Result<Option<Range>, WriteError> {
-        if !self.live.on() || !matches!(table.index, Index::Intervals(_)) {
+        if !self.live.on() || live::last(table.index).is_none() {
             return Ok(None);
         }
         let at = |one: &(&Table, Option<usize>)| one.0.key == table.key && one.1 == column;
@@ -63,7 +63,7 @@ impl<'a> Curves<'a> {
         let sheet = workbook.add_worksheet().set_name(&self.sheet)?;
         sheet.set_hidden(true);
         for (place, (table, column)) in (0..).zip(&self.drawn) {
-            let Index::Intervals(count) = table.index else { continue };
+            let Some(count) = live::last(table.index) else { continue };
             let symbol = column.and_then(|at| table.columns.get(at)).map_or("i", |column| column.symbol.en.as_ref());
             sheet.write_string(0, place, format!("{} {symbol}", table.key))?;
             let (letter, points) = (column_number_to_name(place), points(table));
@@ -71,7 +71,7 @@ impl<'a> Curves<'a> {
             for (row, k) in (FIRST..).zip(0..=points) {
                 // Half a step goes away from zero, in the sheet and here.
                 let at = (2 * k * intervals + points) / (2 * points);
-                let step = format!("ROUND((ROWS({letter}$2:{letter}{})-1)*{count}/{points},0)", row + 1);
+                let step = format!("ROUND((ROWS({letter}$2:{letter}{})-1)*({count})/{points},0)", row + 1);
                 let (formula, value) = match column {
                     None => (step, Entry::Number(f64::from(u32::try_from(at).unwrap_or(u32::MAX)))),
                     Some(column) => {

@@ -40,8 +40,7 @@ impl<'a> LiveTables<'a> {
     /// The tables, live where that is wanted and none has more than [`MOST`] intervals.
     #[must_use]
     pub fn new(placed: &'a [Placed<'a>], tables: Tables) -> Self {
-        let follows = |table: &Table| matches!(table.index, Index::Intervals(_));
-        let long = placed.iter().any(|one| follows(one.table) && one.table.rows() > MOST + 1);
+        let long = placed.iter().any(|one| intervals(one.table).is_some_and(|count| count > MOST));
         Self { placed, on: tables == Tables::Live && !long }
     }
 
@@ -54,9 +53,9 @@ impl<'a> LiveTables<'a> {
     /// How many rows of a table are prepared: those that are filled, and where they follow an input, more.
     #[must_use]
     pub fn rows(&self, table: &Table) -> usize {
-        match table.index {
-            Index::Intervals(_) if self.on && table.rows() > 0 => {
-                PREPARED.max(2 * (table.rows() - 1)).clamp(table.rows() - 1, MOST) + 1
+        match (table.index, intervals(table)) {
+            (Index::Intervals { times, more, .. }, Some(count)) if self.on => {
+                times * PREPARED.max(2 * count).clamp(count, MOST) + more + 1
             }
             _ => table.rows(),
         }
@@ -73,7 +72,7 @@ impl<'a> LiveTables<'a> {
         };
         let formula = self.resolved(Some((table, row)), formula)?;
         Ok(Some(match table.index {
-            Index::Intervals(_) => format!("=IF($A{0}=\"\",\"\",{formula})", row + 1),
+            Index::Intervals { .. } => format!("=IF($A{0}=\"\",\"\",{formula})", row + 1),
             _ => format!("={formula}"),
         }))
     }
@@ -81,18 +80,18 @@ impl<'a> LiveTables<'a> {
     /// The formula of the point index on a row from 0; `None` where the rows do not follow an input.
     #[must_use]
     pub fn index(&self, table: &Table, row: RowNum) -> Option<String> {
-        let Index::Intervals(count) = table.index else { return None };
+        let last = last(table.index)?;
         let first = FIRST + 1;
         let passed = format!("ROWS($A${first}:$A{})-1", row + 1);
-        self.on.then(|| format!("=IF({passed}<={count},{passed},\"\")"))
+        self.on.then(|| format!("=IF({passed}<={last},{passed},\"\")"))
     }
 
     /// What stands below the last row prepared: a warning as soon as the rows do not suffice.
     #[must_use]
     pub fn end(&self, table: &Table, told: &str) -> Option<String> {
-        let Index::Intervals(count) = table.index else { return None };
+        let last = last(table.index)?;
         let most = self.rows(table).saturating_sub(1);
-        self.on.then(|| format!("=IF({count}>{most},\"{told}\",\"\")"))
+        self.on.then(|| format!("=IF({last}>{most},\"{told}\",\"\")"))
     }
 
     /// A formula outside the tables: it may refer to whole columns and their ends.
@@ -140,14 +139,31 @@ impl<'a> LiveTables<'a> {
         match place {
             "" => here.map(|(_, row)| format!("{sheet}${column}{}", row + 1)),
             "first" => Some(format!("{sheet}${column}${first}")),
-            "last" => Some(match table.index {
-                Index::Intervals(count) => format!("INDEX({},{count}+1)", range()?),
-                _ => format!("{sheet}${column}${}", usize::try_from(FIRST).ok()? + table.rows()),
+            "above" => here.map(|(_, row)| format!("{sheet}${column}{row}")),
+            "last" => Some(match last(table.index) {
+                Some(last) => format!("INDEX({},{last}+1)", range()?),
+                None => format!("{sheet}${column}${}", usize::try_from(FIRST).ok()? + table.rows()),
             }),
             "all" => range(),
             _ => None,
         }
     }
+}
+
+/// How many intervals the rows of a table follow; `None` where they follow none.
+fn intervals(table: &Table) -> Option<usize> {
+    match table.index {
+        Index::Intervals { times, more, .. } => table.rows().checked_sub(more + 1)?.checked_div(times),
+        _ => None,
+    }
+}
+
+/// The last index of a table's rows, by the input that they follow.
+#[must_use]
+pub fn last(index: Index) -> Option<String> {
+    let Index::Intervals { name, times, more } = index else { return None };
+    let rows = if times == 1 { name.to_owned() } else { format!("{times}*{name}") };
+    Some(if more == 0 { rows } else { format!("{rows}+{more}") })
 }
 
 /// A formula with a number as its stored result.

@@ -84,7 +84,7 @@ fn compared(book: &mut Book, outcome: &Outcome, language: Language, but: impl Fn
             // Nothing is shown below the last point.
             let below = u32::try_from(table.rows() + 4).expect("a row");
             let place = (below, u32::try_from(at + offset).expect("a column"));
-            if matches!(table.index, Index::Intervals(_)) {
+            if matches!(table.index, Index::Intervals { .. }) {
                 assert_eq!(number(sheet.get_value(place)), None, "{}, row {}", table.key, below + 1);
             }
         }

@@ -20,6 +20,7 @@ mod form_sketch;
 pub mod gap;
 pub mod header;
 pub mod ideal;
+mod live_lines;
 pub mod outside;
 pub mod parameters;
 pub mod part;
@@ -169,6 +170,10 @@ impl Method for Impeller {
         tables.extend(calibration.iter().map(|(table, _)| table.clone()));
         tables.push(tables::views(blade));
         tables
+    }
+
+    fn lines(design: &Design, model: &Model, programs: &[Program]) -> Vec<Table> {
+        if design.style == Style::Annex { live_lines::tables(&model.passes, programs) } else { Vec::new() }
     }
 
     fn programs(design: &Design, model: &Model, origin: &Origin<'_>) -> Result<Written, Vec<Finding>> {

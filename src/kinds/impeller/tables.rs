@@ -44,7 +44,7 @@ impl ToolPaths {
 }
 
 /// The rows of a table of the blade's points follow n.
-const POINTS: Index = Index::Intervals("intervals_n");
+const POINTS: Index = Index::Intervals { name: "intervals_n", times: 1, more: 0 };
 
 fn annex(key: &'static str, name: Text, title: Text, source: Text, columns: Vec<Column>) -> Table {
     Table { key, name, title, source, index: POINTS, print: Print::Short, columns }
