@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::shorten::Listing;
 
-/// Everything the templates set.
+/// Everything that the templates print.
 #[derive(Serialize)]
 pub(super) struct Document {
     pub kind: &'static str,
@@ -18,7 +18,7 @@ pub(super) struct Document {
     pub version: String,
     pub dialect: &'static str,
     pub style: &'static str,
-    /// What rotary axes are on a machine as the control is delivered: `rollover`, `linear`.
+    /// How rotary axes count with the control's delivered settings: `rollover`, `linear`.
     pub rotary: &'static str,
     /// How F counts: `resultant`, `seconds`, `inverse`.
     pub feed_law: &'static str,
@@ -30,7 +30,7 @@ pub(super) struct Document {
     pub tables: Vec<Sheet>,
     pub figures: BTreeMap<&'static str, Drawing>,
     pub programs: Vec<Listed>,
-    /// What only the set-up chapter of the kind prints.
+    /// Values that only the kind's set-up chapter prints.
     pub setup: BTreeMap<&'static str, SetUp>,
     /// The checks of the programs that were read back.
     pub answers: Vec<Answer>,
@@ -38,7 +38,7 @@ pub(super) struct Document {
     pub files: Vec<File>,
 }
 
-/// The title block; what is not given is empty.
+/// The title block; fields that are not given are empty.
 #[derive(Serialize)]
 pub(super) struct Title {
     pub customer: String,
@@ -47,7 +47,7 @@ pub(super) struct Title {
     pub date: String,
     pub author: String,
     pub checker: String,
-    /// The file of the logo; none where there is none.
+    /// The file of the logo, if there is one.
     pub logo: Option<&'static str>,
 }
 
@@ -55,7 +55,7 @@ pub(super) struct Title {
 #[derive(Serialize)]
 #[serde(untagged)]
 pub(super) enum SetUp {
-    /// Whether something is so.
+    /// Yes or no.
     Whether(bool),
     /// A length in mm, ready to print.
     Length(String),
@@ -78,7 +78,7 @@ pub(super) struct Row {
     pub note: String,
 }
 
-/// A table, shortened where it is long.
+/// A table, shortened if it is long.
 #[derive(Serialize)]
 pub(super) struct Sheet {
     pub key: &'static str,
@@ -117,7 +117,7 @@ pub(super) struct Key {
     pub text: String,
 }
 
-/// A program with its listing and what it amounts to.
+/// A program with its listing and its totals.
 #[derive(Serialize)]
 pub(super) struct Listed {
     pub key: &'static str,
@@ -137,14 +137,14 @@ pub(super) struct Listed {
     pub extents: Vec<Extent>,
 }
 
-/// How far an axis goes.
+/// The extents of an axis.
 #[derive(Serialize)]
 pub(super) struct Extent {
     pub axis: String,
     pub unit: &'static str,
     pub least: String,
     pub greatest: String,
-    /// Least and greatest while it moves at feed; `None` where nothing does.
+    /// Minimum and maximum while it moves at feed; `None` if it does not.
     pub feed: Option<[String; 2]>,
 }
 
@@ -156,7 +156,7 @@ pub(super) enum Timed {
     Cycle,
     /// The same, but for motions whose time is not known.
     Part,
-    /// Feed and dwells: how fast rapid motions are is not known.
+    /// Feed and dwells; the rapid rates are not known.
     Feed,
     /// Nothing: a motion at feed has no known time.
     Unknown,
@@ -181,7 +181,7 @@ pub(super) struct Answer {
 pub(super) struct Check {
     pub grade: &'static str,
     pub name: String,
-    /// Empty where it has none.
+    /// Empty if it has none.
     pub code: &'static str,
     pub what: String,
     pub place: String,
@@ -190,7 +190,7 @@ pub(super) struct Check {
     pub remedy: String,
 }
 
-/// A file listed in the report; `carried` is its copy in the folder where it is attached.
+/// A file listed in the report; `carried` is its copy in the folder if it is attached.
 #[derive(Serialize)]
 pub(super) struct File {
     pub name: String,
