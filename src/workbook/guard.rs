@@ -278,8 +278,15 @@ static WARNING: [Text; 2] = [
         "NO VERIFICADO: datos cambiados desde que se hicieron los programas: ",
         "NOT VERIFIED: inputs changed since the programs were made: ",
     ),
-    t("; vuelva a calcular", "; build again"),
+    t("; vuelva a generar", "; build again"),
 ];
+
+/// The most characters that a banner shows as a warning.
+#[must_use]
+pub fn warning(language: Language) -> usize {
+    const COUNT: usize = 3;
+    WARNING.iter().map(|text| text.get(language).chars().count()).sum::<usize>() + COUNT
+}
 
 /// Strikes out what was made from the inputs, in red, as soon as one differs.
 ///

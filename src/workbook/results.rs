@@ -20,7 +20,7 @@ use super::save::{Additions, save};
 use super::style::Styles;
 use super::summary_sheet::{self, Summary};
 use super::table_sheet::{FIRST, TableSheet};
-use super::template::{HOW, OPTIONAL, write_lists};
+use super::template::{HOW, Look, OPTIONAL, write_lists};
 use super::{chart_sheet, checks_sheet, curves};
 use crate::figure::Figure;
 use crate::kind::{Outcome, checks};
@@ -139,7 +139,8 @@ impl<'a> Results<'a> {
         let Self { names, sheets, guard, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
-        write_lists(&mut self.workbook, form, lists, &self.styles, &self.page, language, Some(guard), |wanted, list| {
+        let look = Look { styles: &self.styles, page: &self.page, language };
+        write_lists(&mut self.workbook, form, lists, &look, Some(guard), |wanted, list| {
             let name = names.take(wanted);
             sheets.push((name.clone(), list.title.get(language).to_owned()));
             name

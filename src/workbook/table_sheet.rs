@@ -36,6 +36,9 @@ const EMPTY_WIDTH: f64 = 8.43;
 /// The widest print for the sake of a title or source.
 const WIDEST: f64 = 120.0;
 
+/// What the words of the guard take behind the source.
+const SEALED: f64 = 20.0;
+
 /// A sheet with fewer rows than this is printed on one page.
 const ONE_PAGE: RowNum = 66;
 
@@ -123,7 +126,10 @@ impl<'a> TableSheet<'a> {
     fn printed(&self) -> Result<ColNum, WriteError> {
         // Bold letters of the title are wider than the digits that widths count.
         let title = 1.6 * count(self.table.title.get(self.language));
-        let needed = f64::max(title, count(self.table.source.get(self.language))).min(WIDEST);
+        let warning = f64::from(u16::try_from(guard::warning(self.language)).unwrap_or(u16::MAX));
+        // The words that say that the inputs are verified follow the source.
+        let source = count(self.table.source.get(self.language)) + SEALED;
+        let needed = title.max(source).max(warning).min(WIDEST);
         let mut width = f64::from(self.offset()) * INDEX_WIDTH;
         width += self.table.columns.iter().map(|column| self.width(column)).sum::<f64>();
         let mut last = (column_number(self.table.columns.len())? + self.offset()).saturating_sub(1);
@@ -226,7 +232,7 @@ impl<'a> TableSheet<'a> {
         styles: &Styles,
         live: &LiveTables<'_>,
     ) -> Result<(), WriteError> {
-        static ENDS: Text = t("aquí acaban las filas: vuelva a calcular", "the rows end here: build again");
+        static ENDS: Text = t("aquí acaban las filas: vuelva a generar", "the rows end here: build again");
         let rows = RowNum::try_from(live.rows(self.table)).map_err(|_| WriteError::TooLarge(self.table.key))?;
         let end = FIRST + rows;
         for row in self.last_row()? + 1..end {

@@ -67,7 +67,8 @@ pub fn write<W: Write + Seek + Send>(
             workbook.define_name(name, &cell)?;
         }
     }
-    write_lists(&mut workbook, form, lists, &styles, &page, language, None, |name, _| name.to_owned())?;
+    let look = Look { styles: &styles, page: &page, language };
+    write_lists(&mut workbook, form, lists, &look, None, |name, _| name.to_owned())?;
     save(&mut workbook, additions, out)
 }
 
@@ -90,6 +91,16 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
     form.sheets.iter().map(layout).collect()
 }
 
+/// How sheets are written.
+pub(super) struct Look<'a> {
+    /// The formats.
+    pub styles: &'a Styles,
+    /// How they are printed.
+    pub page: &'a Page<'a>,
+    /// Their language.
+    pub language: Language,
+}
+
 /// Writes the sheets of a form's lists, watched by a guard where there is one; `take` gives a sheet the name nearest to the one wanted that is free.
 ///
 /// # Errors
@@ -98,12 +109,11 @@ pub(super) fn write_lists(
     workbook: &mut Workbook,
     form: &'static Form,
     lists: &[Rows],
-    styles: &Styles,
-    page: &Page<'_>,
-    language: Language,
+    look: &Look<'_>,
     mut guard: Option<&mut Guard>,
     mut take: impl FnMut(&str, &List) -> String,
 ) -> Result<(), WriteError> {
+    let Look { styles, page, language } = *look;
     for list in form.lists {
         let filled: Vec<&Rows> = lists.iter().filter(|rows| rows.list == list.key).collect();
         match &list.naming {

@@ -113,7 +113,7 @@ rules! {
     "W0519" InputsChanged Caution { inputs: String, programs: String }
         es "datos cambiados desde que se hicieron los programas: {inputs}; no valen ya: {programs}"
         en "inputs changed since the programs were made: {inputs}; out of date: {programs}"
-        remedy "vuelva a calcular con \"rodete build\"", "build again with \"rodete build\"";
+        remedy "vuelva a generar con \"rodete build\"", "build again with \"rodete build\"";
         why "Los programas de la carpeta cortan la pieza de los datos anteriores.",
             "The programs in the folder cut the part of the earlier inputs.";
         example made!("changed-results", "un libro de resultados con R cambiado", "a results workbook with R changed");
