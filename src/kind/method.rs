@@ -76,6 +76,11 @@ pub trait Method: Send + Sync + 'static {
     /// Where there is none.
     fn model(design: &Self::Design) -> Result<Self::Model, Vec<Finding>>;
 
+    /// What the form computes while it is being filled in.
+    fn live() -> Option<LiveForm> {
+        None
+    }
+
     /// Programs line by line as a spreadsheet puts them together from the tables, where it can; they follow the tables.
     fn lines(_: &Self::Design, _: &Self::Model, _: &[Program]) -> Vec<Table> {
         Vec::new()
@@ -169,6 +174,10 @@ impl<M: Method> Kind for Of<M> {
 
     fn sketch(&self) -> Option<Figure> {
         M::sketch()
+    }
+
+    fn live(&self) -> Option<LiveForm> {
+        M::live()
     }
 
     fn chapters(&self) -> &'static Chapters {

@@ -4,6 +4,7 @@
 //! the way from its values to an outcome is [`Of`](method::Of), written once.
 
 pub mod checks;
+pub mod live_form;
 pub mod method;
 pub mod rules;
 mod staging;
@@ -19,6 +20,7 @@ use crate::finding::rules::ValueNotFinite;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::gcode::control::Control;
 use crate::gcode::program::{Program, Style};
+use crate::kind::live_form::LiveForm;
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
 use crate::parameter::{Case, Form};
@@ -38,6 +40,11 @@ pub trait Kind: Send + Sync {
 
     /// The part with the symbols of its form, for the form; `None` where there is nothing to draw.
     fn sketch(&self) -> Option<Figure> {
+        None
+    }
+
+    /// What the form computes while it is being filled in; `None` where that is nothing.
+    fn live(&self) -> Option<LiveForm> {
         None
     }
 

@@ -11,9 +11,11 @@ use super::cell::{row_height, write_text};
 use super::drawn::Drawn;
 use super::error::WriteError;
 use super::guard;
+use super::live_form::LivePart;
 use super::page::Page;
 use super::style::Styles;
 use super::validation::{range_and_note, validation};
+use crate::kind::live_form::LiveForm;
 use crate::parameter::{FieldKind, Parameter, Section, Sheet, Value};
 use crate::text::{Language, Text, t};
 
@@ -43,6 +45,8 @@ pub struct Filling<'a, V> {
     pub notes: &'a [&'a str],
     /// A banner tells whether the values are those that the programs were verified with.
     pub guarded: bool,
+    /// What is computed beside the values.
+    pub live: Option<&'a LiveForm>,
     /// The sketch beside the values.
     pub sketch: Option<Drawn<'a>>,
     /// The language of everything but the values.
@@ -60,6 +64,8 @@ pub struct Layout {
     last_column: ColNum,
     /// The defined name and row of every value cell; all are in column C.
     pub names: Vec<(&'static str, RowNum)>,
+    /// The defined names of what is computed beside them, with their cells.
+    pub live: Vec<(String, String)>,
 }
 
 impl Layout {
@@ -95,7 +101,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
         }
         sheet.group_symbols_above(true);
         let header = self.write_head(sheet, styles)?;
-        let mut layout = Layout { header, last: header, last_column: RANGE, names: Vec::new() };
+        let mut layout = Layout { header, last: header, last_column: RANGE, names: Vec::new(), live: Vec::new() };
         let mut sections = self.sheet.sections.iter().peekable();
         while let Some(section) = sections.next() {
             layout.last += 1;
@@ -133,7 +139,17 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             let [width, _] = sketch.size();
             layout.last_column = SKETCH + ColNum::try_from(width / PLAIN).unwrap_or_default();
         }
+        if let Some(live) = self.live_part() {
+            layout.live = live.write(sheet, &layout, styles)?;
+        }
         Ok(layout)
+    }
+
+    /// What is computed beside the values, behind the sketch.
+    fn live_part(&self) -> Option<LivePart<'_>> {
+        let [width, _] = self.sketch.map_or([0, 0], |sketch| sketch.size());
+        let column = SKETCH + ColNum::try_from(width / PLAIN).unwrap_or_default() + 2;
+        self.live.map(|form| LivePart { form, sheet: self.sheet.name.get(self.language), column, language: self.language })
     }
 
     /// True for a section that may stay empty, and is: it comes folded.
@@ -180,6 +196,10 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
             row += 1;
             sheet.merge_range(row, SYMBOL, row, RANGE, "", &styles.source)?;
             guard::banner(sheet, row, [SYMBOL, RANGE], "", self.language, [&styles.source, &styles.stale])?;
+        }
+        if let Some(live) = self.live_part() {
+            row += 1;
+            live.write_line(sheet, row, RANGE, styles)?;
         }
         for note in self.notes.iter().filter(|note| !note.is_empty()) {
             row += 1;

@@ -26,6 +26,7 @@ mod list_rows;
 pub mod list_sheet;
 mod listing;
 pub mod live;
+mod live_form;
 pub mod long_rows;
 pub mod names;
 pub mod offsets_sheet;

@@ -126,7 +126,7 @@ impl<'a> Results<'a> {
             let values = |key: &str| outcome.fields.values().values.get(key);
             let sketch = self.additions.drawn.filter(|_| index == 0);
             let worksheet = self.workbook.add_worksheet();
-            let layout = Filling { sheet, values, notes: &notes, guarded: true, sketch, language }
+            let layout = Filling { sheet, values, notes: &notes, guarded: true, live: None, sketch, language }
                 .write(worksheet, &self.styles)?;
             layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {

@@ -10,6 +10,7 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::drawn::{Drawn, sized};
 use super::error::WriteError;
+use super::live_form::UNCOMPUTED;
 use super::long_rows::{LARGE, LongRows, Span, stream};
 
 /// Deflate level of every part: far quicker than the default for a tenth more bytes.
@@ -22,6 +23,8 @@ pub struct Additions<'a> {
     pub long: Vec<LongRows<'a>>,
     /// The figure of the workbook, where a place is kept for one.
     pub drawn: Option<Drawn<'a>>,
+    /// Formulas stand without results: they are computed when the workbook is opened.
+    pub uncomputed: bool,
     /// The sizes of the charts in pixels, in their order; all stand on one sheet.
     pub charts: Vec<[u32; 2]>,
 }
@@ -35,7 +38,7 @@ pub fn save<W: Write + Seek + Send>(
     additions: Additions<'_>,
     out: W,
 ) -> Result<(), WriteError> {
-    let Additions { long, drawn, charts } = additions;
+    let Additions { long, drawn, uncomputed, charts } = additions;
     workbook.set_zip_compression_level(LEVEL);
     let mut skeleton = ZipArchive::new(Cursor::new(workbook.save_to_buffer()?))?;
     let mut package = ZipWriter::new(out);
@@ -48,7 +51,8 @@ pub fn save<W: Write + Seek + Send>(
         let rows = long.iter().position(|(one, _)| *one == name).map(|at| long.swap_remove(at).1);
         let chart = name.starts_with("xl/charts/") && !spans.is_empty();
         let drawing = name.starts_with("xl/drawings/drawing");
-        if rows.is_none() && !chart && !drawing {
+        let sheet = uncomputed && name.starts_with("xl/worksheets/sheet");
+        if rows.is_none() && !chart && !drawing && !sheet {
             package.raw_copy_file(part)?;
             continue;
         }
@@ -68,13 +72,34 @@ pub fn save<W: Write + Seek + Send>(
         if chart {
             xml = spans.iter().fold(xml, |xml, span| span.stretch(&xml));
         }
-        if drawing && xml.contains("<xdr:graphicFrame") {
-            xml = sized(&xml, &charts);
-        } else if let Some(drawn) = drawn.filter(|_| drawing) {
-            xml = drawn.put_into(&sized(&xml, &[drawn.size()]));
+        if sheet {
+            let [before, after] = [" t=\"str\"><f>", "</f><v>"];
+            xml = xml.replace(&format!("</f><v>{UNCOMPUTED}</v>"), "</f>").replace(before, "><f>");
+            debug_assert!(!xml.contains(after), "every formula of the sheet is without a result");
+        }
+        if drawing {
+            xml = with_sizes(&xml, drawn, &charts);
         }
         package.write_all(xml.as_bytes())?;
     }
     package.finish()?;
     Ok(())
+}
+
+/// A sheet's drawing with its objects in their own size, and the figure in the box that keeps its place.
+fn with_sizes(drawing: &str, drawn: Option<Drawn<'_>>, charts: &[[u32; 2]]) -> String {
+    let (chart, boxed) = (drawing.find("<xdr:graphicFrame"), drawing.find("<xdr:sp "));
+    match (drawn, boxed) {
+        (Some(drawn), Some(boxed)) => {
+            let own = std::iter::once(drawn.size());
+            let charts = charts.iter().copied().filter(|_| chart.is_some());
+            let sizes: Vec<[u32; 2]> = if chart.is_some_and(|chart| chart < boxed) {
+                charts.chain(own).collect()
+            } else {
+                own.chain(charts).collect()
+            };
+            drawn.put_into(&sized(drawing, &sizes))
+        }
+        _ => sized(drawing, charts),
+    }
 }

@@ -62,6 +62,8 @@ pub struct Styles {
     pub warning: Format,
     /// What a banner turns to when inputs were changed.
     pub stale: Format,
+    /// What a limit turns to while it holds.
+    pub holds: Format,
     /// What values turn to when inputs were changed: red, and struck out for those who print in black.
     pub struck: Format,
 }
@@ -109,6 +111,7 @@ impl Default for Styles {
             block: Format::new().set_font_name("Consolas").set_font_size(10),
             warning: Format::new().set_bold().set_font_color(STOP),
             stale: Format::new().set_bold().set_font_color(Color::White).set_background_color(STOP),
+            holds: Format::new().set_font_color(Color::RGB(0x1E_5B22)).set_background_color(grade_fill(Grade::Note)),
             struck: Format::new().set_font_strikethrough().set_font_color(STOP),
         }
     }

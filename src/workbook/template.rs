@@ -7,6 +7,7 @@ use rust_xlsxwriter::Workbook;
 use super::drawn::Drawn;
 use super::error::WriteError;
 use super::form_sheet::{Filling, Layout};
+use super::live_form::{LivePart, VIEW};
 use super::guard::Guard;
 use super::list_sheet::ListSheet;
 use super::page::{Page, properties};
@@ -56,19 +57,28 @@ pub fn write<W: Write + Seek + Send>(
     }
     let sketch = kind.sketch();
     let drawn = sketch.as_ref().map(|figure| Drawn { figure, language });
-    let additions = Additions { drawn, ..Additions::default() };
+    let live = kind.live();
+    let charts = live.iter().map(|_| VIEW).collect();
+    let additions = Additions { drawn, uncomputed: live.is_some(), charts, ..Additions::default() };
     for (index, sheet) in form.sheets.iter().enumerate() {
         let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
         let worksheet = workbook.add_worksheet();
-        let layout = Filling { sheet, values: find, notes: &notes, guarded: false, sketch, language }
+        let live = live.as_ref().filter(|_| index == 0);
+        let layout = Filling { sheet, values: find, notes: &notes, guarded: false, live, sketch, language }
             .write(worksheet, &styles)?;
         layout.finish(worksheet, &page, language)?;
         for (name, cell) in layout.defined_names(sheet.name.get(language)) {
             workbook.define_name(name, &cell)?;
         }
+        for (name, cell) in &layout.live {
+            workbook.define_name(name, cell)?;
+        }
     }
     let look = Look { styles: &styles, page: &page, language };
     write_lists(&mut workbook, form, lists, &look, None, |name, _| name.to_owned())?;
+    if let Some(form) = &live {
+        LivePart { form, sheet: "", column: 0, language }.write_view(&mut workbook)?;
+    }
     save(&mut workbook, additions, out)
 }
 
@@ -85,7 +95,7 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
     let (mut workbook, styles) = (Workbook::new(), Styles::default());
     let layout = |sheet| {
         let notes = notes(sheet, note, language);
-        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, guarded: false, sketch: None, language };
+        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, guarded: false, live: None, sketch: None, language };
         filling.write(workbook.add_worksheet(), &styles)
     };
     form.sheets.iter().map(layout).collect()

@@ -20,6 +20,7 @@ mod form_sketch;
 pub mod gap;
 pub mod header;
 pub mod ideal;
+mod live_form;
 mod live_lines;
 pub mod outside;
 pub mod parameters;
@@ -50,6 +51,7 @@ use crate::gcode::header::Origin;
 use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::gcode::word::NumberFormat;
+use crate::kind::live_form::LiveForm;
 use crate::kind::method::{Method, Written};
 use crate::kind::{Chapters, Chart, Proved, out_of_format};
 use crate::kinds;
@@ -123,6 +125,10 @@ impl Method for Impeller {
 
     fn sketch() -> Option<Figure> {
         Some(form_sketch::sketch())
+    }
+
+    fn live() -> Option<LiveForm> {
+        Some(live_form::live())
     }
 
     fn design(fields: &Fields) -> Result<Design, Vec<Finding>> {

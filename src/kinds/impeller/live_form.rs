@@ -1,0 +1,188 @@
+//! The live form of the impeller: its closed limits, and the blades in plan.
+
+use crate::kind::live_form::{LiveCurve, LiveForm, LiveLook, LiveRow, LiveView, Wrong};
+use crate::table::{Formula, Unit};
+use crate::text::{Text, t};
+
+/// The points of one face of a blade in the view, less one.
+const STEPS: usize = 8;
+/// So many blades are drawn at most.
+const BLADES: usize = 24;
+/// The points of a circle, less one.
+const CIRCLE: usize = 60;
+/// Where a splitter is drawn from, as a point of the face.
+const SPLITTER: usize = 3;
+
+/// The live part of the form.
+#[must_use]
+pub fn live() -> LiveForm {
+    LiveForm {
+        inputs: &[
+            "torus_R",
+            "meridian_r",
+            "intervals_n",
+            "blades_N",
+            "thickness_e",
+            "depth_a_p",
+            "tool_diameter_d_t",
+            "spindle_height_R_B",
+            "height_H",
+            "safety_d_s",
+        ],
+        sound: (
+            "AND(torus_R*(1-0.000001)>meridian_r,meridian_r>0,torus_R-meridian_r>depth_a_p,blades_N>=1,intervals_n>=1)",
+            t("R ha de ser mayor que r, y R − r mayor que a_p", "R must be greater than r, and R − r greater than a_p"),
+        ),
+        rows: rows(),
+        view: view(),
+    }
+}
+
+fn rows() -> Vec<LiveRow> {
+    let mm = Unit::Millimetre;
+    let row = |symbol, name, unit, meaning: Text, formula| LiveRow { symbol, name, unit, meaning, formula, wrong: None };
+    let limit = |row: LiveRow, when, words, input| LiveRow { wrong: Some(Wrong { when, words, input }), ..row };
+    vec![
+        row("L", "live_L", mm, t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H"),
+        row("k", "live_k", mm, t("√(R² − r²)", "√(R² − r²)"), "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
+        row("α = β", "live_alpha", Unit::Degree, t("Inclinación del álabe", "Inclination of the blade"), "DEGREES(ASIN(meridian_r/torus_R))"),
+        row("R·π/2", "live_length", mm, t("Longitud de la fibra media", "Length of the mean line"), "torus_R*PI()/2"),
+        row("w", "live_w", mm, t("Semiancho de álabe y herramienta", "Half width of blade and tool"), "(thickness_e+tool_diameter_d_t)/2"),
+        row("d", "live_d", mm, t("Separación mínima entre álabes", "Least gap between blades"), "tool_diameter_d_t*4/3"),
+        limit(
+            row("gap", "live_gap", mm, t("Separación en el cubo", "Gap at the hub"), "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e"),
+            "live_gap<live_d",
+            t("demasiado estrecha para la herramienta", "too narrow for the tool"),
+            "tool_diameter_d_t",
+        ),
+        limit(
+            row("N_max", "live_N_max", Unit::Count, t("Número máximo de álabes", "Greatest number of blades"), "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+live_d))"),
+            "blades_N>live_N_max",
+            t("N es demasiado grande", "N is too large"),
+            "blades_N",
+        ),
+        limit(
+            row("e_max", "live_e_max", mm, t("Espesor máximo del álabe", "Greatest blade thickness"), "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-live_d"),
+            "thickness_e>live_e_max",
+            t("e es demasiado grande", "e is too large"),
+            "thickness_e",
+        ),
+        limit(
+            row("2·r − d_t", "live_room", mm, t("Sitio de la herramienta en el hueco", "Room of the tool in the hollow"), "2*meridian_r-tool_diameter_d_t"),
+            "live_room<0",
+            t("la herramienta es más ancha que el hueco", "the tool is wider than the hollow"),
+            "tool_diameter_d_t",
+        ),
+        limit(
+            row("d_s + d_t/2", "live_reach", mm, t("Del final de la fibra al punto seguro", "From the end of the mean line to the safe point"), "safety_d_s+tool_diameter_d_t/2"),
+            "live_reach<=live_w*live_k/torus_R",
+            t("d_s es demasiado pequeña", "d_s is too small"),
+            "safety_d_s",
+        ),
+        row("360°/N", "live_pitch", Unit::Degree, t("Giro entre álabes", "Turn between blades"), "360/blades_N"),
+        row("Z_r", "live_Z_r", mm, t("Altura de retirada", "Retract height"), "ROUNDUP((SQRT(live_L^2+torus_R^2)-live_L+safety_d_s)*1000,0)/1000"),
+    ]
+}
+
+/// A cell of the hidden sheet: its column's letter, and its row from 0.
+fn cell(letter: char, row: usize) -> String {
+    format!("${letter}${}", row + 1)
+}
+
+/// A point of the blade, turned by an angle.
+fn turned(point: usize, angle: &str) -> [Formula; 2] {
+    let (x, y) = (cell('D', point), cell('E', point));
+    [
+        format!("{x}*COS({angle})-{y}*SIN({angle})").into(),
+        format!("{x}*SIN({angle})+{y}*COS({angle})").into(),
+    ]
+}
+
+/// One blade in columns A to E, out along one face and back along the other; then every blade as one line, which goes on to
+/// the next along the hub, the splitters along the rim; then two circles.
+fn view() -> LiveView {
+    let ok = |formula: String| -> Formula { format!("IF(live_ok,{formula},0)").into() };
+    let points = 2 * (STEPS + 1);
+    let step = |point: usize| if point <= STEPS { point } else { 2 * STEPS + 1 - point };
+    let of = |each: &dyn Fn(usize) -> Formula| -> Vec<Formula> { (0..points).map(each).collect() };
+    let v = of(&|point| format!("PI()+PI()/2*{}/{STEPS}", step(point)).into());
+    let side = of(&|point| if point <= STEPS { "1".into() } else { "-1".into() });
+    let u = of(&|point| {
+        let v = cell('A', point);
+        ok(format!("PI()/2+ATAN2(-(meridian_r+torus_R*COS({v})),-live_k*SIN({v}))"))
+    });
+    let along = |point: usize, turn: [&str; 2], across: &str| {
+        let (v, side, u) = (cell('A', point), cell('B', point), cell('C', point));
+        let [first, second] = turn;
+        let b = format!("(meridian_r*{first}({u}){across}live_k*SIN({v})*{second}({u}))/torus_R");
+        (format!("(torus_R+meridian_r*COS({v}))*{second}({u})"), format!("{side}*thickness_e/2*{b}"))
+    };
+    let x = of(&|point| {
+        let (P, b) = along(point, ["SIN", "COS"], "-");
+        ok(format!("({P}+{b})/torus_R"))
+    });
+    let y = of(&|point| {
+        let (P, b) = along(point, ["COS", "SIN"], "+");
+        ok(format!("({P}-{b})/torus_R"))
+    });
+    let mut turns: Vec<Formula> = Vec::new();
+    let (mut blades, mut splitters) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
+    let mut put = |to: &mut [Vec<Formula>; 2], [x, y]: [Formula; 2], when: &str| {
+        to[0].push(format!("IF({when},{x},0)").into());
+        to[1].push(format!("IF({when},{y},0)").into());
+    };
+    let wanted = "AND(live_ok,OR(splitters=\"yes\",splitters=\"sí\"))";
+    for k in 0..BLADES {
+        turns.push(ok(format!("2*PI()/blades_N*MIN({k},blades_N-1)")));
+        let turn = cell('F', k);
+        for point in 0..points {
+            put(&mut blades, turned(point, &turn), "live_ok");
+        }
+        let between = format!("({turn}+PI()/blades_N)");
+        for point in (SPLITTER..=STEPS).rev().chain((STEPS + 1..points - SPLITTER).rev()) {
+            put(&mut splitters, turned(point, &between), wanted);
+        }
+        let rim = format!("ATAN2({},{})", cell('D', STEPS), cell('E', STEPS));
+        for part in 1..4 {
+            // Behind the last one the line stands still.
+            let on = format!("{part}/4*2*PI()/blades_N*({k}<blades_N-1)");
+            let hub = |function: &str| {
+                format!("(torus_R-meridian_r)/torus_R*{function}(PI()/2+{turn}+{on})").into()
+            };
+            put(&mut blades, [hub("COS"), hub("SIN")], "live_ok");
+            let edge = |function: &str| format!("{function}({rim}+{between}+{on})").into();
+            put(&mut splitters, [edge("COS"), edge("SIN")], wanted);
+        }
+    }
+    let circle = |radius: &str, function: &str| -> Vec<Formula> {
+        (0..=CIRCLE).map(|at| ok(format!("{radius}*{function}(2*PI()*{at}/{CIRCLE})"))).collect()
+    };
+    let hub = "(torus_R-meridian_r)/torus_R";
+    let [blades_x, blades_y] = blades;
+    let [splitters_x, splitters_y] = splitters;
+    LiveView {
+        title: t("Planta", "Plan view"),
+        columns: vec![
+            v,
+            side,
+            u,
+            x,
+            y,
+            turns,
+            blades_x,
+            blades_y,
+            splitters_x,
+            splitters_y,
+            circle("1", "COS"),
+            circle("1", "SIN"),
+            circle(hub, "COS"),
+            circle(hub, "SIN"),
+        ],
+        curves: vec![
+            LiveCurve { columns: [10, 11], look: LiveLook::Faint },
+            LiveCurve { columns: [12, 13], look: LiveLook::Faint },
+            LiveCurve { columns: [8, 9], look: LiveLook::Dashed },
+            LiveCurve { columns: [6, 7], look: LiveLook::Part },
+        ],
+    }
+}

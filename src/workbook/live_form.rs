@@ -1,0 +1,213 @@
+//! The live part of a form: beside the inputs what follows from them, with red and green, and a view that is drawn anew with
+//! every value that is typed. The first row below the title says in one line whether the limits hold.
+//!
+//! Its cells hold no stored results: every spreadsheet computes them when it opens the form.
+
+use rust_xlsxwriter::{
+    Chart, ChartFont, ChartFormat, ChartLayout, ChartLine, ChartLineDashType, ChartMarker, ChartType, ColNum, Color,
+    ConditionalFormatFormula, Format, Formula, RowNum, Workbook, Worksheet, quote_sheet_name,
+};
+
+use super::cell::write_text;
+use super::error::WriteError;
+use super::form_sheet::Layout;
+use super::style::{Styles, digits};
+use crate::kind::live_form::{LiveForm, LiveLook};
+use crate::text::{Language, Text, t};
+
+/// The stored result of a formula that has none: it is taken out when the workbook is saved.
+pub const UNCOMPUTED: &str = "rodete:uncomputed";
+/// The hidden sheet of the view.
+pub const SHEET: &str = "Plan";
+/// The size of the view in pixels.
+pub const VIEW: [u32; 2] = [420, 420];
+/// How far the view reaches, in radii of the part.
+const REACH: f64 = 1.15;
+/// Widths of the columns in characters: symbol, value, unit, words.
+const WIDTHS: [f64; 4] = [11.0, 12.0, 7.0, 42.0];
+
+/// The live part on its way to the first sheet of a form.
+#[derive(Debug)]
+pub struct LivePart<'a> {
+    /// What is computed.
+    pub form: &'a LiveForm,
+    /// The sheet's name.
+    pub sheet: &'a str,
+    /// Its first column.
+    pub column: ColNum,
+    /// The language.
+    pub language: Language,
+}
+
+/// A formula that is computed when the workbook is opened.
+fn uncomputed(formula: &str) -> Formula {
+    Formula::new(format!("={formula}")).set_result(UNCOMPUTED)
+}
+
+impl LivePart<'_> {
+    /// Writes the line that says whether the limits hold, over columns A to `last` of a row.
+    ///
+    /// # Errors
+    /// For cells outside the sheet.
+    pub fn write_line(
+        &self,
+        sheet: &mut Worksheet,
+        row: RowNum,
+        last: ColNum,
+        styles: &Styles,
+    ) -> Result<(), WriteError> {
+        static HOLD: Text = t(
+            "Los límites se cumplen; lo demás lo juzga rodete check",
+            "The limits hold; rodete check judges the rest",
+        );
+        static BROKEN: Text =
+            t("Límites que no se cumplen: vea las celdas rojas: ", "Limits that do not hold, see the red cells: ");
+        static MISSING: Text = t("Faltan números o no son números: ", "Numbers that are missing or are no numbers: ");
+        let language = self.language;
+        let (count, all) = (self.count(), self.form.inputs.len());
+        let unsound = self.form.sound.1.get(language);
+        let formula = format!(
+            "IF({count}<{all},\"{}\"&({all}-{count}),IF(NOT(live_ok),\"{unsound}\",IF(live_wrong=0,\"{}\",\"{}\"&live_wrong)))",
+            MISSING.get(language),
+            HOLD.get(language),
+            BROKEN.get(language)
+        );
+        sheet.merge_range(row, 0, row, last, "", &styles.source)?;
+        sheet.write_formula_with_format(row, 0, uncomputed(&formula), &styles.source)?;
+        let rule = |when: &str, format: &Format| {
+            ConditionalFormatFormula::new().set_rule(format!("={when}").as_str()).set_format(format.clone())
+        };
+        sheet.add_conditional_format(row, 0, row, last, &rule("OR(NOT(live_ok),live_wrong>0)", &styles.stale))?;
+        sheet.add_conditional_format(row, 0, row, last, &rule("AND(live_ok,live_wrong=0)", &styles.holds))?;
+        Ok(())
+    }
+
+    fn count(&self) -> String {
+        format!("COUNT({})", self.form.inputs.join(","))
+    }
+
+    /// Writes the values beside the inputs from a row on, and the view below them. Returns the defined names with their cells.
+    ///
+    /// # Errors
+    /// For cells outside the sheet.
+    pub fn write(
+        &self,
+        sheet: &mut Worksheet,
+        layout: &Layout,
+        styles: &Styles,
+    ) -> Result<Vec<(String, String)>, WriteError> {
+        static HEADINGS: [Text; 4] =
+            [t("En vivo", "Live"), t("Valor", "Value"), t("Unidad", "Unit"), t("Qué dice", "What it says")];
+        let (language, form) = (self.language, self.form);
+        let first = layout.header;
+        for ((column, width), heading) in (self.column..).zip(WIDTHS).zip(&HEADINGS) {
+            sheet.set_column_width(column, width)?;
+            write_text(sheet, first, column, heading.get(language), &styles.header)?;
+        }
+        let quoted = quote_sheet_name(self.sheet);
+        let letter = rust_xlsxwriter::utility::column_number_to_name(self.column + 1);
+        let place = |row: RowNum| format!("={quoted}!${letter}${}", row + 1);
+        let mut names = Vec::new();
+        let mut row = first;
+        for one in &form.rows {
+            row += 1;
+            write_text(sheet, row, self.column, one.symbol, &styles.symbol)?;
+            let number = styles.number.clone().set_num_format(digits(one.unit));
+            let formula = format!("IF(live_ok,{},\"\")", one.formula);
+            sheet.write_formula_with_format(row, self.column + 1, uncomputed(&formula), &number)?;
+            write_text(sheet, row, self.column + 2, one.unit.label(), &styles.unit)?;
+            let meaning = one.meaning.get(language);
+            let words = match &one.wrong {
+                Some(wrong) => {
+                    format!("IF(live_ok,IF({},\"{}\",\"{meaning}\"),\"{meaning}\")", wrong.when, wrong.words.get(language))
+                }
+                None => format!("\"{meaning}\""),
+            };
+            sheet.write_formula_with_format(row, self.column + 3, uncomputed(&words), &styles.text)?;
+            names.push((one.name.to_owned(), place(row)));
+            let Some(wrong) = &one.wrong else { continue };
+            let broken = format!("=IF(live_ok,{},FALSE)", wrong.when);
+            let holds = format!("=IF(live_ok,NOT({}),FALSE)", wrong.when);
+            for (rule, format) in [(&broken, &styles.stale), (&holds, &styles.holds)] {
+                let rule = ConditionalFormatFormula::new().set_rule(rule.as_str()).set_format(format.clone());
+                sheet.add_conditional_format(row, self.column + 1, row, self.column + 3, &rule)?;
+            }
+            if let Some((_, input)) = layout.names.iter().find(|(name, _)| *name == wrong.input) {
+                let rule = ConditionalFormatFormula::new().set_rule(broken.as_str()).set_format(styles.stale.clone());
+                sheet.add_conditional_format(*input, 2, *input, 2, &rule)?;
+            }
+        }
+        // What the other formulas ask stands below them.
+        let wrong: Vec<String> = form
+            .rows
+            .iter()
+            .filter_map(|one| one.wrong.as_ref())
+            .map(|wrong| format!("IF({},1,0)", wrong.when))
+            .collect();
+        let sound = format!("AND({}={},{})", self.count(), form.inputs.len(), form.sound.0);
+        let wrong = format!("IF(live_ok,{},0)", wrong.join("+"));
+        for (name, formula) in [("live_ok", sound), ("live_wrong", wrong)] {
+            row += 1;
+            write_text(sheet, row, self.column, name, &styles.faint)?;
+            sheet.write_formula_with_format(row, self.column + 1, uncomputed(&formula), &styles.faint)?;
+            names.push((name.to_owned(), place(row)));
+        }
+        let chart = self.chart();
+        sheet.insert_chart(row + 2, self.column, &chart)?;
+        Ok(names)
+    }
+
+    /// The view: both axes of one scale, without marks.
+    fn chart(&self) -> Chart {
+        let mut chart = Chart::new(ChartType::ScatterStraight);
+        for curve in &self.form.view.curves {
+            let (colour, width) = match curve.look {
+                LiveLook::Part => (0x1F_4E79, 1.75),
+                LiveLook::Dashed => (0x7F_5FA8, 1.0),
+                LiveLook::Faint => (0xA0_A0A0, 0.75),
+            };
+            let mut line = ChartLine::new();
+            line.set_color(Color::RGB(colour)).set_width(width);
+            if curve.look == LiveLook::Dashed {
+                line.set_dash_type(ChartLineDashType::Dash);
+            }
+            let range = |column: usize| {
+                let rows = self.form.view.columns.get(column).map_or(0, Vec::len);
+                let at = |count: usize| RowNum::try_from(count).unwrap_or(RowNum::MAX);
+                (SHEET, 0, ColNum::try_from(column).unwrap_or(ColNum::MAX), at(rows.saturating_sub(1)))
+            };
+            let [x, y] = curve.columns.map(range);
+            chart
+                .add_series()
+                .set_categories((x.0, x.1, x.2, x.3, x.2))
+                .set_values((y.0, y.1, y.2, y.3, y.2))
+                .set_marker(ChartMarker::new().set_none())
+                .set_format(ChartFormat::new().set_line(&line));
+        }
+        // Axes of their own would jump with every value.
+        chart.x_axis().set_min(-REACH).set_max(REACH).set_hidden(true).set_major_gridlines(false);
+        chart.y_axis().set_min(-REACH).set_max(REACH).set_hidden(true).set_major_gridlines(false);
+        chart.plot_area().set_layout(&ChartLayout::new().set_offset(0.04, 0.1).set_dimensions(0.92, 0.86));
+        chart.title().set_name(self.form.view.title.get(self.language)).set_font(ChartFont::new().set_size(11));
+        chart.legend().set_hidden();
+        chart.show_hidden_data();
+        chart.set_width(VIEW[0]).set_height(VIEW[1]);
+        chart.set_alt_text(self.form.view.title.get(self.language));
+        chart
+    }
+
+    /// Writes the hidden sheet of the view.
+    ///
+    /// # Errors
+    /// For more cells than a sheet has.
+    pub fn write_view(&self, workbook: &mut Workbook) -> Result<(), WriteError> {
+        let sheet = workbook.add_worksheet().set_name(SHEET)?;
+        sheet.set_hidden(true);
+        for (column, formulas) in (0..).zip(&self.form.view.columns) {
+            for (row, formula) in (0..).zip(formulas) {
+                sheet.write_formula(row, column, uncomputed(formula))?;
+            }
+        }
+        Ok(())
+    }
+}
