@@ -16,6 +16,15 @@ pub(in crate::kinds) fn pipe(sketch: &mut Sketch, diameter: f64, [left, right]: 
     sketch.label([left - 0.4 * chuck, high], Side::Above, t("giratorio A", "rotary A"));
 }
 
+/// A caption that says what of the drawing no value of the form decides.
+pub(in crate::kinds) fn held(caption: &Text) -> Text {
+    let Text { es, en } = caption;
+    Text::new(
+        format!("{es}. El giratorio se dibuja en −X por convenio; puede estar en +X"),
+        format!("{en}. The rotary is drawn at −X by convention; it may be at +X"),
+    )
+}
+
 /// A torch above a point, its tip there.
 pub(in crate::kinds) fn torch(sketch: &mut Sketch, [x, z]: [f64; 2]) {
     let (half, tip, long) = (sketch.paper(2.4), sketch.paper(0.8), sketch.paper(4.0));

@@ -64,7 +64,10 @@ fn on_rotary(design: &Design, stations: &[Station]) -> Figure {
     sketch.figure(
         "setup",
         sketch::HEIGHT,
-        t("Tubo en el eje giratorio, A = 0°, B = 0° y C = 0°", "Pipe on the rotary axis, A = 0°, B = 0° and C = 0°"),
+        sketch::held(&t(
+            "Tubo en el eje giratorio, A = 0°, B = 0° y C = 0°",
+            "Pipe on the rotary axis, A = 0°, B = 0° and C = 0°",
+        )),
     )
 }
 

@@ -149,7 +149,7 @@ fn on_rotary(design: &Design, cut: Option<&Cut>) -> Figure {
     sketch.figure(
         "setup",
         sketch::HEIGHT,
-        t(
+        sketch::held(&t(
             "Tubo en el eje giratorio, A = 0°: menor y mayor X de la curva",
             "Pipe on the rotary axis, A = 0°: least and greatest X of the curve",
         )),
