@@ -157,9 +157,12 @@ impl Account {
                 self.positioned.extend(Axis::ALL.into_iter().filter(moved).map(|axis| (axis, motion.to.get(axis))));
             }
             Stage::Positioning | Stage::Planned(_) | Stage::Unplanned => {
+                if !self.began && matches!(stage, Stage::Planned(_)) {
+                    // Where the plan begins is a position of the program, whether it goes there itself or not.
+                    self.reach(&motion.from);
+                }
                 self.began = true;
                 for (axis, at) in std::mem::take(&mut self.positioned) {
-                    // It ends where the plan begins.
                     self.program.get_or_insert(Extents::at(motion.from)).reach_along(axis, at);
                 }
                 self.take(motion, before);
@@ -230,6 +233,7 @@ mod tests {
     use super::*;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::Setting;
+    use crate::proof::step::{Planned, Run, Time};
 
     /// The extents of an arc in machine coordinates, from many points along it.
     fn sampled(motion: &Motion) -> Extents {
@@ -255,6 +259,21 @@ mod tests {
             extents.get_or_insert(Extents::at(machine)).reach(&machine);
         }
         extents.unwrap()
+    }
+
+    #[test]
+    fn where_a_plan_begins_counts_with_the_rapids_as_it_does_at_feed() {
+        let mut interpreter = Interpreter::over(b"G21 G91 G1 X10 F100\nG0 X5\nM2\n", Setting::new(&LINUXCNC));
+        let mut account = Account::default();
+        while let Some(motion) = interpreter.next() {
+            let motion = motion.unwrap();
+            let (from, to) = (motion.from, motion.to);
+            let planned = Planned { from, to, run: Run::Straight, time: Time::Free, line: None, leg: 0, path: None };
+            let step = Step { motion, in_force: *interpreter.in_force(), stage: Stage::Planned(planned) };
+            account.see(&step, &from);
+        }
+        assert_eq!(account.feed.map(|feed| feed.of(Axis::X)), Some([0.0, 10.0]));
+        assert_eq!(account.program.map(|whole| whole.of(Axis::X)), Some([0.0, 15.0]));
     }
 
     proptest! {
