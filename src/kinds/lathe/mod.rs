@@ -507,6 +507,7 @@ fn outcome(
         .collect();
     drawn.chuck = paths.last().map(|(drawn, _)| drawn.chuck.clone()).unwrap_or_default();
     let (mut lines, mut arcs) = (Vec::new(), Vec::new());
+    let wanted = ("profile", Shown::Whether(profile.is_some()));
     let mut endless = followed.iter().any(|one| one.endless);
     // Where a program was not followed to its end, or not made, there is no part yet to be compared.
     let made = !endless && !followed.iter().any(|one| one.uncut);
@@ -545,7 +546,7 @@ fn outcome(
             .collect(),
         solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
         scene: None,
-        setup: std::iter::once(("supported", Shown::Whether(supported))).chain(second).collect(),
+        setup: [("supported", Shown::Whether(supported)), wanted].into_iter().chain(second).collect(),
         checks: Vec::new(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs,
