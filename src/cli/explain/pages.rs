@@ -7,7 +7,7 @@ use crate::cli::verdict::{ENDS, code, meaning, status};
 use crate::kind::Kind;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Parameter, Value};
-use crate::text::{Language, Text, t};
+use crate::text::{Language, t};
 use crate::workbook::error::WriteError;
 use crate::workbook::form_sheet::label;
 use crate::workbook::template::layouts;
