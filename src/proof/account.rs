@@ -191,12 +191,14 @@ impl Account {
         self.tool = tool;
     }
 
-    /// The cycle time: feed, dwells, rapid motions and changes of the tool, s; `None` where the time of a motion is not known.
+    /// The cycle time: feed, dwells, rapid motions and changes of the tool, s; `None` where the time of a motion is not known, or no
+    /// rate of rapid motions, without which a program that begins with them has no cycle time.
     /// Axes are taken to be at their speed at once: a machine that must accelerate them takes longer.
     #[must_use]
     pub fn cycle_seconds(&self) -> Option<f64> {
         let changes = f64::from(self.tool_changes) * self.rapids.tool_change.unwrap_or_default();
-        (!self.untimed && !self.untimed_rapids).then_some(self.seconds + self.rapid_seconds + changes)
+        let known = self.rapids.linear.or(self.rapids.rotary).is_some();
+        (known && !self.untimed && !self.untimed_rapids).then_some(self.seconds + self.rapid_seconds + changes)
     }
 }
 
@@ -274,6 +276,14 @@ mod tests {
         }
         assert_eq!(account.feed.map(|feed| feed.of(Axis::X)), Some([0.0, 10.0]));
         assert_eq!(account.program.map(|whole| whole.of(Axis::X)), Some([0.0, 15.0]));
+    }
+
+    #[test]
+    fn without_a_rate_there_is_no_cycle_time() {
+        let of = |rapids| Account { seconds: 9.0, ..Account::on(rapids) }.cycle_seconds();
+        assert_eq!(of(Rapids::default()), None);
+        assert_eq!(of(Rapids { tool_change: Some(4.0), ..Rapids::default() }), None);
+        assert_eq!(of(Rapids { linear: Some(6000.0), ..Rapids::default() }), Some(9.0));
     }
 
     proptest! {
