@@ -90,10 +90,10 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
         let (low, high) = (facing.min(0.0), facing.max(0.0));
         sketch.level([low, radius], [high, radius], over + sketch.paper(7.0), sized(symbol("L5"), high - low));
     }
-    // Below: the work zero from M, and the whole length.
+    // Below: the whole length, and the work zero from M, whose number the extension lines of a shorter one do not cross.
     let under = -high - sketch.paper(7.0);
-    sketch.level([held.machine, -high], [0.0, -radius], under, sized("Z_W1", -held.machine));
-    sketch.level([left, -radius], [right, -radius], under - sketch.paper(7.0), sized(symbol("L"), right - left));
+    sketch.level([left, -radius], [right, -radius], under, sized(symbol("L"), right - left));
+    sketch.level([held.machine, -high], [0.0, -radius], under - sketch.paper(7.0), sized("Z_W1", -held.machine));
     let across = axes + sketch.paper(24.0);
     sketch.upright([right, -radius], [right, radius], across, Side::Right, sized(symbol("D"), 2.0 * radius));
     let caption = if held.first {

@@ -19,10 +19,7 @@ pub(in crate::kinds) fn pipe(sketch: &mut Sketch, diameter: f64, [left, right]: 
 /// A caption that says what of the drawing no value of the form decides.
 pub(in crate::kinds) fn held(caption: &Text) -> Text {
     let Text { es, en } = caption;
-    Text::new(
-        format!("{es}. El giratorio se dibuja en −X por convenio; puede estar en +X"),
-        format!("{en}. The rotary is drawn at −X by convention; it may be at +X"),
-    )
+    Text::new(format!("{es}. Giratorio dibujado en −X por convenio"), format!("{en}. Rotary drawn at −X by convention"))
 }
 
 /// A torch above a point, its tip there.

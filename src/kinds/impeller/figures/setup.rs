@@ -32,7 +32,8 @@ pub(super) fn side(design: &Design) -> Figure {
     let tool = 0.18 * (L + R);
     let mut sketch = Sketch::new([2.0 * R, L + tool], [40.0, HEIGHT - 16.0]);
     let mm = |value: f64| sketch.paper(value);
-    let (column, wide) = (R + mm(9.0), 0.6 * R);
+    // The dimensions stand beyond the arrow of X and its name.
+    let (column, wide) = (R + mm(21.0), 0.6 * R);
     let (ring, long, gap) = (mm(1.6), mm(9.0), mm(3.0));
     let stock = -design.blank.L_b.max(design.torus.r);
     // The spindle, from the B axis up to its nose, and what holds the part on it.
