@@ -34,7 +34,10 @@ pub fn table(findings: &[Finding]) -> Table {
 #[must_use]
 pub fn verdict<'f>(stopped: bool, found: impl IntoIterator<Item = &'f Finding>) -> (Text, Grade) {
     if stopped {
-        return (t("Parado: rodete no entrega ningún programa", "Stopped: rodete delivers no program"), Grade::Stop);
+        return (
+            t("Rechazado: rodete no entrega ningún programa", "Rejected: rodete delivers no program"),
+            Grade::Stop,
+        );
     }
     match found.into_iter().filter(|finding| finding.grade == Grade::Caution).count() {
         0 => (t("Sin precauciones", "No cautions"), Grade::Note),
@@ -173,7 +176,7 @@ mod tests {
         assert_eq!(said(false, &[caution()]).0, "1 caution: read it before the first cut");
         let two = [caution(), caution()];
         assert_eq!(said(false, &two), ("2 cautions: read them before the first cut".to_owned(), Grade::Caution));
-        assert_eq!(said(true, &two), ("Stopped: rodete delivers no program".to_owned(), Grade::Stop));
+        assert_eq!(said(true, &two), ("Rejected: rodete delivers no program".to_owned(), Grade::Stop));
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! The first sheet of the results: what came out, what to look at and where the files are, then the derived values and what
-//! stands on the other sheets.
+//! The first sheet of the results: the verdict, what to check and the files, then the derived values and the contents of
+//! the other sheets.
 
 use rust_xlsxwriter::{Color, Format, RowNum, Url, Worksheet, quote_sheet_name};
 
@@ -20,22 +20,22 @@ pub static NAME: Text = t("RESUMEN", "SUMMARY");
 /// Widths of columns A to E in characters: the derived values are the widest table.
 const WIDTHS: [f64; 5] = [23.0, 58.0, 15.0, 9.0, 46.0];
 
-/// Most cautions that are told here: the sheet of the checks tells them all.
+/// The most cautions listed here; the sheet of the checks lists them all.
 const CAUTIONS: usize = 4;
 
 /// A file that is delivered with the results: its name and what it is.
 pub type File = (String, Text);
 
-/// What the first sheet says.
+/// The contents of the first sheet.
 #[derive(Debug)]
 pub struct Summary<'a> {
-    /// What came of the design.
+    /// The outcome of the design.
     pub outcome: &'a Outcome,
     /// The files that are delivered with the results.
     pub files: &'a [File],
-    /// The other sheets: their names and what they hold.
+    /// The other sheets: their names and contents.
     pub sheets: &'a [(String, String)],
-    /// How to go on with this workbook as an input.
+    /// How to use this workbook as an input.
     pub again: &'a Text,
     /// The language.
     pub language: Language,
@@ -72,7 +72,7 @@ impl Summary<'_> {
         Ok(())
     }
 
-    /// Label, text and, where it has one, grade of each line.
+    /// Label and text of each line, and its grade if it has one.
     fn lines(&self) -> Vec<(Text, Text, Option<Grade>)> {
         let outcome = self.outcome;
         let found = &outcome.findings;
@@ -91,14 +91,14 @@ impl Summary<'_> {
         vec![
             line(t("Pieza", "Part"), Text::same(part.join(", "))),
             line(t("Control", "Control"), Text::same(control)),
-            (t("Veredicto", "Verdict"), verdict, Some(grade)),
-            (t("A mirar", "To look at"), looked, attention),
+            (t("Resultado", "Verdict"), verdict, Some(grade)),
+            (t("Qué revisar", "What to check"), looked, attention),
             line(t("Programas", "Programs"), programs(&outcome.programs)),
             line(t("Archivos", "Files"), self.delivered()),
             line(
                 t("Antes de cortar", "Before you cut"),
                 t(
-                    "Compare los primeros y los últimos bloques en el control y haga una pasada en vacío.",
+                    "Compare los primeros y los últimos bloques en el control y haga una prueba en vacío.",
                     "Compare the first and the last blocks at the control, and make a dry run.",
                 ),
             ),
@@ -118,7 +118,7 @@ impl Summary<'_> {
 
     fn delivered(&self) -> Text {
         if self.files.is_empty() {
-            return t("Solo este libro.", "This workbook alone.");
+            return t("Solo este libro.", "Only this workbook.");
         }
         static BESIDE: Text = t("En la carpeta de este libro:", "In the folder of this workbook:");
         let list = |language: Language| {
@@ -172,9 +172,9 @@ impl Summary<'_> {
         Ok(())
     }
 
-    /// The other sheets from a row on, each with a way to it. Returns the last row.
+    /// The other sheets from a row on, each with a link. Returns the last row.
     fn write_index(&self, sheet: &mut Worksheet, styles: &Styles, first: RowNum) -> Result<RowNum, WriteError> {
-        static HEADINGS: [Text; 2] = [t("Hoja", "Sheet"), t("Contenido", "What it holds")];
+        static HEADINGS: [Text; 2] = [t("Hoja", "Sheet"), t("Contenido", "Contents")];
         let link = styles
             .text
             .clone()
@@ -197,7 +197,7 @@ impl Summary<'_> {
     }
 }
 
-/// The gravest findings, one a line.
+/// The gravest findings, one per line.
 fn cautions(findings: &[Finding]) -> Text {
     let grave: Vec<&Finding> = findings.iter().filter(|one| one.grade != Grade::Note).collect();
     let list = |language: Language, none: &str, more: &str, all: &str| {
@@ -221,7 +221,7 @@ fn cautions(findings: &[Finding]) -> Text {
     )
 }
 
-/// The programs, one a line: what it is, its length, how long it takes.
+/// The programs, one per line: title, length, time.
 fn programs(programs: &[Proved]) -> Text {
     if programs.is_empty() {
         return t("Ninguno.", "None.");
@@ -239,7 +239,7 @@ fn programs(programs: &[Proved]) -> Text {
     Text::new(list(Language::Es, "bloques"), list(Language::En, "blocks"))
 }
 
-/// How long a program takes, as the report says it.
+/// The time of a program, as in the report.
 fn time(proved: &Proved) -> Option<Text> {
     let (timed, seconds) = proved.time();
     let time = duration(seconds?);

@@ -81,7 +81,7 @@ fn sources() -> Text {
 pub fn controls(language: Language) -> String {
     let title = t("Los controles", "The controls");
     let about = t(
-        "Lo que cada control lee, rechaza y escribe, tomado de sus datos. Donde no hay nada el control no conoce el código, y un programa con él se rechaza. Esta página es la salida de `rodete explain --controls --markdown --lang es`.",
+        "Lo que cada control lee, rechaza y escribe, tomado de sus datos. Una casilla vacía significa que el control no conoce el código: rodete rechaza el programa que lo lleve. Esta página es la salida de `rodete explain --controls --markdown --lang es`.",
         "What each control reads, rejects and writes, from its data. An empty cell means that the control does not know the code: rodete rejects a program that contains it. This page is the output of `rodete explain --controls --markdown --lang en`.",
     );
     let mut page = headed(&title, &about, language);

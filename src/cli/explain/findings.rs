@@ -9,10 +9,10 @@ use crate::text::{Language, Text, t};
 
 /// The page of these rows, which are sorted by their codes.
 pub(super) fn page(rows: &[&Rule], language: Language) -> String {
-    let title = t("Lo que rodete dice", "What rodete tells");
+    let title = t("Mensajes de rodete", "Findings of rodete");
     let about = t(
-        "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Un código no cambia de significado ni se da dos veces. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
-        "Each code with its grade, what it says, why, what to do, and an input that raises it. A code never changes its meaning and is never given again. This page is the output of `rodete explain --all --markdown --lang en`.",
+        "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Un código no cambia de significado ni se reutiliza. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
+        "Each code with its grade, what it says, why, what to do, and an input that raises it. A code never changes its meaning and is never reused. This page is the output of `rodete explain --all --markdown --lang en`.",
     );
     let mut page = headed(&title, &about, language);
     let mut room = "";

@@ -227,7 +227,7 @@ pub fn watched(
     let second = text::SheetProgram::of(&fields, SECOND_KEY);
     let two = if let Some(second) = &second {
         let simulation = one.simulation.turned_about(given.second)?;
-        let title = t("Programa de la segunda colocación", "Program of the second set-up");
+        let title = t("Programa del segundo amarre", "Program of the second set-up");
         // How a part is held that is not the one meant says nothing.
         let held = (!one.lost && !one.endless).then(|| fields.locate(held(simulation.setup())));
         let loose = held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
@@ -597,21 +597,21 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         quantity("V", t("Volumen de la pieza", "Volume of the part"), left, mm3, none()),
         quantity(
             "a_p",
-            t("Mayor profundidad de corte", "Greatest depth of cut"),
+            t("Profundidad de pasada máxima", "Maximum depth of cut"),
             most(|all| all.depth),
             Unit::Millimetre,
             none(),
         ),
         quantity(
             "V_c",
-            t("Mayor velocidad de corte", "Greatest cutting speed"),
+            t("Velocidad de corte máxima", "Maximum cutting speed"),
             most(|all| all.cutting_speed),
             Unit::MetrePerMinute,
             none(),
         ),
         quantity(
             "Q",
-            t("Mayor caudal de viruta", "Greatest removal rate"),
+            t("Caudal de viruta máximo", "Maximum removal rate"),
             most(|all| all.rate),
             Unit::CubicCentimetrePerMinute,
             none(),
@@ -620,7 +620,8 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
     ];
     let apart = followed.iter().map(|one| one.repeated).fold(0.0, f64::max);
-    let name = t("Contorno, frente a otra biblioteca de polígonos", "Contour, against another library of polygons");
+    let name =
+        t("Contorno, comparado con otra biblioteca de polígonos", "Contour, compared with another polygon library");
     quantities.push(quantity("δ_2", name, apart, Unit::Millimetre, t("distancia media", "mean distance")));
     quantities
 }

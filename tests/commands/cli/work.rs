@@ -138,7 +138,7 @@ fn messages_are_spanish_where_asked_for() {
         .code(3)
         .stderr(predicate::str::contains(", hoja \"DATA\", celda"))
         .stderr(predicate::str::contains("sugerencia: "))
-        .stderr(predicate::str::contains("impeller.xlsx: no se puede construir"));
+        .stderr(predicate::str::contains("impeller.xlsx: no se puede generar"));
 }
 
 #[test]

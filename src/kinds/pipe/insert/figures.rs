@@ -150,8 +150,8 @@ fn on_rotary(design: &Design, cut: Option<&Cut>) -> Figure {
         "setup",
         sketch::HEIGHT,
         sketch::held(&t(
-            "Tubo en el eje giratorio, A = 0°: menor y mayor X de la curva",
-            "Pipe on the rotary axis, A = 0°: least and greatest X of the curve",
+            "Tubo en el eje giratorio, A = 0°: X mínima y máxima de la curva",
+            "Pipe on the rotary axis, A = 0°: minimum and maximum X of the curve",
         )),
     )
 }
@@ -193,10 +193,10 @@ fn sheet(design: &Design, cut: Option<&Cut>) -> Figure {
         "setup",
         sketch::HEIGHT,
         match cut {
-            None => t("Chapa plana: menor y mayor Y de la curva", "Flat sheet: least and greatest Y of the curve"),
+            None => t("Chapa plana: Y mínima y máxima de la curva", "Flat sheet: minimum and maximum Y of the curve"),
             Some(_) => t(
-                "Chapa plana: menor y mayor Y de la curva; el círculo es la perforación",
-                "Flat sheet: least and greatest Y of the curve; the circle is where it pierces",
+                "Chapa plana: Y mínima y máxima de la curva; el círculo es la perforación",
+                "Flat sheet: minimum and maximum Y of the curve; the circle is where it pierces",
             ),
         },
     )
@@ -242,8 +242,8 @@ fn development(design: &Design, cut: Option<&Cut>) -> Figure {
         key: "development",
         height: Figure::HEIGHT,
         caption: t(
-            "Desarrollo del injerto con el camino de la antorcha",
-            "Development of the branch with the torch's way",
+            "Desarrollo del injerto con la trayectoria de la antorcha",
+            "Development of the branch with the torch path",
         ),
         axes: None,
         strokes,
