@@ -176,7 +176,7 @@ fn nothing_is_derived_from_a_shift_that_is_refused() {
     for symbol in ["t", "t_c", "V", "a_p"] {
         near(quantity(&document, symbol), quantity(&alone, symbol));
     }
-    let (_folder, held, exit) = build(&book().put("Z_s", Value::Real(28.0)).bytes());
+    let (_folder, held, exit) = build(&book().put("Z_s", Value::Real(5.0)).bytes());
     assert_eq!(exit, 0);
     assert!(quantity(&held, "V_r") > quantity(&document, "V_r") + 1000.0);
 }
