@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::reading::beside;
+use super::plan::beside;
 use super::rules::*;
 use super::show;
 use crate::escape::printable;
