@@ -1,7 +1,7 @@
 //! The files of an outcome: results, programs, drawings, and of a turning its solid and its viewer.
 
 use std::collections::BTreeSet;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 
 use super::plan::Item;
 use super::rules::LeftFromEarlier;
@@ -61,8 +61,10 @@ pub(super) struct Delivery<'a> {
     pub(super) language: Language,
     /// What the results hold.
     pub(super) tables: Tables,
-    /// The command can make what is printed: report, set-up sheet and templates.
+    /// What typst sets, report, set-up sheet and templates, is asked for.
     pub(super) printed: bool,
+    /// The viewer goes with it.
+    pub(super) viewer: bool,
 }
 
 /// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
@@ -87,36 +89,47 @@ pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec
 }
 
 impl Delivery<'_> {
-    /// The files beside the results, as their first sheet lists them.
-    fn files(&self, viewer: bool) -> Vec<results::File> {
+    /// The files beside the results that are delivered, as their first sheet lists them.
+    fn files(&self, delivered: impl Fn(&OsStr) -> bool) -> Vec<results::File> {
         let Self { item, outcome, .. } = *self;
-        let shown = |name: OsString| printable(&name.to_string_lossy());
-        let named = |ending: &str| shown(store::file_name(&item.stem, ending));
-        let programs = outcome.programs.iter().map(|one| (shown(program_name(item, one)), one.title.clone()));
+        let named = |ending: &str| store::file_name(&item.stem, ending);
+        let typeset = [
+            (SETUP, t("Hoja de preparación, para la máquina", "Set-up sheet, for the machine")),
+            (REPORT, t("Informe, para leer e imprimir", "Report, to read and print")),
+        ];
+        let typeset = typeset.into_iter().filter(|_| self.printed).map(|(ending, what)| (named(ending), what));
+        let programs = outcome.programs.iter().map(|one| (program_name(item, one), one.title.clone()));
         let solids =
             outcome.fields.form().solids.iter().filter(|(key, _)| outcome.solids.iter().any(|one| one.key == *key));
-        let setup = t("Hoja de preparación, para la máquina", "Set-up sheet, for the machine");
-        let report = t("Informe, para leer e imprimir", "Report, to read and print");
-        let mut files: Vec<results::File> = Vec::new();
-        if self.printed {
-            files.extend(
-                [(named(SETUP), setup), (named(REPORT), report)].map(|(name, what)| (name, drawings::set(&what))),
-            );
-        }
-        files.extend(programs);
-        files.extend(drawings::named(item, outcome, self.printed).map(|(name, what)| (shown(name), what)));
-        files.extend(solids.map(|(key, name)| (named(&solid_ending(key)), name.clone())));
-        files.extend(viewer.then(|| (named(VIEWER), VIEWED)));
-        files
+        let solids = solids.map(|(key, name)| (named(&solid_ending(key)), name.clone()));
+        let viewer = self.viewer.then(|| (named(VIEWER), VIEWED));
+        let drawings = drawings::named(item, outcome, self.printed);
+        let all = typeset.chain(programs).chain(drawings).chain(solids).chain(viewer);
+        let shown = |(name, what): (OsString, Text)| (printable(&name.to_string_lossy()), what);
+        all.filter(|(name, _)| delivered(name)).map(shown).collect()
     }
 
-    /// Adds everything but report and set-up sheet to the set; `scene` is what is shown in the viewer, where there is one.
+    /// Writes the results anew where something that they list was not set after all: they list the files of the set, and
+    /// those that are `still` to come.
+    ///
+    /// # Errors
+    /// Exit 5 where the file cannot be written.
+    pub(super) fn list_again(&self, still: &[&str], set: &mut Set<'_>) -> Result<(), Refusal> {
+        let Self { item, outcome, language, .. } = *self;
+        let still: Vec<OsString> = still.iter().map(|ending| store::file_name(&item.stem, ending)).collect();
+        let files = self.files(|name| set.draft(name).is_some() || still.iter().any(|one| one == name));
+        set.write_again(&store::file_name(&item.stem, RESULTS), |out| {
+            results::write(outcome, &files, self.tables, language, out)
+        })
+    }
+
+    /// Adds everything but what typst sets to the set; `scene` is what is shown in the viewer, where there is one.
     ///
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
     pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
         let Self { item, outcome, language, tables, .. } = *self;
-        let files = self.files(scene.is_some());
+        let files = self.files(|_| true);
         set.write(&store::file_name(&item.stem, RESULTS), |out| {
             results::write(outcome, &files, tables, language, out)
         })?;

@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Component, Path};
 
-use super::reading::beside;
+use super::plan::beside;
 use super::show;
 use crate::escape::{excerpt, printable};
 use crate::finding::{Finding, Place, Raise};

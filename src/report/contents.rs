@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::attachments::files;
 use super::document::{
-    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Timed, Title,
+    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Title, Verdict,
 };
 use super::number;
 use super::rules::CharactersByCode;
@@ -19,7 +19,7 @@ use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place, Raise};
 use crate::gcode::control::FeedLaw;
 use crate::gcode::program::{Part, Program, Style};
-use crate::kind::{Duration, Outcome, Proved, Shown, checks};
+use crate::kind::{Outcome, Proved, Shown, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, title_block};
@@ -97,7 +97,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
             FeedLaw::InverseTime => "inverse",
         },
         title: title(outcome, logo, &mut words),
-        stopped: outcome.stopped(),
+        verdict: Verdict::default(),
         parameters: parameters(outcome, &mut words),
         values: outcome
             .fields
@@ -123,6 +123,9 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
     if !words.missing.is_empty() {
         findings.push(without_glyph(&words.missing));
     }
+    let (what, grade) = checks::verdict(outcome.stopped(), outcome.findings.iter().chain(&findings));
+    let passed = words.text(&checks::passed(&outcome.checks));
+    document.verdict = Verdict { grade: key(grade), what: words.text(&what), passed };
     document.checks = checks;
     document.checks.extend(findings.iter().map(|finding| check(finding, &mut words)));
     Ok(Written { json: serde_json::to_vec(&document)?, findings })
@@ -287,7 +290,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
         summary.blocks = program.parts.len() as u64;
     }
     let path = account.feed_path + account.rapid_path;
-    let (timed, seconds) = time(proved);
+    let (timed, seconds) = proved.time();
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),
@@ -304,16 +307,6 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
         time: seconds.map(crate::number::duration).unwrap_or_default(),
         extents: extents(proved),
     })
-}
-
-/// What is known of the time of a program, and the time.
-fn time(Proved { account, duration, .. }: &Proved) -> (Timed, Option<f64>) {
-    match *duration {
-        Some(Duration { seconds, timeless: 0 }) => (Timed::Cycle, Some(seconds)),
-        Some(Duration { seconds, .. }) => (Timed::Part, Some(seconds)),
-        None if account.untimed || account.seconds <= 0.0 => (Timed::Unknown, None),
-        None => (Timed::Feed, Some(account.seconds)),
-    }
 }
 
 /// The extents of each axis that a program names, at feed and in all; X of a lathe as programmed, as a diameter.

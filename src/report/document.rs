@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::shorten::Listing;
+use crate::kind::Timed;
 
 /// Everything that the templates print.
 #[derive(Serialize)]
@@ -23,7 +24,7 @@ pub(super) struct Document {
     /// How F counts: `resultant`, `seconds`, `inverse`.
     pub feed_law: &'static str,
     pub title: Title,
-    pub stopped: bool,
+    pub verdict: Verdict,
     pub parameters: Vec<Group>,
     pub values: BTreeMap<&'static str, String>,
     pub quantities: Vec<Row>,
@@ -36,6 +37,17 @@ pub(super) struct Document {
     pub answers: Vec<Answer>,
     pub checks: Vec<Check>,
     pub files: Vec<File>,
+}
+
+/// What the outcome comes to, as the results say it too.
+#[derive(Default, Serialize)]
+pub(super) struct Verdict {
+    /// `note`, `caution` or `stop`.
+    pub grade: &'static str,
+    /// The verdict in words.
+    pub what: String,
+    /// What was read back and passed; empty where nothing was asked.
+    pub passed: String,
 }
 
 /// The title block; fields that are not given are empty.
@@ -146,20 +158,6 @@ pub(super) struct Extent {
     pub greatest: String,
     /// Minimum and maximum while it moves at feed; `None` if it does not.
     pub feed: Option<[String; 2]>,
-}
-
-/// What the time of a program counts.
-#[derive(Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum Timed {
-    /// Feed, dwells and rapid motions.
-    Cycle,
-    /// The same, but for motions whose time is not known.
-    Part,
-    /// Feed and dwells; the rapid rates are not known.
-    Feed,
-    /// Nothing: a motion at feed has no known time.
-    Unknown,
 }
 
 /// A check of a program.

@@ -10,7 +10,7 @@ use super::live::{self, LiveTables};
 use super::page::Page;
 use super::style::{Styles, grade_fill};
 use crate::finding::{Finding, Grade};
-use crate::kind::{Duration, Outcome, Proved, checks};
+use crate::kind::{Outcome, Proved, Timed, checks};
 use crate::number::duration;
 use crate::parameter::field::Chosen;
 use crate::table::{Quantity, Unit};
@@ -92,7 +92,10 @@ impl Summary<'_> {
         let part: Vec<&str> = [outcome.part(), outcome.material()].into_iter().filter(|one| !one.is_empty()).collect();
         let style = outcome.style.map_or_else(String::new, |style| format!(", style {}", style.key()));
         let control = format!("{}{style}", outcome.control.name);
-        let (verdict, grade) = verdict(outcome);
+        let (words, grade) = checks::verdict(outcome.stopped(), found);
+        let passed = checks::passed(&outcome.checks);
+        let sentences = |words: &str, passed: &str| format!("{words}. {passed}").trim_end().to_owned();
+        let verdict = Text::new(sentences(&words.es, &passed.es), sentences(&words.en, &passed.en));
         let looked = cautions(found);
         let attention =
             if outcome.stopped() || found.iter().any(|one| one.grade != Grade::Note) { Some(grade) } else { None };
@@ -221,19 +224,6 @@ impl Summary<'_> {
     }
 }
 
-/// Whether the programs may be used, with the gravest grade found.
-fn verdict(outcome: &Outcome) -> (Text, Grade) {
-    let counted = checks::summary(&outcome.findings);
-    let (words, grade) = if outcome.stopped() {
-        (t("Rechazado: rodete no entrega ningún programa", "Rejected: rodete delivers no program"), Grade::Stop)
-    } else if outcome.findings.iter().any(|one| one.grade == Grade::Caution) {
-        (t("Sin errores; hay precauciones: decida usted", "No errors, but cautions: you decide"), Grade::Caution)
-    } else {
-        (t("Sin errores", "No errors"), Grade::Note)
-    };
-    (Text::new(format!("{} ({}).", words.es, counted.es), format!("{} ({}).", words.en, counted.en)), grade)
-}
-
 /// The gravest findings, one per line.
 fn cautions(findings: &[Finding]) -> Text {
     let grave: Vec<&Finding> = findings.iter().filter(|one| one.grade != Grade::Note).collect();
@@ -276,15 +266,16 @@ fn programs(programs: &[Proved]) -> Text {
     Text::new(list(Language::Es, "bloques"), list(Language::En, "blocks"))
 }
 
-/// The time of a program: with its rapid moves if the machine's rapid rates are known, otherwise at feed only.
+/// The time of a program, as in the report.
 fn time(proved: &Proved) -> Option<Text> {
-    if let Some(Duration { seconds, timeless }) = proved.duration {
-        let least = if timeless > 0 { "≥ " } else { "" };
-        return Some(Text::same(format!("{least}{}", duration(seconds))));
-    }
-    let account = Some(&proved.account).filter(|account| !account.untimed && account.seconds > 0.0)?;
-    let time = duration(account.seconds);
-    Some(Text::new(format!("{time} con avance, sin rápidos"), format!("{time} at feed, without rapid moves")))
+    let (timed, seconds) = proved.time();
+    let time = duration(seconds?);
+    Some(match timed {
+        Timed::Feed => {
+            Text::new(format!("{time} con avance, sin rápidos"), format!("{time} at feed, without rapid moves"))
+        }
+        Timed::Cycle | Timed::Part | Timed::Unknown => Text::same(format!("≥ {time}")),
+    })
 }
 
 impl Styles {

@@ -171,8 +171,6 @@ fn libreoffice_finds_no_error_in_any_workbook() {
         for name in before.sheet_names() {
             let ours = before.worksheet_range(&name).expect("our sheet");
             let theirs = after.worksheet_range(&name).expect("LibreOffice's sheet");
-            let formulas = after.worksheet_formula(&name).expect("formulas");
-            assert!(formulas.used_cells().next().is_none(), "{file:?}, {name}: a formula");
             for (row, column, cell) in ours.used_cells() {
                 let (top, left) = ours.start().expect("a first cell");
                 let place = (top + u32::try_from(row).expect("a row"), left + u32::try_from(column).expect("a column"));
@@ -185,6 +183,8 @@ fn libreoffice_finds_no_error_in_any_workbook() {
                         let seen = |text: &str| text.chars().filter(|one| !one.is_control()).collect::<String>();
                         assert_eq!(seen(ours), seen(theirs), "{file:?}, {name}, {place:?}");
                     }
+                    // Rows that are prepared for more points show nothing.
+                    (Data::String(ours), _) if ours.trim().is_empty() => {}
                     (ours, theirs) => panic!("{file:?}, {name}, {place:?}: {ours:?} became {theirs:?}"),
                 }
             }

@@ -49,13 +49,13 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     let (gap, long) = (sketch.paper(2.0), sketch.paper(10.0));
     for ring in &drawn.chuck {
         let near: Vec<[f64; 2]> = ring.iter().map(|&[z, r]| [z.min(reach), r.clamp(-high, high)]).collect();
-        sketch.shape(Ink::Thin, &near);
+        sketch.shape(Ink::Thin, near);
     }
     for ring in &drawn.stock {
-        sketch.shape(Ink::Outline, ring);
-        sketch.shape(Ink::Outline, &ring.iter().map(|&[z, r]| [z, -r]).collect::<Vec<_>>());
+        sketch.shape(Ink::Outline, ring.as_slice());
+        sketch.shape(Ink::Outline, ring.iter().map(|&[z, r]| [z, -r]).collect::<Vec<_>>());
     }
-    sketch.line(Ink::Centre, vec![[held.machine - long, 0.0], [reach + gap, 0.0]]);
+    sketch.line(Ink::Centre, [[held.machine - long, 0.0], [reach + gap, 0.0]]);
     // M, W1, and the direction of X: towards the turret.
     let up = if held.behind { 1.0 } else { -1.0 };
     sketch.zero([held.machine, 0.0]);
@@ -68,9 +68,9 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
         sketch.label([-gap / 2.0, sketch.paper(3.2)], Side::Left, Text::same("W1 (G54)"));
     }
     let (axes, beyond) = (reach.max(0.0) + gap, up * (radius + sketch.paper(4.0)));
-    sketch.arrow(Ink::Axis(2), vec![[axes, 0.0], [axes + long, 0.0]]);
+    sketch.arrow(Ink::Axis(2), [[axes, 0.0], [axes + long, 0.0]]);
     sketch.label([axes + long, 0.0], Side::Right, Text::same("+Z"));
-    sketch.arrow(Ink::Axis(0), vec![[axes, 0.0], [axes, beyond]]);
+    sketch.arrow(Ink::Axis(0), [[axes, 0.0], [axes, beyond]]);
     let turret = if held.behind {
         t("+X, torreta trasera", "+X, rear turret")
     } else {
@@ -90,10 +90,10 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
         let (low, high) = (facing.min(0.0), facing.max(0.0));
         sketch.level([low, radius], [high, radius], over + sketch.paper(7.0), sized(symbol("L5"), high - low));
     }
-    // Below: the part zero from M, and the whole length.
+    // Below: the whole length, and the part zero from M, whose number the extension lines of a shorter one do not cross.
     let under = -high - sketch.paper(7.0);
-    sketch.level([held.machine, -high], [0.0, -radius], under, sized("Z_W1", -held.machine));
-    sketch.level([left, -radius], [right, -radius], under - sketch.paper(7.0), sized(symbol("L"), right - left));
+    sketch.level([left, -radius], [right, -radius], under, sized(symbol("L"), right - left));
+    sketch.level([held.machine, -high], [0.0, -radius], under - sketch.paper(7.0), sized("Z_W1", -held.machine));
     let across = axes + sketch.paper(24.0);
     sketch.upright([right, -radius], [right, radius], across, Side::Right, sized(symbol("D"), 2.0 * radius));
     let caption = if held.first {
