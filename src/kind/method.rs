@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::marker::PhantomData;
 use std::sync::LazyLock;
 
+use super::live_form::LiveForm;
 use super::{Chapters, Chart, Drawing, Duration, End, Kind, Outcome, Proved, Provenance, Wants, not_finite, staging};
 use crate::figure::Figure;
 use crate::finding::{Exit, Finding, Refusal, Rule};

@@ -119,7 +119,11 @@ impl LivePart<'_> {
             let meaning = one.meaning.get(language);
             let words = match &one.wrong {
                 Some(wrong) => {
-                    format!("IF(live_ok,IF({},\"{}\",\"{meaning}\"),\"{meaning}\")", wrong.when, wrong.words.get(language))
+                    format!(
+                        "IF(live_ok,IF({},\"{}\",\"{meaning}\"),\"{meaning}\")",
+                        wrong.when,
+                        wrong.words.get(language)
+                    )
                 }
                 None => format!("\"{meaning}\""),
             };

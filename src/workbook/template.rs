@@ -7,9 +7,9 @@ use rust_xlsxwriter::Workbook;
 use super::drawn::Drawn;
 use super::error::WriteError;
 use super::form_sheet::{Filling, Layout};
-use super::live_form::{LivePart, VIEW};
 use super::guard::Guard;
 use super::list_sheet::ListSheet;
+use super::live_form::{LivePart, VIEW};
 use super::page::{Page, properties};
 use super::save::{Additions, save};
 use super::style::Styles;
@@ -95,7 +95,15 @@ pub fn layouts(form: &'static Form, note: &Text, language: Language) -> Result<V
     let (mut workbook, styles) = (Workbook::new(), Styles::default());
     let layout = |sheet| {
         let notes = notes(sheet, note, language);
-        let filling = Filling { sheet, values: |_: &str| None, notes: &notes, guarded: false, live: None, sketch: None, language };
+        let filling = Filling {
+            sheet,
+            values: |_: &str| None,
+            notes: &notes,
+            guarded: false,
+            live: None,
+            sketch: None,
+            language,
+        };
         filling.write(workbook.add_worksheet(), &styles)
     };
     form.sheets.iter().map(layout).collect()

@@ -40,47 +40,102 @@ pub fn live() -> LiveForm {
 
 fn rows() -> Vec<LiveRow> {
     let mm = Unit::Millimetre;
-    let row = |symbol, name, unit, meaning: Text, formula| LiveRow { symbol, name, unit, meaning, formula, wrong: None };
+    let row =
+        |symbol, name, unit, meaning: Text, formula| LiveRow { symbol, name, unit, meaning, formula, wrong: None };
     let limit = |row: LiveRow, when, words, input| LiveRow { wrong: Some(Wrong { when, words, input }), ..row };
     vec![
         row("L", "live_L", mm, t("Longitud de pivote", "Pivot length"), "spindle_height_R_B+height_H"),
         row("k", "live_k", mm, t("√(R² − r²)", "√(R² − r²)"), "SQRT((torus_R-meridian_r)*(torus_R+meridian_r))"),
-        row("α = β", "live_alpha", Unit::Degree, t("Inclinación del álabe", "Inclination of the blade"), "DEGREES(ASIN(meridian_r/torus_R))"),
+        row(
+            "α = β",
+            "live_alpha",
+            Unit::Degree,
+            t("Inclinación del álabe", "Inclination of the blade"),
+            "DEGREES(ASIN(meridian_r/torus_R))",
+        ),
         row("R·π/2", "live_length", mm, t("Longitud de la fibra media", "Length of the mean line"), "torus_R*PI()/2"),
-        row("w", "live_w", mm, t("Semiancho de álabe y herramienta", "Half width of blade and tool"), "(thickness_e+tool_diameter_d_t)/2"),
-        row("d", "live_d", mm, t("Separación mínima entre álabes", "Least gap between blades"), "tool_diameter_d_t*4/3"),
+        row(
+            "w",
+            "live_w",
+            mm,
+            t("Semiancho de álabe y herramienta", "Half width of blade and tool"),
+            "(thickness_e+tool_diameter_d_t)/2",
+        ),
+        row(
+            "d",
+            "live_d",
+            mm,
+            t("Separación mínima entre álabes", "Least gap between blades"),
+            "tool_diameter_d_t*4/3",
+        ),
         limit(
-            row("gap", "live_gap", mm, t("Separación en el cubo", "Gap at the hub"), "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e"),
+            row(
+                "gap",
+                "live_gap",
+                mm,
+                t("Separación en el cubo", "Gap at the hub"),
+                "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-thickness_e",
+            ),
             "live_gap<live_d",
             t("demasiado estrecha para la herramienta", "too narrow for the tool"),
             "tool_diameter_d_t",
         ),
         limit(
-            row("N_max", "live_N_max", Unit::Count, t("Número máximo de álabes", "Greatest number of blades"), "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+live_d))"),
+            row(
+                "N_max",
+                "live_N_max",
+                Unit::Count,
+                t("Número máximo de álabes", "Greatest number of blades"),
+                "INT(2*PI()*(torus_R-meridian_r-depth_a_p)/(thickness_e+live_d))",
+            ),
             "blades_N>live_N_max",
             t("N es demasiado grande", "N is too large"),
             "blades_N",
         ),
         limit(
-            row("e_max", "live_e_max", mm, t("Espesor máximo del álabe", "Greatest blade thickness"), "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-live_d"),
+            row(
+                "e_max",
+                "live_e_max",
+                mm,
+                t("Espesor máximo del álabe", "Greatest blade thickness"),
+                "2*PI()*(torus_R-meridian_r-depth_a_p)/blades_N-live_d",
+            ),
             "thickness_e>live_e_max",
             t("e es demasiado grande", "e is too large"),
             "thickness_e",
         ),
         limit(
-            row("2·r − d_t", "live_room", mm, t("Sitio de la herramienta en el hueco", "Room of the tool in the hollow"), "2*meridian_r-tool_diameter_d_t"),
+            row(
+                "2·r − d_t",
+                "live_room",
+                mm,
+                t("Sitio de la herramienta en el hueco", "Room of the tool in the hollow"),
+                "2*meridian_r-tool_diameter_d_t",
+            ),
             "live_room<0",
             t("la herramienta es más ancha que el hueco", "the tool is wider than the hollow"),
             "tool_diameter_d_t",
         ),
         limit(
-            row("d_s + d_t/2", "live_reach", mm, t("Del final de la fibra al punto seguro", "From the end of the mean line to the safe point"), "safety_d_s+tool_diameter_d_t/2"),
+            row(
+                "d_s + d_t/2",
+                "live_reach",
+                mm,
+                t("Del final de la fibra al punto seguro", "From the end of the mean line to the safe point"),
+                "safety_d_s+tool_diameter_d_t/2",
+            ),
             "live_reach<=live_w*live_k/torus_R",
             t("d_s es demasiado pequeña", "d_s is too small"),
             "safety_d_s",
         ),
         row("360°/N", "live_pitch", Unit::Degree, t("Giro entre álabes", "Turn between blades"), "360/blades_N"),
-        row("Z_r", "live_Z_r", mm, t("Altura de retirada", "Retract height"), "ROUNDUP((SQRT(live_L^2+torus_R^2)-live_L+safety_d_s)*1000,0)/1000"),
+        row(
+            "Z_r",
+            "live_Z_r",
+            mm,
+            t("Altura de retirada", "Retract height"),
+            "ROUNDUP((SQRT(live_L^2+torus_R^2)-live_L+safety_d_s)*1000,0)/1000",
+        ),
     ]
 }
 
@@ -92,10 +147,7 @@ fn cell(letter: char, row: usize) -> String {
 /// A point of the blade, turned by an angle.
 fn turned(point: usize, angle: &str) -> [Formula; 2] {
     let (x, y) = (cell('D', point), cell('E', point));
-    [
-        format!("{x}*COS({angle})-{y}*SIN({angle})").into(),
-        format!("{x}*SIN({angle})+{y}*COS({angle})").into(),
-    ]
+    [format!("{x}*COS({angle})-{y}*SIN({angle})").into(), format!("{x}*SIN({angle})+{y}*COS({angle})").into()]
 }
 
 /// One blade in columns A to E, out along one face and back along the other; then every blade as one line, which goes on to
@@ -127,7 +179,7 @@ fn view() -> LiveView {
     });
     let mut turns: Vec<Formula> = Vec::new();
     let (mut blades, mut splitters) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
-    let mut put = |to: &mut [Vec<Formula>; 2], [x, y]: [Formula; 2], when: &str| {
+    let put = |to: &mut [Vec<Formula>; 2], [x, y]: [Formula; 2], when: &str| {
         to[0].push(format!("IF({when},{x},0)").into());
         to[1].push(format!("IF({when},{y},0)").into());
     };
@@ -146,9 +198,7 @@ fn view() -> LiveView {
         for part in 1..4 {
             // Behind the last one the line stands still.
             let on = format!("{part}/4*2*PI()/blades_N*({k}<blades_N-1)");
-            let hub = |function: &str| {
-                format!("(torus_R-meridian_r)/torus_R*{function}(PI()/2+{turn}+{on})").into()
-            };
+            let hub = |function: &str| format!("(torus_R-meridian_r)/torus_R*{function}(PI()/2+{turn}+{on})").into();
             put(&mut blades, [hub("COS"), hub("SIN")], "live_ok");
             let edge = |function: &str| format!("{function}({rim}+{between}+{on})").into();
             put(&mut splitters, [edge("COS"), edge("SIN")], wanted);
