@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 
+use super::into::Into;
 use super::plan::Item;
 use super::rules::LeftFromEarlier;
 use super::verdict::Ending;
@@ -61,6 +62,8 @@ pub(super) struct Delivery<'a> {
     pub(super) language: Language,
     /// The command can make what is printed: report, set-up sheet and templates.
     pub(super) printed: bool,
+    /// The workbook that the results go into; else they are one of their own.
+    pub(super) into: Option<Into<'a>>,
 }
 
 /// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
@@ -112,10 +115,15 @@ impl Delivery<'_> {
     ///
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
-    pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
-        let Self { item, outcome, language, .. } = *self;
+    pub(super) fn write(mut self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
+        let into = self.into.take();
+        let Self { item, outcome, language, .. } = self;
         let files = self.files(scene.is_some());
-        set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, language, out))?;
+        let name = store::file_name(&item.stem, RESULTS);
+        match into {
+            Some(into) => into.put(outcome, &files, language, set)?,
+            None => drop(set.write(&name, |out| results::write(outcome, &files, language, out))?),
+        }
         for program in &outcome.programs {
             set.write(&program_name(item, program), |out| program.write(out))?;
         }

@@ -73,7 +73,8 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         let mut set = Set::new(folder, &inputs, Existing::Replace);
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
         let scene = followed.outcome.scene.take().transpose()?;
-        Delivery { item: &item, outcome: &followed.outcome, language, printed: false }.write(scene, &mut set)?;
+        Delivery { item: &item, outcome: &followed.outcome, language, printed: false, into: None }
+            .write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());
         verdict.findings.extend(delivery::leftovers(&item, kinds, verdict));
