@@ -141,8 +141,8 @@ pub(super) enum Command {
     /// Explain the code of a finding: what it means, why, the remedy and an example
     ///
     /// Takes a code like L0131, as in JSON, or an alarm number like 131, or PS0064 of a Fanuc. Without a code, lists all
-    /// codes; with --all explains them all, with --markdown as the page docs/findings.md. With --controls,
-    /// shows what every control makes of each feature and code, with --markdown as docs/controls.md.
+    /// codes; with --all explains them all. With --controls, shows what every control makes of each feature and code. With
+    /// --markdown, --all and --controls print a page in Markdown.
     #[command(after_help = "Example: rodete explain L0131")]
     Explain(Explain),
     /// Print a completion script for a shell

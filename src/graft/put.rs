@@ -25,7 +25,7 @@ const CARRIED: [&str; 3] = ["/drawing", "/chart", "/image"];
 /// Names that every sheet has for itself.
 const OWN_NAMES: &str = "_xlnm.";
 /// What stands on a sheet that a build no longer makes.
-const EMPTY: &str = "rodete: la última construcción no hace esta hoja · the last build does not make this sheet";
+const EMPTY: &str = "rodete: la última vez no se ha generado esta hoja · the last build did not make this sheet";
 
 /// A sheet that goes in.
 #[derive(Debug)]

@@ -18,14 +18,14 @@ rules! {
     "B0101" BookSigned Stop {}
         es "el libro lleva una firma digital"
         en "the workbook is digitally signed"
-        remedy "quite la firma en Excel (Archivo, Información), o construya sin --into",
+        remedy "quite la firma en Excel (Archivo, Información), o genere los resultados sin --into",
             "remove the signature in Excel (File, Info), or build without --into";
         why "Cualquier cambio en el libro rompe la firma.", "Any change to the workbook breaks the signature.";
         example made!("into-signed", "build --into de un libro firmado", "build --into of a signed workbook");
     "B0102" StructureLocked Stop {}
         es "la estructura del libro está protegida: no admite hojas nuevas"
         en "the structure of the workbook is protected: it takes no new sheets"
-        remedy "quite la protección del libro (Revisar, Proteger libro), o construya sin --into",
+        remedy "quite la protección del libro (Revisar, Proteger libro), o genere los resultados sin --into",
             "unprotect the workbook (Review, Protect Workbook), or build without --into";
         why "Quien protegió la estructura no quiere que cambien las hojas.", "Whoever protected the structure wants the sheets to stay as they are.";
         example made!("into-locked", "build --into de un libro con la estructura protegida",
@@ -33,14 +33,14 @@ rules! {
     "B0103" RevisionsLocked Stop {}
         es "el libro guarda un historial de cambios protegido"
         en "the workbook keeps a protected history of changes"
-        remedy "quite la protección del libro compartido, o construya sin --into", "unprotect the shared workbook, or build without --into";
+        remedy "quite la protección del libro compartido, o genere los resultados sin --into", "unprotect the shared workbook, or build without --into";
         why "El historial debe contener todos los cambios, y rodete no los anota.",
             "The history must hold every change, and rodete does not record any.";
         example made!("into-revisions-locked", "build --into de un libro con lockRevision", "build --into of a workbook with lockRevision");
     "B0104" BookShared Stop {}
         es "el libro es compartido, con historial de cambios"
         en "the workbook is shared, with a history of changes"
-        remedy "deje de compartirlo (Revisar, Compartir libro), o construya sin --into",
+        remedy "deje de compartirlo (Revisar, Compartir libro), o genere los resultados sin --into",
             "stop sharing it (Review, Share Workbook), or build without --into";
         why "El historial debe contener todos los cambios, y rodete no los anota.",
             "The history must hold every change, and rodete does not record any.";
@@ -48,7 +48,7 @@ rules! {
     "B0105" BookStrict Stop {}
         es "el libro es de la variante estricta del formato"
         en "the workbook is of the strict variant of the format"
-        remedy "guárdelo en Excel como \"Libro de Excel (.xlsx)\", o construya sin --into",
+        remedy "guárdelo en Excel como \"Libro de Excel (.xlsx)\", o genere los resultados sin --into",
             "save it in Excel as \"Excel Workbook (.xlsx)\", or build without --into";
         why "Sus partes usan otros nombres; mezclados, Excel no abre el libro.",
             "Its parts use other names; mixed, Excel does not open the workbook.";
@@ -64,7 +64,7 @@ rules! {
     "B0107" CustomViews Stop {}
         es "el libro tiene vistas personalizadas"
         en "the workbook has custom views"
-        remedy "bórrelas (Vista, Vistas personalizadas), o construya sin --into", "delete them (View, Custom Views), or build without --into";
+        remedy "bórrelas (Vista, Vistas personalizadas), o genere los resultados sin --into", "delete them (View, Custom Views), or build without --into";
         why "Cada vista guarda el estado de todas las hojas, y las nuevas no están en ella.",
             "Each view keeps the state of every sheet, and new sheets are not in it.";
         example made!("into-views", "build --into de un libro con vistas personalizadas", "build --into of a workbook with custom views");
@@ -78,13 +78,13 @@ rules! {
     "B0109" TooManyCellFormats Stop { most: usize }
         es "con las hojas nuevas el libro tendría más de {most} formatos de celda"
         en "with the new sheets the workbook would have more than {most} cell formats"
-        remedy "quite formatos que no se usen, o construya sin --into", "remove formats that are not used, or build without --into";
+        remedy "quite formatos que no se usen, o genere los resultados sin --into", "remove formats that are not used, or build without --into";
         why "Excel no admite más.", "Excel does not allow more.";
         example made!("into-formats", "build --into de un libro con 65490 formatos", "build --into of a workbook with 65490 formats");
     "B0110" BookTooLarge Stop {}
         es "con las hojas nuevas el libro sería demasiado grande para volver a leerlo"
         en "with the new sheets the workbook would be too large to be read again"
-        remedy "construya sin --into, o con menos puntos", "build without --into, or with fewer points";
+        remedy "genere los resultados sin --into, o con menos puntos", "build without --into, or with fewer points";
         why "El libro es entrada y resultado a la vez: rodete debe poder leerlo.", "The workbook is input and result at once: rodete must be able to read it.";
         example made!("into-large", "build --into de un libro con 995 hojas propias", "build --into of a workbook with 995 sheets of its own");
     "B0111" MarkLost Stop { sheet: String, mark: String }
@@ -105,7 +105,7 @@ rules! {
         es "el libro ya tiene un formulario, en la hoja \"{sheet}\""
         en "the workbook has a form already, on the sheet \"{sheet}\""
         remedy "rellene ese, o ponga el nuevo en otro libro", "fill in that one, or put the new one into another workbook";
-        why "De dos formularios rodete no sabría cuál construir.", "Of two forms rodete would not know which to build.";
+        why "De dos formularios, rodete no sabría cuál leer.", "Of two forms rodete would not know which to build.";
         example made!("into-form", "new impeller --into de un libro que ya tiene uno", "new impeller --into of a workbook that has one");
     "B0114" SheetNameTaken Stop { sheet: String }
         es "el libro ya tiene una hoja \"{sheet}\""
@@ -137,14 +137,14 @@ rules! {
     "B0124" LinksElsewhere Caution {}
         es "el libro toma valores de otros libros; rodete usa los que están guardados en él"
         en "the workbook takes values from other workbooks; rodete uses those that are stored in it"
-        remedy "actualice los vínculos antes de construir", "update the links before you build";
+        remedy "actualice los vínculos antes de generar los resultados", "update the links before you build";
         why "Si el otro libro ha cambiado, los valores guardados son anteriores.",
             "If the other workbook has changed, the stored values are earlier ones.";
         example made!("into-links", "build --into de un libro con vínculos externos", "build --into of a workbook with external links");
     "B0131" NotPutIn Stop { what: String }
         es "las hojas no han entrado en el libro como debían: {what}"
         en "the sheets did not go into the workbook as they should: {what}"
-        remedy "es un fallo de rodete: comuníquelo; construya sin --into", "this is a fault in rodete: report it; build without --into";
+        remedy "es un fallo de rodete: comuníquelo; genere los resultados sin --into", "this is a fault in rodete: report it; build without --into";
         why "rodete vuelve a leer el libro antes de entregarlo y no entrega uno que no sea como debe.",
             "rodete reads the workbook again before it delivers it, and does not deliver one that is not as it should be.";
         example Example::Never(t("es un fallo de rodete, no de la entrada", "it is a fault in rodete, not in the input"));

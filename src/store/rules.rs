@@ -141,13 +141,13 @@ rules! {
     "S0135" BookReadOnly Stop { path: String }
         es "{path} está protegido contra escritura"
         en "{path} is write-protected"
-        remedy "quite la protección del archivo, o construya sin --into", "remove the file's protection, or build without --into";
+        remedy "quite la protección del archivo, o genere los resultados sin --into", "remove the file's protection, or build without --into";
         why "Quien lo protegió no quiere que cambie.", "Whoever protected it does not want it to change.";
         example made!("into-protected", "build --into de un libro sin permiso de escritura",
             "build --into of a workbook without permission to write");
     "S0136" BookChanged Stop { path: String }
-        es "{path} ha cambiado mientras rodete lo construía"
-        en "{path} changed while rodete was building it"
+        es "{path} ha cambiado mientras rodete trabajaba con él"
+        en "{path} changed while rodete was working on it"
         remedy "repita la orden", "run the command again";
         why "Alguien lo guardó entretanto, y sus cambios se perderían.", "Somebody saved it meanwhile, and those changes would be lost.";
         example Example::Never(t(

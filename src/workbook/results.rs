@@ -108,7 +108,7 @@ static AGAIN: Text = t(
     "This workbook is itself a valid input: change the values on the next sheet and build again.",
 );
 static AGAIN_INTO: Text = t(
-    "Este libro lleva sus entradas: cambie los valores en la hoja del formulario y vuelva a construir con --into.",
+    "Este libro lleva sus entradas: cambie los valores en la hoja del formulario y vuelva a generar con --into.",
     "This workbook holds its inputs: change the values on the form's sheet and build again with --into.",
 );
 static TOO_LARGE: Text = t(

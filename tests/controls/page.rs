@@ -12,13 +12,13 @@ const HOW: &str = "where that is meant: RODETE_CONTROLS=write cargo test --test 
 #[test]
 fn the_page_of_the_controls_is_what_explain_writes() {
     let page = controls(Language::En);
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/controls.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/controls.md");
     if std::env::var_os("RODETE_CONTROLS").is_some_and(|value| value == "write") {
         fs::write(&path, &page).unwrap();
     }
     let held = fs::read_to_string(path).unwrap();
     let apart = held.lines().zip(page.lines()).find(|(held, told)| held != told);
-    assert!(held == page, "docs/controls.md is another page at {apart:?}; {HOW}");
+    assert!(held == page, "docs/reference/controls.md is another page at {apart:?}; {HOW}");
 }
 
 /// A row of each feature, with a cell for each control, in either language.

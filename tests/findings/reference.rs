@@ -25,14 +25,14 @@ const HOW: &str = "where that is meant: RODETE_FINDINGS=write cargo test --test 
 #[test]
 fn the_page_of_the_findings_is_what_explain_writes() {
     let page = reference(KINDS, Language::En);
-    let path = file("docs/findings.md");
+    let path = file("docs/reference/findings.md");
     if write() {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(&path, &page).unwrap();
     }
     let held = fs::read_to_string(path).unwrap();
     let apart = held.lines().zip(page.lines()).find(|(held, told)| held != told);
-    assert!(held == page, "docs/findings.md is another page at {apart:?}; {HOW}");
+    assert!(held == page, "docs/reference/findings.md is another page at {apart:?}; {HOW}");
 }
 
 #[test]

@@ -120,7 +120,7 @@ fn a_book_that_was_saved_meanwhile_is_not_replaced() {
         set.replace(&book, b"old book", b"new book").expect("written");
         fs::write(&book, "saved meanwhile").expect("saved");
         let refused = set.commit().expect_err("another book");
-        assert!(said(&refused).contains("changed while rodete was building it"), "{}", said(&refused));
+        assert!(said(&refused).contains("changed while rodete was working on it"), "{}", said(&refused));
         assert_eq!(fs::read_to_string(&book).expect("the book"), "saved meanwhile");
         assert_eq!(names(&there.path().join("books")).iter().filter(|name| name.ends_with(".bak")).count(), 0);
     }
