@@ -190,7 +190,7 @@ impl<'d> Styles<'d> {
         for child in record.children.iter_mut().filter(|one| one.local() == "numFmt") {
             let id = child.attribute("numFmtId").and_then(|id| id.parse().ok()).unwrap_or_default();
             let id = match child.attribute("formatCode") {
-                Some(code) if id >= OWN => self.code(&code.to_owned()),
+                Some(code) if id >= OWN => self.code(code),
                 _ => id,
             };
             child.set("numFmtId", &id.to_string());

@@ -43,11 +43,7 @@ pub(super) fn check(target: &Path, inputs: &[PathBuf]) -> Result<(), Refusal> {
 /// Looks for the lock files that Excel and LibreOffice leave beside an open workbook.
 fn check_open(target: &Path) -> Result<(), Refusal> {
     let Some(name) = target.file_name() else { return Ok(()) };
-    let locks: [(_, _, fn(&[u8]) -> String); 2] = [
-        ("Excel", joined("~$", name, ""), owner_of_excel),
-        ("LibreOffice", joined(".~lock.", name, "#"), owner_of_libreoffice),
-    ];
-    for (program, lock, owner) in locks {
+    for (program, lock) in [("Excel", joined("~$", name, "")), ("LibreOffice", joined(".~lock.", name, "#"))] {
         let lock = target.with_file_name(lock);
         if let Ok(found) = fs::symlink_metadata(&lock) {
             let mut bytes = Vec::new();
@@ -57,7 +53,8 @@ fn check_open(target: &Path) -> Result<(), Refusal> {
                 // Excel may not let others read it: then its owner is not known.
                 let _ = file.take(LOCK).read_to_end(&mut bytes);
             }
-            let owner = excerpt(owner(&bytes).trim(), 60);
+            let owner = if program == "Excel" { owner_of_excel(&bytes) } else { owner_of_libreoffice(&bytes) };
+            let owner = excerpt(owner.trim(), 60);
             let owner = if owner.is_empty() { t("", "") } else { Text::same(format!(" ({owner})")) };
             let (path, lock) = (shown(target), shown(&lock));
             return Err(refusal(&OutputIsOpen { path, program, owner, lock }));

@@ -227,10 +227,8 @@ fn defined(event: &Event<'_>, open: &mut Option<(String, String)>, names: &mut B
             let said = character.or_else(|| resolve_xml_entity(reference).map(str::to_owned));
             add(open, &said.unwrap_or_default());
         }
-        Event::End(end) if end.local_name().as_ref() == "definedName" => {
-            if names.len() < limits::NAMES {
-                names.extend(open.take());
-            }
+        Event::End(end) if end.local_name().as_ref() == "definedName" && names.len() < limits::NAMES => {
+            names.extend(open.take());
         }
         _ => {}
     }
