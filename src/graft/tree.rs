@@ -206,9 +206,9 @@ impl Splices {
         self.edits.is_empty()
     }
 
-    /// The text with the changes; those at one place in the order in which they were asked for.
+    /// The text with the changes; what is put before a byte stands before what replaces it.
     pub fn apply(mut self, text: &str) -> String {
-        self.edits.sort_by_key(|(place, _)| place.start);
+        self.edits.sort_by_key(|(place, _)| (place.start, place.end));
         let mut done = String::with_capacity(text.len() + self.edits.iter().map(|(_, new)| new.len()).sum::<usize>());
         let mut at = 0;
         for (place, new) in &self.edits {
