@@ -89,7 +89,7 @@ fn exits() -> String {
 pub(super) enum Command {
     /// Write a ready-to-edit workbook
     #[command(
-        after_help = "Examples: rodete new impeller my-impeller.xlsx --lang en\n          rodete new impeller --into my-book.xlsx"
+        after_help = "Example: rodete new impeller my-impeller.xlsx --lang en\n         rodete new impeller --into my-book.xlsx"
     )]
     New(New),
     /// Check workbooks and print derived limits and findings; write nothing
@@ -105,7 +105,7 @@ pub(super) enum Command {
     /// With --into the results sheets go into the workbook itself, behind its own sheets; its charts, macros, pivots, images, names,
     /// protection and formats stay as they are. Building again replaces the sheets where they stand, so that formulas over them
     /// go on working. Close the workbook in Excel and LibreOffice first.
-    #[command(after_help = "Examples: rodete build impeller.xlsx --open\n          rodete build my-book.xlsx --into")]
+    #[command(after_help = "Example: rodete build impeller.xlsx --open\n         rodete build my-book.xlsx --into")]
     Build(Build),
     /// Write one HTML file that shows a program, or a workbook's part and programs
     ///

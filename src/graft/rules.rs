@@ -26,14 +26,14 @@ rules! {
         es "la estructura del libro está protegida: no admite hojas nuevas"
         en "the structure of the workbook is protected: it takes no new sheets"
         remedy "quite la protección del libro (Revisar, Proteger libro), o genere los resultados sin --into",
-            "unprotect the workbook (Review, Protect Workbook), or build without --into";
+            "switch off Protect Workbook (Review), or build without --into";
         why "Quien protegió la estructura no quiere que cambien las hojas.", "Whoever protected the structure wants the sheets to stay as they are.";
         example made!("into-locked", "build --into de un libro con la estructura protegida",
             "build --into of a workbook with a protected structure");
     "B0103" RevisionsLocked Stop {}
         es "el libro guarda un historial de cambios protegido"
         en "the workbook keeps a protected history of changes"
-        remedy "quite la protección del libro compartido, o genere los resultados sin --into", "unprotect the shared workbook, or build without --into";
+        remedy "quite la protección del libro compartido, o genere los resultados sin --into", "switch off the protection of the shared workbook, or build without --into";
         why "El historial debe contener todos los cambios, y rodete no los anota.",
             "The history must hold every change, and rodete does not record any.";
         example made!("into-revisions-locked", "build --into de un libro con lockRevision", "build --into of a workbook with lockRevision");
@@ -124,8 +124,8 @@ rules! {
         es "el libro pide que se abra solo para lectura; rodete lo ha cambiado"
         en "the workbook asks to be opened read-only; rodete changed it"
         remedy "", "";
-        why "Es una recomendación de quien lo guardó; la copia .bak es la anterior.",
-            "It is a recommendation of whoever saved it; the copy .bak is the one before.";
+        why "Es una recomendación de quien lo guardó; la copia de al lado es la anterior.",
+            "It is a recommendation of whoever saved it; the copy beside it is the one before.";
         example made!("into-read-only", "build --into de un libro con \"Se recomienda solo lectura\"",
             "build --into of a workbook with \"read-only recommended\"");
     "B0123" CalculationManual Caution {}
