@@ -132,19 +132,32 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
         outcome.told(*caution);
         None
     });
-    Delivery { item, outcome: &outcome, language, printed: true, into }.write(scene, &mut set)?;
+    let (printed, viewer) = (settings.typst.is_some(), scene.is_some());
+    let delivery = Delivery { item, outcome: &outcome, language, printed, viewer, into: into.is_some() };
+    delivery.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
         let at_work = AtWork::begin();
         failed = drawings::print(item, &outcome, language, typst, &mut set)?;
         drop(at_work);
-        match &settings.templates {
+        // The report tells the sum of the results: what these list must be settled before.
+        if !failed.is_empty() {
+            delivery.list_again(&[SETUP, REPORT], &mut set)?;
+        }
+        let unset = match &settings.templates {
             Ok(templates) => {
                 let setter = Setter { stationery: Stationery { logo, templates }, language, typst };
-                failed.extend(typeset(item, &bytes, &outcome, &setter, &mut set, verdict)?);
+                typeset(item, &bytes, &outcome, &setter, &mut set, verdict)?
             }
-            Err(refused) => failed.push((**refused).clone()),
+            Err(refused) => Some((**refused).clone()),
+        };
+        if unset.is_some() {
+            delivery.list_again(&[], &mut set)?;
         }
+        failed.extend(unset);
+    }
+    if let Some(into) = into {
+        into.put(&outcome, &delivery.listed(&set), language, &mut set)?;
     }
     verdict.files = set.commit()?;
     verdict.folder = Some(item.folder.clone());

@@ -1,9 +1,8 @@
 //! The files of an outcome: results, programs, drawings, and of a turning its solid and its viewer.
 
 use std::collections::BTreeSet;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 
-use super::into::Into;
 use super::plan::Item;
 use super::rules::LeftFromEarlier;
 use super::verdict::Ending;
@@ -60,10 +59,12 @@ pub(super) struct Delivery<'a> {
     pub(super) outcome: &'a Outcome,
     /// The language of sheets and drawings.
     pub(super) language: Language,
-    /// The command can make what is printed: report, set-up sheet and templates.
+    /// What typst sets, report, set-up sheet and templates, is asked for.
     pub(super) printed: bool,
-    /// The workbook that the results go into; else they are one of their own.
-    pub(super) into: Option<Into<'a>>,
+    /// The viewer goes with it.
+    pub(super) viewer: bool,
+    /// The results go into a workbook, when all else is known: here they are left out.
+    pub(super) into: bool,
 }
 
 /// What the report lists without carrying it: the results, the bodies, and of a turning its viewer.
@@ -88,41 +89,55 @@ pub(super) fn attachments<'a>(item: &Item, form: &Form, set: &'a Set<'_>) -> Vec
 }
 
 impl Delivery<'_> {
-    /// The files beside the results, as their first sheet lists them.
-    fn files(&self, viewer: bool) -> Vec<results::File> {
+    /// The files beside the results that are delivered, as their first sheet lists them.
+    fn files(&self, delivered: impl Fn(&OsStr) -> bool) -> Vec<results::File> {
         let Self { item, outcome, .. } = *self;
-        let shown = |name: OsString| printable(&name.to_string_lossy());
-        let named = |ending: &str| shown(store::file_name(&item.stem, ending));
-        let programs = outcome.programs.iter().map(|one| (shown(program_name(item, one)), one.title.clone()));
+        let named = |ending: &str| store::file_name(&item.stem, ending);
+        let typeset = [
+            (SETUP, t("Hoja de preparación, para la máquina", "Set-up sheet, for the machine")),
+            (REPORT, t("Informe, para leer e imprimir", "Report, to read and print")),
+        ];
+        let typeset = typeset.into_iter().filter(|_| self.printed).map(|(ending, what)| (named(ending), what));
+        let programs = outcome.programs.iter().map(|one| (program_name(item, one), one.title.clone()));
         let solids =
             outcome.fields.form().solids.iter().filter(|(key, _)| outcome.solids.iter().any(|one| one.key == *key));
-        let setup = t("Hoja de preparación, para la máquina", "Set-up sheet, for the machine");
-        let report = t("Informe, para leer e imprimir", "Report, to read and print");
-        let mut files: Vec<results::File> = Vec::new();
-        if self.printed {
-            files.extend(
-                [(named(SETUP), setup), (named(REPORT), report)].map(|(name, what)| (name, drawings::set(&what))),
-            );
-        }
-        files.extend(programs);
-        files.extend(drawings::named(item, outcome, self.printed).map(|(name, what)| (shown(name), what)));
-        files.extend(solids.map(|(key, name)| (named(&solid_ending(key)), name.clone())));
-        files.extend(viewer.then(|| (named(VIEWER), VIEWED)));
-        files
+        let solids = solids.map(|(key, name)| (named(&solid_ending(key)), name.clone()));
+        let viewer = self.viewer.then(|| (named(VIEWER), VIEWED));
+        let drawings = drawings::named(item, outcome, self.printed);
+        let all = typeset.chain(programs).chain(drawings).chain(solids).chain(viewer);
+        let shown = |(name, what): (OsString, Text)| (printable(&name.to_string_lossy()), what);
+        all.filter(|(name, _)| delivered(name)).map(shown).collect()
     }
 
-    /// Adds everything but report and set-up sheet to the set; `scene` is what is shown in the viewer, where there is one.
+    /// The files of the set, as the first sheet of the results lists them.
+    pub(super) fn listed(&self, set: &Set<'_>) -> Vec<results::File> {
+        self.files(|name| set.draft(name).is_some())
+    }
+
+    /// Writes the results anew where something that they list was not set after all: they list the files of the set, and
+    /// those that are `still` to come.
+    ///
+    /// # Errors
+    /// Exit 5 where the file cannot be written.
+    pub(super) fn list_again(&self, still: &[&str], set: &mut Set<'_>) -> Result<(), Refusal> {
+        if self.into {
+            return Ok(());
+        }
+        let Self { item, outcome, language, .. } = *self;
+        let still: Vec<OsString> = still.iter().map(|ending| store::file_name(&item.stem, ending)).collect();
+        let files = self.files(|name| set.draft(name).is_some() || still.iter().any(|one| one == name));
+        set.write_again(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, language, out))
+    }
+
+    /// Adds everything but what typst sets to the set; `scene` is what is shown in the viewer, where there is one.
     ///
     /// # Errors
     /// Exit 5 where a file cannot be written; exit 1 where a drawing cannot be drawn.
-    pub(super) fn write(mut self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
-        let into = self.into.take();
-        let Self { item, outcome, language, .. } = self;
-        let files = self.files(scene.is_some());
-        let name = store::file_name(&item.stem, RESULTS);
-        match into {
-            Some(into) => into.put(outcome, &files, language, set)?,
-            None => drop(set.write(&name, |out| results::write(outcome, &files, language, out))?),
+    pub(super) fn write(&self, scene: Option<Scene>, set: &mut Set<'_>) -> Result<(), Refusal> {
+        let Self { item, outcome, language, .. } = *self;
+        let files = self.files(|_| true);
+        if !self.into {
+            set.write(&store::file_name(&item.stem, RESULTS), |out| results::write(outcome, &files, language, out))?;
         }
         for program in &outcome.programs {
             set.write(&program_name(item, program), |out| program.write(out))?;

@@ -90,16 +90,8 @@ pub(super) fn named(item: &Item, outcome: &Outcome, printed: bool) -> impl Itera
     outcome.drawings.iter().flat_map(move |drawing| {
         let pdf = (printed && drawing.paper.is_some()).then_some("pdf");
         let extensions = FORMATS.into_iter().map(|(extension, _)| extension).chain(pdf);
-        extensions.map(|extension| {
-            let what = described(drawing, extension);
-            (name(item, drawing, extension), if extension == "pdf" { set(&what) } else { what })
-        })
+        extensions.map(|extension| (name(item, drawing, extension), described(drawing, extension)))
     })
-}
-
-/// What a file is that typst sets, and that a build without it leaves out.
-pub(super) fn set(what: &Text) -> Text {
-    Text::new(format!("{} (no con --no-report)", what.es), format!("{} (not with --no-report)", what.en))
 }
 
 /// What a drawing's file is.

@@ -6,7 +6,6 @@
 mod args;
 mod build;
 mod completions;
-mod controls;
 mod delivery;
 mod drawings;
 mod explain;
@@ -20,7 +19,6 @@ mod new;
 mod offsets;
 mod offsets_view;
 mod opened;
-mod pages;
 mod plan;
 mod program;
 mod quantity;
@@ -44,10 +42,8 @@ use std::process::ExitCode;
 use clap::error::{Error, ErrorKind};
 
 use self::args::{Arguments, Check, Command};
-pub use self::controls::controls;
-pub use self::explain::{reference, rows};
+pub use self::explain::{controls, exit_codes, parameters, reference, rows};
 use self::locale::spoken;
-pub use self::pages::{exit_codes, parameters};
 use self::rules::OutputNotWritten;
 use self::terminal::Terminal;
 use self::verdict::{Ending, code, gravest};

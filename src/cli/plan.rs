@@ -51,7 +51,12 @@ pub(super) fn items(workbooks: &[PathBuf], output: Option<&Path>) -> Result<Vec<
 
 /// The folder of a workbook's outputs where none is named: `<stem>-out` beside it.
 pub(super) fn folder(workbook: &Path) -> PathBuf {
-    workbook.parent().unwrap_or(Path::new("")).join(store::file_name(&store::stem(workbook), "-out"))
+    beside(workbook).join(store::file_name(&store::stem(workbook), "-out"))
+}
+
+/// The folder that a file is in.
+pub(super) fn beside(file: &Path) -> &Path {
+    file.parent().unwrap_or(Path::new(""))
 }
 
 /// Refuses an input beside which another one stands whose outputs would bear the same names, because what may not stand

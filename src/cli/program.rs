@@ -8,9 +8,9 @@ use std::rc::Rc;
 use serde::Serialize;
 
 use super::args::ControlOptions;
-use super::reading;
 use super::rules::*;
 use super::turning::of_workbook;
+use super::{plan, reading};
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
 use crate::gcode::control::Control;
 use crate::gcode::control::guess::guess;
@@ -58,7 +58,7 @@ impl Beside {
 
     /// Beside a program, else in folders in their order.
     fn or_in(program: &Path, folders: &[PathBuf]) -> Self {
-        let own = reading::beside(program).to_owned();
+        let own = plan::beside(program).to_owned();
         Self { folders: std::iter::once(own).chain(folders.iter().cloned()).collect(), read: Rc::default() }
     }
 }
@@ -108,7 +108,7 @@ impl<'a> Shared<'a> {
     /// # Errors
     /// Where one of them cannot be read.
     pub(super) fn new(control: &'a ControlOptions) -> Result<Self, Refusal> {
-        let beside = [&control.var, &control.tools].into_iter().flatten().map(|file| reading::beside(file));
+        let beside = [&control.var, &control.tools].into_iter().flatten().map(|file| plan::beside(file));
         let settled = reading::settled(beside.chain(control.subs.iter().map(PathBuf::as_path)))?;
         let unit = if control.inch { LengthUnit::Inch } else { LengthUnit::Millimetre };
         let mut consulted = Vec::new();
@@ -149,7 +149,7 @@ impl<'a> Shared<'a> {
     /// Exit 3 where files of two sets are mixed there.
     pub(super) fn settled(&self, program: &Path) -> Result<Vec<Finding>, Refusal> {
         let mut found = self.settled.clone();
-        found.extend(reading::settled([reading::beside(program)])?);
+        found.extend(reading::settled([plan::beside(program)])?);
         Ok(found)
     }
 

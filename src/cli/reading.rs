@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::fault;
-use super::plan;
+use super::plan::{self, beside};
 use super::verdict::Ending;
+use super::{fault, stationery};
 use crate::escape::printable;
 use crate::finding::{Exit, Finding, Refusal};
 use crate::kind::{Kind, Outcome, Provenance, Wants};
@@ -18,7 +18,10 @@ pub(super) fn check(workbook: &Path, kinds: &[&dyn Kind]) -> Ending {
     verdict(workbook, |verdict| {
         verdict.findings.extend(settled([plan::folder(workbook).as_path()])?);
         let (_, filled) = read(workbook, kinds, verdict)?;
-        compute(workbook, filled, kinds, Wants::default(), verdict).map(|_| ())
+        let outcome = compute(workbook, filled, kinds, Wants::default(), verdict)?;
+        // What a build would leave out of its report.
+        verdict.findings.extend(stationery::logo(workbook, &outcome).err().map(|caution| *caution));
+        Ok(())
     })
 }
 
@@ -40,11 +43,6 @@ pub(super) fn verdict(workbook: &Path, work: impl FnOnce(&mut Ending) -> Result<
         }
     }
     verdict
-}
-
-/// The folder that a file is in.
-pub(super) fn beside(file: &Path) -> &Path {
-    file.parent().unwrap_or(Path::new(""))
 }
 
 /// What was done with sets that killed runs left half delivered in folders that are read.

@@ -71,11 +71,11 @@ rules! {
             "Another file in this folder has results of the same names, and one set would overwrite the other.";
         example line!("view" "a?.nc"; "a?.nc" = "G0 X1|M30", "a*.nc" = "G0 X2|M30");
     "U0115" LeftFromEarlier Caution { path: String }
-        es "{path} queda de una construcción anterior y no pertenece a este conjunto"
+        es "{path} queda de una vez anterior y no es de este juego"
         en "{path} is left from an earlier build and does not belong to this set"
         remedy "no lo use; bórrelo o apártelo", "do not use it; delete it or move it away";
         why "Alguien podría tomar un programa anterior por uno de este libro.", "An old program could be mistaken for one of this workbook.";
-        example made!("leftover", "una carpeta con un resultado que la construcción ya no escribe",
+        example made!("leftover", "una carpeta con un resultado que build ya no escribe",
             "a folder with a result that the build does not write any more");
     "U0116" NotOpened Caution { path: String, reason: String }
         es "no se puede abrir {path}: {reason}"
@@ -102,7 +102,7 @@ rules! {
         es "no se ha indicado el bruto: rodete toma {stock}, que contiene todo el recorrido en avance"
         en "no stock given: rodete takes {stock}, which encloses all motions at feed"
         remedy "", "";
-        why "Con otro bruto cambian la profundidad de corte y las alarmas.",
+        why "Con otro bruto cambian la profundidad de pasada y las alarmas.",
             "With other stock the depth of cut and the alarms change.";
         example line!("simulate" "part.nc"; "part.nc" = "G50 S2500|T0101|G97 S900 M3|G0 X54. Z2.|G1 X48. F0.2|Z-20.|X54.|G0 X100. Z50.|M30");
     "U0124" ExampleMachine Note {}
@@ -142,7 +142,7 @@ rules! {
         why "Un número de un programa tiene cinco cifras y tres decimales.", "A number in a program has five digits and three decimals.";
         example line!("offsets" "linuxcnc.var"; "linuxcnc.var" = "5220 1|5221 1000000");
     "U0132" ControlRunning Note {}
-        es "si LinuxCNC está en marcha, sobrescribe el archivo al cerrarse: ciérrelo y repita la orden"
+        es "si LinuxCNC está en marcha, sobrescribe el archivo al cerrarse: ciérrelo y repita el comando"
         en "if LinuxCNC is running, it overwrites the file when it closes: close it and repeat the command"
         remedy "", "";
         why "LinuxCNC guarda el archivo entero al cerrarse.", "LinuxCNC saves the whole file when it closes.";

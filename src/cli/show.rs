@@ -65,7 +65,7 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
     };
     let report = verdict.files.iter().any(|file| file.name.to_string_lossy().ends_with(REPORT));
     let end = match (verdict.exit, count) {
-        (Exit::Done, 0) if !writes => t("se puede construir", "can be built"),
+        (Exit::Done, 0) if !writes => t("se puede generar", "can be built"),
         (Exit::Done, _) => {
             Text::new(format!("{count} archivos en {folder}{es}"), format!("{count} files in {folder}{en}"))
         }
@@ -77,7 +77,7 @@ fn closing(verdict: &Ending, writes: bool, workbook: &str, language: Language) -
             format!("{count} archivos en {folder}{es}, sin informe"),
             format!("{count} files in {folder}{en}, without a report"),
         ),
-        _ if !writes => t("no se puede construir", "cannot be built"),
+        _ if !writes => t("no se puede generar", "cannot be built"),
         (Exit::Refused, _) => t("rechazado; no se ha escrito nada", "rejected; nothing was written"),
         _ => t("no se ha escrito nada", "nothing was written"),
     };
@@ -115,7 +115,7 @@ fn next(verdict: &Ending, writes: bool, workbook: &str, language: Language) -> S
                 [format!("lleve {sheet} a la máquina; "), format!("take {sheet} to the machine; ")]
             });
             Text::new(
-                format!("{}lea {file}; {es}antes de cortar, una pasada en vacío", cautions.es),
+                format!("{}lea {file}; {es}antes de cortar, una prueba en vacío", cautions.es),
                 format!("{}read {file}; {en}make a dry run before you cut", cautions.en),
             )
         }

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use super::args::Simulate;
 use super::delivery::{self, Delivery};
 use super::locale::spoken;
-use super::plan::Item;
+use super::plan::{self, Item};
 use super::terminal::Terminal;
 use super::turning::{Followed, Wanted, follow};
 use super::verdict::{Ending, code, status};
@@ -54,7 +54,7 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
     let bytes = workbook::open_as(Input::Program, path)?;
     let folder = arguments.output.as_deref().map(Folder::open).transpose()?;
     verdict.findings.extend(folder.iter().filter_map(Folder::settled).cloned());
-    verdict.findings.extend(reading::settled(arguments.tools.as_deref().map(reading::beside))?);
+    verdict.findings.extend(reading::settled(arguments.tools.as_deref().map(plan::beside))?);
     let language = arguments.lang.unwrap_or_default();
     let wanted = Wanted {
         program: path,
@@ -73,7 +73,8 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         let mut set = Set::new(folder, &inputs, Existing::Replace);
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
         let scene = followed.outcome.scene.take().transpose()?;
-        Delivery { item: &item, outcome: &followed.outcome, language, printed: false, into: None }
+        let viewer = scene.is_some();
+        Delivery { item: &item, outcome: &followed.outcome, language, printed: false, viewer, into: false }
             .write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());

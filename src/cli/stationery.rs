@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Component, Path};
 
-use super::reading::beside;
+use super::plan::beside;
 use super::show;
 use crate::escape::{excerpt, printable};
 use crate::finding::{Finding, Place, Raise};
@@ -52,7 +52,7 @@ pub(super) fn logo(workbook: &Path, outcome: &Outcome) -> Result<Option<Logo>, B
 fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Text> {
     let unread = |error: io::Error| Text::same(printable(&error.to_string()));
     if !fs::metadata(path).map_err(unread)?.is_file() {
-        return Err(t("no es un archivo", "it is no file"));
+        return Err(t("no es un archivo", "it is not a file"));
     }
     let mut bytes = Vec::new();
     fs::File::open(path).map_err(unread)?.take(most + 1).read_to_end(&mut bytes).map_err(unread)?;
@@ -90,7 +90,7 @@ pub(super) fn templates(folder: &Path) -> Result<Vec<Template>, Box<Finding>> {
             } else if kind.is_dir() || kind.is_file() {
                 return Err(refused(t("tiene demasiados archivos o carpetas", "it has too many files or folders")));
             } else {
-                return Err(refused(named(&name, t("no es un archivo", "it is no file"))));
+                return Err(refused(named(&name, t("no es un archivo", "it is not a file"))));
             }
         }
     }
@@ -128,6 +128,6 @@ mod tests {
         fs::write(&path, vec![0; 1025]).unwrap();
         assert_eq!(bytes(&path, 1024).unwrap_err().en, "it is larger than 0 MiB");
         assert_eq!(bytes(&path, 1025).unwrap().len(), 1025);
-        assert_eq!(bytes(folder.path(), 1024).unwrap_err().en, "it is no file");
+        assert_eq!(bytes(folder.path(), 1024).unwrap_err().en, "it is not a file");
     }
 }

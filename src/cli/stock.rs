@@ -19,7 +19,7 @@ pub(super) struct Stock {
 pub(super) fn parse(text: &str) -> Result<Stock, String> {
     let (mut D, mut L, mut d) = (None, None, None);
     for part in text.split(['x', 'X']) {
-        let wrong = || format!("'{part}' is no size: write D, L or d and a number in mm, as D50xL100");
+        let wrong = || format!("'{part}' is not a size: write D, L or d and a number in mm, as D50xL100");
         let mut letters = part.chars();
         let letter = match letters.next() {
             Some('d') if D.is_none() && !text.contains('D') => 'D',
@@ -77,15 +77,15 @@ mod tests {
     #[test]
     fn what_is_no_stock_says_why() {
         for (text, why) in [
-            ("50x100", "'50' is no size: write D, L or d and a number in mm, as D50xL100"),
+            ("50x100", "'50' is not a size: write D, L or d and a number in mm, as D50xL100"),
             ("D50", "D and L must both be given, as D50xL100"),
-            ("D50xL1e3", "'L1e3' is no size: write D, L or d and a number in mm, as D50xL100"),
+            ("D50xL1e3", "'L1e3' is not a size: write D, L or d and a number in mm, as D50xL100"),
             ("D50,5xL100", "'D50,5': write the decimal with a point, D50.5"),
-            ("D50xL-3", "'L-3' is no size: write D, L or d and a number in mm, as D50xL100"),
+            ("D50xL-3", "'L-3' is not a size: write D, L or d and a number in mm, as D50xL100"),
             ("D50xL100xL3", "L is given twice"),
             ("D50xL100xd50", "the bore d must be less than D"),
             ("D50xL0", "L0 is out of range: from 0.1 to 1000 mm"),
-            ("", "'' is no size: write D, L or d and a number in mm, as D50xL100"),
+            ("", "'' is not a size: write D, L or d and a number in mm, as D50xL100"),
         ] {
             assert_eq!(parse(text), Err(why.to_owned()), "{text}");
         }

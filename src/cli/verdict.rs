@@ -151,7 +151,7 @@ pub(super) fn meaning(exit: Exit) -> [Text; 2] {
             t("todo lo demás", "everything else"),
         ],
         Exit::Limit => [t("se ha alcanzado un límite", "a limit was reached"), nothing],
-        Exit::Interrupted => [t("interrumpido", "interrupted"), t("solo conjuntos completos", "finished sets only")],
+        Exit::Interrupted => [t("interrumpido", "interrupted"), t("solo juegos completos", "finished sets only")],
     }
 }
 

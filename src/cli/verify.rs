@@ -281,11 +281,11 @@ fn document(read: &Read) -> Value {
 const fn rule(rotary: Rotary) -> Text {
     match rotary {
         Rotary::Linear => t(
-            "ejes rotativos como lineales: en G90 la palabra es la posición, también más allá de una vuelta (--rotary linear)",
+            "ejes giratorios como lineales: en G90 la palabra es la posición, también más allá de una vuelta (--rotary linear)",
             "rotary axes as linear ones: in G90 the word is the position, beyond a turn as well (--rotary linear)",
         ),
         Rotary::Rollover => t(
-            "ejes rotativos rollover: en G90 el número es el ángulo de destino, 0 a 359.9999, y el signo el sentido \
+            "ejes giratorios rollover: en G90 el número es el ángulo de destino, 0 a 359.9999, y el signo el sentido \
              (--rotary rollover); lo girado se cuenta más allá de una vuelta",
             "rotary axes rollover: in G90 the number is the angle to go to, 0 to 359.9999, and the sign the direction \
              (--rotary rollover); what was turned is counted on beyond a turn",

@@ -70,7 +70,7 @@ fn shown(arguments: &View, kinds: &[&dyn Kind], verdict: &mut Ending) -> Result<
     let name = page_name(&output)?;
     let beside = [Some(input), arguments.control.tools.as_ref(), arguments.control.var.as_ref()].into_iter().flatten();
     let delivered = plan::folder(input);
-    verdict.findings.extend(reading::settled(beside.map(|file| reading::beside(file)).chain([delivered.as_path()]))?);
+    verdict.findings.extend(reading::settled(beside.map(|file| plan::beside(file)).chain([delivered.as_path()]))?);
     let folder = Folder::open(output.parent().unwrap_or(Path::new("")))?;
     let control = &arguments.control;
     let inputs: Vec<&Path> =

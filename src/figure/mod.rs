@@ -1,11 +1,10 @@
 //! A drawing: strokes and labels in millimetres of the thing drawn, to be scaled by whoever shows it.
 
-pub mod diagram;
 mod sketch;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-pub use self::sketch::{Side, Sketch, sized};
+pub use self::sketch::{Side, Sketch, arc, on_circle, sized};
 
 use crate::number::trig::atan2;
 use crate::parameter::field::choices;
@@ -102,7 +101,7 @@ impl Arc {
 /// A word on a drawing.
 #[derive(Clone, Debug)]
 pub struct Label {
-    /// Where it stands.
+    /// The middle of the foot of its letters.
     pub at: [f64; 2],
     /// The word.
     pub text: Text,

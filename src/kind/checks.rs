@@ -1,6 +1,7 @@
-//! The findings of an outcome as a table, for sheets and reports.
+//! The findings of an outcome, for sheets and reports: the verdict in words, and the table of all.
 
 use crate::finding::{Finding, Grade, Place};
+use crate::proof::check::Check;
 use crate::table::{Column, Index, Law, Print, Table};
 use crate::text::{Language, Text, t};
 
@@ -26,6 +27,46 @@ pub fn table(findings: &[Finding]) -> Table {
             column(t("Límite", "Limit"), |finding| Text::same(finding.limit.as_str())),
             column(t("Remedio", "Remedy"), |finding| finding.remedy.clone()),
         ],
+    }
+}
+
+/// Whether what came out may be used, in words without a full stop, and the grade of it.
+#[must_use]
+pub fn verdict<'f>(stopped: bool, found: impl IntoIterator<Item = &'f Finding>) -> (Text, Grade) {
+    if stopped {
+        return (
+            t("Rechazado: rodete no entrega ningún programa", "Rejected: rodete delivers no program"),
+            Grade::Stop,
+        );
+    }
+    match found.into_iter().filter(|finding| finding.grade == Grade::Caution).count() {
+        0 => (t("Sin precauciones", "No cautions"), Grade::Note),
+        1 => {
+            (t("1 precaución: léala antes del primer corte", "1 caution: read it before the first cut"), Grade::Caution)
+        }
+        many => (
+            Text::new(
+                format!("{many} precauciones: léalas antes del primer corte"),
+                format!("{many} cautions: read them before the first cut"),
+            ),
+            Grade::Caution,
+        ),
+    }
+}
+
+/// How many checks the programs passed that were read back, as a sentence; empty where they were asked none.
+#[must_use]
+pub fn passed(checks: &[Check]) -> Text {
+    match checks.iter().filter(|check| check.grade().is_none()).count() {
+        0 => t("", ""),
+        1 => t(
+            "rodete ha releído lo que ha escrito: 1 comprobación superada.",
+            "rodete read back what it wrote: 1 check passed.",
+        ),
+        many => Text::new(
+            format!("rodete ha releído lo que ha escrito: {many} comprobaciones superadas."),
+            format!("rodete read back what it wrote: {many} checks passed."),
+        ),
     }
 }
 
@@ -106,9 +147,9 @@ fn on_line(word: &str, line: usize, before: &str, columns: &[usize]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{place, summary};
-    use crate::finding::sample::{Noted, Stopped};
-    use crate::finding::{CellPlace, Place, Raise};
+    use super::{place, summary, verdict};
+    use crate::finding::sample::{Cautioned, Noted, Stopped};
+    use crate::finding::{CellPlace, Grade, Place, Raise};
     use crate::text::Text;
 
     fn cell(sheet: &str, cell: &str) -> CellPlace {
@@ -120,6 +161,22 @@ mod tests {
         let cells = Place::Cells(vec![cell("DATOS", "C9"), cell("DATOS", "C12"), cell("CALIBRACION", "C5")]);
         assert_eq!(place(&cells).es, "DATOS, celda C9, C12, CALIBRACION, celda C5");
         assert_eq!(place(&cells).en, "DATOS, cell C9, C12, CALIBRACION, cell C5");
+    }
+
+    #[test]
+    fn the_verdict_counts_the_cautions_and_a_stop_comes_before_them() {
+        let text = || Text::same("x");
+        let caution = || Cautioned { what: text(), todo: text() }.at(Place::File);
+        let note = Noted { what: text() }.at(Place::File);
+        let said = |stopped, found: &[_]| {
+            let (words, grade) = verdict(stopped, found);
+            (words.en.into_owned(), grade)
+        };
+        assert_eq!(said(false, &[note]), ("No cautions".to_owned(), Grade::Note));
+        assert_eq!(said(false, &[caution()]).0, "1 caution: read it before the first cut");
+        let two = [caution(), caution()];
+        assert_eq!(said(false, &two), ("2 cautions: read them before the first cut".to_owned(), Grade::Caution));
+        assert_eq!(said(true, &two), ("Rejected: rodete delivers no program".to_owned(), Grade::Stop));
     }
 
     #[test]

@@ -13,6 +13,8 @@ use std::fmt;
 use std::ops::Deref;
 use std::sync::LazyLock;
 
+use serde::Serialize;
+
 use self::rules::PositionOutOfFormat;
 use crate::figure::{Arc, Figure, Paper};
 use crate::finding::rules::ValueNotFinite;
@@ -177,6 +179,33 @@ pub struct Proved {
     pub account: Account,
     /// How long it takes, where the machine's rapid moves are known.
     pub duration: Option<Duration>,
+}
+
+/// What the time of a program counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Timed {
+    /// Feed, dwells and rapid motions: at least so long, since machines must accelerate.
+    Cycle,
+    /// The same, but for motions whose time is not known.
+    Part,
+    /// Feed and dwells: how fast rapid motions are is not known.
+    Feed,
+    /// Nothing: a motion at feed has no known time.
+    Unknown,
+}
+
+impl Proved {
+    /// What is known of its time, and the time in s.
+    #[must_use]
+    pub fn time(&self) -> (Timed, Option<f64>) {
+        match self.duration {
+            Some(Duration { seconds, timeless: 0 }) => (Timed::Cycle, Some(seconds)),
+            Some(Duration { seconds, .. }) => (Timed::Part, Some(seconds)),
+            None if self.account.untimed || self.account.seconds <= 0.0 => (Timed::Unknown, None),
+            None => (Timed::Feed, Some(self.account.seconds)),
+        }
+    }
 }
 
 impl Deref for Proved {

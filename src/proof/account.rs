@@ -157,9 +157,12 @@ impl Account {
                 self.positioned.extend(Axis::ALL.into_iter().filter(moved).map(|axis| (axis, motion.to.get(axis))));
             }
             Stage::Positioning | Stage::Planned(_) | Stage::Unplanned => {
+                if !self.began && matches!(stage, Stage::Planned(_)) {
+                    // Where the plan begins is a position of the program, whether it goes there itself or not.
+                    self.reach(&motion.from);
+                }
                 self.began = true;
                 for (axis, at) in std::mem::take(&mut self.positioned) {
-                    // It ends where the plan begins.
                     self.program.get_or_insert(Extents::at(motion.from)).reach_along(axis, at);
                 }
                 self.take(motion, before);
@@ -188,12 +191,14 @@ impl Account {
         self.tool = tool;
     }
 
-    /// The cycle time: feed, dwells, rapid motions and changes of the tool, s; `None` where the time of a motion is not known.
+    /// The cycle time: feed, dwells, rapid motions and changes of the tool, s; `None` where the time of a motion is not known, or no
+    /// rate of rapid motions, without which a program that begins with them has no cycle time.
     /// Axes are taken to be at their speed at once: a machine that must accelerate them takes longer.
     #[must_use]
     pub fn cycle_seconds(&self) -> Option<f64> {
         let changes = f64::from(self.tool_changes) * self.rapids.tool_change.unwrap_or_default();
-        (!self.untimed && !self.untimed_rapids).then_some(self.seconds + self.rapid_seconds + changes)
+        let known = self.rapids.linear.or(self.rapids.rotary).is_some();
+        (known && !self.untimed && !self.untimed_rapids).then_some(self.seconds + self.rapid_seconds + changes)
     }
 }
 
@@ -230,6 +235,7 @@ mod tests {
     use super::*;
     use crate::gcode::control::LINUXCNC;
     use crate::gcode::interpreter::Setting;
+    use crate::proof::step::{Planned, Run, Time};
 
     /// The extents of an arc in machine coordinates, from many points along it.
     fn sampled(motion: &Motion) -> Extents {
@@ -255,6 +261,29 @@ mod tests {
             extents.get_or_insert(Extents::at(machine)).reach(&machine);
         }
         extents.unwrap()
+    }
+
+    #[test]
+    fn where_a_plan_begins_counts_with_the_rapids_as_it_does_at_feed() {
+        let mut interpreter = Interpreter::over(b"G21 G91 G1 X10 F100\nG0 X5\nM2\n", Setting::new(&LINUXCNC));
+        let mut account = Account::default();
+        while let Some(motion) = interpreter.next() {
+            let motion = motion.unwrap();
+            let (from, to) = (motion.from, motion.to);
+            let planned = Planned { from, to, run: Run::Straight, time: Time::Free, line: None, leg: 0, path: None };
+            let step = Step { motion, in_force: *interpreter.in_force(), stage: Stage::Planned(planned) };
+            account.see(&step, &from);
+        }
+        assert_eq!(account.feed.map(|feed| feed.of(Axis::X)), Some([0.0, 10.0]));
+        assert_eq!(account.program.map(|whole| whole.of(Axis::X)), Some([0.0, 15.0]));
+    }
+
+    #[test]
+    fn without_a_rate_there_is_no_cycle_time() {
+        let of = |rapids| Account { seconds: 9.0, ..Account::on(rapids) }.cycle_seconds();
+        assert_eq!(of(Rapids::default()), None);
+        assert_eq!(of(Rapids { tool_change: Some(4.0), ..Rapids::default() }), None);
+        assert_eq!(of(Rapids { linear: Some(6000.0), ..Rapids::default() }), Some(9.0));
     }
 
     proptest! {

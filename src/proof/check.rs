@@ -300,7 +300,7 @@ pub fn up(value: f64) -> f64 {
 #[must_use]
 pub fn bounded(lower: f64, upper: f64) -> Text {
     let (low, high) = (shown(-up(-lower), 4), mm(up(upper)));
-    Text::new(format!("acotada entre {low} y {high}"), format!("bounded between {low} and {high}"))
+    Text::new(format!("comprendida entre {low} y {high}"), format!("bounded between {low} and {high}"))
 }
 
 #[cfg(test)]

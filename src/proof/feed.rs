@@ -26,7 +26,7 @@ const SLOWER: f64 = 0.05;
 /// program without F words.
 #[must_use]
 pub fn feed_word(program: &Program, worst: &Extreme) -> Check {
-    let name = t("Palabra F: lo más que frena el redondeo", "F word: the most that rounding slows");
+    let name = t("Palabra F: pérdida máxima por redondeo", "F word: maximum loss by rounding");
     let asked = Question::new("feed-word", name, program);
     if worst.seen() == 0 {
         return asked.showing(t("sin palabra F", "no F word"), Text::same("")).informs();

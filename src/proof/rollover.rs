@@ -36,7 +36,7 @@ pub fn check(program: &Program, counting: Rotary) -> Check {
             }
         }
     }
-    let name = t("Ejes rotativos: para qué máquina vale", "Rotary axes: which machine it is true for");
+    let name = t("Ejes giratorios: para qué máquina vale", "Rotary axes: which machine it is valid for");
     let asked = Question::new("rotary", name, program).at(differs);
     let limit = Text::same(counting.name());
     let Some(at) = differs else {

@@ -27,7 +27,7 @@ crate::finding::rule::rules! {
         remedy "ejecútelo desde disco o red, o elija un n menor", "run it from disk or network, or choose a smaller n";
         why "El control corta un programa que no cabe en su memoria, o no lo carga.",
             "The control cuts off a program that does not fit into its memory, or does not load it.";
-        example Example::Made { key: "program-beyond-memory", how: t("un programa de más de 1 MiB para el Fagor 8055: un impulsor con n = 1500", "a program of more than 1 MiB for the Fagor 8055: an impeller with n = 1500") };
+        example Example::Made { key: "program-beyond-memory", how: t("un programa de más de 1 MiB para el Fagor 8055: un rodete con n = 1500", "a program of more than 1 MiB for the Fagor 8055: an impeller with n = 1500") };
     "V0006" NotAsPlanned Stop { program: Text, at: Text, difference: Text }
         es "«{program}» se aparta del plan en la {at}: {difference}"
         en "\"{program}\" differs from the plan at {at}: {difference}"
@@ -120,8 +120,8 @@ crate::finding::rule::rules! {
             "A torch lit during a rapid marks the part; a torch off during the cut leaves it uncut.";
         example Example::Slip { kind: "pipe-hole", cells: &[], program: "hole", from: "N60 M3", to: "N60 M5" };
     "V0019" ChecksPassed Note { program: Text }
-        es "comprobaciones superadas por «{program}», releído: vea la tabla Verificación"
-        en "checks passed by \"{program}\", read back: see the table Verification"
+        es "comprobaciones superadas por «{program}»: vea la tabla Verificación"
+        en "checks passed by \"{program}\": see the table Verification"
         remedy "", "";
         why "La tabla da cada comprobación con su valor y su límite.",
             "The table gives each check with its value and limit.";
@@ -167,5 +167,5 @@ crate::finding::rule::rules! {
         remedy "elija una arc_tolerance mayor, u otro N", "choose a larger arc_tolerance, or another N";
         why "rodete no da por bueno lo que no está demostrado.",
             "rodete does not pass what is not proved.";
-        example Example::Never(t("las cotas convergen antes de llegar al límite de cálculo", "the bounds converge before the limit of the computation"));
+        example Example::Never(t("los límites convergen antes de agotar el cálculo permitido", "the bounds converge before the limit of the computation"));
 }

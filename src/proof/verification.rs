@@ -23,7 +23,7 @@ pub struct Verification {
 #[must_use]
 pub fn reading(program: &Program, text: &Interpreter<'_>, refused: Option<&Refused>) -> Check {
     let lines = text.lines();
-    let name = t("Releído por el intérprete", "Read back by the interpreter");
+    let name = t("Leído por el intérprete", "Read back by the interpreter");
     let value = Text::new(format!("{lines} líneas"), format!("{lines} lines"));
     let asked = Question::new("reading", name, program).showing(value, Text::same(program.control.name));
     let of_program = |mut found: Finding, place| {

@@ -1,4 +1,4 @@
-//! The files that a report lists and carries.
+//! The files that a report lists and attaches.
 
 #![expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 
@@ -14,10 +14,10 @@ use super::{Attachment, Content, Role, number};
 use crate::finding::{Finding, Place, Raise};
 use crate::typeset::characters::Words;
 
-/// Attachments are carried up to this many bytes in all; larger ones are listed only.
+/// The maximum size of all attachments together, bytes; files beyond it are only listed.
 const CARRIED: u64 = 32 * 1024 * 1024;
 
-/// Copies the attachments into the folder, with their SHA-256; what is too large is listed and not carried.
+/// Copies the attachments into the folder, with their SHA-256; files that are too large are only listed.
 pub(super) fn files(
     attachments: &[Attachment<'_>],
     folder: &Path,

@@ -1,4 +1,4 @@
-//! What the templates set: an outcome as texts and numbers ready to print, and its figures and attachments as files.
+//! The contents for the templates: an outcome as texts and numbers ready to print, its figures and attachments as files.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::attachments::files;
 use super::document::{
-    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Timed, Title,
+    Answer, Check, Document, Drawing, Extent, File, Group, Heading, Key, Listed, Row, SetUp, Sheet, Title, Verdict,
 };
 use super::number;
 use super::rules::CharactersByCode;
@@ -19,7 +19,7 @@ use crate::figure::{Figure, Ink};
 use crate::finding::{Finding, Grade, Place, Raise};
 use crate::gcode::control::FeedLaw;
 use crate::gcode::program::{Part, Program, Style};
-use crate::kind::{Duration, Outcome, Proved, Shown, checks};
+use crate::kind::{Outcome, Proved, Shown, checks};
 use crate::machine::axis::Axis;
 use crate::parameter::field::Chosen;
 use crate::parameter::{FieldKind, Parameter, Value, title_block};
@@ -30,25 +30,25 @@ use crate::typeset::characters::{Words, code_point};
 use crate::typeset::failure::ReportFailure;
 use crate::typeset::pen::pen;
 
-/// What a report is made of.
+/// The input of a report.
 pub(super) struct Contents<'a> {
-    /// What came of the design.
+    /// The outcome of the design.
     pub outcome: &'a Outcome,
-    /// The files that it lists and carries.
+    /// The files that it lists and attaches.
     pub attachments: &'a [Attachment<'a>],
     /// The picture in its title block.
     pub logo: Option<&'a Logo>,
-    /// What was found of the report before.
+    /// The findings about the report so far.
     pub found: Vec<Finding>,
     /// Its language.
     pub language: Language,
 }
 
-/// The JSON and what was found while it was made.
+/// The JSON and the findings of making it.
 pub(super) struct Written {
     /// The text of `contents.json`.
     pub json: Vec<u8>,
-    /// What was found before, characters without a glyph, files not carried.
+    /// The earlier findings, characters without a glyph, files not attached.
     pub findings: Vec<Finding>,
 }
 
@@ -97,7 +97,7 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
             FeedLaw::InverseTime => "inverse",
         },
         title: title(outcome, logo, &mut words),
-        stopped: outcome.stopped(),
+        verdict: Verdict::default(),
         parameters: parameters(outcome, &mut words),
         values: outcome
             .fields
@@ -123,6 +123,9 @@ fn write(contents: &Contents<'_>, folder: &Path) -> Result<Written, ReportFailur
     if !words.missing.is_empty() {
         findings.push(without_glyph(&words.missing));
     }
+    let (what, grade) = checks::verdict(outcome.stopped(), outcome.findings.iter().chain(&findings));
+    let passed = words.text(&checks::passed(&outcome.checks));
+    document.verdict = Verdict { grade: key(grade), what: words.text(&what), passed };
     document.checks = checks;
     document.checks.extend(findings.iter().map(|finding| check(finding, &mut words)));
     Ok(Written { json: serde_json::to_vec(&document)?, findings })
@@ -173,7 +176,7 @@ fn title(outcome: &Outcome, logo: Option<&Logo>, words: &mut Words) -> Title {
     }
 }
 
-/// The parameters by section; a sheet without any value is left out, and the title block, which has its own place.
+/// The parameters by section, without sheets that have no value, and without the title block, which has its own place.
 fn parameters(outcome: &Outcome, words: &mut Words) -> Vec<Group> {
     let mut groups = Vec::new();
     for (number, sheet) in outcome.fields.form().sheets.iter().enumerate() {
@@ -283,11 +286,11 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
     let account = &proved.account;
     let mut summary = program.summary();
     if summary.blocks == 0 {
-        // A program that stands on a sheet line by line.
+        // A program that is on a sheet line by line.
         summary.blocks = program.parts.len() as u64;
     }
     let path = account.feed_path + account.rapid_path;
-    let (timed, seconds) = time(proved);
+    let (timed, seconds) = proved.time();
     Ok(Listed {
         key: program.key,
         title: words.text(&program.title),
@@ -306,17 +309,7 @@ fn listed(proved: &Proved, file: Option<&File>, words: &mut Words) -> io::Result
     })
 }
 
-/// What is known of the time of a program, and the time.
-fn time(Proved { account, duration, .. }: &Proved) -> (Timed, Option<f64>) {
-    match *duration {
-        Some(Duration { seconds, timeless: 0 }) => (Timed::Cycle, Some(seconds)),
-        Some(Duration { seconds, .. }) => (Timed::Part, Some(seconds)),
-        None if account.untimed || account.seconds <= 0.0 => (Timed::Unknown, None),
-        None => (Timed::Feed, Some(account.seconds)),
-    }
-}
-
-/// How far each axis goes that a program names, at feed and in all; X of a lathe as it is programmed, on the diameter.
+/// The extents of each axis that a program names, at feed and in all; X of a lathe as programmed, as a diameter.
 fn extents(Proved { program, account, .. }: &Proved) -> Vec<Extent> {
     let Some(whole) = account.program else { return Vec::new() };
     let turning = program.control.turns();
@@ -339,7 +332,7 @@ fn extents(Proved { program, account, .. }: &Proved) -> Vec<Extent> {
     Axis::ALL.into_iter().filter(named).map(reach).collect()
 }
 
-/// How many blocks of a program are shown to be compared at the control, from its beginning and from its end.
+/// How many blocks of a program are shown from its beginning and from its end, for comparing at the control.
 const ENDS: usize = 3;
 
 /// The first and the last blocks of a program, comments left out: what the control shows.
@@ -366,7 +359,7 @@ fn ends(program: &Program, words: &mut Words) -> io::Result<[Vec<String>; 2]> {
     Ok([first, last.into()].map(|lines: Vec<String>| lines.iter().map(|line| words.line(line)).collect()))
 }
 
-/// The position from which a program runs that does not find it itself, as words; empty for one that does.
+/// The start position, in words, of a program that does not move there itself; empty for one that does.
 fn start(program: &Program) -> String {
     if program.finds_its_start() {
         return String::new();

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::shorten::Listing;
+use crate::kind::Timed;
 
-/// Everything the templates set.
+/// Everything that the templates print.
 #[derive(Serialize)]
 pub(super) struct Document {
     pub kind: &'static str,
@@ -18,19 +19,19 @@ pub(super) struct Document {
     pub version: String,
     pub dialect: &'static str,
     pub style: &'static str,
-    /// What rotary axes are on a machine as the control is delivered: `rollover`, `linear`.
+    /// How rotary axes count with the control's delivered settings: `rollover`, `linear`.
     pub rotary: &'static str,
     /// How F counts: `resultant`, `seconds`, `inverse`.
     pub feed_law: &'static str,
     pub title: Title,
-    pub stopped: bool,
+    pub verdict: Verdict,
     pub parameters: Vec<Group>,
     pub values: BTreeMap<&'static str, String>,
     pub quantities: Vec<Row>,
     pub tables: Vec<Sheet>,
     pub figures: BTreeMap<&'static str, Drawing>,
     pub programs: Vec<Listed>,
-    /// What only the set-up chapter of the kind prints.
+    /// Values that only the kind's set-up chapter prints.
     pub setup: BTreeMap<&'static str, SetUp>,
     /// The checks of the programs that were read back.
     pub answers: Vec<Answer>,
@@ -38,7 +39,18 @@ pub(super) struct Document {
     pub files: Vec<File>,
 }
 
-/// The title block; what is not given is empty.
+/// What the outcome comes to, as the results say it too.
+#[derive(Default, Serialize)]
+pub(super) struct Verdict {
+    /// `note`, `caution` or `stop`.
+    pub grade: &'static str,
+    /// The verdict in words.
+    pub what: String,
+    /// What was read back and passed; empty where nothing was asked.
+    pub passed: String,
+}
+
+/// The title block; fields that are not given are empty.
 #[derive(Serialize)]
 pub(super) struct Title {
     pub customer: String,
@@ -47,7 +59,7 @@ pub(super) struct Title {
     pub date: String,
     pub author: String,
     pub checker: String,
-    /// The file of the logo; none where there is none.
+    /// The file of the logo, if there is one.
     pub logo: Option<&'static str>,
 }
 
@@ -55,7 +67,7 @@ pub(super) struct Title {
 #[derive(Serialize)]
 #[serde(untagged)]
 pub(super) enum SetUp {
-    /// Whether something is so.
+    /// Yes or no.
     Whether(bool),
     /// A length in mm, ready to print.
     Length(String),
@@ -78,7 +90,7 @@ pub(super) struct Row {
     pub note: String,
 }
 
-/// A table, shortened where it is long.
+/// A table, shortened if it is long.
 #[derive(Serialize)]
 pub(super) struct Sheet {
     pub key: &'static str,
@@ -117,7 +129,7 @@ pub(super) struct Key {
     pub text: String,
 }
 
-/// A program with its listing and what it amounts to.
+/// A program with its listing and its totals.
 #[derive(Serialize)]
 pub(super) struct Listed {
     pub key: &'static str,
@@ -137,29 +149,15 @@ pub(super) struct Listed {
     pub extents: Vec<Extent>,
 }
 
-/// How far an axis goes.
+/// The extents of an axis.
 #[derive(Serialize)]
 pub(super) struct Extent {
     pub axis: String,
     pub unit: &'static str,
     pub least: String,
     pub greatest: String,
-    /// Least and greatest while it moves at feed; `None` where nothing does.
+    /// Minimum and maximum while it moves at feed; `None` if it does not.
     pub feed: Option<[String; 2]>,
-}
-
-/// What the time of a program counts.
-#[derive(Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum Timed {
-    /// Feed, dwells and rapid motions.
-    Cycle,
-    /// The same, but for motions whose time is not known.
-    Part,
-    /// Feed and dwells: how fast rapid motions are is not known.
-    Feed,
-    /// Nothing: a motion at feed has no known time.
-    Unknown,
 }
 
 /// A check of a program.
@@ -181,7 +179,7 @@ pub(super) struct Answer {
 pub(super) struct Check {
     pub grade: &'static str,
     pub name: String,
-    /// Empty where it has none.
+    /// Empty if it has none.
     pub code: &'static str,
     pub what: String,
     pub place: String,
@@ -190,7 +188,7 @@ pub(super) struct Check {
     pub remedy: String,
 }
 
-/// A file listed in the report; `carried` is its copy in the folder where it is attached.
+/// A file listed in the report; `carried` is its copy in the folder if it is attached.
 #[derive(Serialize)]
 pub(super) struct File {
     pub name: String,

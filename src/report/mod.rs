@@ -1,8 +1,8 @@
-//! The typeset report: an outcome and the files made of it, set by typst into one PDF/A-3b that carries the workbook
-//! and the programs as attachments; beside it the set-up sheet, the page for the machinist.
+//! The typeset report: typst sets an outcome and its files as one PDF/A-3b, with the workbook and the programs as attachments. The
+//! set-up sheet, the page for the machinist, is a second PDF.
 //!
-//! The templates of `report-templates/` are part of the library; what they set arrives as JSON, as texts and numbers
-//! ready to print, and never as markup. A character that the fonts cannot show is shown by its code point, and a note
+//! The templates of `report-templates/` are part of the library. Their contents arrive as JSON, as texts and numbers
+//! ready to print, never as markup. A character that the fonts do not have is printed as its code point, and a note
 //! says so.
 
 mod attachments;
@@ -38,7 +38,7 @@ pub enum Content<'a> {
     File(&'a Path),
 }
 
-/// What a file is to the report.
+/// The role of a file in the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// The workbook that everything was computed from.
@@ -47,16 +47,16 @@ pub enum Role {
     Program(&'static str),
     /// Anything else that was written beside the report.
     Result,
-    /// The same, listed with its SHA-256 and not carried: what would make the report large, and comes of the workbook again.
+    /// The same, listed with its SHA-256 and not attached: it would make the report large, and the workbook gives it again.
     Beside,
 }
 
-/// A file that the report lists with its SHA-256 and carries.
+/// A file that the report lists with its SHA-256 and attaches.
 #[derive(Clone, Debug)]
 pub struct Attachment<'a> {
     /// The file's name, without folders.
     pub name: String,
-    /// What it is to the report.
+    /// Its role in the report.
     pub role: Role,
     /// The media type, as `text/plain`.
     pub mime: &'static str,
@@ -73,7 +73,7 @@ pub struct Report {
     pub pdf: Vec<u8>,
     /// The set-up sheet, a PDF of its own: the page of the report that is for the machinist.
     pub setup: Vec<u8>,
-    /// What was found while they were made: characters without a glyph, files too large to be carried.
+    /// The findings of setting them: characters without a glyph, files too large to attach.
     pub findings: Vec<Finding>,
 }
 
@@ -82,11 +82,11 @@ const SETUP: &str = "setup-sheet.typ";
 
 /// Sets the report of an outcome, and its set-up sheet from the same contents.
 ///
-/// Works in a private temporary folder, which is gone afterwards; takes as long as typst takes, at most its deadline. A logo
-/// that typst does not draw is left out, with a caution; then it takes twice as long.
+/// It works in a private temporary folder and removes it afterwards. It takes as long as typst, at most until the deadline. If typst
+/// cannot draw the logo, the report is set a second time without it, with a caution.
 ///
 /// # Errors
-/// A [`ReportFailure`] when the folder cannot be filled, typst cannot be started, fails, hangs, or leaves no whole PDF.
+/// A [`ReportFailure`] if the folder cannot be filled, or if typst does not start, fails, hangs, or leaves no complete PDF.
 pub fn typeset(
     outcome: &Outcome,
     attachments: &[Attachment<'_>],
@@ -106,7 +106,7 @@ pub fn typeset(
     set.map_err(|failure| if templates.is_empty() { failure } else { failure.of_own_templates() })
 }
 
-/// Sets the report of its contents.
+/// Sets the report from its contents.
 #[expect(clippy::disallowed_methods, reason = "the door into the compiler's folder")]
 fn set(contents: &Contents<'_>, templates: &[Template], typst: &Typst) -> Result<Report, ReportFailure> {
     let folder = tempfile::Builder::new().prefix("rodete-").tempdir()?;

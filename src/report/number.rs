@@ -21,13 +21,13 @@ pub(super) fn trimmed(value: f64, decimals: usize) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// A value typed by the user: every digit that was given.
+/// A value typed by the user, with every digit.
 pub(super) fn given(value: f64) -> String {
     let text = format!("{}", if value == 0.0 { 0.0 } else { value });
     text.replace('-', "\u{2212}")
 }
 
-/// A single value in its unit, to the digits that a shop can use; one that is too small for them is said to be so.
+/// A single value in its unit, to the digits that a shop can use; a smaller value is printed as below that limit.
 pub(super) fn quantity(value: f64, unit: Unit) -> String {
     let decimals = match unit {
         Unit::Count | Unit::CubicMillimetre | Unit::RevolutionPerMinute => 0,
@@ -48,7 +48,7 @@ pub(super) fn quantity(value: f64, unit: Unit) -> String {
     text
 }
 
-/// The decimals of a table's column: for lengths and angles one more than programs have.
+/// The decimals of a table's column: for lengths and angles, one more than in programs.
 pub(super) const fn decimals(unit: Unit) -> usize {
     match unit {
         Unit::Count | Unit::RevolutionPerMinute => 0,
@@ -64,7 +64,7 @@ pub(super) const fn decimals(unit: Unit) -> usize {
     }
 }
 
-/// A whole number in groups of three, parted by narrow spaces.
+/// A whole number in groups of three, separated by narrow spaces.
 pub(super) fn grouped(value: u64) -> String {
     let digits = value.to_string();
     let mut out = String::with_capacity(digits.len() * 2);

@@ -33,7 +33,7 @@ rules! {
             "un libro que nombra un logotipo que no está junto a él", "a workbook that names a logo that is not beside it") };
     "T0204" LogoNotDrawn Caution { name: String }
         es "el logotipo {name} no es un SVG, PNG o JPEG que se pueda dibujar; el informe va sin él"
-        en "the logo {name} is no SVG, PNG or JPEG that can be drawn; the report goes without it"
+        en "the logo {name} is not an SVG, PNG or JPEG that can be drawn; the report goes without it"
         remedy "guárdelo de nuevo como SVG, PNG o JPEG desde el programa que lo hizo, o deje vacía la celda",
             "save it again as SVG, PNG or JPEG from the program that made it, or leave the cell empty";
         why "Un archivo dañado o de otro formato no puede detener todo el informe.",

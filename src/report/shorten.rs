@@ -28,7 +28,7 @@ pub(super) fn rows(count: usize) -> (std::ops::Range<usize>, usize, std::ops::Ra
 /// A program's lines to print.
 #[derive(Debug, Default, Serialize)]
 pub(super) struct Listing {
-    /// The first lines; all of them where nothing is left out.
+    /// The first lines; all of them if nothing is left out.
     pub head: Vec<String>,
     /// How many lines are left out.
     pub omitted: usize,

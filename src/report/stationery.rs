@@ -1,18 +1,18 @@
-//! What an office brings to its reports: a logo, and templates of its own in place of rodete's.
+//! A user's own stationery for reports: a logo, and templates in place of rodete's.
 
 use crate::finding::{Finding, Place, Raise};
 
 use super::rules::LogoNotDrawn;
 
-/// Most bytes of a logo.
+/// The maximum size of a logo, bytes.
 pub const LOGO: u64 = 8 * 1024 * 1024;
 
-/// What an office brings; nothing unless it says so.
+/// A user's logo and templates; empty by default.
 #[derive(Clone, Debug, Default)]
 pub struct Stationery<'a> {
-    /// Its logo.
+    /// The logo.
     pub logo: Option<Logo>,
-    /// Its templates; each takes the place of rodete's of that name.
+    /// The templates; each replaces rodete's of the same name.
     pub templates: &'a [Template],
 }
 
@@ -21,16 +21,16 @@ pub struct Stationery<'a> {
 pub struct Template {
     /// Its path below the folder of templates, as `cover.typ` or `impeller/setup.typ`.
     pub path: String,
-    /// What it holds.
+    /// Its contents.
     pub bytes: Vec<u8>,
 }
 
 /// A picture for the title block.
 #[derive(Clone, Debug)]
 pub struct Logo {
-    /// Its name as the workbook has it.
+    /// Its name in the workbook.
     name: String,
-    /// The name that it has for the templates.
+    /// Its name for the templates.
     file: &'static str,
     bytes: Vec<u8>,
     /// The cell that names it.
@@ -38,12 +38,12 @@ pub struct Logo {
 }
 
 impl Logo {
-    /// A file as a picture, by its first bytes and whatever its name; `place` is the cell that names it.
+    /// A file as a picture, by its first bytes, not by its name; `place` is the cell that names it.
     ///
     /// # Errors
     /// The caution for a file that is neither SVG, PNG nor JPEG.
     pub fn new(name: String, bytes: Vec<u8>, place: Place) -> Result<Self, Box<Finding>> {
-        /// As far as the root of an SVG is looked for, behind its declaration and comments.
+        /// How far the root of an SVG is searched for, after its declaration and comments.
         const HEAD: usize = 4096;
         let head = bytes.get(..HEAD.min(bytes.len())).unwrap_or_default();
         let file = if head.starts_with(b"\x89PNG\r\n\x1a\n") {
@@ -66,7 +66,7 @@ impl Logo {
         &self.bytes
     }
 
-    /// The caution for a picture that typst does not draw.
+    /// The caution for a picture that typst cannot draw.
     pub(super) fn not_drawn(&self) -> Finding {
         LogoNotDrawn { name: self.name.clone() }.at(self.place.clone())
     }

@@ -21,7 +21,7 @@ const MARGIN: [f64; 4] = [5.0, 4.0, 5.0, 4.0];
 const GRAPH_MARGIN: [f64; 4] = [19.0, 3.0, 5.0, 13.0];
 /// Mean width of a label's letter in mm.
 const LETTER: f64 = figure::LETTER;
-/// Points of a stroke nearer to the last one drawn are left out, in mm of paper.
+/// Points of a stroke nearer than this to the last one drawn are left out, in mm of paper.
 const FINEST: f64 = 0.05;
 
 /// Where figure coordinates fall on paper.
@@ -37,7 +37,7 @@ impl Plot {
     }
 }
 
-/// The figure as an SVG document; `None` where it has nothing to show or a coordinate is not finite.
+/// The figure as an SVG document; `None` if it has nothing to show or a coordinate is not finite.
 pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
     let bounds = bounds(figure)?;
     let mut body = String::new();
@@ -66,7 +66,7 @@ pub(super) fn svg(figure: &Figure, language: Language) -> Option<String> {
     ))
 }
 
-/// Least and greatest coordinates: x, then y.
+/// Minimum and maximum coordinates: x, then y.
 fn bounds(figure: &Figure) -> Option<[[f64; 2]; 2]> {
     let points =
         figure.strokes.iter().flat_map(|stroke| &stroke.points).chain(figure.labels.iter().map(|label| &label.at));
@@ -83,12 +83,12 @@ fn bounds(figure: &Figure) -> Option<[[f64; 2]; 2]> {
     found
 }
 
-/// One scale both ways, the shapes in the middle; room on both sides for the words of labels that stand out.
+/// One scale for both axes, with the shapes in the middle and room on both sides for labels that project.
 fn drawing([[x0, x1], [y0, y1]]: [[f64; 2]; 2], figure: &Figure, language: Language) -> Plot {
     let [mut left, top, mut right, bottom] = MARGIN;
     let (dx, dy) = ((x1 - x0).max(1e-9), (y1 - y0).max(1e-9));
     let fit = |left: f64, right: f64| ((WIDTH - left - right) / dx).min((figure.height - top - bottom) / dy);
-    // Room taken from a drawing that fills the width makes it smaller, and words stand out more: a few times settle it.
+    // A drawing that fills the width gets smaller, and its labels then project more: a few rounds are enough.
     for _ in 0..4 {
         let scale = fit(left, right);
         for label in &figure.labels {
@@ -142,7 +142,7 @@ fn rule(body: &mut String, from: [f64; 2], to: [f64; 2]) {
     );
 }
 
-/// The points of a polyline, without those too near to be seen; the last one always.
+/// The points of a polyline without those too near to be seen; always with the last one.
 fn path(points: &[[f64; 2]]) -> String {
     let mut text = String::new();
     let mut last: Option<[f64; 2]> = None;

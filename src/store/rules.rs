@@ -30,14 +30,14 @@ rules! {
         en "cannot write to {path}: no space left on the disk{after}"
         remedy "libere espacio o elija otra carpeta (opción -o); los archivos anteriores siguen intactos",
             "free some space or choose another folder (option -o); the earlier files are untouched";
-        why "rodete entrega el conjunto entero o nada.", "rodete delivers the whole set or nothing.";
+        why "rodete entrega el juego entero o nada.", "rodete delivers the whole set or nothing.";
         example by_the_system!();
     "S0102" FileOverLimit Stop { path: String, after: Text }
         es "no se puede escribir en {path}: el archivo supera el tamaño permitido{after}"
         en "cannot write to {path}: the file exceeds the allowed size{after}"
         remedy "elija otra carpeta (opción -o) o pida un límite mayor (ulimit -f)",
             "choose another folder (option -o) or ask for a higher limit (ulimit -f)";
-        why "rodete entrega el conjunto entero o nada.", "rodete delivers the whole set or nothing.";
+        why "rodete entrega el juego entero o nada.", "rodete delivers the whole set or nothing.";
         example by_the_system!();
     "S0103" NoPermissionToWrite Stop { path: String, after: Text }
         es "no se puede escribir en {path}: permiso denegado{after}"
@@ -92,16 +92,16 @@ rules! {
         example made!("link-to-nothing", "una carpeta de salida que es un enlace a una que no existe",
             "an output folder that is a link to one that does not exist");
     "S0111" SetMixed Stop { failure: Text, stuck: String, mend: Text }
-        es "{failure}; de este conjunto ya son de la versión nueva: {stuck}"
+        es "{failure}; de este juego ya son de la versión nueva: {stuck}"
         en "{failure}; of this set, these files are already the new version: {stuck}"
-        remedy "no use ningún programa de esta carpeta hasta haber repetido la orden; {mend}",
+        remedy "no use ningún programa de esta carpeta hasta haber repetido el comando; {mend}",
             "use no program from this folder until the command has run again; {mend}";
         why "Un programa nuevo con una hoja anterior corta otra pieza.", "A new program with an old sheet cuts another part.";
         example by_the_system!();
     "S0121" FolderHeld Stop { lock: String, owner: String }
         es "otra ejecución está escribiendo en la misma carpeta ({lock}: {owner})"
         en "another run is writing to the same folder ({lock}: {owner})"
-        remedy "espere a que termine y repita la orden", "wait until it ends and repeat the command";
+        remedy "espere a que termine y repita el comando", "wait until it ends and repeat the command";
         why "Dos ejecuciones a la vez mezclarían sus archivos.", "Two runs at the same time would mix their files.";
         example made!("held", "una carpeta cuyo .rodete.lock tiene otra ejecución", "a folder whose .rodete.lock another run holds");
     "S0122" NotAFolder Stop { path: String }
@@ -166,25 +166,25 @@ rules! {
         why "rodete no sustituye un libro rellenado por uno nuevo.", "rodete does not replace a filled-in workbook with a new one.";
         example Example::Command { files: &[("impeller.xlsx", "x")], words: &["new", "impeller", "impeller.xlsx"] };
     "S0151" SetsMixed Stop { folder: String, files: Text }
-        es "los archivos de {folder} no son del mismo conjunto: una ejecución se interrumpió mientras los entregaba{files}"
+        es "los archivos de {folder} no son del mismo juego: una ejecución se interrumpió mientras los entregaba{files}"
         en "the files in {folder} do not belong together: a run was interrupted while delivering them{files}"
-        remedy "no use ninguno de estos archivos; borre los nuevos y vuelva a construir", "use none of these files; delete the new ones and build again";
+        remedy "no use ninguno de estos archivos; borre los nuevos y vuelva a generar", "use none of these files; delete the new ones and build again";
         why "Un programa nuevo con una hoja anterior corta otra pieza.", "A new program with an old sheet cuts another part.";
         example made!("mixed", "un aviso de entrega con un archivo nuevo y otro que falta",
             "a notice of a delivery with one new file and another that is missing");
     "S0152" SetSettled Caution { folder: String, done: Text, files: String }
-        es "una ejecución se interrumpió mientras entregaba sus archivos en {folder}; el conjunto {done}: {files}"
+        es "una ejecución se interrumpió mientras entregaba sus archivos en {folder}; el juego {done}: {files}"
         en "a run was interrupted while delivering its files to {folder}; the set {done}: {files}"
-        remedy "vuelva a construir si no está seguro de qué libro son", "build again if you are not sure which workbook they belong to";
+        remedy "vuelva a generar si no está seguro de qué libro son", "build again if you are not sure which workbook they belong to";
         why "Los archivos ya no están mezclados, pero pueden ser los anteriores.",
             "The files are no longer mixed, but may be the earlier ones.";
         example made!("settled", "un aviso de entrega cuyos archivos están todos", "a notice of a delivery whose files are all there");
     "S0153" NoticeIllegible Stop { path: String }
         es "{path} indica que una ejecución se interrumpió mientras entregaba sus archivos, y no se puede leer"
         en "{path} shows that a run was interrupted while delivering its files, but cannot be read"
-        remedy "no use ningún archivo de esa carpeta; bórrelos junto con {path} y vuelva a construir",
+        remedy "no use ningún archivo de esa carpeta; bórrelos junto con {path} y vuelva a generar",
             "use no file in that folder; delete them together with {path} and build again";
-        why "Sin el aviso no se sabe qué archivos son de un mismo conjunto.",
+        why "Sin el aviso no se sabe qué archivos son de un mismo juego.",
             "Without the notice nobody knows which files belong together.";
-        example made!("illegible", "un .rodete-delivery.json que no es un aviso", "a .rodete-delivery.json that is no notice");
+        example made!("illegible", "un .rodete-delivery.json que no es un aviso", "a .rodete-delivery.json that is not a notice");
 }

@@ -117,6 +117,24 @@ impl<'f> Set<'f> {
             .ok_or_else(|| unwritable(self.folder.place(), &ErrorKind::Other.into()))
     }
 
+    /// Writes a file anew that is in the set already, in its place.
+    ///
+    /// # Errors
+    /// As [`Set::write`].
+    pub fn write_again<E: Display>(
+        &mut self,
+        name: &OsStr,
+        fill: impl FnOnce(&mut Output<'_>) -> Result<(), E>,
+    ) -> Result<(), Refusal> {
+        let at = self.pending.iter().position(|one| one.written.name == name);
+        drop(at.map(|at| self.pending.remove(at)));
+        self.write(name, fill)?;
+        if let (Some(at), Some(written)) = (at, self.pending.pop()) {
+            self.pending.insert(at, written);
+        }
+        Ok(())
+    }
+
     /// The files written so far, in order.
     pub fn written(&self) -> impl Iterator<Item = &Written> {
         self.pending.iter().map(|one| &one.written)

@@ -58,7 +58,7 @@ pub enum ReportFailure {
         error: io::Error,
     },
     /// The compiler refused a document of templates that are the user's own.
-    #[error("a template is refused: {}", first_lines(diagnostics))]
+    #[error("typst rejects a template: {}", first_lines(diagnostics))]
     OwnTemplate {
         /// What it wrote on standard error, as it came.
         diagnostics: Vec<u8>,

@@ -35,10 +35,10 @@ rules! {
     "T0104" TemplateRefused Caution { document: Text, lines: String }
         es "{document} no se ha podido componer con sus plantillas propias:{lines}"
         en "{document} could not be typeset with templates of your own:{lines}"
-        remedy "corrija el archivo en la línea que se nombra, o construya sin --templates; las hojas y los programas están completos",
-            "mend the file at the line that is named, or build without --templates; the sheets and programs are complete";
+        remedy "corrija el archivo en la línea indicada, o genere sin --templates; las hojas y los programas están completos",
+            "correct the file at the named line, or build without --templates; the sheets and programs are complete";
         why "Delante de cada mensaje va el archivo con su línea y columna; kind/ es la carpeta de la clase del libro.",
             "In front of each message stand the file, its line and column; kind/ is the folder of the workbook's kind.";
         example Example::Made { key: "false-templates", how: t(
-            "build --templates con una plantilla que typst rechaza", "build --templates with a template that typst refuses") };
+            "build --templates con una plantilla que typst rechaza", "build --templates with a template that typst rejects") };
 }

@@ -2,7 +2,7 @@
 /** Directions that differ by less than this share one normal where faces meet: 32°. */
 const CREASE = Math.cos(32 * DEGREE);
 
-/** Triangles with a normal at each corner: x, y, z, nx, ny, nz. Faces that bend little look round. */
+/** Triangles with a normal at each corner: x, y, z, nx, ny, nz. Faces at small angles look round. */
 function smooth(points, triangles) {
   const count = triangles.length / 3, faces = new Float32Array(3 * count), weight = new Float32Array(count);
   const corner = (index) => [points[3 * index], points[3 * index + 1], points[3 * index + 2]];
@@ -118,7 +118,7 @@ function toolBodies(tool, turning, size) {
   return [{ vertices: revolved([[0, 0], [unitSize * 0.55, unitSize * 1.6], [unitSize * 0.55, unitSize * 4]]), paint: "cutter" }];
 }
 
-/** The matrix, column by column, that stands a tool on a point with its Z along a direction. */
+/** The matrix, column by column, that puts a tool on a point with its Z along a direction. */
 function standing(point, direction) {
   const aside = Math.abs(direction[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0];
   const x = unit(cross(aside, direction)), y = cross(direction, x);

@@ -9,7 +9,7 @@ const unit = (a) => {
 const FIELD = Math.tan(Math.PI / 12);
 const DEGREE = Math.PI / 180;
 
-/** Where one looks from. Directions are those of the machine: to the right, away, up; a turning machine has its Z to the
+/** The viewpoint. Directions are those of the machine: to the right, away, up; a turning machine has its Z to the
  * right and its X up. */
 class Camera {
   constructor(turning) {
@@ -41,7 +41,7 @@ class Camera {
     this.fit();
   }
 
-  /** Says what is to be seen: the least and greatest coordinates. */
+  /** Sets what to show: the minimum and maximum coordinates. */
   bounds(low, high) {
     this.centre = low.map((value, axis) => (value + high[axis]) / 2);
     this.radius = Math.max(Math.hypot(...high.map((value, axis) => value - low[axis])) / 2, 1e-3);
@@ -116,7 +116,7 @@ class Camera {
     this.elevation = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, this.elevation + dy * 0.008));
   }
 
-  /** Shifts by pixels of a view so many pixels high. */
+  /** Shifts by pixels, in a view of the given height in pixels. */
   shift(dx, dy, height) {
     this.untouched = false;
     const { right, up } = this.axes(), scale = (2 * this.half) / height;

@@ -25,7 +25,7 @@ let budget = 50000, touched = -Infinity, before = 0, resting = 0;
 const cameraNames = () => ["free", ...Object.keys(camera.presets), "section"];
 const moving = () => playing || performance.now() - touched < REST;
 
-/** Notes that someone is at work on the view, and asks for the whole path when nobody is any more. */
+/** Notes that the view is in use, and asks for the whole path when it is at rest. */
 function touch() {
   touched = performance.now();
   clearTimeout(resting);
@@ -62,7 +62,7 @@ function makeRenderer() {
 const readout = new Readout();
 const list = new BlockList((line) => goToLine(line));
 
-/** Everything that is seen from its least to its greatest coordinates. The part counts, and where there is none, the path. */
+/** The minimum and maximum coordinates of what is shown: of the part or, without one, of the path. */
 function extent() {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   const add = (x, y, z) => [x, y, z].forEach((value, axis) => {
@@ -82,7 +82,7 @@ function extent() {
   for (const feeds of [true, false]) {
     for (let at = 0; at < path.length; at += 5) {
       if (feeds && (path[at + 4] <= RAPID)) continue;
-      // A way that leads far off does not make the part small.
+      // A path that leads far away does not make the part small.
       const off = Math.max(...[0, 1, 2].map((axis) => Math.abs(path[at + axis] - middle[axis])));
       if (!cutting && off >= 0.75 * span) continue;
       add(path[at], path[at + 1], path[at + 2]);
@@ -244,7 +244,7 @@ function drawOver(width, height, ratio) {
   context.globalAlpha = 1;
 }
 
-/** Says where everything stands, for scripts. */
+/** Gives the state of the page, for scripts. */
 function tell() {
   const [motion] = run.at(cursor);
   byId("status").textContent = JSON.stringify({
@@ -416,7 +416,7 @@ function key(event) {
   action();
 }
 
-/** What stands behind the # of the address: `program=2&goto=N60&step=12&time=3.5&view=plan&lang=es&play`. */
+/** What is after the # of the address: `program=2&goto=N60&step=12&time=3.5&view=plan&lang=es&play`. */
 function follow() {
   const wanted = new URLSearchParams(location.hash.slice(1));
   if (["es", "en"].includes(wanted.get("lang"))) switchLanguage(wanted.get("lang"));

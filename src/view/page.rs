@@ -1,4 +1,4 @@
-//! The file: page, style and scripts put together with the scene.
+//! The file: page, style, scripts and scene.
 
 use std::io::{self, Write};
 
@@ -10,7 +10,7 @@ use crate::text::Language;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("style.css");
-/// In this order: each uses those before.
+/// In this order: each script uses the earlier ones.
 const SCRIPTS: [&str; 11] = [
     include_str!("words.js"),
     include_str!("scene.js"),
@@ -25,7 +25,7 @@ const SCRIPTS: [&str; 11] = [
     include_str!("main.js"),
 ];
 
-/// JSON that stays inside of a script element: `<` is written as an escape, so that no text ends the element.
+/// JSON for a script element: `<` is escaped, so no text can end the element.
 struct Inside;
 
 impl Formatter for Inside {
@@ -45,7 +45,7 @@ impl Formatter for Inside {
 /// Passes on the error of `out`.
 pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
     let language = if scene.language == Language::Es { "es" } else { "en" };
-    // Each mark stands once in the page, in this order.
+    // Each mark appears once in the page, in this order.
     let mut rest = PAGE;
     for mark in ["{{language}}", "{{title}}", "{{style}}", "{{scene}}", "{{script}}"] {
         let (before, after) = rest.split_once(mark).unwrap_or((rest, ""));

@@ -25,6 +25,8 @@ const PIXELS: f64 = 96.0 / 25.4;
 const MARGIN: f64 = 4.0;
 /// Height of letters, points.
 const SIZE: f64 = 9.0;
+/// From the foot of letters to their middle, mm.
+const MIDDLE: f64 = 1.1;
 /// Height and, for each character, width of a word's box, mm.
 const BOX: [f64; 2] = [4.2, 1.9];
 
@@ -92,7 +94,8 @@ impl Drawn<'_> {
             shapes.stroke(stroke, &stroke.points.iter().map(|point| at(*point)).collect::<Vec<_>>());
         }
         for label in &self.figure.labels {
-            shapes.word(at(label.at), label.text.get(self.language));
+            let [x, y] = label.at;
+            shapes.word(at([x, y + MIDDLE]), label.text.get(self.language));
         }
         format!(
             "<xdr:grpSp><xdr:nvGrpSpPr><xdr:cNvPr id=\"2\" name=\"{caption}\" descr=\"{caption}\"/><xdr:cNvGrpSpPr/>\

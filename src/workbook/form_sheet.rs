@@ -147,7 +147,7 @@ impl<'v, V: Fn(&str) -> Option<&'v Value>> Filling<'_, V> {
 
     /// Has every cell but those of values refuse what is typed over it.
     fn guard(&self, sheet: &mut Worksheet, layout: &Layout) -> Result<(), WriteError> {
-        static TITLE: Text = t("Aquí no se escribe", "Not to be written over");
+        static TITLE: Text = t("Celda protegida", "Protected cell");
         static MESSAGE: Text = t(
             "Los valores van en las celdas amarillas de la columna C.",
             "Values go into the yellow cells of column C.",

@@ -36,7 +36,7 @@ pub const G92: &str = "G92";
 /// The key of the choice that marks the active system.
 pub const YES: &str = "yes";
 
-static TITLE: Text = t("Orígenes de trabajo", "Work offsets");
+static TITLE: Text = t("Decalajes de origen", "Work offsets");
 static HOW: Text = t(
     "Escriba solo en las celdas amarillas; al seleccionar una se ve qué admite. Una celda sin desplazamiento lleva un 0. \
      Activo es sí en el sistema que rige tras el arranque; en la fila G92, si G92 está en vigor.",

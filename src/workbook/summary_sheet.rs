@@ -1,5 +1,5 @@
-//! The first sheet of the results: what came out, what to look at and where the files are, then the derived values and what
-//! stands on the other sheets.
+//! The first sheet of the results: the verdict, what to check and the files, then the derived values and the contents of
+//! the other sheets.
 
 use rust_xlsxwriter::{Color, Format, RowNum, Url, Worksheet, quote_sheet_name};
 
@@ -8,7 +8,7 @@ use super::error::WriteError;
 use super::page::Page;
 use super::style::{Styles, grade_fill};
 use crate::finding::{Finding, Grade};
-use crate::kind::{Duration, Outcome, Proved, checks};
+use crate::kind::{Outcome, Proved, Timed, checks};
 use crate::number::duration;
 use crate::parameter::field::Chosen;
 use crate::table::{Quantity, Unit};
@@ -20,24 +20,24 @@ pub static NAME: Text = t("RESUMEN", "SUMMARY");
 /// Widths of columns A to E in characters: the derived values are the widest table.
 const WIDTHS: [f64; 5] = [23.0, 58.0, 15.0, 9.0, 46.0];
 
-/// Most cautions that are told here: the sheet of the checks tells them all.
+/// The most cautions listed here; the sheet of the checks lists them all.
 const CAUTIONS: usize = 4;
 
 /// A file that is delivered with the results: its name and what it is.
 pub type File = (String, Text);
 
-/// What the first sheet says.
+/// The contents of the first sheet.
 #[derive(Debug)]
 pub struct Summary<'a> {
-    /// What came of the design.
+    /// The outcome of the design.
     pub outcome: &'a Outcome,
     /// The files that are delivered with the results.
     pub files: &'a [File],
     /// The folder that they are in, where it is not that of the workbook.
     pub beside: Option<&'a str>,
-    /// The other sheets: their names and what they hold.
+    /// The other sheets: their names and contents.
     pub sheets: &'a [(String, String)],
-    /// How to go on with this workbook as an input.
+    /// How to use this workbook as an input.
     pub again: &'a Text,
     /// The language.
     pub language: Language,
@@ -74,7 +74,7 @@ impl Summary<'_> {
         Ok(())
     }
 
-    /// Label, text and, where it has one, grade of each line.
+    /// Label and text of each line, and its grade if it has one.
     fn lines(&self) -> Vec<(Text, Text, Option<Grade>)> {
         let outcome = self.outcome;
         let found = &outcome.findings;
@@ -82,7 +82,10 @@ impl Summary<'_> {
         let part: Vec<&str> = [outcome.part(), outcome.material()].into_iter().filter(|one| !one.is_empty()).collect();
         let style = outcome.style.map_or_else(String::new, |style| format!(", style {}", style.key()));
         let control = format!("{}{style}", outcome.control.name);
-        let (verdict, grade) = verdict(outcome);
+        let (words, grade) = checks::verdict(outcome.stopped(), found);
+        let passed = checks::passed(&outcome.checks);
+        let sentences = |words: &str, passed: &str| format!("{words}. {passed}").trim_end().to_owned();
+        let verdict = Text::new(sentences(&words.es, &passed.es), sentences(&words.en, &passed.en));
         let looked = cautions(found);
         let attention =
             if outcome.stopped() || found.iter().any(|one| one.grade != Grade::Note) { Some(grade) } else { None };
@@ -90,14 +93,14 @@ impl Summary<'_> {
         vec![
             line(t("Pieza", "Part"), Text::same(part.join(", "))),
             line(t("Control", "Control"), Text::same(control)),
-            (t("Veredicto", "Verdict"), verdict, Some(grade)),
-            (t("A mirar", "To look at"), looked, attention),
+            (t("Resultado", "Verdict"), verdict, Some(grade)),
+            (t("Qué revisar", "What to check"), looked, attention),
             line(t("Programas", "Programs"), programs(&outcome.programs)),
             line(t("Archivos", "Files"), self.delivered()),
             line(
                 t("Antes de cortar", "Before you cut"),
                 t(
-                    "Compare los primeros y los últimos bloques en el control y haga una pasada en vacío.",
+                    "Compare los primeros y los últimos bloques en el control y haga una prueba en vacío.",
                     "Compare the first and the last blocks at the control, and make a dry run.",
                 ),
             ),
@@ -117,7 +120,7 @@ impl Summary<'_> {
 
     fn delivered(&self) -> Text {
         if self.files.is_empty() {
-            return t("Solo este libro.", "This workbook alone.");
+            return t("Solo este libro.", "Only this workbook.");
         }
         let beside = self.beside.map_or_else(
             || t("En la carpeta de este libro:", "In the folder of this workbook:"),
@@ -174,9 +177,9 @@ impl Summary<'_> {
         Ok(())
     }
 
-    /// The other sheets from a row on, each with a way to it. Returns the last row.
+    /// The other sheets from a row on, each with a link. Returns the last row.
     fn write_index(&self, sheet: &mut Worksheet, styles: &Styles, first: RowNum) -> Result<RowNum, WriteError> {
-        static HEADINGS: [Text; 2] = [t("Hoja", "Sheet"), t("Contenido", "What it holds")];
+        static HEADINGS: [Text; 2] = [t("Hoja", "Sheet"), t("Contenido", "Contents")];
         let link = styles
             .text
             .clone()
@@ -199,23 +202,7 @@ impl Summary<'_> {
     }
 }
 
-/// Whether programs may be used, with the grade of the worst that was found.
-fn verdict(outcome: &Outcome) -> (Text, Grade) {
-    let counted = checks::summary(&outcome.findings);
-    let (words, grade) = if outcome.stopped() {
-        (t("Parado: no se entrega ningún programa", "Stopped: no program is handed over"), Grade::Stop)
-    } else if outcome.findings.iter().any(|one| one.grade == Grade::Caution) {
-        (
-            t("Nada lo impide; cada precaución la decide usted", "Nothing stops it; each caution is yours to decide"),
-            Grade::Caution,
-        )
-    } else {
-        (t("Nada lo impide", "Nothing stops it"), Grade::Note)
-    };
-    (Text::new(format!("{} ({}).", words.es, counted.es), format!("{} ({}).", words.en, counted.en)), grade)
-}
-
-/// The gravest findings, one a line.
+/// The gravest findings, one per line.
 fn cautions(findings: &[Finding]) -> Text {
     let grave: Vec<&Finding> = findings.iter().filter(|one| one.grade != Grade::Note).collect();
     let list = |language: Language, none: &str, more: &str, all: &str| {
@@ -239,7 +226,7 @@ fn cautions(findings: &[Finding]) -> Text {
     )
 }
 
-/// The programs, one a line: what it is, its length, how long it takes.
+/// The programs, one per line: title, length, time.
 fn programs(programs: &[Proved]) -> Text {
     if programs.is_empty() {
         return t("Ninguno.", "None.");
@@ -257,15 +244,16 @@ fn programs(programs: &[Proved]) -> Text {
     Text::new(list(Language::Es, "bloques"), list(Language::En, "blocks"))
 }
 
-/// How long a program takes: with its rapid moves where those of the machine are known, else at feed alone.
+/// The time of a program, as in the report.
 fn time(proved: &Proved) -> Option<Text> {
-    if let Some(Duration { seconds, timeless }) = proved.duration {
-        let least = if timeless > 0 { "≥ " } else { "" };
-        return Some(Text::same(format!("{least}{}", duration(seconds))));
-    }
-    let account = Some(&proved.account).filter(|account| !account.untimed && account.seconds > 0.0)?;
-    let time = duration(account.seconds);
-    Some(Text::new(format!("{time} con avance, sin rápidos"), format!("{time} at feed, without rapid moves")))
+    let (timed, seconds) = proved.time();
+    let time = duration(seconds?);
+    Some(match timed {
+        Timed::Feed => {
+            Text::new(format!("{time} con avance, sin rápidos"), format!("{time} at feed, without rapid moves"))
+        }
+        Timed::Cycle | Timed::Part | Timed::Unknown => Text::same(format!("≥ {time}")),
+    })
 }
 
 impl Styles {

@@ -74,6 +74,21 @@ fn the_sum_is_that_of_what_stands_in_the_file_after_seeking() {
 }
 
 #[test]
+fn a_file_that_is_written_again_keeps_its_place_and_leaves_nothing_of_its_first_version() {
+    let there = folder();
+    let folder = Folder::open(there.path()).expect("a folder");
+    let mut set = set(&folder);
+    write(&mut set, "a", "first").expect("written");
+    write(&mut set, "b", "b").expect("written");
+    set.write_again(OsStr::new("a"), |out| out.write_all(b"second")).expect("written");
+    assert_eq!(names(there.path()).len(), 2);
+    let files = set.commit().expect("committed");
+    assert_eq!(files.iter().map(|file| file.name.to_string_lossy()).collect::<Vec<_>>(), ["a", "b"]);
+    assert_eq!(files[0].sha256, sha256(b"second"));
+    assert_eq!(fs::read(there.path().join("a")).expect("a"), b"second");
+}
+
+#[test]
 fn a_set_that_is_dropped_leaves_the_old_files_and_nothing_else() {
     let there = folder();
     fs::write(there.path().join("a.nc"), "old").expect("an old file");

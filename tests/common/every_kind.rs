@@ -1,9 +1,11 @@
 //! Every command on every case of every kind in both languages, by the binary that knows them.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Output;
 
+use calamine::{Data, Reader, Xlsx, open_workbook};
 use rodete::cli::rows;
 use rodete::kind::Kind;
 use rodete::parameter::Case;
@@ -70,6 +72,14 @@ fn book(kind: &dyn Kind, case: &Case, language: Language, run: Run<'_>) {
         assert!(names.contains(&format!("book-{solid}.stl")), "{kind:?} {}: {names:?}", case.name);
     }
     assert_eq!(names.contains(&"book-viewer.html".to_owned()), form.viewer, "{kind:?} {}: {names:?}", case.name);
+    // The first sheet of the results lists the files beside it, and no other.
+    let mut results: Xlsx<std::io::BufReader<fs::File>> = open_workbook(folder.join("out/book-results.xlsx")).unwrap();
+    let first = results.worksheet_range_at(0).unwrap().unwrap();
+    let row = first.rows().find(|row| row[0] == Data::String("Files".to_owned())).unwrap();
+    let listed = row[1].to_string();
+    let listed: BTreeSet<_> = listed.lines().filter_map(|line| line.split_once(": ")).map(|(name, _)| name).collect();
+    let beside = names.iter().map(String::as_str).filter(|name| *name != "book-results.xlsx").collect();
+    assert_eq!(listed, beside, "{kind:?} {}", case.name);
     #[cfg(unix)]
     {
         let contents: Json =

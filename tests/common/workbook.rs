@@ -3,11 +3,12 @@
 use std::io::{Cursor, Read, Write};
 
 use rodete::finding::{Exit, Finding, Grade, Place, Refusal};
+use rodete::kind::Kind;
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::parameters::FORM;
-use rodete::parameter::{FieldKind, Value};
+use rodete::parameter::{Case, FieldKind, Value};
 use rodete::text::Language;
-use rodete::workbook::{Filled, read};
+use rodete::workbook::{Filled, read, template};
 use zip::write::SimpleFileOptions;
 
 /// The part of the first sheet.
@@ -47,6 +48,14 @@ pub fn sound(language: Language) -> Vec<u8> {
         }
     }
     workbook.save_to_buffer().unwrap()
+}
+
+/// A case of a kind as the command for new workbooks writes it: validation, groups, a drawing, defined names and all.
+pub fn written(kind: &dyn Kind, case: &Case, language: Language) -> Vec<u8> {
+    let mut out = Cursor::new(Vec::new());
+    let (values, lists) = (case.values(language), (case.listed)(language));
+    template::write(kind, &values, &lists, &case.note, language, &mut out).unwrap();
+    out.into_inner()
 }
 
 /// The row, counted from 1, where [`sound`] puts a parameter.

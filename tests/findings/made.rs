@@ -18,7 +18,7 @@ use rodete::text::Language;
 use rodete::workbook::offsets_table::OffsetsTable;
 use rodete::workbook::{self, Input, offsets_sheet, template};
 
-use super::workbook::{DATA, Parts, sound};
+use super::workbook::{DATA, Parts, sound, written};
 
 /// What is told of an input, whether it is taken or refused.
 fn told<T>(read: Result<T, Refusal>, findings: impl FnOnce(T) -> Vec<Finding>) -> Vec<Finding> {
@@ -38,11 +38,7 @@ fn named(kind: &str) -> &'static dyn Kind {
 /// A kind's usual workbook, as `new` writes it.
 fn usual(kind: &str) -> (&'static Form, Vec<u8>) {
     let kind = named(kind);
-    let (form, case) = (kind.form(), &kind.cases()[0]);
-    let mut out = Cursor::new(Vec::new());
-    let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
-    template::write(kind, &values, &lists, &case.note, Language::En, &mut out).unwrap();
-    (form, out.into_inner())
+    (kind.form(), written(kind, &kind.cases()[0], Language::En))
 }
 
 /// The part of a sheet by its name.

@@ -220,11 +220,7 @@ fn workbooks_by_chance_are_computed_or_refused() {
     let mut seeds = files("fuzz/corpus/package");
     for kind in rodete::kinds::KINDS {
         for case in kind.cases() {
-            let mut written = std::io::Cursor::new(Vec::new());
-            let language = rodete::text::Language::Es;
-            let (values, listed) = (case.values(language), (case.listed)(language));
-            rodete::workbook::template::write(*kind, &values, &listed, &case.note, language, &mut written).unwrap();
-            let parts = package::Parts::of(&written.into_inner()).0;
+            let parts = package::Parts::of(&package::written(*kind, case, rodete::text::Language::Es)).0;
             let mut laid_out = Vec::new();
             for (name, content) in parts {
                 laid_out.extend_from_slice(format!("=== {name}\n").as_bytes());

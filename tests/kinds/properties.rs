@@ -13,6 +13,7 @@ use rodete::geometry::villarceau::Villarceau;
 use rodete::kinds::impeller::blade::Blade;
 use rodete::kinds::impeller::blade_count::{N_max, e_max};
 use rodete::kinds::impeller::parameters::FORM;
+use rodete::machine::axis::Axis;
 use rodete::machine::rotary::Rotary;
 use rodete::number::trig::{asin, atan2, hypot};
 use rodete::parameter::{FieldKind, Value};
@@ -184,4 +185,21 @@ proptest! {
     fn programs_of_any_design_in_the_published_layout_close_and_read_back(changes in design(false)) {
         closes_and_reads_back(&changes)?;
     }
+}
+
+/// What an axis reaches at feed it reaches in all.
+#[test]
+fn the_extents_of_a_program_hold_those_at_feed() {
+    let mut seen = 0;
+    for (kind, case, language) in common::cases() {
+        for program in common::outcome_of(kind, case, language, &[]).programs {
+            let (Some(whole), Some(feed)) = (program.account.program, program.account.feed) else { continue };
+            for axis in Axis::ALL {
+                let ([least, greatest], [low, high]) = (whole.of(axis), feed.of(axis));
+                assert!(least <= low && high <= greatest, "{kind:?} {} {} {axis:?}", case.name, program.key);
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 10, "{seen} programs");
 }

@@ -176,7 +176,10 @@ fn what_a_program_comes_to_is_what_its_simulation_says_cycles_of_two_blocks_amon
         assert!(account.feed_path > 100.0 && account.rapid_path > 100.0, "{account:?}");
         let reach = account.program.unwrap();
         assert!(reach.of(Axis::Z)[0] < -10.0 && reach.of(Axis::Z)[1] > 30.0, "{reach:?}");
-        assert_eq!(outcome.setup, [("supported", Shown::Whether(false))]);
+        // What was compared with a profile says how far it is off; else page 1 of the report says that there was none.
+        let wanted = !outcome.fields.values().rows("profile").is_empty();
+        assert_eq!(outcome.setup, [("supported", Shown::Whether(false)), ("profile", Shown::Whether(wanted))]);
+        assert_eq!(outcome.quantities.iter().any(|quantity| quantity.symbol == "dev_plus"), wanted, "{}", case.name);
         // The figures of the report: one path, and every key once.
         let keys: Vec<_> = outcome.figures.iter().map(|figure| figure.key).collect();
         assert_eq!(keys, ["cover", "half-section", "setup", "path"]);

@@ -247,14 +247,16 @@ fn the_first_sheet_says_what_came_out_what_to_look_at_and_where_the_files_are() 
     let files =
         [("a-blade.nc".to_owned(), t("Un álabe", "One blade")), ("a-report.pdf".to_owned(), t("Informe", "Report"))];
     for (language, first, labels) in [
-        (Language::Es, "RESUMEN", ["Pieza", "Veredicto", "A mirar", "Programas", "Archivos"]),
-        (Language::En, "SUMMARY", ["Part", "Verdict", "To look at", "Programs", "Files"]),
+        (Language::Es, "RESUMEN", ["Pieza", "Resultado", "Qué revisar", "Programas", "Archivos"]),
+        (Language::En, "SUMMARY", ["Part", "Verdict", "What to check", "Programs", "Files"]),
     ] {
         let (range, names) = summary(&outcome, &files, language);
         assert_eq!(names.first().map(String::as_str), Some(first));
         let [part, verdict, look, programs, delivered] = labels.map(|label| text(&range, row_of(&range, label), 1));
         assert!(part.contains(outcome.part()) && part.contains(outcome.material()), "{part}");
-        assert!(verdict.contains(checks::summary(&outcome.findings).get(language)), "{verdict}");
+        let (words, _) = checks::verdict(false, &outcome.findings);
+        let passed = checks::passed(&outcome.checks);
+        assert_eq!(verdict, format!("{}. {}", words.get(language), passed.get(language)));
         let cautions: Vec<_> = outcome.findings.iter().filter(|one| one.grade == Grade::Caution).collect();
         assert!(!cautions.is_empty());
         for caution in &cautions {
@@ -289,15 +291,15 @@ fn the_first_sheet_has_a_line_for_what_does_not_stand_on_it() {
     let caution = NoRetract {}.at(Place::File).graded(Grade::Caution);
     outcome.findings = vec![caution; 7];
     let (range, _) = summary(&outcome, &[], Language::En);
-    let look = text(&range, row_of(&range, "To look at"), 1);
+    let look = text(&range, row_of(&range, "What to check"), 1);
     assert!(look.lines().count() == 5 && look.ends_with("And further 3. Remedies and places: sheet Checks."), "{look}");
     outcome.findings.clear();
     let (range, _) = summary(&outcome, &[], Language::En);
-    assert_eq!(text(&range, row_of(&range, "To look at"), 1), "Nothing in particular.");
-    assert!(text(&range, row_of(&range, "Verdict"), 1).starts_with("Nothing stops it (0 stops"));
+    assert_eq!(text(&range, row_of(&range, "What to check"), 1), "Nothing in particular.");
+    assert!(text(&range, row_of(&range, "Verdict"), 1).starts_with("No cautions. rodete read back"));
     outcome.end = rodete::kind::End::Stopped;
     let (range, _) = summary(&outcome, &[], Language::En);
-    assert!(text(&range, row_of(&range, "Verdict"), 1).starts_with("Stopped: no program is handed over"));
+    assert!(text(&range, row_of(&range, "Verdict"), 1).starts_with("Rejected: rodete delivers no program."));
 }
 
 #[test]

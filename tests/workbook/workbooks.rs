@@ -11,6 +11,7 @@ use rodete::text::Language;
 use rodete::workbook::template;
 
 use crate::common;
+use crate::common::workbook::written;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("workbooks")
@@ -36,13 +37,6 @@ fn shipped() -> Vec<(String, &'static dyn Kind, &'static Case, Language)> {
         }
     }
     shipped
-}
-
-fn written(kind: &dyn Kind, case: &Case, language: Language) -> Vec<u8> {
-    let mut out = Cursor::new(Vec::new());
-    let (values, lists) = (case.values(language), (case.listed)(language));
-    template::write(kind, &values, &lists, &case.note, language, &mut out).expect("the template can be written");
-    out.into_inner()
 }
 
 #[test]

@@ -25,12 +25,12 @@ pub static FANUC_LATHE_A: Control = Control {
     name: "fanuc-lathe-a",
     sources: &[
         t(
-            "la lista de códigos del simulador de torno: estos se siguen",
-            "the lathe simulator's list of codes: rodete follows these",
+            "la lista de códigos del simulador de torno: rodete interpreta estos",
+            "the lathe simulator's list of codes: rodete reads these",
         ),
         t(
-            "Fanuc Series 0i-T, manual del operador, sistema A de códigos G: los demás se rechazan por su nombre, y las letras que solo toman opciones del control (C, A, B y otras)",
-            "Fanuc Series 0i-T, operator's manual, G-code system A: the others are refused by name, and so are letters that only options of the control take (C, A, B and others)",
+            "Fanuc Series 0i-T, manual del operador, sistema A de códigos G: rodete rechaza los demás por su nombre, y también las letras que solo usan las opciones del control (C, A, B y otras)",
+            "Fanuc Series 0i-T, operator's manual, G-code system A: rodete rejects the others by name, and also letters that only options of the control use (C, A, B and others)",
         ),
     ],
     text: TextForm {

@@ -279,8 +279,8 @@ told! {
     }
     Order {
         Self::Rs274 => "el de RS274: los códigos M antes del movimiento", "that of RS274: M codes before the motion";
-        Self::OffLast => "el de RS274, pero M5 y M9 tras el movimiento", "that of RS274, but M5 and M9 after the motion";
-        Self::Fanuc => "la unidad antes que toda palabra, M5 y M9 tras el movimiento, y junto a G28, G30 o G50 puede estar un código de movimiento", "the unit before every word, M5 and M9 behind the motion, and a motion code may stand beside G28, G30 or G50";
+        Self::OffLast => "el de RS274, pero M5 y M9 después del movimiento", "that of RS274, but M5 and M9 after the motion";
+        Self::Fanuc => "la unidad antes que toda palabra, M5 y M9 después del movimiento; junto a G28, G30 o G50 puede ir un código de movimiento", "the unit before every word, M5 and M9 after the motion; a motion code may be beside G28, G30 or G50";
     }
     AcrossWord {
         Self::Radius => "la coordenada", "the coordinate";

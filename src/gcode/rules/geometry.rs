@@ -352,7 +352,7 @@ rules! {
             "At the origin there is no angle to start from.";
         example Example::program("linuxcnc", "G21 G90 F100|G0 @1|M2", "2:4");
     "G0450" RolloverPreset Stop { axis: char, angle: f64 }
-        es "0199: {axis}{angle} preselecciona un eje rotativo rollover, que va de 0 a 359.9999"
+        es "0199: {axis}{angle} preselecciona un eje giratorio rollover, que va de 0 a 359.9999"
         en "0199: {axis}{angle} presets a rollover axis, which goes from 0 to 359.9999"
         remedy "escriba el mismo ángulo entre 0 y 359.9999", "write the same angle within 0 to 359.9999";
         why "El control se para con su error 0199.",
@@ -387,7 +387,7 @@ rules! {
             "The sign gives the direction, and the manual does not say what −0 means.";
         example Example::program("fagor-8055", "G90|G0 B90|G0 B-0|M30", "3:4");
     "G0455" HalfTurn Caution { axis: char, degrees: Size, count: u64, line: usize, more: Text }
-        es "un eje rotativo da más de media vuelta en un bloque en avance: {axis} gira {degrees}°{more}"
+        es "un eje giratorio da más de media vuelta en un bloque en avance: {axis} gira {degrees}°{more}"
         en "a rotary axis makes more than half a turn in one feed block: {axis} turns {degrees}°{more}"
         remedy "compruebe el sentido del giro y si el eje de la máquina es rollover (--rotary)",
             "check which way the axis must turn, and whether the machine's axis is rollover (--rotary)";

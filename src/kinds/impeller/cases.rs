@@ -10,7 +10,7 @@ pub static CASES: [Case; 2] = [
         "full",
         t(
             "La pieza publicada, con programas completos y álabes intermedios cuyas pasadas libran a sus vecinos. F, S, F_max y los rápidos G_lin y G_rot están elegidos para una fresa de 6 mm en aluminio (113 m/min, 0.025 mm por diente con dos dientes): compruébelos para su máquina.",
-            "The published part, with complete programs and splitters whose passes clear their neighbours. F, S, F_max and the rapid rates G_lin and G_rot are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm a tooth with two teeth): check them for your machine.",
+            "The published part, with complete programs and splitters whose passes clear their neighbours. F, S, F_max and the rapid rates G_lin and G_rot are chosen for a 6 mm end mill in aluminium (113 m/min, 0.025 mm per tooth with two teeth): check them for your machine.",
         ),
         full,
     ),

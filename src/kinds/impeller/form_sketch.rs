@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::figure::diagram::{Diagram, arc, on_circle, rectangle};
-use crate::figure::{Figure, Ink};
+use crate::figure::{Figure, Ink, Sketch, arc, on_circle};
 use crate::geometry::torus::Torus;
 use crate::geometry::villarceau::Villarceau;
 use crate::text::t;
@@ -24,24 +23,28 @@ const AXIS: f64 = -84.0;
 
 /// The sketch of the impeller's form.
 pub(super) fn sketch() -> Figure {
-    let mut sketch = Diagram::default();
+    let mut sketch = Sketch::on_paper();
     section(&mut sketch);
     plan(&mut sketch);
     turning(&mut sketch);
-    sketch.figure(t(
-        "Qué es cada símbolo: sección, planta y torneado, sin escala",
-        "What the symbols are: section, plan and turning, not to scale",
-    ))
+    sketch.figure(
+        "sketch",
+        Figure::HEIGHT,
+        t(
+            "Qué es cada símbolo: sección, planta y torneado, sin escala",
+            "What the symbols are: section, plan and turning, not to scale",
+        ),
+    )
 }
 
 /// Half of the part on the work spindle, in a plane through its axis.
-fn section(sketch: &mut Diagram) {
+fn section(sketch: &mut Sketch) {
     let Torus { R, r } = TORUS;
-    sketch.other(rectangle([0.0, -STOCK], [19.0, NOSE]));
+    sketch.rectangle(Ink::Thin, [0.0, -STOCK], [19.0, NOSE]);
     let mut half = vec![[0.0, 0.0], [R - r, 0.0]];
     half.extend(arc([R, 0.0], r, [180.0, 270.0]));
     half.extend([[R, -STOCK], [0.0, -STOCK]]);
-    sketch.metal(half);
+    sketch.shape(Ink::Outline, half);
     sketch.line(Ink::Safe, arc([R, 0.0], r + DEPTH, [180.0, 270.0]));
     sketch.line(Ink::Outline, [[-10.0, NOSE], [30.0, NOSE]]);
     sketch.line(Ink::Centre, [[0.0, 13.0], [0.0, PIVOT - 5.0]]);
@@ -87,7 +90,7 @@ fn beside(line: &[[f64; 2]], by: f64) -> Vec<[f64; 2]> {
 }
 
 /// The blades as the tool sees them.
-fn plan(sketch: &mut Diagram) {
+fn plan(sketch: &mut Sketch) {
     let Torus { R, r } = TORUS;
     sketch.line(Ink::Outline, arc(PLAN, R, [0.0, 360.0]));
     sketch.line(Ink::Thin, arc(PLAN, R - r, [0.0, 360.0]));
@@ -97,7 +100,7 @@ fn plan(sketch: &mut Diagram) {
     for turned in [0.0, 90.0, 180.0, 270.0] {
         let line = mean_line(turned, 0.0);
         let (one, other) = (beside(&line, HALF), beside(&line, -HALF));
-        sketch.metal(one.into_iter().chain(other.into_iter().rev()).collect::<Vec<_>>());
+        sketch.shape(Ink::Outline, one.into_iter().chain(other.into_iter().rev()).collect::<Vec<_>>());
         sketch.line(Ink::Splitter, mean_line(turned + 45.0, 0.35));
     }
     let line = mean_line(180.0, 0.0);
@@ -117,18 +120,18 @@ fn plan(sketch: &mut Diagram) {
 }
 
 /// Half of the stock in the lathe, the way of the tool about it.
-fn turning(sketch: &mut Diagram) {
+fn turning(sketch: &mut Sketch) {
     let (R, r, length) = (13.0, 7.5, 24.0);
     let (left, top) = (FACE - length, AXIS + R);
     let mut half = vec![[left, AXIS], [left, top], [FACE - r, top]];
     half.extend(arc([FACE, top], r, [180.0, 270.0]));
     half.push([FACE, AXIS]);
-    sketch.metal(half);
+    sketch.shape(Ink::Outline, half);
     let (start, end) = ([FACE + 18.0, top], [FACE + 30.0, top + 9.0]);
     sketch.line(Ink::Centre, [[left - 5.0, AXIS], [FACE + 33.0, AXIS]]);
     sketch.line(Ink::Safe, [start, [FACE, top + 1.5], [FACE, AXIS - 1.5]]);
     sketch.line(Ink::Safe, [[FACE, top + 3.0], end]);
-    sketch.word([left + 10.0, top + 4.0], t("torneado del bruto", "turning of the blank"));
+    sketch.word([left + 2.0, top + 4.0], t("torneado del bruto", "turning of the blank"));
     sketch.dimension([FACE, AXIS], [start[0], AXIS], -5.0, "Z_b");
     sketch.dimension([FACE, AXIS], [end[0], AXIS], -11.0, "Z_e");
     sketch.line(Ink::Thin, [end, [end[0] + 6.0, end[1]]]);

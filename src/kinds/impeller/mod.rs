@@ -291,7 +291,7 @@ fn quantities(
         quantity(
             "N_max",
             "Número máximo de álabes, según lo publicado",
-            "Greatest number of blades, as published",
+            "Maximum number of blades, as published",
             N_max(torus, a_p, e, d_t),
             Unit::Count,
             ["ec. (34)", "eq. (34)"],
@@ -299,7 +299,7 @@ fn quantities(
         quantity(
             "e_max",
             "Espesor máximo del álabe, según lo publicado",
-            "Greatest blade thickness, as published",
+            "Maximum blade thickness, as published",
             e_max(torus, a_p, design.N, d_t),
             mm,
             ["ec. (35)", "eq. (35)"],
@@ -342,7 +342,7 @@ fn quantities(
         quantity(
             "N_max_true",
             "Número máximo de álabes por la separación real",
-            "Greatest number of blades by the true gap",
+            "Maximum number of blades by the true gap",
             f64::from(N),
             Unit::Count,
             ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],
@@ -352,7 +352,7 @@ fn quantities(
         quantity(
             "e_max_true",
             "Espesor máximo del álabe por la separación real",
-            "Greatest blade thickness by the true gap",
+            "Maximum blade thickness by the true gap",
             e,
             mm,
             ["separación real ≥ 4/3·d_t", "true gap ≥ 4/3·d_t"],

@@ -82,7 +82,7 @@ pub(super) static A_P: Field<f64, Required> = Field::real(
     "depth_a_p",
     MM,
     [0.01, 100.0],
-    t("Profundidad de mecanizado", "Depth of cut"),
+    t("Profundidad de pasada", "Depth of cut"),
     t("Menor que R − r", "Less than R − r"),
 );
 pub(super) static SPLITTERS: Field<bool, Required> =

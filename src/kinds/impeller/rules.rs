@@ -289,21 +289,21 @@ rules! {
             "If machine zero is at the bottom, that block takes the tool into the part in rapid.";
         example book!("impeller");
     "P1042" RibsLeft Caution { most: Size, from: Size, width: Size, across: Size }
-        es "quedan nervios sin cortar en los canales: ninguna pasada toca hasta un {most} % de la superficie torneada entre dos álabes (cota superior), desde el {from} % del camino del cubo al borde; en el borde el más ancho mide hasta {width} a lo largo del canto ({across} de través)"
+        es "quedan nervios sin cortar en los canales: ninguna pasada toca hasta un {most} % de la superficie torneada entre dos álabes (valor máximo), desde el {from} % del camino del cubo al borde; en el borde el más ancho mide hasta {width} a lo largo del canto ({across} de través)"
         en "ribs stay uncut in the channels: no pass touches up to {most} % of the turned surface between two blades (upper bound), from {from} % of the way from hub to rim; at the rim the widest rib measures up to {width} along the edge ({across} across)"
         remedy "vacíe los canales con un programa propio, o use más álabes o una herramienta mayor si la separación real lo permite: el plan solo corta a los lados de cada álabe",
             "clear the channels with a program of your own, or use more blades or a larger tool if the true gap allows: the plan cuts only beside each blade";
         why "El metal que queda obstruye el canal entre los álabes.", "The metal left blocks the channel between the blades.";
         example book!("impeller", "splitters" = "no");
     "P1043" FloorTooDeep Caution { most: Size, track: Text, point: Size, law: Size }
-        es "junto a los álabes el fondo queda hasta {most} más hondo que a_p (cota superior; lo peor, {track}, punto {point}): el extremo plano de la fresa no cabe en el fondo cóncavo (la ley √(r_f² + (d_t/2 + w·cos α)²) − r_f da {law}; el resto viene de los bloques)"
+        es "junto a los álabes el fondo queda hasta {most} más hondo que a_p (valor máximo; lo peor, {track}, punto {point}): el extremo plano de la fresa no cabe en el fondo cóncavo (la ley √(r_f² + (d_t/2 + w·cos α)²) − r_f da {law}; el resto viene de los bloques)"
         en "beside the blades the floor is up to {most} deeper than a_p (upper bound; worst on {track}, point {point}): the flat end of the tool does not fit the concave floor (the law √(r_f² + (d_t/2 + w·cos α)²) − r_f gives {law}; the rest comes from the blocks)"
         remedy "elija una herramienta menor, o cuente con ese fondo más hondo en el cubo y donde la pieza es delgada",
             "choose a smaller tool, or allow for the deeper floor at the hub and where the part is thin";
         why "En el cubo la pared mide R − r − a_p, menos lo que el fondo tenga de más.", "At the hub the wall is R − r − a_p, less the extra depth of the floor.";
         example book!("impeller");
     "P1044" IntoOwnFaces Caution { most: Size, faces: Text, law: Size }
-        es "las pasadas entran hasta {most} en las propias caras del álabe, que queda más delgado: {faces} (cotas superiores, bloque a bloque; la ley a·(1 − cos θ) en el cubo, que no cuenta el espesor ni los bloques, da {law})"
+        es "las pasadas entran hasta {most} en las propias caras del álabe, que queda más delgado: {faces} (valores máximos, bloque a bloque; la ley a·(1 − cos θ) en el cubo, que no cuenta el espesor ni los bloques, da {law})"
         en "the passes cut up to {most} into the blade's own faces and leave the blade thinner: {faces} (upper bounds, block by block; the law a·(1 − cos θ) at the hub, which leaves out thickness and blocks, gives {law})"
         remedy "elija una a_p menor, una herramienta menor o un e mayor que lo compense; un n mayor reduce lo que añaden los bloques",
             "choose a smaller a_p, a smaller tool, or a larger e to make up for it; a larger n reduces what the blocks add";

@@ -23,7 +23,7 @@ pub static CASES: [Case; 2] = [
         name: "blank",
         note: t(
             "El bruto del rodete publicado: un cuarto de toro de R = 25 y r = 15 con el ciclo G85 de Fagor. El programa lleva además el límite de giro S, que el publicado no tiene.",
-            "The blank of the published impeller: a quarter torus of R = 25 and r = 15 with Fagor's cycle G85. Beside the published program it carries the limit S of the spindle's speed.",
+            "The blank of the published impeller: a quarter torus of R = 25 and r = 15 with Fagor's cycle G85. Unlike the published program, it has the spindle speed limit S.",
         ),
         filled: blank,
         listed: blank_lists,

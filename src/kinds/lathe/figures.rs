@@ -6,31 +6,30 @@ use crate::figure::{Figure, Ink, Label, Stroke};
 use crate::text::Text;
 use crate::text::t;
 
-/// A closed contour in the half section, `[z, r]` from the work zero W1, mm; the last point is joined to the first.
+/// A closed contour in the half section, `[z, r]` from the part zero W1, mm; the last point is joined to the first.
 pub type Contour = Vec<[f64; 2]>;
 
 /// What is drawn, all in `[z, r]` from W1.
 #[derive(Clone, Debug, Default)]
 pub struct Drawn {
-    /// The metal as it is left.
+    /// The metal that is left.
     pub part: Vec<Contour>,
-    /// The metal as it came.
+    /// The stock.
     pub stock: Vec<Contour>,
     /// Chuck body, jaws and tailstock.
     pub chuck: Vec<Contour>,
     /// The wanted profile, if there is one.
     pub wanted: Vec<[f64; 2]>,
-    /// Where the tools went at feed and at rapid, each motion with its chords.
+    /// The paths of the tools at feed, each motion with its chords.
     pub feed: Vec<Vec<[f64; 2]>>,
-    /// The same at rapid.
+    /// The same in rapid.
     pub rapid: Vec<Vec<[f64; 2]>>,
 }
 
 /// Most motions that are drawn.
 const MOTIONS: usize = 4_000;
 
-/// All figures, by the keys that the report's templates know: the part as it is left, and of each set-up its sketch
-/// and its path.
+/// All figures, by the keys of the report's templates: the finished part, and for each set-up its sketch and its path.
 #[must_use]
 pub fn figures(drawn: &Drawn, setups: &[(Drawn, Held)]) -> Vec<Figure> {
     let mut figures = vec![cover(&drawn.part), half_section(drawn)];
@@ -39,8 +38,8 @@ pub fn figures(drawn: &Drawn, setups: &[(Drawn, Held)]) -> Vec<Figure> {
     figures.extend(setups.iter().zip(["path", "path-2"]).map(|((setup, _), key)| {
         let set_up = match key {
             _ if setups.len() < 2 => t("", ""),
-            "path" => t(", primera colocación", ", first set-up"),
-            _ => t(", segunda colocación", ", second set-up"),
+            "path" => t(", primer amarre", ", first set-up"),
+            _ => t(", segundo amarre", ", second set-up"),
         };
         path(setup, key, &set_up)
     }));
@@ -48,7 +47,7 @@ pub fn figures(drawn: &Drawn, setups: &[(Drawn, Held)]) -> Vec<Figure> {
 }
 
 /// The contour of the part at 1:1: the whole section, the axis, and the straight lines of the wanted profile, whose arcs are
-/// drawn as such. Arcs of the contour are chords within the tolerance of the removal, as the metal was taken away.
+/// drawn as such. Arcs of the contour are chords within the tolerance of the removal, as the metal was removed.
 #[must_use]
 pub fn contour(part: &[Contour], wanted: Vec<Vec<[f64; 2]>>) -> Figure {
     let mut strokes: Vec<Stroke> = Vec::new();
@@ -68,8 +67,8 @@ pub fn contour(part: &[Contour], wanted: Vec<Vec<[f64; 2]>>) -> Figure {
     }
 }
 
-/// The lines of a contour over the whole section, above and below the axis, each closed. What runs along the axis is no
-/// line of the part: there the two halves are one piece.
+/// The lines of a contour over the whole section, above and below the axis, each closed. A line along the axis is not a line
+/// of the part: there the two halves are one piece.
 fn section(contour: &Contour) -> Vec<Vec<[f64; 2]>> {
     let bare = |point: &[f64; 2]| point[1] < 1e-7;
     let count = contour.len();
@@ -104,7 +103,7 @@ fn axis(contours: &[Contour]) -> Option<Stroke> {
     (greatest > least).then(|| Stroke::line(Ink::Centre, vec![[least - beyond, 0.0], [greatest + beyond, 0.0]]))
 }
 
-/// Least and greatest z and r of contours; `None` of none.
+/// Minimum and maximum z and r of contours; `None` for no contours.
 fn extent(contours: &[Contour]) -> Option<[[f64; 2]; 2]> {
     contours.iter().flatten().next()?;
     Some([0, 1].map(|axis| {
@@ -116,8 +115,7 @@ fn extent(contours: &[Contour]) -> Option<[[f64; 2]; 2]> {
 /// The part in the chuck with the stock around it.
 fn half_section(drawn: &Drawn) -> Figure {
     let mut strokes = Vec::new();
-    // Of the chuck only what stands near the part.
-    // Without a stock, as of a part of which the first set-up left nothing, there is nothing near.
+    // Only the bodies of the chuck near the part. Without stock, if the first set-up left nothing, there are none.
     let about = extent(&drawn.stock);
     for (contour, [[left, right], [_, high]]) in drawn.chuck.iter().filter_map(|one| Some((one, about?))) {
         let near = |&[z, r]: &[f64; 2]| [z.clamp(left - high, right + 2.0 * high), r.clamp(0.0, 2.0 * high)];
@@ -202,7 +200,7 @@ mod tests {
         let solid = vec![[-9.0, 0.0], [-4.0, 0.0], [0.0, 0.0], [0.0, 5.0], [-9.0, 5.0]];
         let whole = [[0.0, 0.0], [0.0, 5.0], [-9.0, 5.0], [-9.0, 0.0], [-9.0, -5.0], [0.0, -5.0], [0.0, 0.0]];
         assert_eq!(section(&solid), [whole.to_vec()]);
-        // However the contour is begun.
+        // Wherever the contour begins.
         let mut turned = solid;
         turned.rotate_left(1);
         assert_eq!(section(&turned), [whole.to_vec()]);

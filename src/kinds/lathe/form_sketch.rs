@@ -1,31 +1,34 @@
 //! The sketch of the form: chuck, stock, zeros and turret, to no scale.
 
-use crate::figure::diagram::{Diagram, rectangle};
-use crate::figure::{Figure, Ink};
+use crate::figure::{Figure, Ink, Sketch};
 use crate::text::t;
 
 /// The sketch of the lathe's form. M lies at the origin.
 pub(super) fn sketch() -> Figure {
-    let mut sketch = Diagram::default();
+    let mut sketch = Sketch::on_paper();
     work(&mut sketch);
     turret(&mut sketch);
-    sketch.figure(t(
-        "Qué es cada símbolo: plato, bruto, orígenes y torreta, sin escala",
-        "What the symbols are: chuck, stock, zeros and turret, not to scale",
-    ))
+    sketch.figure(
+        "sketch",
+        Figure::HEIGHT,
+        t(
+            "Qué es cada símbolo: plato, bruto, orígenes y torreta, sin escala",
+            "What the symbols are: chuck, stock, zeros and turret, not to scale",
+        ),
+    )
 }
 
 /// Chuck, stock and tailstock.
-fn work(sketch: &mut Diagram) {
-    sketch.other(rectangle([0.0, -26.0], [18.0, 26.0]));
+fn work(sketch: &mut Sketch) {
+    sketch.rectangle(Ink::Thin, [0.0, -26.0], [18.0, 26.0]);
     for side in [1.0, -1.0] {
-        sketch.other(rectangle([18.0, 14.0 * side], [32.0, 21.0 * side]));
+        sketch.rectangle(Ink::Thin, [18.0, 14.0 * side], [32.0, 21.0 * side]);
     }
-    sketch.metal(rectangle([23.0, -14.0], [88.0, 14.0]));
+    sketch.rectangle(Ink::Outline, [23.0, -14.0], [88.0, 14.0]);
     for side in [1.0, -1.0] {
         sketch.line(Ink::Safe, [[23.0, 4.0 * side], [88.0, 4.0 * side]]);
     }
-    sketch.other([[88.0, 0.0], [96.0, 5.0], [104.0, 5.0], [104.0, -5.0], [96.0, -5.0]]);
+    sketch.shape(Ink::Thin, [[88.0, 0.0], [96.0, 5.0], [104.0, 5.0], [104.0, -5.0], [96.0, -5.0]]);
     sketch.line(Ink::Centre, [[-4.0, 0.0], [130.0, 0.0]]);
     sketch.line(Ink::Centre, [[82.0, -18.0], [82.0, 18.0]]);
     sketch.line(Ink::Outline, [[0.0, -30.0], [0.0, 30.0]]);
@@ -43,9 +46,9 @@ fn work(sketch: &mut Diagram) {
 }
 
 /// The turret's reference point, and the body about it.
-fn turret(sketch: &mut Diagram) {
+fn turret(sketch: &mut Sketch) {
     let [x, y] = [106.0, 44.0];
-    sketch.other(rectangle([x - 14.0, y - 10.0], [x + 14.0, y + 10.0]));
+    sketch.rectangle(Ink::Thin, [x - 14.0, y - 10.0], [x + 14.0, y + 10.0]);
     for line in [[[x - 2.0, y], [x + 2.0, y]], [[x, y - 2.0], [x, y + 2.0]]] {
         sketch.line(Ink::Outline, line);
     }

@@ -227,12 +227,13 @@ pub fn watched(
     let second = text::SheetProgram::of(&fields, SECOND_KEY);
     let two = if let Some(second) = &second {
         let simulation = one.simulation.turned_about(given.second)?;
-        let title = t("Programa de la segunda colocación", "Program of the second set-up");
+        let title = t("Programa del segundo amarre", "Program of the second set-up");
         // How a part is held that is not the one meant says nothing.
         let held = (!one.lost && !one.endless).then(|| fields.locate(held(simulation.setup())));
-        let lost = one.lost || one.endless || held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
-        // Of a program that was not followed to its end the part was not made.
-        let begins = Begins { simulation, lost, uncut: one.uncut || one.endless, held };
+        let loose = held.as_ref().is_some_and(|held| held.grade == Grade::Stop);
+        let lost = one.lost || one.endless || loose;
+        // Of a program that was not followed to its end the part was not made; on one that nothing holds nothing is.
+        let begins = Begins { simulation, lost, uncut: one.uncut || one.endless || loose, held };
         Some(follow("program-2", title, second, &given, begins, watch))
     } else {
         None
@@ -288,7 +289,7 @@ struct Begins {
     simulation: Simulation,
     /// The program before it went wrong, or nothing holds the part.
     lost: bool,
-    /// The part that it needs was not made.
+    /// The part that it needs was not made, or nothing holds it.
     uncut: bool,
     /// How the part is held.
     held: Option<Finding>,
@@ -506,9 +507,11 @@ fn outcome(
         .collect();
     drawn.chuck = paths.last().map(|(drawn, _)| drawn.chuck.clone()).unwrap_or_default();
     let (mut lines, mut arcs) = (Vec::new(), Vec::new());
+    let wanted = ("profile", Shown::Whether(profile.is_some()));
     let mut endless = followed.iter().any(|one| one.endless);
-    // Where a program was not followed to its end there is no part yet to be compared.
-    if let Some(profile) = profile.filter(|_| !endless) {
+    // Where a program was not followed to its end, or not made, there is no part yet to be compared.
+    let made = !endless && !followed.iter().any(|one| one.uncut);
+    if let Some(profile) = profile.filter(|_| made) {
         let left = followed.last().map_or(0, |one| one.simulation.work_left());
         let (finding, undone) = compared(&drawn.part, &profile, left, &mut quantities);
         findings.push(finding);
@@ -543,7 +546,7 @@ fn outcome(
             .collect(),
         solids: vec![Solid { key: "part", contours: drawn.part.clone(), tolerance: TOLERANCE }],
         scene: None,
-        setup: std::iter::once(("supported", Shown::Whether(supported))).chain(second).collect(),
+        setup: [("supported", Shown::Whether(supported)), wanted].into_iter().chain(second).collect(),
         checks: Vec::new(),
         figures: LazyLock::new(Box::new(move || figures::figures(&drawn, &paths))),
         programs,
@@ -594,21 +597,21 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         quantity("V", t("Volumen de la pieza", "Volume of the part"), left, mm3, none()),
         quantity(
             "a_p",
-            t("Mayor profundidad de corte", "Greatest depth of cut"),
+            t("Profundidad de pasada máxima", "Maximum depth of cut"),
             most(|all| all.depth),
             Unit::Millimetre,
             none(),
         ),
         quantity(
             "V_c",
-            t("Mayor velocidad de corte", "Greatest cutting speed"),
+            t("Velocidad de corte máxima", "Maximum cutting speed"),
             most(|all| all.cutting_speed),
             Unit::MetrePerMinute,
             none(),
         ),
         quantity(
             "Q",
-            t("Mayor caudal de viruta", "Greatest removal rate"),
+            t("Caudal de viruta máximo", "Maximum removal rate"),
             most(|all| all.rate),
             Unit::CubicCentimetrePerMinute,
             none(),
@@ -617,7 +620,8 @@ fn quantities(given: &Given, followed: &[Followed]) -> Vec<Quantity> {
         quantity("stops", t("de ellas, paradas", "of them, stops"), count(Some(Grade::Stop)), Unit::Count, none()),
     ];
     let apart = followed.iter().map(|one| one.repeated).fold(0.0, f64::max);
-    let name = t("Contorno, frente a otra biblioteca de polígonos", "Contour, against another library of polygons");
+    let name =
+        t("Contorno, comparado con otra biblioteca de polígonos", "Contour, compared with another polygon library");
     quantities.push(quantity("δ_2", name, apart, Unit::Millimetre, t("distancia media", "mean distance")));
     quantities
 }

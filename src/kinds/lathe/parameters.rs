@@ -25,7 +25,7 @@ const FOUR: Text = t("Vacías las cuatro o ninguna", "All four empty, or none");
 const NOT_WATCHED: Text = t("Vacía: no se vigila", "Empty: not watched");
 const NOT_KNOWN: Text = t(
     "Vacía: no se conoce; se rechaza el programa que la necesite",
-    "Empty: not known; a program that needs it is refused",
+    "Empty: not known; rodete rejects a program that needs it",
 );
 
 /// The controls that turn.
@@ -337,10 +337,10 @@ pub(crate) static Z_S: Field<f64, Optional> = Field::real(
     "second_Z_s",
     MM,
     [-1000.0, 1000.0],
-    t("Desplazamiento de la pieza vuelta", "Shift of the turned-round part"),
+    t("Desplazamiento en el segundo amarre", "Shift in the second set-up"),
     t(
-        "La pieza se refleja por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2. Vacío: 0",
-        "The part is mirrored about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2. Empty: 0",
+        "Se da la vuelta a la pieza por el centro del bruto y se desplaza Z_s; con la hoja PROGRAMA 2. Vacío: 0",
+        "The part is turned round about the middle of the stock and shifted by Z_s; with the sheet PROGRAM 2. Empty: 0",
     ),
 );
 
@@ -449,7 +449,7 @@ pub static FORM: Form = Form {
                 parameters: ZEROS,
                 optional: true,
             },
-            Section { title: t("Segunda colocación", "Second set-up"), parameters: SECOND, optional: true },
+            Section { title: t("Segundo amarre", "Second set-up"), parameters: SECOND, optional: true },
             Section { title: t("Ajustes del control", "Control settings"), parameters: CONTROL, optional: true },
             title_block::SECTION,
         ],
@@ -470,7 +470,7 @@ pub static FORM: Form = Form {
         List {
             key: SECOND_KEY,
             naming: Naming::One(t("PROGRAMA 2", "PROGRAM 2")),
-            title: t("Programa de la segunda colocación", "Program of the second set-up"),
+            title: t("Programa del segundo amarre", "Program of the second set-up"),
             note: BLOCKS_NOTE,
             is_program: true,
             optional: true,

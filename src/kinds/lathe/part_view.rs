@@ -58,7 +58,7 @@ pub(super) fn cover(part: &[Contour]) -> Figure {
     Figure {
         key: "cover",
         height: 118.0,
-        caption: t("La pieza como queda torneada", "The part as it is turned"),
+        caption: t("La pieza torneada", "The turned part"),
         axes: None,
         strokes: Drawing { camera, scene: Scene::new(camera), slabs: slabs(part) }.strokes(),
         labels: Vec::new(),

@@ -160,7 +160,7 @@ rules! {
         es "los movimientos de este programa no se comprueban: la pieza no es la prevista, o nada la sujeta"
         en "the motions of this program are not checked: the part is not the intended one, or nothing holds it"
         remedy "", "";
-        why "El programa de la segunda colocación cuenta con la pieza que deja la primera.",
+        why "El programa del segundo amarre cuenta con la pieza que deja el primero.",
             "The second set-up's program counts on the part that the first one leaves.";
         example book!("lathe", "PROGRAM!A7" = "N5 G199", "PROGRAM 2!A6" = "T0101", "PROGRAM 2!A7" = "G0 X100. Z50.");
     "L0207" TooManyMotions Stop { most: usize }
@@ -228,14 +228,14 @@ rules! {
             "Counted from machine zero, the motions would run into the chuck.";
         example blocks!("G55|G1 X48. F0.2|G54");
     "L0215" NothingInTheJaws Stop { left: Size, right: Size }
-        es "en la segunda colocación no hay material entre las garras: nada sujeta la pieza"
+        es "en el segundo amarre no hay material entre las garras: nada sujeta la pieza"
         en "in the second set-up there is no metal between the jaws: nothing holds the part"
         remedy "cambie Z_s (o L4) para que haya un cilindro entre Z{left} y Z{right}, donde están las garras",
             "change Z_s (or L4) so that a cylinder lies between Z{left} and Z{right}, where the jaws are";
         why "Las garras se cerrarían en el vacío.", "The jaws would close on nothing.";
         example book!("lathe", "Z_s" = "500", "PROGRAM 2!A6" = "M30");
     "L0216" HardlyHeld Stop { X: Size, left: Size, right: Size }
-        es "en la segunda colocación las garras, cerradas en X{X}, apenas sujetan longitud en Z"
+        es "en el segundo amarre las garras, cerradas en X{X}, apenas sujetan longitud en Z"
         en "in the second set-up the jaws, closed on X{X}, hold hardly any length along Z"
         remedy "cambie Z_s (o L4) para que haya un cilindro entre Z{left} y Z{right}, donde están las garras",
             "change Z_s (or L4) so that a cylinder lies between Z{left} and Z{right}, where the jaws are";
@@ -243,7 +243,7 @@ rules! {
             "A part held along a line tilts at the first pass and comes out.";
         example book!("lathe", "Z_s" = "-1", "PROGRAM 2!A6" = "M30");
     "L0217" HeldAlong Note { X: Size, length: Size }
-        es "en la segunda colocación las garras se cierran en X{X} y sujetan {length}"
+        es "en el segundo amarre las garras se cierran en X{X} y sujetan {length}"
         en "in the second set-up the jaws close on X{X} and hold {length}"
         remedy "", "";
         why "Compare el diámetro y la longitud con lo que hay en la máquina.", "Compare the diameter and the length with what is on the machine.";

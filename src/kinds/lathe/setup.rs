@@ -1,4 +1,4 @@
-//! From the sheets to the machine as it stands before the program starts: lathe, stock, turret, zeros, control.
+//! From the sheets to the machine before the program starts: lathe, stock, turret, zeros, control.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -27,7 +27,7 @@ use crate::removal::turning::tool::{Cutter, Hand, Holder, Shape, TurningTool};
 use crate::removal::turning::turret::Turret;
 use crate::text::Text;
 
-/// Z′ and X′ of the source: how far the longest tools stand off the stock at the reference point, mm.
+/// Z′ and X′ of the source: the clearance of the longest tools from the stock at the reference point, mm.
 const MARGIN: f64 = 30.0;
 
 /// What a filled-in form gives: the lathe before the program starts, and its control.
@@ -37,11 +37,11 @@ pub struct Given {
     pub setup: Setup,
     /// The control's dialect.
     pub control: &'static Control,
-    /// What a dimension without a point is.
+    /// How the control reads a dimension without a point.
     pub point: Option<DecimalPoint>,
     /// Blocks with `/` are skipped.
     pub block_delete: bool,
-    /// The shift of the part that was turned about for the second set-up, mm.
+    /// The shift of the part in the second set-up, mm.
     pub second: f64,
     /// The offset of each tool's own, by its place.
     pub own: BTreeMap<u32, u32>,
@@ -49,13 +49,13 @@ pub struct Given {
     offsets: Tools,
     /// The offset of the tool in the first place.
     first_offset: u32,
-    /// What R of the drilling cycles is; `None` where the form does not say.
+    /// What R of the drilling cycles means; `None` if the form does not say.
     pub plane: Option<HolePlane>,
-    /// The reference point is given, and the control's machine coordinates count from it.
+    /// True if the reference point is given; the control's machine coordinates then count from it.
     pub referred: bool,
-    /// The zeros W2 to W6, `[X as a radius, Z]` from M, where they are given.
+    /// The zeros W2 to W6, `[X as a radius, Z]` from M, if they are given.
     zeros: [[f64; 2]; 5],
-    /// Of each of them that has no Z its empty cells; no cell where there is no workbook.
+    /// The empty cells of each zero without a Z; none without a workbook.
     empty: BTreeMap<u8, Vec<CellPlace>>,
 }
 
@@ -195,10 +195,9 @@ impl Given {
         })
     }
 
-    /// The stop of a motion whose coordinates count from the machine's zero M, for the zero of the system in force is not
-    /// given. `None` where it is, and where the program has put the system somewhere itself, with G50 or with G54 to G59 and
-    /// X or Z: the program's zero then is what is left of the machine's position without the position in the program and
-    /// without the tool's offset, and not 0.
+    /// The stop of a motion whose coordinates would count from machine zero M, because the zero of the system in force is not
+    /// given. `None` if the zero is given, or if the program has set the system itself, with G50 or with G54 to G59 and X or Z:
+    /// the program's zero is then the machine's position less the program's position and the tool's offset, and not 0.
     #[must_use]
     pub fn without_zero(&self, motion: &Motion, control: &InForce) -> Option<Finding> {
         let cells = self.empty.get(&control.system)?;
@@ -218,8 +217,8 @@ impl Given {
         Some(ZeroIsEmpty { code, zero, cells: names.join(", ") }.at(place))
     }
 
-    /// The reference point, where the turret stands at the start and to which G28 goes, `[X as a radius, Z]` from M: as the
-    /// form gives it, else 30 mm beyond the stock's right end and surface with the longest tools, as the source has it.
+    /// The reference point, `[X as a radius, Z]` from M: the turret starts there, and G28 goes there. If the form does not give it,
+    /// the longest tools are 30 mm beyond the right end and the surface of the stock, as in the source.
     #[must_use]
     pub fn reference(&self) -> [f64; 2] {
         let Setup { lathe, stock, turret, .. } = &self.setup;
@@ -233,8 +232,8 @@ impl Given {
         [X.clamp(lathe.travel_x[0], lathe.travel_x[1]), Z.clamp(lathe.travel_z[0], lathe.travel_z[1])]
     }
 
-    /// What a program is read with where only the tools of the workbook are asked for: its offsets, the places of the turret,
-    /// and how the control reads its words.
+    /// The settings for reading a program with only the tools of the workbook: its offsets, the places of the turret, and how the
+    /// control reads its words.
     pub fn lend(&self, setting: &mut Setting) {
         setting.tools = Some(self.offsets.clone());
         setting.places = Some(self.setup.turret.tools.keys().copied().collect());
@@ -243,14 +242,14 @@ impl Given {
         setting.block_delete |= self.block_delete;
     }
 
-    /// What the program is read with: W1 at the stock, W2 to W6 as given, the turret's offsets.
+    /// The settings for reading the program: W1 at the stock, W2 to W6 as given, the turret's offsets.
     #[must_use]
     pub fn setting(&self) -> Setting {
         let mut setting = Setting::new(self.control);
         let mut file = VarFile::default();
         file.complete();
         let first = [0.0, self.setup.stock.zero(&self.setup.lathe)];
-        // A control counts its machine coordinates from the reference point, where that is given.
+        // A control counts its machine coordinates from the reference point, if that is given.
         let [from_x, from_z] = self.setup.lathe.origin;
         for (system, [X, Z]) in System::ALL.into_iter().zip(std::iter::once(first).chain(self.zeros)) {
             // The form's limits are far within what the file holds.
@@ -277,8 +276,8 @@ impl Given {
     }
 }
 
-/// The stop of a workbook that does not say the control's rule for dimensions without a decimal point, where it must. Of a
-/// program's file each such dimension is refused by itself.
+/// The stop of a workbook that must give the control's rule for dimensions without a decimal point and does not. In a program
+/// file, each such dimension is rejected by itself.
 #[must_use]
 pub fn without_rule(fields: &Fields) -> Option<Finding> {
     let (control, point) = (fields.get(&form::DIALECT), fields.get(&form::POINT));
@@ -330,7 +329,7 @@ fn cells(row: &Entry<'_>, columns: &[&'static Parameter]) -> Vec<CellPlace> {
     columns.iter().flat_map(|column| row.cell(column)).collect()
 }
 
-/// The cells of what is wrong with a tool that has no outline: of its holder, or else of its type and the sizes that it needs.
+/// The cells of a tool without an outline: those of its holder, or of its type and the sizes that it needs.
 fn sizes(tool: &TurningTool) -> Vec<&'static Parameter> {
     match (tool.check_holder(), tool.cutter, tool.holder) {
         (Err(_), _, Holder::Bar { .. }) => vec![&tools::B.row, &tools::L.row, &tools::C.row],
@@ -349,7 +348,7 @@ fn sizes(tool: &TurningTool) -> Vec<&'static Parameter> {
     }
 }
 
-/// What a tool needs and its row does not have: the cell is empty, or the sheet has no such column.
+/// A value that a tool needs and that its row does not have: the cell is empty, or the sheet has no such column.
 fn lost(row: &Entry<'_>, column: &'static Parameter) -> Box<Finding> {
     let (T, symbol) = (row.get(&tools::T).unwrap_or_default(), column.symbol());
     let cell = row.cell(column);

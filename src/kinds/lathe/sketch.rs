@@ -1,11 +1,11 @@
-//! The sketch of a set-up: the stock in the chuck with machine zero, work zero and the lengths that a machinist measures.
+//! The sketch of a set-up: the stock in the chuck with machine zero, part zero and the lengths that a machinist measures.
 
 use super::figures::Drawn;
 use crate::figure::{Figure, Ink, Side, Sketch, sized};
 use crate::removal::turning::simulation::Setup;
 use crate::text::{Text, t};
 
-/// The height in print, mm.
+/// The printed height, mm.
 const HEIGHT: f64 = 72.0;
 
 /// Where a set-up holds the part; mm along Z from W1.
@@ -15,9 +15,9 @@ pub struct Held {
     pub machine: f64,
     /// The face of the jaws.
     pub jaws: f64,
-    /// The turret stands behind the axis.
+    /// The turret is behind the axis.
     pub behind: bool,
-    /// The stock as it came, so that its lengths have the symbols of the form; false for a part that was turned about.
+    /// The stock of the form, so its lengths have the form's symbols; false for a part that was turned round.
     pub first: bool,
 }
 
@@ -34,7 +34,7 @@ impl Held {
     }
 }
 
-/// The sketch of one set-up; `None` where there is nothing to hold.
+/// The sketch of one set-up; `None` if there is nothing to hold.
 #[must_use]
 pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     let points = || drawn.stock.iter().flatten();
@@ -42,35 +42,35 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     let most = |axis: usize| points().map(|point| point[axis]).fold(f64::NEG_INFINITY, f64::max);
     let (right, radius) = (most(0), most(1));
     let left = points().map(|point| point[0]).fold(f64::INFINITY, f64::min);
-    // Of chuck and tailstock only what stands near the part.
+    // Only the bodies of chuck and tailstock near the part.
     let high = 1.5 * radius;
     let reach = drawn.chuck.iter().flatten().map(|point| point[0]).fold(right, f64::max).min(right + 1.2 * radius);
     let mut sketch = Sketch::new([reach - held.machine, 2.0 * high], [118.0, HEIGHT - 38.0]);
     let (gap, long) = (sketch.paper(2.0), sketch.paper(10.0));
     for ring in &drawn.chuck {
         let near: Vec<[f64; 2]> = ring.iter().map(|&[z, r]| [z.min(reach), r.clamp(-high, high)]).collect();
-        sketch.shape(Ink::Thin, &near);
+        sketch.shape(Ink::Thin, near);
     }
     for ring in &drawn.stock {
-        sketch.shape(Ink::Outline, ring);
-        sketch.shape(Ink::Outline, &ring.iter().map(|&[z, r]| [z, -r]).collect::<Vec<_>>());
+        sketch.shape(Ink::Outline, ring.as_slice());
+        sketch.shape(Ink::Outline, ring.iter().map(|&[z, r]| [z, -r]).collect::<Vec<_>>());
     }
-    sketch.line(Ink::Centre, vec![[held.machine - long, 0.0], [reach + gap, 0.0]]);
-    // M, W1, and which way X counts: towards the turret.
+    sketch.line(Ink::Centre, [[held.machine - long, 0.0], [reach + gap, 0.0]]);
+    // M, W1, and the direction of X: towards the turret.
     let up = if held.behind { 1.0 } else { -1.0 };
     sketch.zero([held.machine, 0.0]);
     sketch.label([held.machine, gap], Side::Above, Text::same("M"));
     sketch.zero([0.0, 0.0]);
-    // Over the part, or beside it where its face lies behind W1.
+    // Over the part, or beside it if its face is behind W1.
     if right < -gap {
         sketch.label([0.0, -gap], Side::Below, Text::same("W1"));
     } else {
         sketch.label([-gap / 2.0, sketch.paper(3.2)], Side::Left, Text::same("W1 (G54)"));
     }
     let (axes, beyond) = (reach.max(0.0) + gap, up * (radius + sketch.paper(4.0)));
-    sketch.arrow(Ink::Axis(2), vec![[axes, 0.0], [axes + long, 0.0]]);
+    sketch.arrow(Ink::Axis(2), [[axes, 0.0], [axes + long, 0.0]]);
     sketch.label([axes + long, 0.0], Side::Right, Text::same("+Z"));
-    sketch.arrow(Ink::Axis(0), vec![[axes, 0.0], [axes, beyond]]);
+    sketch.arrow(Ink::Axis(0), [[axes, 0.0], [axes, beyond]]);
     let turret = if held.behind {
         t("+X, torreta trasera", "+X, rear turret")
     } else {
@@ -78,10 +78,10 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
     };
     sketch.label([axes, beyond], Side::Right, turret);
     let symbol = |name: &'static str| if held.first { name } else { "" };
-    // Above: what the jaws hold, and what stands out.
+    // Above: the clamped length, and the stick-out.
     let over = high + sketch.paper(4.0);
     let (facing, clamped, out) = (right, held.jaws - left, right - held.jaws);
-    // Of a part that was turned about, not all that lies behind the face of the jaws is held.
+    // The jaws may hold only a part of what is behind their face, if the part was turned round.
     if held.first && clamped > 0.0 {
         sketch.level([left, radius], [held.jaws, high], over, sized("L4", clamped));
     }
@@ -90,18 +90,18 @@ pub fn sketch(drawn: &Drawn, held: Held, key: &'static str) -> Option<Figure> {
         let (low, high) = (facing.min(0.0), facing.max(0.0));
         sketch.level([low, radius], [high, radius], over + sketch.paper(7.0), sized(symbol("L5"), high - low));
     }
-    // Below: the work zero from M, and the whole length.
+    // Below: the whole length, and the part zero from M, whose number the extension lines of a shorter one do not cross.
     let under = -high - sketch.paper(7.0);
-    sketch.level([held.machine, -high], [0.0, -radius], under, sized("Z_W1", -held.machine));
-    sketch.level([left, -radius], [right, -radius], under - sketch.paper(7.0), sized(symbol("L"), right - left));
+    sketch.level([left, -radius], [right, -radius], under, sized(symbol("L"), right - left));
+    sketch.level([held.machine, -high], [0.0, -radius], under - sketch.paper(7.0), sized("Z_W1", -held.machine));
     let across = axes + sketch.paper(24.0);
     sketch.upright([right, -radius], [right, radius], across, Side::Right, sized(symbol("D"), 2.0 * radius));
     let caption = if held.first {
         t("El bruto en el plato, antes de tornear", "The stock in the chuck, before turning")
     } else {
         t(
-            "Segunda colocación: la pieza vuelta, antes de tornear",
-            "Second set-up: the part turned about, before turning",
+            "Segundo amarre: la pieza ya girada, antes de tornear",
+            "Second set-up: the part turned round, before turning",
         )
     };
     Some(sketch.figure(key, HEIGHT, caption))

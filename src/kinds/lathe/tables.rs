@@ -262,7 +262,7 @@ pub fn alarms_table<'a>(alarms: impl Iterator<Item = &'a Raised>) -> Table {
         key: "alarms",
         name: t("Alarmas", "Alarms"),
         title: t("Alarmas, en el orden del programa", "Alarms, in the order of the program"),
-        source: t("Umbral de penetración: 0.001 mm", "Threshold of penetration: 0.001 mm"),
+        source: t("Un contacto de hasta 0.001 mm no es alarma", "Contact up to 0.001 mm is not an alarm"),
         index: Index::None,
         print: Print::Short,
         columns: vec![

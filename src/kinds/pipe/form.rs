@@ -28,7 +28,7 @@ pub(in crate::kinds) static BRANCH_SCHEDULE: Field<Schedule, Optional> = Field::
     "branch_schedule",
     SCHEDULES,
     t("Cédula del injerto", "Schedule of the branch"),
-    t("ASME B36.10; vacía si lo está el tamaño nominal", "ASME B36.10; empty where the nominal size is"),
+    t("ASME B36.10; vacía si lo está el tamaño nominal", "ASME B36.10; empty if the nominal size is empty"),
 );
 pub(in crate::kinds) static D_BRANCH: Field<f64, Optional> = Field::real(
     "D_branch",
@@ -36,7 +36,7 @@ pub(in crate::kinds) static D_BRANCH: Field<f64, Optional> = Field::real(
     MM,
     DIAMETER,
     t("Diámetro exterior del injerto", "Outside diameter of the branch"),
-    t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
+    t("Vacío si se da el tamaño nominal", "Empty if the nominal size is given"),
 );
 pub(in crate::kinds) static T_BRANCH: Field<f64, Optional> = Field::real(
     "t_branch",
@@ -46,7 +46,7 @@ pub(in crate::kinds) static T_BRANCH: Field<f64, Optional> = Field::real(
     t("Espesor de pared del injerto", "Wall of the branch"),
     t(
         "Menor que el radio; vacío si se da el tamaño nominal",
-        "Less than the radius; empty where the nominal size is given",
+        "Less than the radius; empty if the nominal size is given",
     ),
 );
 pub(in crate::kinds) static HEADER_SIZE: Field<&'static Size, Optional> = Field::of_list(
@@ -64,7 +64,7 @@ pub(in crate::kinds) static HEADER_SCHEDULE: Field<Schedule, Optional> = Field::
     "header_schedule",
     SCHEDULES,
     t("Cédula del tubo base", "Schedule of the header"),
-    t("ASME B36.10; vacía si lo está el tamaño nominal", "ASME B36.10; empty where the nominal size is"),
+    t("ASME B36.10; vacía si lo está el tamaño nominal", "ASME B36.10; empty if the nominal size is empty"),
 );
 pub(in crate::kinds) static D_HEADER: Field<f64, Optional> = Field::real(
     "D_header",
@@ -72,7 +72,7 @@ pub(in crate::kinds) static D_HEADER: Field<f64, Optional> = Field::real(
     MM,
     DIAMETER,
     t("Diámetro exterior del tubo base", "Outside diameter of the header"),
-    t("Vacío si se da el tamaño nominal", "Empty where the nominal size is given"),
+    t("Vacío si se da el tamaño nominal", "Empty if the nominal size is given"),
 );
 pub(in crate::kinds) static T_HEADER: Field<f64, Optional> = Field::real(
     "t_header",
@@ -82,7 +82,7 @@ pub(in crate::kinds) static T_HEADER: Field<f64, Optional> = Field::real(
     t("Espesor de pared del tubo base", "Wall of the header"),
     t(
         "Menor que el radio; vacío si se da el tamaño nominal",
-        "Less than the radius; empty where the nominal size is given",
+        "Less than the radius; empty if the nominal size is given",
     ),
 );
 
@@ -127,7 +127,7 @@ pub(in crate::kinds) static PIERCE_DELAY: Field<f64, Required> = Field::real(
     "pierce_delay",
     Unit::Second,
     [0.0, 60.0],
-    t("Espera al perforar", "Pierce delay"),
+    t("Tiempo de espera al perforar", "Pierce delay"),
     t("0: sin espera", "0: none"),
 );
 
@@ -183,6 +183,6 @@ pub(in crate::kinds) static PAPER: Field<Paper, Usual> = Field::choice_or(
     Paper::A4,
     "paper",
     "paper",
-    t("Papel de la plantilla a tamaño natural", "Paper of the template at full size"),
+    t("Papel de la plantilla a tamaño real", "Paper of the template at full size"),
     t("Vacío: A4", "Empty: A4"),
 );

@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::figure::Ink;
-use crate::figure::diagram::{Diagram, arc, rectangle};
+use crate::figure::{Ink, Sketch, arc};
 use crate::geometry::pipe_pair::PipePair;
 use crate::number::trig::sin_cos;
 use crate::text::t;
@@ -27,7 +26,7 @@ pub(super) fn pair() -> PipePair {
 }
 
 /// Both views with the dimensions of pipes and joint. The elevation has the header's axis on the x axis.
-pub(super) fn pipes(sketch: &mut Diagram) {
+pub(super) fn pipes(sketch: &mut Sketch) {
     elevation(sketch);
     from_left(sketch);
 }
@@ -38,14 +37,14 @@ fn on_branch(beside: f64, along: f64) -> [f64; 2] {
     [along * cos + beside * sin, along * sin - beside * cos]
 }
 
-fn elevation(sketch: &mut Diagram) {
+fn elevation(sketch: &mut Sketch) {
     const PARTS: u8 = 24;
-    sketch.metal(rectangle([-HALF, -HEADER], [HALF, HEADER]));
+    sketch.rectangle(Ink::Outline, [-HALF, -HEADER], [HALF, HEADER]);
     let curve = (0..=PARTS).map(|at| {
         let point = pair().point(PI * f64::from(at) / f64::from(PARTS));
         [point.x, point.z]
     });
-    sketch.metal(curve.chain([on_branch(-BRANCH, END), on_branch(BRANCH, END)]).collect::<Vec<_>>());
+    sketch.shape(Ink::Outline, curve.chain([on_branch(-BRANCH, END), on_branch(BRANCH, END)]).collect::<Vec<_>>());
     for side in [1.0, -1.0] {
         sketch.line(Ink::Safe, [[-HALF, side * (HEADER - WALL)], [HALF, side * (HEADER - WALL)]]);
         sketch.line(Ink::Safe, [on_branch(side * (BRANCH - WALL), 24.0), on_branch(side * (BRANCH - WALL), END)]);
@@ -61,13 +60,13 @@ fn elevation(sketch: &mut Diagram) {
 }
 
 /// What is seen from the left, as the first-angle method draws it: a branch with e > 0 stands to the right.
-fn from_left(sketch: &mut Diagram) {
+fn from_left(sketch: &mut Sketch) {
     let (x, e) = (FROM_LEFT, ECCENTRICITY);
     let top = on_branch(0.0, END)[1];
     let (left, right) = (x + e - BRANCH, x + e + BRANCH);
     let foot = |beside: f64| (HEADER * HEADER - beside * beside).sqrt();
-    sketch.metal([[left, foot(e - BRANCH)], [left, top], [right, top], [right, foot(e + BRANCH)]]);
-    sketch.metal(arc([x, 0.0], HEADER, [0.0, 360.0]));
+    sketch.shape(Ink::Outline, [[left, foot(e - BRANCH)], [left, top], [right, top], [right, foot(e + BRANCH)]]);
+    sketch.shape(Ink::Outline, arc([x, 0.0], HEADER, [0.0, 360.0]));
     sketch.line(Ink::Safe, arc([x, 0.0], HEADER - WALL, [0.0, 360.0]));
     sketch.line(Ink::Centre, [[x - HEADER - 3.0, 0.0], [x + HEADER + 3.0, 0.0]]);
     sketch.line(Ink::Centre, [[x, -HEADER - 3.0], [x, top + 3.0]]);

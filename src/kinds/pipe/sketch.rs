@@ -9,11 +9,17 @@ pub(in crate::kinds) const HEIGHT: f64 = 66.0;
 /// The pipe from the side, from `left` to `right` along X, its axis at z = 0, on the rotary that turns it.
 pub(in crate::kinds) fn pipe(sketch: &mut Sketch, diameter: f64, [left, right]: [f64; 2]) {
     let (half, chuck) = (diameter / 2.0, sketch.paper(9.0));
-    sketch.shape(Ink::Outline, &[[left, -half], [right, -half], [right, half], [left, half]]);
+    sketch.rectangle(Ink::Outline, [left, -half], [right, half]);
     let high = 1.25 * half;
     sketch.rectangle(Ink::Thin, [left - chuck, -high], [left + 0.25 * chuck, high]);
-    sketch.line(Ink::Centre, vec![[left - 1.3 * chuck, 0.0], [right + 0.4 * chuck, 0.0]]);
+    sketch.line(Ink::Centre, [[left - 1.3 * chuck, 0.0], [right + 0.4 * chuck, 0.0]]);
     sketch.label([left - 0.4 * chuck, high], Side::Above, t("giratorio A", "rotary A"));
+}
+
+/// A caption that says what of the drawing no value of the form decides.
+pub(in crate::kinds) fn held(caption: &Text) -> Text {
+    let Text { es, en } = caption;
+    Text::new(format!("{es}. Giratorio dibujado en −X por convenio"), format!("{en}. Rotary drawn at −X by convention"))
 }
 
 /// A torch above a point, its tip there.
@@ -27,7 +33,7 @@ pub(in crate::kinds) fn torch(sketch: &mut Sketch, [x, z]: [f64; 2]) {
         [x - half, z + 2.2 * long],
         [x - half, z + long],
     ];
-    sketch.shape(Ink::Safe, &outline);
+    sketch.shape(Ink::Safe, outline);
 }
 
 /// The pipe along its axis, seen against X: how the torch goes round it by +A, and how the pipe turns for that. `edge` is
@@ -38,8 +44,8 @@ pub(in crate::kinds) fn end(diameter: f64, wall: f64, line: Text, edge: Vec<[f64
     let gap = sketch.paper(2.0);
     sketch.ring(Ink::Outline, [0.0, 0.0], half);
     sketch.ring(Ink::Outline, [0.0, 0.0], half - wall);
-    sketch.line(Ink::Centre, vec![[-half - gap, 0.0], [half + gap, 0.0]]);
-    sketch.line(Ink::Centre, vec![[0.0, -half - gap], [0.0, half + gap]]);
+    sketch.line(Ink::Centre, [[-half - gap, 0.0], [half + gap, 0.0]]);
+    sketch.line(Ink::Centre, [[0.0, -half - gap], [0.0, half + gap]]);
     if !edge.is_empty() {
         sketch.line(Ink::Obverse, edge);
     }

@@ -1,4 +1,4 @@
-//! What goes wrong while a program turns: numbered, with cause, place and depth.
+//! The alarms of a turning program: numbered, with cause, place and depth.
 
 use super::stock::Fixture;
 use crate::finding::{AlarmFamily, Finding, Grade, Place, Raise, Said, Size};
@@ -7,16 +7,16 @@ use crate::machine::axis::Axis;
 use crate::number::shown;
 use crate::text::Text;
 
-/// Depths up to this are contact and no collision, mm.
+/// Up to this depth a contact is not a collision, mm.
 pub const TOUCH: f64 = 0.001;
 
-/// How deep a retraction may scrape without being a stop, mm.
+/// Up to this depth a retraction that scrapes metal is a caution, not a stop, mm.
 ///
 /// # Derivation
-/// An edge of lead angle φ1 > 90° leans away from the shoulder in front of which it stops, and leaves there a wedge of
-/// a tan(φ1 − 90°) at a depth of cut a: 0.44 mm at 95° and 5 mm. A tool that is taken straight up the shoulder, by a program
-/// or by a cycle whose way out no program changes, takes it away with its nose, and a finishing allowance with it. That is
-/// metal, cut at rapid, but no crash. Anything deeper is no leftover of the edge's own.
+/// An edge with a lead angle φ1 > 90° leans away from the shoulder at which it stops, and leaves a wedge of a tan(φ1 − 90°)
+/// there at a depth of cut a: 0.44 mm at 95° and 5 mm. If the tool then retracts straight along the shoulder, by the program or
+/// by a cycle with a fixed way out, its nose cuts that wedge, and a finishing allowance with it. It cuts metal in rapid, but it
+/// does not crash. Anything deeper is not a remnant of its own edge.
 pub const SCRAPE: f64 = 0.5;
 
 /// What moves.
@@ -35,20 +35,20 @@ pub enum Moving {
 pub enum Cause {
     /// A rapid motion goes through metal.
     RapidInMetal,
-    /// The tool is taken off its cut at rapid and scrapes metal, no deeper than [`SCRAPE`].
+    /// The tool retracts in rapid and scrapes metal, no deeper than [`SCRAPE`].
     RetractionInMetal,
-    /// An edge of the cutter that does not cut runs into metal.
+    /// A non-cutting edge of the cutter runs into metal.
     BackInMetal,
     /// The holder or the turret runs into metal.
     BodyInMetal(Moving),
     /// A boring bar is fed into metal where there is no hole, or none wide enough for it.
     BoreWithoutHole {
-        /// The diameter of the hole before it; 0 where there is none.
+        /// The diameter of the hole in front of it; 0 if there is none.
         hole: f64,
-        /// The least that bar and edge need.
+        /// The minimum that bar and edge need.
         least: f64,
     },
-    /// Something that moves runs into something that stands.
+    /// A moving body runs into a fixed one.
     Collision(Moving, Fixture),
     /// The turret's reference point leaves the travel of an axis.
     Travel(Axis),
@@ -56,19 +56,19 @@ pub enum Cause {
     DepthOfCut {
         /// The depth of cut.
         depth: f64,
-        /// What the edge has.
+        /// The length of the edge across the motion.
         edge: f64,
     },
-    /// Another edge makes the surface and not the nose: the far end of the auxiliary edge leaves its mark, or an edge takes away
-    /// again what a nose has made.
+    /// An edge other than the nose makes the surface: the far end of the auxiliary edge leaves its mark, or an edge cuts into a
+    /// surface that a nose has made.
     BackCutting,
     /// A thread without a lead.
     NoLead,
-    /// The lead is none that the insert is made for.
+    /// The lead is outside the insert's range.
     Lead {
         /// The lead programmed.
         lead: f64,
-        /// The least and the greatest of the insert.
+        /// The minimum and the maximum of the insert.
         leads: [f64; 2],
     },
     /// A pass of a thread with another lead than the passes before.
@@ -78,7 +78,7 @@ pub enum Cause {
         /// The lead of the earlier ones.
         before: f64,
     },
-    /// A thread is cut with a tool for something else.
+    /// The tool that cuts a thread is not a threading tool.
     NoThreader,
     /// The spindle's speed is not the same in all passes of a thread.
     ThreadSpeed {
@@ -87,40 +87,40 @@ pub enum Cause {
         /// Another in this pass, or that of an earlier one, rpm.
         before: f64,
     },
-    /// A constant surface speed without a greatest speed asks for more than the spindle can.
+    /// A constant surface speed without a speed limit asks for more than the spindle's maximum.
     NoGreatestSpeed {
         /// The speed asked for, rpm; infinite on the axis.
         asked: f64,
         /// The machine's greatest, rpm.
         most: f64,
     },
-    /// S is more than the spindle can.
+    /// S is above the spindle's maximum.
     TooFast {
         /// The speed asked for, rpm.
         asked: f64,
         /// The machine's greatest, rpm.
         most: f64,
     },
-    /// The spindle stands still in the cut.
+    /// The spindle is stopped in the cut.
     SpindleStopped,
-    /// A feed per revolution while the spindle stands still: the slide does not move.
+    /// A feed per revolution while the spindle is stopped: the slide does not move.
     FeedStands,
-    /// The spindle turns the way in which the tool does not cut.
+    /// The spindle turns the wrong way for the tool.
     SpindleWrongWay,
     /// No coolant in the cut.
     NoCoolant,
     /// A feed of 0.
     NoFeed,
-    /// A feed in the cut that is none of turning, in mm a revolution: F is meant the other way, in mm/min or per revolution.
+    /// An implausible feed in the cut, in mm per revolution: F is probably meant in the other unit, mm/min or mm per revolution.
     ImplausibleFeed {
         /// What the tool is fed with each revolution, mm.
         feed: f64,
-        /// Between what it is taken as it stands, mm.
+        /// The plausible range, mm.
         limits: [f64; 2],
     },
     /// The turret has no tool in this place.
     UnknownTool(u32),
-    /// The offset in force is none of the tool's; 0: none is.
+    /// The offset in force is not the tool's own; 0: there is none.
     OtherOffset {
         /// The number in force.
         offset: u32,
@@ -129,15 +129,15 @@ pub enum Cause {
     },
     /// A drill works beside the axis.
     OffAxis,
-    /// The turret turns to this place where one of its tools has no room, or over the stock.
+    /// The turret turns to this place over the stock, or where one of its tools has no room.
     ToolChange(u32),
-    /// G41 or G42 keeps the nose on the side to which the tip points: into the work.
+    /// G41 or G42 keeps the nose on the side to which the tip points, in the part.
     NoseInTheWork(Compensation),
-    /// The feed leaves ridges: it is too much for the nose.
+    /// The feed is too large for the nose and leaves ridges.
     CoarseFeed {
         /// What the tool is fed with each revolution, mm.
         feed: f64,
-        /// The most that the nose smooths, mm.
+        /// The maximum for the nose, mm.
         most: f64,
     },
     /// A thread is deeper than its lead has room for: its crests are gone.
@@ -173,12 +173,12 @@ pub struct Alarm {
     pub n: Option<u32>,
     /// Where, in program coordinates: X as a diameter, and Z; mm.
     pub place: [f64; 2],
-    /// How deep, mm, where that has a meaning: into metal, into a fixture, past the travel.
+    /// Depth, mm, if it has one: into metal, into a fixture, past the travel.
     pub depth: Option<f64>,
 }
 
 impl Cause {
-    /// What one alarm is told from another by: its number, and the axis that is at the end of its travel.
+    /// What distinguishes one alarm from another: its number, and the axis at the end of its travel.
     #[must_use]
     pub fn key(self) -> (u16, Option<u8>) {
         (self.number(), if let Self::Travel(axis) = self { Some(axis as u8) } else { None })
@@ -190,7 +190,7 @@ impl Cause {
         self.row().rule().alarm_of(AlarmFamily::Lathe).unwrap_or_default()
     }
 
-    /// True where it hangs on where the tool is: with another tool's offset it may follow from that.
+    /// True if it depends on the tool's position: another tool's offset may be its cause.
     #[must_use]
     pub const fn hangs_on_offset(self) -> bool {
         matches!(
@@ -211,13 +211,13 @@ impl Cause {
         )
     }
 
-    /// How grave it is. Another offset than the tool's own is as grave as what follows from it: of itself a caution.
+    /// Its grade. Another tool's offset is a caution, or as grave as the alarms that follow from it.
     #[must_use]
     pub fn grade(self) -> Grade {
         if matches!(self, Self::OtherOffset { .. }) { Grade::Caution } else { self.row().rule().grade }
     }
 
-    /// Its row, with what it carries.
+    /// Its row, with its values.
     #[must_use]
     pub fn row(self) -> Box<dyn Raise> {
         use crate::removal::turning::rules as row;

@@ -1,4 +1,4 @@
-//! A boring bar that is fed along the axis: the hole that lies before it, and the one that it needs.
+//! A boring bar that feeds along the axis: the hole in front of it, and the hole that it needs.
 
 use super::alarm::{Cause, TOUCH};
 use super::contact::bounds;
@@ -11,23 +11,22 @@ use crate::geometry::exact::convex::Convex;
 /// A hole that a boring bar is fed into.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hole {
-    /// Its diameter at its narrowest, mm; 0 where there is none.
+    /// Its diameter at the narrowest place, mm; 0 if there is none.
     pub diameter: f64,
-    /// The least diameter that bar and edge need on their way, mm.
+    /// The minimum diameter that bar and edge need on their path, mm.
     pub least: f64,
-    /// Where the bar's end stands as the way begins: what it meets past it lies before it, and not beside; on the grid, mm.
+    /// The bar's end at the start of the path: metal that it meets beyond is in front of it, not beside it; on the grid, mm.
     pub end: f64,
 }
 
 impl Hole {
-    /// The hole along a straight way, before it is cut, `[z, r]` on the grid; `None` where the way does not lead towards the
-    /// chuck, the tool is none for turning on a bar between its tip and the axis, and where no metal lies nearer to the axis
-    /// than the tip.
+    /// The hole along a straight path before the cut, `[z, r]` on the grid. `None` if the path does not lead towards the chuck, if
+    /// the tool is not a boring tool on a bar between its tip and the axis, or if no metal is nearer to the axis than the tip.
     ///
     /// # Derivation
-    /// With its tip at the radius r the edge takes what lies out from r − e, where e is how far its cutting edges reach towards
-    /// the axis before the bar's end comes; what is nearer to it has to be gone before. The bar of diameter d with its centre c from the tip reaches over
-    /// the axis to c + d/2 − r on the other side, and goes into no hole of less than c + d/2.
+    /// With its tip at the radius r, the edge cuts the metal from r − e outwards, where e is how far its cutting edges reach
+    /// towards the axis in front of the bar's end; metal nearer to the axis must be gone before. The bar, of diameter d with its
+    /// centre c from the tip, reaches across the axis to c + d/2 − r on the other side, and needs a hole of at least c + d/2 in diameter.
     pub fn before(part: &mut Workpiece, tool: &TurningTool, outline: &Outline, [from, to]: Piece) -> Option<Self> {
         let (Cutter::Insert { .. }, Holder::Bar { diameter, reach, .. }) = (tool.cutter, tool.holder) else {
             return None;
@@ -37,7 +36,7 @@ impl Hole {
             return None;
         }
         let end = outline.holder.iter().map(|body| body.extent().0.mm()[0]).fold(f64::INFINITY, f64::min);
-        // What the bar's own end passes: the edge before it may go on into the bottom.
+        // The area that the bar's own end passes: the edge in front of it may cut into the bottom.
         let [deep, high] = [to[0] + end, from[0] + end];
         let corners = [[deep, -great], [high, -great], [high, great], [deep, great]];
         let mut narrowest = f64::INFINITY;
@@ -50,20 +49,20 @@ impl Hole {
         narrowest.is_finite().then(|| Self { diameter: 2.0 * narrowest, least, end: from[0] + end })
     }
 
-    /// True where there is none.
+    /// True if there is no hole.
     pub fn is_solid(&self) -> bool {
         self.diameter < TOUCH
     }
 
-    /// What is wrong where the bar itself has met metal at a place past its end, or there is no hole.
+    /// The alarm if the bar itself has met metal beyond its end, or if there is no hole.
     pub fn cause(&self) -> Option<Cause> {
         (self.diameter < self.least - TOUCH)
             .then_some(Cause::BoreWithoutHole { hole: self.diameter, least: self.least })
     }
 }
 
-/// How far the cutting edges reach from the programmed point towards the axis before the bar's end, mm: an edge that leans back
-/// cuts behind it what the bar has met already.
+/// How far the cutting edges reach from the programmed point towards the axis in front of the bar's end, mm: an edge that leans
+/// back cuts only metal that the bar has already met.
 fn depth(outline: &Outline, end: f64) -> f64 {
     let mut deepest = 0.0_f64;
     for part in &outline.cutter {

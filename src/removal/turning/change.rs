@@ -1,4 +1,4 @@
-//! A change of tool: whether the turret has room to turn where it stands.
+//! A tool change: whether the turret has room to turn.
 
 use super::alarm::{Cause, TOUCH};
 use super::contact::depth;
@@ -10,13 +10,14 @@ use super::workpiece::Workpiece;
 use crate::geometry::exact::convex::Convex;
 use crate::geometry::exact::grid::Point;
 
-/// What a turret needs over the stock to turn, mm: Z′ and X′ of the source, how far tools stand off at the reference point.
+/// The distance from the stock that a turret needs to turn, mm: Z′ and X′ of the source, the clearance of the tools at the
+/// reference point.
 const ROOM: f64 = 30.0;
 
-/// Raises the change to a place with the turret's reference point at `stands`, `[z, r]` on the grid, where the tool that was at
-/// work has its point over the stock, between its ends and within [`ROOM`] of its surface or inside it; and where any tool
-/// of the turret would stand in the part or in what stands about it, for on its way round each may come to the place at
-/// work. What a turret sweeps on its way the sources do not say: every tool is tried at the place at work, and nowhere else.
+/// Raises the alarm of a change to a place, with the turret's reference point at `stands`, `[z, r]` on the grid: if the point of
+/// the working tool is over the stock, between its ends and within [`ROOM`] of its surface or inside it; and if any tool of
+/// the turret would be in the part or in the bodies about it, because each may pass the working place as the turret turns. The
+/// sources do not say what a turret sweeps: every tool is tried at the working place only.
 pub(super) fn judge<'a>(
     (part, fixtures): (&mut Workpiece, &[(Fixture, Convex)]),
     tools: impl Iterator<Item = (u32, &'a TurningTool, &'a Outline)>,

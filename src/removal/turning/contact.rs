@@ -1,5 +1,4 @@
-//! What a swept part of a cutter had in common with the metal, judged: how deep, over which edges, and what made the
-//! surface that is left.
+//! The contact of a swept part of a cutter with the metal: its depth, its edges, and what made the surface that is left.
 
 use super::alarm::{Cause, TOUCH};
 use super::outline::{Part, Role, beside};
@@ -7,48 +6,48 @@ use crate::geometry::exact::convex::Origin;
 use crate::geometry::exact::meeting::{Meeting, Stretch};
 use crate::number::trig::hypot;
 
-/// What is shorter along the motion than this, mm, and than this share of the longest is no depth of cut: a pass that ends
-/// at a shoulder takes with it the fillet that the nose left there in the pass before, a sliver far above the pass.
+/// Metal shorter along the motion than this, mm, and than this share of the longest piece, does not count as depth of cut: a pass
+/// that ends at a shoulder also removes the fillet that the nose left there in the pass before, a sliver far above the pass.
 const SLIVER: [f64; 2] = [1.0, 0.05];
 
-/// A cutting edge faces a way where more than this of its normal is along it: 10°. Below it rubs.
+/// A cutting edge faces a path if more than this share of its normal is along it: 10°. Below that it rubs.
 const FACES: f64 = 0.17;
 
-/// What is known of the contact during one motion.
+/// The contact during one motion.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Contact {
-    /// Metal was met, more than touched.
+    /// Metal was cut, not only touched.
     pub real: bool,
     /// How far the cut reached across the motion, slivers left out; mm.
     pub across: f64,
-    /// How far the cutting edges that look forward reach across it, where an edge that does not cut came into metal
-    /// beside them: the depth of cut is too great.
+    /// How far the forward cutting edges reach across the motion, if a non-cutting edge entered metal beside them: the depth of cut
+    /// is too large.
     pub edge: Option<f64>,
-    /// An edge that does not cut ran into metal ahead of it: how deep.
+    /// The depth of a non-cutting edge in metal ahead of it.
     pub back: Option<f64>,
-    /// The same beside cutting edges that cut, in a cut that is not too wide for them.
+    /// The same beside cutting edges, in a cut that is not too wide for them.
     pub beside: Option<f64>,
     /// The far end of the auxiliary edge left a surface.
     pub dragged: bool,
     /// Where, `[z, r]`.
     pub place: [f64; 2],
-    /// What is wrong where a boring bar was fed into metal with no hole in it.
+    /// The alarm of a boring bar that was fed into metal without a hole.
     pub solid: Option<Cause>,
 }
 
-/// What a part of a cutter met on its way, more than a film; mm.
+/// The metal that a part of a cutter met on its path, more than a film; mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bite {
-    /// How far along the way the first of the metal lies.
+    /// The distance along the path to the first metal.
     pub along: f64,
-    /// Between which distances outwards from the programmed point it lies, measured across the way.
+    /// Its range of distances outwards from the programmed point, across the path.
     pub reach: [f64; 2],
-    /// Its least and its greatest radius.
+    /// Its minimum and its maximum radius.
     pub metal: [f64; 2],
 }
 
-/// How deep a polygon was in the metal, mm, and where: the greatest distance of the outline taken away from the new one or
-/// of the new one from it, at the ends and middles of their stretches. The axis bounds the half section and not the metal.
+/// The depth of a polygon in the metal, mm, and its place: the largest distance between the removed outline and the new one, at
+/// the ends and middles of their stretches. The axis bounds the half section, not the metal.
 #[must_use]
 pub fn depth(meeting: &Meeting) -> (f64, [f64; 2]) {
     let mut deepest = (0.0, [0.0; 2]);
@@ -63,7 +62,7 @@ pub fn depth(meeting: &Meeting) -> (f64, [f64; 2]) {
             }
         }
     };
-    // A piece that is covered as a whole leaves no new outline: how deep is how wide it was.
+    // A piece that is covered completely leaves no new outline: its depth is its width.
     if meeting.inserted.is_empty() {
         if let Some(first) = old().next() {
             old().for_each(|stretch| look(stretch, &|[z, r]| hypot(z - first.from[0], r - first.from[1])));
@@ -106,7 +105,7 @@ fn film(meeting: &Meeting) -> f64 {
     if length > 0.0 { 2.0 * area.abs() / length } else { 0.0 }
 }
 
-/// A part of a cutter on a straight way.
+/// A part of a cutter on a straight path.
 #[derive(Clone, Copy, Debug)]
 pub struct Ride<'a> {
     /// The part.
@@ -115,12 +114,12 @@ pub struct Ride<'a> {
     pub from: [f64; 2],
     /// The direction `[dz, dr]`, of length 1.
     pub way: [f64; 2],
-    /// What it met is shown mirrored across the axis.
+    /// The metal that it met is given mirrored across the axis.
     pub mirrored: bool,
 }
 
 impl Ride<'_> {
-    /// How far a place is to the left of the way.
+    /// The distance of a place to the left of the path.
     fn aside(&self, [z, r]: [f64; 2]) -> f64 {
         self.way[0] * (r - self.from[1]) - self.way[1] * (z - self.from[0])
     }
@@ -129,20 +128,20 @@ impl Ride<'_> {
         if self.mirrored { [z, -r] } else { [z, r] }
     }
 
-    /// Between which distances to the left of the way a stretch of what was met lies, from its start to its end.
+    /// The distances to the left of the path of the start and the end of a stretch.
     fn span(&self, stretch: Stretch) -> [f64; 2] {
         [stretch.from, stretch.to].map(|end| self.aside(self.flip(end)))
     }
 
-    /// How far what was taken away reaches across the way where it is longer along it than a sliver, mm; `None` where it is
-    /// so nowhere.
+    /// How far the removed metal reaches across the path where it is longer along the path than a sliver, mm; `None` if it is
+    /// nowhere longer.
     ///
-    /// At a distance s to the left of the way the metal's length along it is the sum of the places u where its outline
-    /// crosses, those with s growing counted for and the others against (Green's theorem: the area is ∮ u ds). Between the
-    /// ends of stretches it is linear in s.
+    /// At a distance s to the left of the path, the length of the metal along the path is the signed sum of the places u where
+    /// its outline crosses, positive where s grows (Green's theorem: the area is ∮ u ds). Between the ends of stretches it is
+    /// linear in s.
     fn reach(&self, meeting: &Meeting) -> Option<f64> {
         let along = |[z, r]: [f64; 2]| self.way[0] * (z - self.from[0]) + self.way[1] * (r - self.from[1]);
-        // Where a stretch begins and ends to count, with the place at s = 0 and its slope; the sign of s growing is in them.
+        // The range in which a stretch counts, with its place at s = 0 and its slope, both signed.
         let mut ends: Vec<[f64; 3]> = Vec::with_capacity(2 * (meeting.removed.len() + meeting.inserted.len()));
         let removed = meeting.removed.iter().map(|one| (one, 1.0));
         for (stretch, sign) in removed.chain(meeting.inserted.iter().map(|(one, _)| (one, -1.0))) {
@@ -159,7 +158,7 @@ impl Ride<'_> {
             ends.push([from.max(to), -place, -slope]);
         }
         ends.sort_by(|one, two| one[0].total_cmp(&two[0]));
-        // Between two ends that follow one another: the length half-way.
+        // Between two consecutive ends: the length half-way.
         let (mut place, mut slope) = (0.0, 0.0);
         for at in 1..ends.len() {
             let [here, more, steeper] = ends[at - 1];
@@ -176,15 +175,15 @@ impl Ride<'_> {
         Some(counts.next_back().unwrap_or(first)[1] - first[0])
     }
 
-    /// A corner of the part where the way starts.
+    /// A corner of the part at the start of the path.
     fn corner(&self, at: usize) -> [f64; 2] {
         let corners = self.part.polygon.corners();
         let [z, r] = corners[at % corners.len()].mm();
         [self.from[0] + z, self.from[1] + r]
     }
 
-    /// The edges that look forward: their number, between which distances to the left of the way they lie, and how much of
-    /// their outward normal is along the way.
+    /// The forward edges: their number, their range of distances to the left of the path, and the share of their outward normal
+    /// along the path.
     fn forward(&self) -> impl Iterator<Item = (usize, [f64; 2], f64)> {
         (0..self.part.roles.len()).filter_map(|at| {
             let (from, to) = (self.corner(at), self.corner(at + 1));
@@ -194,15 +193,15 @@ impl Ride<'_> {
         })
     }
 
-    /// How much metal lay in a strip along the way, as the greatest distance of the outline that was from the one that is;
-    /// `None` for a film.
+    /// The depth of the metal in a strip along the path: the largest distance of the old outline from the new one; `None` for a
+    /// film.
     fn metal(&self, meeting: &Meeting, [low, high]: [f64; 2]) -> Option<f64> {
         let new = || meeting.inserted.iter().map(|(stretch, _)| *stretch);
         let deepest = (meeting.removed.iter())
             .filter_map(|&stretch| {
                 let [one, two] = self.span(stretch);
                 let [from, to] = ordered([one, two]);
-                // A stretch along the way is in the strip or not; of another one, what is in the strip.
+                // A stretch along the path is inside the strip or not; another one is cut at its sides.
                 let part = if to - from <= TOUCH {
                     (from >= low && to <= high).then_some(0.5)
                 } else {
@@ -212,7 +211,7 @@ impl Ride<'_> {
                 part.map(|part| [0, 1].map(|axis| stretch.from[axis] + (stretch.to[axis] - stretch.from[axis]) * part))
             })
             .map(|point| match meeting.removed.first() {
-                // A piece that is covered as a whole leaves no new outline.
+                // A piece that is covered completely leaves no new outline.
                 Some(first) if meeting.inserted.is_empty() => hypot(point[0] - first.from[0], point[1] - first.from[1]),
                 _ => off(point, new()),
             })
@@ -225,12 +224,12 @@ fn ordered([one, two]: [f64; 2]) -> [f64; 2] {
     [one.min(two), one.max(two)]
 }
 
-/// What bounds the metal that was met: of what lay wholly inside the part the new outline alone.
+/// The boundary of the metal that was met: for metal wholly inside the part, the new outline alone.
 pub(super) fn bounds(meeting: &Meeting) -> impl Iterator<Item = Stretch> {
     meeting.removed.iter().copied().chain(meeting.inserted.iter().map(|(stretch, _)| *stretch))
 }
 
-/// What was met, with the distances outwards as they are.
+/// The metal that was met, with signed distances outwards.
 fn bite(meeting: &Meeting, ride: &Ride) -> Bite {
     let ends = || bounds(meeting).flat_map(|one| [one.from, one.to]);
     let span = |of: &dyn Fn([f64; 2]) -> f64| {
@@ -244,7 +243,7 @@ fn bite(meeting: &Meeting, ride: &Ride) -> Bite {
 }
 
 impl Contact {
-    /// Adds what a part of a cutter met on its way; `None` for a film.
+    /// Adds the metal that a part of a cutter met on its path; `None` for a film.
     pub fn add(&mut self, meeting: &Meeting, ride: &Ride) -> Option<Bite> {
         if film(meeting) < TOUCH / 2.0 {
             return None;
@@ -263,11 +262,11 @@ impl Contact {
         self.judge_backs(meeting, ride, cut);
         let far = (0..meeting.inserted.len()).filter_map(|at| far_end(meeting, ride, at));
         self.dragged |= far.count() > 0;
-        // The normal to the left of a way [dz, dr] is [-dr, dz].
+        // The normal to the left of a path [dz, dr] is [-dr, dz].
         Some(Bite { reach: ordered(cut.map(|aside| aside * ride.way[0])), ..bite(meeting, ride) })
     }
 
-    /// Adds what a threading cutter met in one place of a thread: how deep, against its profile; `None` for a film.
+    /// Adds the metal that a threading cutter met in one place of a thread: its depth along the profile; `None` for a film.
     pub fn add_rib(&mut self, meeting: &Meeting, ride: &Ride) -> Option<Bite> {
         if film(meeting) < TOUCH / 2.0 {
             return None;
@@ -289,8 +288,8 @@ impl Contact {
         Some(Bite { along: 0.0, ..bite(meeting, ride) })
     }
 
-    /// Edges without a cutting edge that look forward, and metal ahead of them. Where a cutting edge beside them faces the
-    /// way and cuts, the cut is too deep for it; elsewhere the tool goes with its back first.
+    /// Forward non-cutting edges with metal ahead of them. If a cutting edge beside them faces the path and cuts, the cut is too deep
+    /// for it; otherwise the tool moves back first.
     fn judge_backs(&mut self, meeting: &Meeting, ride: &Ride, cut: [f64; 2]) {
         let (mut edges, mut back) = ([f64::INFINITY, f64::NEG_INFINITY], None::<f64>);
         let mut faces = false;
@@ -315,7 +314,7 @@ impl Contact {
     }
 }
 
-/// True of a stretch that the nose left, or the corner where both edges meet if it is sharp.
+/// True if the nose left a stretch, or the corner of both edges of a sharp tool.
 pub(super) fn is_nose(part: &Part, origin: Origin) -> bool {
     let count = part.roles.len();
     match origin {
@@ -330,11 +329,11 @@ fn is_tip(part: &Part, corner: usize) -> bool {
     beside.contains(&Role::Nose) || beside.contains(&Role::Main) && beside.contains(&Role::Auxiliary)
 }
 
-/// How far behind the nose's way the far end of the auxiliary edge has left the stretch inserted of a number; `None` of a stretch
-/// that is another's.
+/// How far behind the path of the nose the far end of the auxiliary edge has left an inserted stretch; `None` if something else
+/// left it.
 ///
-/// A surface left by a corner on its way is right where it is the nose's, or the outer end of a main edge. One that the far end of
-/// the auxiliary edge left is behind the nose's: the profile programmed is not made.
+/// A surface that a corner leaves is right if the corner is the nose's, or the outer end of a main edge. If it is the far end
+/// of the auxiliary edge, the surface is behind that of the nose, and the tool does not make the programmed profile.
 pub(super) fn far_end(meeting: &Meeting, ride: &Ride, number: usize) -> Option<f64> {
     let (stretch, Origin::Corner(corner)) = *meeting.inserted.get(number)? else { return None };
     let (roles, count) = (&ride.part.roles, ride.part.roles.len());

@@ -1,4 +1,4 @@
-//! What a piece is that a cut has left without hold: a part, a core, or a nib that goes with the chips.
+//! What a piece is that a cut has separated from the held part: a part, a core, or a nib that counts as chips.
 
 use super::outline::Part;
 use super::path::Piece;
@@ -6,31 +6,31 @@ use super::tool::Cutter;
 use crate::geometry::exact::region::Ring;
 use crate::number::trig::hypot;
 
-/// A piece that is held no longer.
+/// A piece that nothing holds any more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loose {
-    /// What a cutter leaves standing before its own edge, as the nib in the middle of a face: it is chips.
+    /// A remnant in front of the cutter's own edge, such as the nib in the middle of a face: it counts as chips.
     Nib,
-    /// What stood inside a groove cut along Z: it falls out, and the part stays in the chuck.
+    /// The core inside a groove cut along Z: it falls out, and the part stays in the chuck.
     Core,
     /// A piece parted off.
     Piece,
 }
 
-/// What a piece is that falls off while a tool goes straight from one place to another, all on the grid in mm.
+/// What a piece is that comes off while a tool moves in a straight line; lengths are on the grid, mm.
 ///
 /// # Derivation
-/// A cutter clears the strip that it covers across its way, or would if its edge were square to it. A nose, or a main edge
-/// that leans, reaches the axis or the edge of a bore with its point first, and what is still before the rest of the edge
-/// comes off as a nib or a ring: it lies in the strip. What a cut parts off lies beside it: by a blade along X a piece of a
-/// bar or a tube, by a bar that bores into a groove the ring round it. Which it is, the middle of the piece's section tells.
-/// A blade that cuts into a face parts off what lies round its groove, and what it leaves inside is a core.
+/// A cutter clears the strip that it covers across its path, or would if its edge were square to the path. A nose, or a
+/// leaning main edge, reaches the axis or the edge of a bore with its point first; the metal still in front of the rest of the
+/// edge comes off as a nib or a ring, which is inside the strip. A piece that is parted off is beside the strip: a piece
+/// of a bar or a tube for a blade along X, the ring round the bore for a bar that bores into a groove. The middle of the piece's
+/// section decides. A blade that cuts into a face parts off the ring round its groove; the metal inside is a core.
 #[must_use]
 pub fn judged(cutter: &Cutter, parts: &[Part], [from, to]: Piece, ring: &Ring) -> Loose {
     let long = hypot(to[0] - from[0], to[1] - from[1]);
     let Some([z, r]) = middle(ring).filter(|_| long > 0.0) else { return Loose::Piece };
     let way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
-    // To the left of the way.
+    // To the left of the path.
     let aside = |[z, r]: [f64; 2]| way[0] * r - way[1] * z;
     let at = aside([z - from[0], r - from[1]]);
     let corners = parts.iter().flat_map(|part| part.polygon.corners()).map(|corner| aside(corner.mm()));
@@ -42,8 +42,8 @@ pub fn judged(cutter: &Cutter, parts: &[Part], [from, to]: Piece, ring: &Ring) -
     }
 }
 
-/// The middle of a contour's area, `[z, r]`: the mean of the middles of the triangles between its first corner and its
-/// edges, by their areas. `None` where it has none.
+/// The centroid of a contour's area, `[z, r]`: the mean, weighted by area, of the centroids of the triangles between its first
+/// corner and its edges. `None` if the area is 0.
 fn middle(ring: &Ring) -> Option<[f64; 2]> {
     let &[z0, r0] = ring.first()?;
     let (mut twice, mut sum) = (0.0, [0.0; 2]);

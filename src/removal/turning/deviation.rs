@@ -1,4 +1,4 @@
-//! How far the part is from what was wanted.
+//! The deviation of the part from the wanted profile.
 
 use super::outline::beside;
 use crate::figure::{Arc, Ink};
@@ -6,12 +6,12 @@ use crate::geometry::chords;
 use crate::geometry::exact::region::Ring;
 use crate::number::trig::{atan2, hypot};
 
-/// How a wanted profile goes on; `[z, r]` in mm.
+/// A line of a wanted profile; `[z, r]` in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Span {
     /// Straight.
     Line([f64; 2]),
-    /// Along the shorter arc of a radius, in mm, clockwise (G2) or not (G3) in a drawing with Z to the right and X up.
+    /// The shorter arc of a radius, in mm, clockwise (G2) or not (G3) in a drawing with Z to the right and X up.
     Arc {
         /// Where it ends.
         to: [f64; 2],
@@ -33,21 +33,21 @@ pub struct Profile {
 
 /// Wanted arcs are chords within this, mm.
 const TOLERANCE: f64 = 1e-5;
-/// Straight lines are looked at this often, mm.
+/// The distance between checked places of straight lines, mm.
 const STEP: f64 = 0.25;
-/// The most places of one line that are looked at.
+/// The maximum number of checked places of one line.
 const PLACES: f64 = 2000.0;
-/// The most points of a profile.
+/// The maximum number of points of a profile.
 const POINTS: usize = 1_000_000;
-/// How many edges or lines of one are passed over in a step of work; few of them are close enough to be looked at.
+/// How many edges or lines one step of work skips; only few are close enough to be checked.
 const PASSED: usize = 16;
 
-/// The greatest deviations of a part from a profile, with their places on the profile `[z, r]`.
+/// The maximum deviations of a part from a profile, with their places on the profile `[z, r]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
-    /// Metal left over: how far the profile lies under the surface, mm.
+    /// Metal left: how far the profile is under the surface, mm.
     pub over: Option<(f64, [f64; 2])>,
-    /// Metal missing: how far the profile lies above the surface, mm.
+    /// Metal missing: how far the profile is above the surface, mm.
     pub under: Option<(f64, [f64; 2])>,
 }
 
@@ -56,13 +56,13 @@ pub struct Deviation {
 pub enum Unmeasured {
     /// No surface is left of the part.
     Gone,
-    /// It takes more work than is done, or the profile has no points: see [`Profile::points`].
+    /// It takes more work than allowed, or the profile has no points: see [`Profile::points`].
     Work,
 }
 
 impl Profile {
-    /// The profile as points; `None` where an arc does not reach its end, its radius being less than half the way there, and
-    /// where there would be more than a million of them.
+    /// The profile as points; `None` if an arc does not reach its end, because its radius is less than half the chord, or if there
+    /// were more than a million points.
     #[must_use]
     pub fn points(&self) -> Option<Vec<[f64; 2]>> {
         let mut points = vec![self.start];
@@ -116,7 +116,7 @@ impl Profile {
     }
 }
 
-/// The centre of the shorter arc of a radius; `None` where that is less than half the way to its end.
+/// The centre of the shorter arc of a radius; `None` if the radius is less than half the chord.
 fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<[f64; 2]> {
     let [dz, dr] = [to[0] - from[0], to[1] - from[1]];
     let chord = hypot(dz, dr);
@@ -130,14 +130,14 @@ fn centre(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) -> Option<
     Some([from[0] + dz / 2.0 - dr * away, from[1] + dr / 2.0 + dz * away])
 }
 
-/// How far a part's contours are from a wanted profile, on either side.
+/// The deviation of a part's contours from a wanted profile, on both sides.
 ///
-/// The distance to the nearest contour is taken at the profile's points, along its lines every quarter of a millimetre, and
-/// where each corner of the contours is nearest to it; whether metal is left or missing is reported by whether the place lies in
-/// metal. So it does not matter which way the profile runs, nor whether it is outside or inside.
+/// The distance to the nearest contour is measured at the profile's points, along its lines every quarter of a millimetre, and
+/// where each corner of the contours is nearest to it. If such a place is in metal, metal is left; otherwise it is missing. So
+/// the direction of the profile does not matter, nor whether it is outside or inside.
 ///
-/// Each place is compared with every edge and each corner against every line: `most_work` is how many steps that may take, of
-/// 16 of them each.
+/// Each place is compared with every edge, and each corner with every line: `most_work` is the maximum number of steps, of 16
+/// comparisons each.
 pub fn deviation(contours: &[Ring], profile: &Profile, most_work: u64) -> Result<Deviation, Unmeasured> {
     let points = profile.points().ok_or(Unmeasured::Work)?;
     let edges: Vec<[[f64; 2]; 2]> = (contours.iter())
@@ -198,7 +198,7 @@ fn nearest(points: &[[f64; 2]], corner: [f64; 2]) -> Option<[f64; 2]> {
     best.map(|(place, _)| place)
 }
 
-/// What a point is away from a segment at least: from its rectangle, along one of the axes.
+/// A lower bound of the distance of a point from a segment: from its rectangle, along one of the axes.
 fn apart([z, r]: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let beyond = |at: f64, one: f64, two: f64| (one.min(two) - at).max(at - one.max(two));
     beyond(z, from[0], to[0]).max(beyond(r, from[1], to[1]))

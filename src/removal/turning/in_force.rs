@@ -1,4 +1,4 @@
-//! What is in force during a motion and does not fit it, whether metal is met or not.
+//! Alarms on what is in force during a motion, whether it cuts or not.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,14 +8,13 @@ use crate::gcode::in_force::{InForce, Speed};
 use crate::gcode::motion::{Feed, FeedMode, MotionKind};
 use crate::machine::axis::Axis;
 
-/// What a tool is fed in the cut with each revolution of the spindle, mm: less rubs and more breaks any insert. Finishing goes
-/// down to some hundredths, roughing and large wiper inserts up to 2 mm; what is beyond by some factor is F in the other unit,
-/// 0.2 in mm/min or 200 in mm a revolution. Chosen here.
+/// The plausible feed per revolution in the cut, mm: below it any insert rubs, above it any insert breaks. Finishing goes down to
+/// a few hundredths; roughing and large wiper inserts go up to 2 mm. A value far outside is F in the other unit, 0.2 in mm/min or
+/// 200 in mm per revolution. Our choice.
 const FEEDS: [f64; 2] = [0.001, 3.0];
 
-/// Speeds of the spindle that differ by no more, as a share, are one. Fanuc Series 0i-T operator's manual, threading: the
-/// spindle's speed stays the same from roughing to finishing, for the tool lags behind the spindle by what depends on it; hence
-/// G97.
+/// Spindle speeds that differ by no more than this share count as equal. Fanuc Series 0i-T operator's manual, threading: the spindle
+/// speed must stay the same from roughing to finishing, because the lag of the tool depends on it; hence G97.
 const SAME_SPEED: f64 = 1e-3;
 
 /// Watches the offset of the tool, its feed and the speed of threads over the steps of a program.
@@ -23,15 +22,15 @@ const SAME_SPEED: f64 = 1e-3;
 pub struct InForceWatch {
     /// The offset of each tool's own, by its place.
     own: BTreeMap<u32, u32>,
-    /// Tools with the offsets that were told of.
+    /// Tools with the offsets that were reported.
     told: BTreeSet<(u32, u32)>,
-    /// The spindle stands still in a feed per revolution, and that was reported.
+    /// A feed per revolution with the spindle stopped was reported.
     stands: bool,
-    /// Tools with feeds that are none of turning, and that was reported.
+    /// Tools with implausible feeds that were reported.
     fed: BTreeSet<(u32, u64)>,
     /// The tool of the thread in hand, and the speed of its first pass.
     thread: Option<(u32, f64)>,
-    /// Tools whose speed in a thread changes, and that was reported.
+    /// Tools whose change of speed in a thread was reported.
     threads: BTreeSet<u32>,
 }
 
@@ -42,14 +41,14 @@ impl InForceWatch {
         Self { own, ..Self::default() }
     }
 
-    /// The tool's place and the offset in force, where it is not the tool's own.
+    /// The tool's place and the offset in force, if it is not the tool's own.
     #[must_use]
     pub fn other_offset(&self, control: &InForce) -> Option<(u32, u32)> {
         let own = self.own.get(&control.tool)?;
         (*own != control.offset).then_some((control.tool, control.offset))
     }
 
-    /// Adds to a step what it gives rise to: each state once, when it begins.
+    /// Adds its alarms to a step: each state once, when it begins.
     pub fn judge(&mut self, step: &mut Step) {
         let (motion, control) = (&step.motion, &step.control);
         let feed = match motion.kind {
@@ -89,7 +88,7 @@ impl InForceWatch {
         step.alarms.extend(alarms);
     }
 
-    /// The alarm of a cut at a feed that is none of turning, per revolution at whatever speed the spindle has in it.
+    /// The alarm of a cut at an implausible feed, per revolution at the spindle's speed in that cut.
     fn fed(&mut self, step: &Step, Feed { mode, value }: Feed) -> Option<Cause> {
         let [slow, fast] = [step.speed[0].min(step.speed[1]), step.speed[0].max(step.speed[1])];
         let [least, most] = match mode {
@@ -104,7 +103,7 @@ impl InForceWatch {
             .then_some(Cause::ImplausibleFeed { feed, limits: FEEDS })
     }
 
-    /// The alarm of a thread whose spindle changes its speed with the diameter, in a pass or from one to the next.
+    /// The alarm of a thread in which the spindle changes its speed with the diameter, in a pass or from one pass to the next.
     fn threaded(&mut self, step: &Step) -> Option<Cause> {
         if !step.cuts() || !matches!(step.control.speed, Speed::Surface(_)) {
             return None;

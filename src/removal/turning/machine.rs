@@ -1,13 +1,13 @@
-//! The lathe: what it reaches, how fast it is, and what stands about the work.
+//! The lathe: its travel, its speeds, and the bodies about the part.
 //!
 //! # Coordinates
-//! The machine's zero M lies where the spindle's axis meets the end plane of its nose. Z runs from there to the
-//! tailstock; X away from the axis, here always as a radius.
+//! Machine zero M is where the spindle's axis meets the end plane of its nose. Z runs from there to the tailstock, X away from the
+//! axis, here always as a radius.
 
 /// A lathe with a turret on two axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lathe {
-    /// Where the zero of the control's machine coordinates lies, X as a radius, and Z; from M, mm.
+    /// The zero of the control's machine coordinates, X as a radius, and Z; from M, mm.
     pub origin: [f64; 2],
     /// Where the turret's reference point may be along X, as a radius; mm.
     pub travel_x: [f64; 2],
@@ -15,15 +15,15 @@ pub struct Lathe {
     pub travel_z: [f64; 2],
     /// The rapid rates of X (of the slide, so of the radius) and Z, mm/min.
     pub rapid: [f64; 2],
-    /// At rapid each axis goes as fast as it can, so that the way has a bend; otherwise it is straight.
+    /// In rapid each axis moves at its own rate, so the path has a bend; otherwise it is straight.
     pub bent_rapid: bool,
-    /// The greatest speed of the spindle, rpm.
+    /// The maximum speed of the spindle, rpm.
     pub greatest_speed: f64,
-    /// The turret stands behind the axis, seen from the operator.
+    /// The turret is behind the axis, seen from the operator.
     pub turret_behind: bool,
-    /// What holds the work.
+    /// The chuck that holds the part.
     pub chuck: Chuck,
-    /// What supports it on the right, where it has to be.
+    /// The support on the right, if the part needs one.
     pub tailstock: Tailstock,
 }
 
@@ -32,11 +32,11 @@ pub struct Lathe {
 pub struct Chuck {
     /// L1: from M to the front of its body.
     pub body: f64,
-    /// L2: how far the jaws stand out from there.
+    /// L2: how far the jaws project from there.
     pub jaws: f64,
     /// The diameter of the body.
     pub diameter: f64,
-    /// How far the jaws reach out from the work, in radius.
+    /// How far the jaws project from the part, in radius.
     pub jaw_height: f64,
 }
 
@@ -45,16 +45,16 @@ pub struct Chuck {
 pub struct Tailstock {
     /// The quill's diameter.
     pub diameter: f64,
-    /// How much of it stands out, from the point of the centre.
+    /// Its free length, from the point of the centre.
     pub length: f64,
-    /// How deep the centre sits in the work.
+    /// How deep the centre is in the part.
     pub depth: f64,
-    /// The work is supported where it stands out of the chuck by more than this many diameters.
+    /// The part is supported if it sticks out of the chuck by more than this many diameters.
     pub beyond: f64,
 }
 
 impl Default for Lathe {
-    /// A middling lathe with a turret in front of the axis.
+    /// A medium lathe with a turret in front of the axis.
     fn default() -> Self {
         Self {
             origin: [0.0, 0.0],

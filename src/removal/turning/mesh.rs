@@ -9,9 +9,9 @@ use crate::number::trig::{acos, hypot, sin_cos};
 /// The fewest and the most sectors about the axis.
 const SECTORS: [f64; 2] = [12.0, 3600.0];
 
-/// Into how many sectors a circle of a radius is divided so that chords stay within a tolerance, both in mm.
+/// The number of sectors of a circle for chords within a tolerance; radius and tolerance in mm.
 ///
-/// A chord over the angle h lies R (1 − cos(h/2)) inside.
+/// A chord over the angle h is R (1 − cos(h/2)) inside.
 #[must_use]
 pub fn sectors(radius: f64, tolerance: f64) -> u32 {
     let half = acos((1.0 - tolerance / radius.max(1e-9)).clamp(-1.0, 1.0));
@@ -21,16 +21,16 @@ pub fn sectors(radius: f64, tolerance: f64) -> u32 {
     count
 }
 
-/// Writes the body that contours make when turned about the axis as binary STL; gives back the number of triangles.
+/// Writes the body of revolution of contours as binary STL; returns the number of triangles.
 ///
 /// Contours `[z, r]` in mm with r ≥ 0, counter-clockwise, holes clockwise. In the mesh Z is the axis and X, Y are across
 /// it, with the corners on the body's surface, chords about the axis within the tolerance, and of the contours only the
 /// corners that keep them within a quarter of it. Every edge belongs to two triangles: corners
-/// are worked out once for each corner of a contour, corners that fall together in the format's single precision are one,
-/// and what lies on the axis is one corner.
+/// are computed once for each corner of a contour, corners that coincide in the format's single precision are one, and the
+/// points on the axis are one corner.
 ///
 /// # Errors
-/// Those of the output.
+/// The errors of the output.
 pub fn write_stl(rings: &[Ring], tolerance: f64, out: &mut impl Write) -> io::Result<u32> {
     let most = rings.iter().flatten().fold(0.0, |most: f64, point| most.max(point[1]));
     let count = sectors(most, tolerance);
@@ -85,7 +85,7 @@ fn thinned(ring: &[[f64; 2]], within: f64) -> Ring {
             ring[at + 1..to].iter().all(|&corner| corner[1] > 0.0 && off(corner, from, end) <= within)
         };
         let (mut step, mut reached) = (1, at + 1);
-        // Twice as far while it can be, then half as far, until the next corner more is one too many.
+        // Twice as far while possible, then half as far, until one more corner would be too many.
         while at + step < ring.len() && reaches((reached + step).min(ring.len())) {
             reached = (reached + step).min(ring.len());
             step *= 2;

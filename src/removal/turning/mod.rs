@@ -1,12 +1,13 @@
-//! Turning: a program watched as it removes material.
+//! Turning: the simulation of a program as it removes material.
 //!
-//! The part is taken as a body of revolution at every moment, so that it is one plane region: its half section in (z, r).
-//! What a motion takes away is exactly what the cutter's outline sweeps: for a straight motion of a convex outline the
-//! hull of its first and last place, for an arc that of its chords. See [`crate::geometry::exact`] for why passes do not
+//! The part is a body of revolution at every moment, so one plane region describes it: its half section in (z, r).
+//! A motion removes exactly what the cutter's outline sweeps: for a straight motion of a convex outline, the hull of its
+//! first and last place; for an arc, that of its chords. See [`crate::geometry::exact`] for why passes do not
 //! drift and their order does not matter.
 //!
 //! # References
-//! The lathe simulator's machine, stock, tools and cycles; what it leaves open says so where it stands, under "Derivation" or as chosen.
+//! The lathe simulator's machine, stock, tools and cycles. Where it leaves something open, the code says so, under "Derivation" or as
+//! our choice.
 
 pub mod alarm;
 mod boring;

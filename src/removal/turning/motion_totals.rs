@@ -1,4 +1,4 @@
-//! What one motion comes to while it is made, and what of it can be told from the motion alone.
+//! The totals of one motion while it runs, and the alarms that follow from the motion alone.
 
 use super::alarm::{Alarm, Cause, Moving, TOUCH};
 use super::contact::Bite;
@@ -13,7 +13,7 @@ use crate::geometry::exact::meeting::Meeting;
 use crate::machine::axis::Axis;
 use crate::number::trig::hypot;
 
-/// What one motion has come to so far.
+/// The totals of one motion so far.
 pub(super) struct Tally<'a> {
     pub motion: &'a Motion,
     pub index: usize,
@@ -22,17 +22,17 @@ pub(super) struct Tally<'a> {
     /// From `[z, r]` on the grid to program coordinates.
     pub shift: [f64; 2],
     pub turning: SpindleUse,
-    /// Where the programmed point is when the cut begins, `[z, r]` on the grid.
+    /// The programmed point at the beginning of the cut, `[z, r]` on the grid.
     pub begins: Option<[f64; 2]>,
-    /// What was cut this side of the axis and beyond it, mm³.
+    /// The volumes cut on this side of the axis and beyond it, mm³.
     pub sides: [f64; 2],
-    /// The greatest cutting speed, m/min.
+    /// The maximum cutting speed, m/min.
     pub speed: f64,
     pub alarms: Vec<Alarm>,
 }
 
 impl Tally<'_> {
-    /// Notes what a cutter met on its way along a piece, on this side of the axis or mirrored across it.
+    /// Notes the metal that a cutter met along a piece of its path, on this side of the axis or mirrored across it.
     pub fn met(&mut self, Bite { along, reach: [low, high], metal }: Bite, [from, to]: Piece, mirrored: bool) {
         let long = hypot(to[0] - from[0], to[1] - from[1]);
         let part = if long > 0.0 { (along / long).clamp(0.0, 1.0) } else { 0.0 };
@@ -42,17 +42,16 @@ impl Tally<'_> {
         self.speed = self.speed.max(self.turning.cutting_speed(&engaged));
     }
 
-    /// Weighs what a cutter met on either side of the axis.
+    /// Adds the volume of a meeting to its side of the axis.
     pub fn weigh(&mut self, meeting: &Meeting, mirrored: bool) {
         self.sides[usize::from(mirrored)] += taken(meeting);
     }
 
-    /// True where more of the cut lies beyond the axis than this side of it, with the programmed point there too.
+    /// True if most of the cut is beyond the axis, and the programmed point as well.
     ///
     /// # Derivation
-    /// What both
-    /// sides sweep is cut this side: a nose taken over the axis goes on cutting here, and so does a round insert whose
-    /// centre stands on it.
+    /// Metal that both sides sweep is cut on this side: a nose that goes past the axis continues to cut here, and so does a round
+    /// insert with its centre on the axis.
     pub fn beyond(&self, [start, end]: Piece) -> bool {
         start[1].max(end[1]) < -TOUCH && self.sides[1] > self.sides[0]
     }
@@ -64,7 +63,7 @@ impl Tally<'_> {
         Alarm { cause, motion: self.index, file: self.file, line, n, place, depth }
     }
 
-    /// Raises it; of one cause in one motion, the deepest.
+    /// Raises it; of each cause in one motion, only the deepest.
     pub fn raise(&mut self, cause: Cause, place: [f64; 2], depth: Option<f64>) {
         let alarm = self.alarm(cause, place, depth);
         match self.alarms.iter_mut().find(|other| other.cause.key() == cause.key()) {
@@ -75,7 +74,7 @@ impl Tally<'_> {
     }
 }
 
-/// Raises what runs into something that stands.
+/// Raises the collisions with fixed bodies.
 pub(super) fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Moving, tally: &mut Tally) {
     let (low, high) = swept.extent();
     for (fixture, polygon) in fixtures {
@@ -91,7 +90,7 @@ pub(super) fn collide(fixtures: &[(Fixture, Convex)], swept: &Convex, moving: Mo
     }
 }
 
-/// Raises where the turret's reference point leaves the travel; `to_reference` leads there from the programmed point.
+/// Raises the alarm of a reference point beyond its travel; `to_reference` leads from the programmed point to the reference point.
 pub(super) fn travel(tally: &mut Tally, pieces: &[Piece], to_reference: [f64; 2], lathe: &Lathe) {
     for point in pieces.iter().flatten() {
         for (axis, at, [low, high]) in [

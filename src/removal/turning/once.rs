@@ -1,4 +1,4 @@
-//! What was said already: a state that lasts is reported once, when it begins.
+//! Alarms that last: each is reported once, when it begins.
 
 use super::alarm::{Cause, TOUCH};
 use super::motion_totals::Tally;
@@ -29,20 +29,20 @@ pub struct Watch {
 /// Passes of threads farther apart than this across are different threads, mm: more than any thread is deep.
 const APART: f64 = 6.0;
 
-/// The most that a nose is fed with each revolution, as a share of its radius: the ridges between two turns then stay on its
-/// arc, f²/(8 R) high. A usual rule; chosen here.
+/// The maximum feed per revolution, as a share of the nose radius: the ridges between two turns are then arcs of the nose,
+/// f²/(8 R) high. A common rule; our choice.
 const SMOOTHS: f64 = 0.8;
 
-/// The run-in of a thread of lead L at n rpm is L n (−1 − ln a)/1800, a the share by which the lead may be off in its first
-/// turn: 3.2 for 0.015. As Fanuc's manuals of lathes give it, as it stands among programmers.
+/// The run-in of a thread of lead L at n rpm is L n (−1 − ln a)/1800, with a the allowed error of the lead in its first
+/// turn: 3.2 for 0.015. The formula of Fanuc's lathe manuals, as programmers quote it.
 const SHARE: f64 = 3.2;
 
-/// True where G41 or G42 keeps the nose on the side of a straight way to which the tip of the tool points, and not on the one
-/// on which its body lies.
+/// True if G41 or G42 keeps the nose on the side of a straight path to which the tip of the tool points, instead of the side
+/// of its body.
 ///
 /// # Derivation
-/// The nose's centre lies to the left of the way with G41. On the tool it lies from the tip against the way that the tip
-/// points. Within 17° of a way along which the tip points either side may be meant.
+/// With G41 the centre of the nose is to the left of the path. On the tool it is from the tip, against the direction in which
+/// the tip points. If the tip points within 17° of the path, either side may be meant.
 fn nose_ahead(tool: &TurningTool, control: &InForce, &[from, to]: &Piece) -> bool {
     let side = match control.compensation {
         Compensation::Off => return false,
@@ -56,7 +56,7 @@ fn nose_ahead(tool: &TurningTool, control: &InForce, &[from, to]: &Piece) -> boo
 }
 
 impl Watch {
-    /// True where an alarm begins to hold with a tool; false while it holds on or does not hold.
+    /// True when an alarm begins with a tool; false while it lasts, or if there is none.
     pub fn begins(&mut self, cause: Cause, holds: bool, tool: u32) -> bool {
         let key = (cause.number(), tool);
         match self.holding.iter().position(|held| *held == key) {
@@ -73,7 +73,7 @@ impl Watch {
         }
     }
 
-    /// Notes a pass of a thread; the lead of an earlier one in the same place, if it was another.
+    /// Notes a pass of a thread; returns the lead of an earlier pass in the same place if it differs.
     pub fn lead(&mut self, [from, to]: Piece, lead: f64) -> Option<f64> {
         let [z, r] = [0, 1].map(|axis| [from[axis].min(to[axis]), from[axis].max(to[axis])]);
         let meets = |one: [f64; 2], two: [f64; 2], apart: f64| one[0] < two[1] + apart && two[0] < one[1] + apart;
@@ -95,7 +95,7 @@ impl Watch {
         None
     }
 
-    /// What a cut is told of that is wrong with the tool's edge: the side of its nose, its feed, a thread's depth.
+    /// The alarms of a cut about the tool's edge: the side of its nose, its feed, a thread's depth.
     pub(super) fn edge(
         &mut self,
         tool: &TurningTool,
@@ -136,7 +136,7 @@ impl Watch {
         }
     }
 
-    /// What is wrong with the run-in of a pass of a thread that begins in this motion: see [`SHARE`].
+    /// The alarm of the run-in of a thread's pass that begins in this motion: see [`SHARE`].
     pub(super) fn run_in(&mut self, place: u32, pieces: &[Piece], tally: &mut Tally) {
         let (MotionKind::Thread(thread), Some(&[start, _]), Some(metal)) =
             (tally.motion.kind, pieces.first(), tally.begins)
@@ -151,12 +151,12 @@ impl Watch {
         }
     }
 
-    /// How many passes of threads are compared with a new one.
+    /// How many passes of threads a new one is compared with.
     pub const fn passes(&self) -> usize {
         self.passes.len()
     }
 
-    /// What is wrong with a thread's pass as it is programmed; with the place of the tool in the turret and what cuts.
+    /// The alarms of a thread's pass as programmed, with the tool's place in the turret and its cutter.
     pub(super) fn thread(
         &mut self,
         thread: Thread,

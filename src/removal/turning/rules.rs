@@ -165,7 +165,7 @@ rules! {
             "The control stops there, perhaps with the tool in the work.";
         example blocks!("G0 X700.", [("X_max", "300")]);
     "L0131" DepthOfCut Stop alarm Lathe 131 { depth: Size, edge: Size }
-        es "La profundidad de corte es mayor que el filo"
+        es "La profundidad de pasada es mayor que el filo"
         en "The depth of cut is greater than the cutting edge"
         remedy "Reparta el corte en más pasadas", "Divide the cut into more passes";
         why "El portaherramientas choca con el metal que el filo no alcanza a cortar.",

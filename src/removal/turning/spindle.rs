@@ -60,7 +60,7 @@ impl SpindleUse {
         if asked.is_nan() { 0.0 } else { asked.min(self.limit) }
     }
 
-    /// The greatest cutting speed in m/min, π d n with n and d of the same moment, while a tool goes straight along a cut.
+    /// The maximum cutting speed in m/min, π d n with n and d of the same moment, while a tool goes straight along a cut.
     ///
     /// # Derivation
     /// The cutting edge is taken as a line across the way, as for the depth of cut: with the tool at the radius r it meets

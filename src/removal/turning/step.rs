@@ -57,7 +57,7 @@ pub struct Step {
     pub seconds: Option<f64>,
     /// The spindle's speed at the start and at the end, rpm.
     pub speed: [f64; 2],
-    /// The greatest cutting speed, m/min; 0 out of the cut.
+    /// The maximum cutting speed, m/min; 0 out of the cut.
     pub cutting_speed: f64,
     /// The depth of cut, mm: how far the cut reaches across the motion, slivers left out. 0 out
     /// of the cut.
@@ -97,11 +97,11 @@ pub struct Total {
     pub volume: f64,
     /// Cut off in pieces, mm³.
     pub parted: f64,
-    /// The greatest depth of cut, mm.
+    /// The maximum depth of cut, mm.
     pub depth: f64,
     /// The greatest rate, cm³/min.
     pub rate: f64,
-    /// The greatest cutting speed, m/min.
+    /// The maximum cutting speed, m/min.
     pub cutting_speed: f64,
 }
 

@@ -1,25 +1,25 @@
-//! Which surfaces the nose of an insert has made, and where another of its edges has taken them away again.
+//! Which surfaces the nose of an insert has made, and where another of its edges has cut into them.
 //!
-//! The profile that is programmed is the one that the nose makes. Where a way goes down into the part more steeply than the edge
-//! behind the nose stands, that edge goes ahead of it into the surface that the nose has just made, and leaves its own line
-//! below: the profile cannot be made by this tool. Each stretch of the part's contour carries a label for it: made by a nose,
-//! with the direction of its way; or a mark, with how deep it lies below what a nose had made. At the end of the program the
-//! marks that are on the part are reported; what a later motion takes away has left none. Labels and marks go with a part that is
-//! turned about, so that this holds over both its set-ups.
+//! The nose makes the programmed profile. If a path goes down into the part more steeply than the edge behind the nose, that edge
+//! cuts into the surface that the nose has just made and leaves its own line below it: this tool cannot make the profile. Each
+//! stretch of the part's contour has a label: made by a nose, with the direction of its path; or a mark, with its depth below the
+//! surface of the nose. At the end of the program, the marks that are on the part are reported; marks that a later motion has
+//! removed are not. Labels and marks stay with a part that is turned round, so this holds over both set-ups.
 //!
 //! # What counts as a mark
-//! No source says it; it is chosen so. An edge's new stretch is a mark of a surface made by a nose
-//! - if the way leads into the metal under that surface, and either goes on in the sense in which the surface was made, or
-//!   ends the new stretch on it; or if it is the auxiliary edge's and ends on it. A pass along a face takes away what lies before
-//!   it over its whole depth, and a pass along the axis leaves the slope of its main edge at a shoulder: neither is a profile
-//!   that was meant otherwise;
-//! - and if the nose itself does not pass below it there. The depth is what the edge has taken beyond the nose's own reach, at
-//!   right angles to the surface made; what goes deeper into a mark adds to it.
+//! No source defines it; this is our definition. A new stretch that an edge leaves is a mark on a surface made by a nose if both hold:
+//! - The path leads into the metal under that surface, and it either continues in the direction in which the surface was made
+//!   or ends the new stretch on it. For the auxiliary edge it is enough that the new stretch ends on the surface. A pass
+//!   along a face removes its whole depth, and a pass along the axis leaves the slope of its main edge at a shoulder: neither is
+//!   a mark.
+//! - The nose itself does not pass below the stretch there. The depth is what the edge has removed beyond the reach of the nose,
+//!   at right angles to the surface. A cut that goes deeper into a mark adds to its depth.
 //!
-//! What the auxiliary edge leaves where no nose has made a surface before is a mark on a way that goes down in both axes more
-//! steeply than it stands: so deep as it lies beyond the line that the nose draws beside this way. Straight in along an axis, and on
-//! a way at feed in which no nose has drawn a surface, a plunge gives the part the form of the insert, which is none. The far end of an edge that drags along behind the nose leaves a mark as well, as deep as it lies below what was there, and
-//! no deeper than it is behind the nose's line.
+//! A stretch that the auxiliary edge leaves where no nose has made a surface is a mark if the path goes down in both axes more
+//! steeply than that edge. Its depth is measured from the line that the nose draws along this path. A straight plunge along an
+//! axis, and a path at feed in which no nose has drawn a surface, give the part the form of the insert: that is not a mark. The
+//! far end of an edge that trails behind the nose also leaves a mark. Its depth is measured from the surface that was there, and
+//! is at most its distance behind the line of the nose.
 
 use std::f64::consts::TAU;
 
@@ -30,23 +30,23 @@ use crate::geometry::exact::convex::Origin;
 use crate::geometry::exact::meeting::{Meeting, Stretch};
 use crate::number::trig::{atan2, hypot, sin_cos};
 
-/// What is taken away again up to this is none: a way as steep as the edge, the chords of arcs, what no drawing tells; mm.
+/// Up to this depth there is no mark, mm: paths as steep as the edge, chords of arcs, less than any drawing shows.
 const LEAST: f64 = 0.01;
-/// What adds up to a mark, mm: more than corners in floating point are off.
+/// The least depth that adds to a mark, mm: above the floating-point error of corners.
 const STEP: f64 = 1e-5;
-/// A way leads into the metal under a surface from this share of it on: 1°.
+/// A path leads into the metal under a surface from this sine on: 1°.
 const INTO: f64 = 0.02;
-/// It goes head on into a mark from this share of it on: 45°.
+/// It goes head on into a mark from this sine on: 45°.
 const HEAD_ON: f64 = 0.7;
-/// It goes on in a surface's sense from this share of it on: up to 75° off.
+/// It continues in a surface's direction from this cosine on: up to 75° off.
 const ONWARD: f64 = 0.25;
-/// Ends of ways lie on a grid of nanometres, mm.
+/// Ends of paths are on a grid of nanometres, mm.
 const GRID: f64 = 1e-6;
-/// Beside a place, mm.
+/// Distance to the places next to a point, mm.
 const HAIR: f64 = 1e-4;
-/// Two ends of stretches are one up to this, mm.
+/// Two ends of stretches are the same point up to this distance, mm.
 const ON: f64 = 1e-5;
-/// Labels of surfaces made by a nose: their sense in so many parts of a turn, from 1.
+/// Labels of surfaces made by a nose: their direction in this many parts of a turn, from 1.
 const SENSES: u32 = 256;
 
 /// The labels of a program's surfaces.
@@ -54,16 +54,15 @@ const SENSES: u32 = 256;
 pub(super) struct Chain {
     /// The first has the label `SENSES` + 1.
     marks: Vec<Mark>,
-    /// How many of them a program before this one left.
+    /// How many of them an earlier program left.
     carried: usize,
-    /// How many of them there were when the way at feed began.
+    /// How many of them there were when the path at feed began.
     before: usize,
-    /// The nose has drawn a surface in this way.
+    /// The nose has drawn a surface on this path.
     drew: bool,
 }
 
-/// What a part of a tool did on a straight piece of its way: what it met, the direction of the way of length 1, and the ends of
-/// the way; all `[z, r]`, mm.
+/// What a part of a tool did on a straight piece of its path: what it met, the unit direction, and the ends; all `[z, r]`, mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SweptPiece<'a> {
     pub part: &'a Part,
@@ -73,8 +72,8 @@ pub(super) struct SweptPiece<'a> {
 }
 
 impl SweptPiece<'_> {
-    /// How far beyond the line that the nose draws on this way an edge has left a stretch, beside the way, on one that goes
-    /// down in both axes more steeply than the edge stands; and the nose's line, from where that is.
+    /// How far beyond the line of the nose an edge has left a stretch, if the path goes down in both axes more steeply than the
+    /// edge; and the line of the nose, from that place on.
     fn beyond(&self, edge: &Stretch) -> Option<(f64, TakenAway)> {
         let (way, left) = (self.way, TakenAway::of(edge)?);
         if way.iter().any(|part| part.abs() < INTO) || dot(way, left.into) < INTO {
@@ -88,7 +87,7 @@ impl SweptPiece<'_> {
             let off = [z - last[0], r - last[1]];
             [-dot(off, way), dot(off, into)]
         };
-        // The farther behind the end, the deeper.
+        // The depth grows with the distance behind the end.
         let (mut near, mut far) = (of_point(edge.from), of_point(edge.to));
         if near[0] > far[0] {
             (near, far) = (far, near);
@@ -103,7 +102,7 @@ impl SweptPiece<'_> {
     }
 }
 
-/// A stretch that lies below what a nose had made.
+/// A stretch below a surface that a nose had made.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
     /// How deep, mm.
@@ -114,7 +113,7 @@ struct Mark {
 }
 
 impl Mark {
-    /// How deep it lies at a place of it.
+    /// Its depth at a place.
     fn at(&self, place: [f64; 2]) -> f64 {
         self.made.of_point(place)[1].min(self.deep).max(0.0)
     }
@@ -124,13 +123,13 @@ impl Mark {
 enum Label {
     /// No nose made it.
     None,
-    /// A nose made it on a way in this direction.
+    /// A nose made it on a path in this direction.
     Made([f64; 2]),
     Mark(Mark),
 }
 
 impl Chain {
-    /// A way at feed has ended.
+    /// A path at feed has ended.
     pub(super) fn end(&mut self) {
         if !self.drew {
             self.marks.iter_mut().skip(self.before).for_each(|mark| mark.deep = 0.0);
@@ -138,14 +137,14 @@ impl Chain {
         (self.before, self.drew) = (self.marks.len(), false);
     }
 
-    /// The marks of a motion, which was the last, are none: another alarm of it says what they follow from.
+    /// Drops the marks of the last motion: another alarm of that motion gives their cause.
     pub(super) fn forget(&mut self, motion: usize) {
         let own = self.marks.iter_mut().skip(self.carried).rev().take_while(|mark| mark.alarm.motion == motion);
         own.for_each(|mark| mark.deep = 0.0);
     }
 
-    /// Labels the stretches that a pass inserted; `alarm` makes the alarm of a depth at a place, and `far` tells how far behind the
-    /// nose's the end of an edge has left a stretch.
+    /// Labels the stretches that a pass inserted. `alarm` makes the alarm for a depth and a place; `far` gives how far behind the
+    /// line of the nose the end of an edge has left a stretch.
     pub(super) fn label(
         &mut self,
         pass: SweptPiece,
@@ -157,7 +156,7 @@ impl Chain {
         let mut own = None;
         for (at, ((stretch, origin), new)) in meeting.inserted.iter().zip(&mut *labels).enumerate() {
             if is_nose(part, *origin) {
-                // What is drawn out along the way; the fillet in front of the nose is no surface yet.
+                // Only stretches along the path; the fillet in front of the nose is not yet a surface.
                 if is_along(stretch, way) {
                     *new = *own.get_or_insert_with(|| 1 + sense(way));
                     self.drew = true;
@@ -179,7 +178,7 @@ impl Chain {
                 Label::Mark(_) => continue,
             };
             let lead = dot(way, frame.into);
-            // What cuts a mark head on makes another surface, but for what goes on along the line that it is a mark of.
+            // A path that cuts a mark head on makes another surface, unless it continues along the marked surface.
             if let Some(mark) = before
                 && (lead < 0.0 || lead >= HEAD_ON && dot(way, mark.made.along).abs() < HEAD_ON)
             {
@@ -203,7 +202,7 @@ impl Chain {
         self.label_bare(pass, alarm, labels);
     }
 
-    /// Labels what an auxiliary edge has left where no nose had made a surface before.
+    /// Labels stretches of an auxiliary edge where no nose had made a surface.
     fn label_bare(&mut self, pass: SweptPiece, alarm: impl Fn(f64, [f64; 2]) -> Alarm, labels: &mut [u32]) {
         if pass.meeting.labels.iter().any(|label| matches!(self.read(*label), Label::Made(_))) {
             return;
@@ -219,7 +218,7 @@ impl Chain {
         }
     }
 
-    /// How deep an end of a stretch lies below what was taken away above it, where it is, and the line of what was there.
+    /// The depth of an end of a stretch below what was removed above it, its place, and the line of what was there.
     fn under(&self, stretch: &Stretch, meeting: &Meeting) -> Option<(f64, [f64; 2], TakenAway)> {
         let found = meeting.removed.iter().zip(&meeting.labels).filter_map(|(removed, label)| {
             let frame = TakenAway::of(removed)?;
@@ -252,14 +251,14 @@ impl Chain {
         }
     }
 
-    /// For a part that is turned about, z becoming `about` - z, mm: marks keep their labels, and a way's goes to
-    /// [`turned_about`].
+    /// The chain of a part that is turned round, z becoming `about` - z, mm: marks keep their labels, and the label of a path
+    /// becomes [`turned_about`].
     pub(super) fn turned_about(&self, about: f64) -> Self {
         let marks = self.marks.iter().map(|mark| Mark { made: mark.made.turned_about(about), ..*mark }).collect();
         Self { marks, carried: self.marks.len(), before: self.marks.len(), drew: false }
     }
 
-    /// The alarms of this program's marks among labels: of one motion the deepest.
+    /// The alarms of this program's marks among labels: the deepest of each motion.
     pub(super) fn alarms(&self, labels: impl Iterator<Item = u32>) -> Vec<Alarm> {
         let number = |label: u32| label.checked_sub(SENSES + 1).map(|number| number as usize);
         let own = labels.filter_map(number).filter(|number| *number >= self.carried);
@@ -273,7 +272,7 @@ impl Chain {
     }
 }
 
-/// A stretch that was taken away: where it begins, its direction, the one into the metal, and how long it is.
+/// A removed stretch: its start, its direction, the direction into the metal, and its length.
 #[derive(Clone, Copy, Debug)]
 struct TakenAway {
     from: [f64; 2],
@@ -286,23 +285,23 @@ impl TakenAway {
     fn of(Stretch { from, to }: &Stretch) -> Option<Self> {
         let along = [to[0] - from[0], to[1] - from[1]];
         let long = hypot(along[0], along[1]);
-        // The region lies to the left of its contour.
+        // The region is to the left of its contour.
         let along = along.map(|part| part / long);
         (long > ON).then_some(Self { from: *from, along, into: [-along[1], along[0]], long })
     }
 
-    /// Of a part that is turned about; its contour runs the other way then.
+    /// The same on a part that is turned round, whose contour runs the other way.
     fn turned_about(&self, about: f64) -> Self {
         let ([z, r], [along, up]) = (self.point(self.long), self.along);
         Self { from: [about - z, r], along: [along, -up], into: [up, along], long: self.long }
     }
 
-    /// The line beside it, so far out of the metal.
+    /// The parallel line, this far out of the metal.
     fn raised(self, by: f64) -> Self {
         Self { from: [0, 1].map(|axis| self.from[axis] - self.into[axis] * by), ..self }
     }
 
-    /// Along the stretch and into the metal.
+    /// A point's coordinates along the stretch and into the metal.
     fn of_point(&self, point: [f64; 2]) -> [f64; 2] {
         let off = [point[0] - self.from[0], point[1] - self.from[1]];
         [dot(off, self.along), dot(off, self.into)]
@@ -312,21 +311,21 @@ impl TakenAway {
         [0, 1].map(|axis| self.from[axis] + self.along[axis] * at)
     }
 
-    /// Between which places along it a stretch lies beside it.
+    /// The span along it that a stretch covers.
     fn beside(&self, stretch: &Stretch) -> [f64; 2] {
         let [one, two] = [stretch.from, stretch.to].map(|end| self.of_point(end)[0]);
         [one.min(two).max(0.0), one.max(two).min(self.long)]
     }
 
-    /// How far into the metal a stretch lies at a place along it.
+    /// The depth of a stretch in the metal at a place along it.
     fn depth(&self, stretch: &Stretch, at: f64) -> Option<f64> {
         let ([one, high], [two, low]) = (self.of_point(stretch.from), self.of_point(stretch.to));
         let inside = at >= one.min(two) && at <= one.max(two) && one != two;
         inside.then(|| high + (low - high) * (at - one) / (two - one))
     }
 
-    /// How deep the inserted stretch of a number lies below, where no other lies between, and from where: the deepest place.
-    /// Where the nose passes between them, what is beyond it; where it does not, with what was there of a mark before.
+    /// The greatest depth of an inserted stretch below this one, and the place, if no other stretch is between. If the nose passes
+    /// between them, only the depth beyond the nose counts; if not, the depth of an earlier mark is added.
     fn below(&self, number: usize, pass: SweptPiece, before: Option<&Mark>) -> Option<(f64, [f64; 2])> {
         let (stretch, _) = pass.meeting.inserted.get(number)?;
         let [low, high] = self.beside(stretch);
@@ -349,20 +348,20 @@ impl TakenAway {
             };
             Some((deep, place))
         };
-        // Beside where the nose begins and ends to pass, and over the stretch.
+        // Next to where the nose begins and ends to pass, and along the stretch.
         let inner = [0.01, 0.5, 0.99].map(|share| low + wide * share);
         let sides = nose.into_iter().flat_map(|nose| nose.sides()).flatten().flat_map(|at| [at - HAIR, at + HAIR]);
         let places = inner.into_iter().chain(sides.filter(|at| *at > low && *at < high));
         places.filter_map(below).max_by(|(one, _), (two, _)| one.total_cmp(two))
     }
 
-    /// What a nose sweeps, in the frame of the stretch.
+    /// The area that a nose sweeps, in the frame of the stretch.
     fn nose(&self, (centre, radius): ([f64; 2], f64), ends: [[f64; 2]; 2]) -> Nose {
         Nose { ends: ends.map(|end| self.of_point([end[0] + centre[0], end[1] + centre[1]])), radius }
     }
 }
 
-/// A circle on a straight way, along a stretch and into the metal under it.
+/// A circle on a straight path, in coordinates along a stretch and into the metal under it.
 #[derive(Clone, Copy)]
 struct Nose {
     ends: [[f64; 2]; 2],
@@ -370,7 +369,7 @@ struct Nose {
 }
 
 impl Nose {
-    /// The sides of its way, from the first to the last place.
+    /// The sides of its path, from the first to the last place.
     fn edges(&self) -> [[[f64; 2]; 2]; 2] {
         let [from, to] = self.ends;
         let way = [to[0] - from[0], to[1] - from[1]];
@@ -381,7 +380,7 @@ impl Nose {
         })
     }
 
-    /// Between which depths it lies at a place along the stretch.
+    /// The depths that it covers at a place along the stretch.
     fn within(&self, at: f64) -> Option<[f64; 2]> {
         let discs = self.ends.into_iter().flat_map(|[along, deep]| {
             let half = self.radius * self.radius - (at - along) * (at - along);
@@ -396,7 +395,7 @@ impl Nose {
         })
     }
 
-    /// Where along the stretch it begins and ends, and where it comes through the stretch's line.
+    /// Where along the stretch it begins and ends, and where it crosses the line of the stretch.
     fn sides(&self) -> [Option<f64>; 10] {
         let [one, two] = self.ends;
         let through = |[along, deep]: [f64; 2], side: f64| {
@@ -430,13 +429,13 @@ fn middle(stretch: &Stretch) -> [f64; 2] {
     [0, 1].map(|axis| f64::midpoint(stretch.from[axis], stretch.to[axis]))
 }
 
-/// What a straight cutting edge is for that left a stretch; `None` where it was something else.
+/// The role of the straight cutting edge that left a stretch; `None` if something else left it.
 fn edge_role(part: &Part, origin: Origin) -> Option<Role> {
     let Origin::Edge(edge) = origin else { return None };
     part.roles.get(edge).copied().filter(|role| matches!(role, Role::Main | Role::Auxiliary))
 }
 
-/// The number of a direction among the senses.
+/// The number of a direction, from 0 to `SENSES` - 1.
 fn sense([z, r]: [f64; 2]) -> u32 {
     let part = (atan2(r, z).rem_euclid(TAU) / TAU * f64::from(SENSES)).round();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 256")]
@@ -444,7 +443,7 @@ fn sense([z, r]: [f64; 2]) -> u32 {
     part % SENSES
 }
 
-/// A label on a part that is turned about.
+/// A label on a part that is turned round.
 pub(super) const fn turned_about(label: u32) -> u32 {
     match label {
         1..=SENSES => (SENSES + SENSES / 2 + 1 - label) % SENSES + 1,
@@ -452,7 +451,7 @@ pub(super) const fn turned_about(label: u32) -> u32 {
     }
 }
 
-/// True where a stretch ends where what is taken away ends too.
+/// True if two stretches share an end.
 fn joins(one: &Stretch, other: &Stretch) -> bool {
     [one.from, one.to]
         .into_iter()

@@ -24,7 +24,7 @@ rules! {
     "W0103" HeldByProgram Stop { path: String }
         es "no se puede abrir {path}: otro programa lo tiene abierto"
         en "cannot open {path}: another program has it open"
-        remedy "ciérrelo en Excel o LibreOffice y repita la orden", "close it in Excel or LibreOffice and run the command again";
+        remedy "ciérrelo en Excel o LibreOffice y repita el comando", "close it in Excel or LibreOffice and run the command again";
         why "En Windows, un programa puede bloquear el archivo que tiene abierto.",
             "On Windows a program that has a file open can lock it.";
         example crate::finding::Example::Never(t("solo Windows lo impide", "only Windows keeps others out"));
@@ -41,13 +41,13 @@ rules! {
         remedy "¿quiere decir {near}?", "did you mean {near}?";
         why "La carpeta tiene un archivo de nombre parecido: será una errata.",
             "The folder has a file with a similar name: this is probably a typing error.";
-        example made!("misspelt", "impeler.xlsx, donde está impeller.xlsx", "impeler.xlsx where impeller.xlsx stands");
+        example made!("misspelt", "impeler.xlsx, donde está impeller.xlsx", "impeler.xlsx where impeller.xlsx is");
     "W0106" NoSuchFileAmong Stop { path: String, there: String }
         es "no se puede abrir {path}: no existe"
         en "cannot open {path}: no such file"
         remedy "use uno de los archivos de la carpeta: {there}", "use one of the files in the folder: {there}";
         why "Los archivos de la carpeta tienen otros nombres.", "The files in the folder have other names.";
-        example made!("other-name", "otro.xlsx, donde está impeller.xlsx", "another.xlsx where impeller.xlsx stands");
+        example made!("other-name", "otro.xlsx, donde está impeller.xlsx", "another.xlsx where impeller.xlsx is");
     "W0107" PathThroughFile Stop { path: String }
         es "no se puede abrir {path}: una parte de la ruta no es una carpeta"
         en "cannot open {path}: a part of the path is not a folder"
@@ -64,7 +64,7 @@ rules! {
     "W0109" NoPermissionWhileOpen Stop { path: String }
         es "no se puede abrir {path}: falta el permiso de lectura"
         en "cannot open {path}: no permission to read it"
-        remedy "ciérrelo en Excel o LibreOffice y repita la orden", "close it in Excel or LibreOffice and run the command again";
+        remedy "ciérrelo en Excel o LibreOffice y repita el comando", "close it in Excel or LibreOffice and run the command again";
         why "Junto al libro hay un archivo que Excel crea mientras lo tiene abierto.",
             "Beside the workbook is a file that Excel creates while the workbook is open.";
         example made!("unreadable-and-open", "un libro sin permiso de lectura y junto a él un ~$impeller.xlsx",
@@ -78,7 +78,7 @@ rules! {
     "W0111" CannotOpenWhileOpen Stop { path: String, reason: String }
         es "no se puede abrir {path}: {reason}"
         en "cannot open {path}: {reason}"
-        remedy "ciérrelo en Excel o LibreOffice y repita la orden", "close it in Excel or LibreOffice and run the command again";
+        remedy "ciérrelo en Excel o LibreOffice y repita el comando", "close it in Excel or LibreOffice and run the command again";
         why "Junto al libro hay un archivo que Excel crea mientras lo tiene abierto.",
             "Beside the workbook is a file that Excel creates while the workbook is open.";
         example crate::finding::Example::Never(t(

@@ -25,7 +25,7 @@ fn said(folder: &TempDir, locale: &str, arguments: &[&str]) -> String {
     [done.stderr, done.stdout].map(|text| String::from_utf8_lossy(&text).into_owned()).concat()
 }
 
-const ES: &str = "no se puede construir";
+const ES: &str = "no se puede generar";
 const EN: &str = "cannot be built";
 
 #[test]

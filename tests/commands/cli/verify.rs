@@ -212,7 +212,7 @@ fn how_rotary_words_were_read_is_told() {
     assert!(out.contains("rotary axes rollover: in G90 the number is the angle to go to"), "{out}");
     assert!(err.contains("turn.nc:2\n") && err.contains("one feed block: C turns 355.502°"), "{err}");
     let [out, err] = verify(&["--dialect", "fagor-8055", "--rotary", "linear", "--lang", "es"]);
-    assert!(out.contains("ejes rotativos como lineales") && !err.contains("media vuelta"), "{out}{err}");
+    assert!(out.contains("ejes giratorios como lineales") && !err.contains("media vuelta"), "{out}{err}");
     for (arguments, rotary) in
         [(&["--dialect", "fagor-8055"][..], "rollover"), (&["--dialect", "fagor-8070"][..], "linear")]
     {

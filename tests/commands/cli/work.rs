@@ -138,7 +138,7 @@ fn messages_are_spanish_where_asked_for() {
         .code(3)
         .stderr(predicate::str::contains(", hoja \"DATA\", celda"))
         .stderr(predicate::str::contains("sugerencia: "))
-        .stderr(predicate::str::contains("impeller.xlsx: no se puede construir"));
+        .stderr(predicate::str::contains("impeller.xlsx: no se puede generar"));
 }
 
 #[test]
@@ -163,6 +163,29 @@ fn a_report_that_fails_keeps_nothing_else_from_being_delivered() {
         assert_eq!(contents(&folder.path().join("impeller-out")), contents(&folder.path().join("expected")));
         fs::remove_dir_all(folder.path().join("impeller-out")).expect("removed");
     }
+}
+
+/// What a build would leave out of its report is known before.
+#[test]
+fn check_looks_at_the_logo_as_build_does() {
+    let folder = with_impeller();
+    let path = |name: &str| folder.path().join(name);
+    workbook(&path("impeller.xlsx"), &[("logo", Value::Line("logo.svg".to_owned()))]);
+    let told = |commands: &[&[&str]], code: &str| {
+        for command in commands {
+            let done = rodete(&folder).args(*command).output().expect("run");
+            let said = String::from_utf8(done.stderr).expect("text");
+            for one in ["T0203", "T0204"] {
+                assert_eq!(said.contains(&format!("caution {one}: ")), one == code, "{command:?}: {said}");
+            }
+        }
+    };
+    let (check, build) = (["check", "impeller.xlsx"], ["build", "impeller.xlsx", "--typst", "no/such/typst"]);
+    told(&[&check, &build], "T0203");
+    fs::write(path("logo.svg"), "no picture").expect("a file");
+    told(&[&check, &build], "T0204");
+    fs::write(path("logo.svg"), "<svg xmlns=\"http://www.w3.org/2000/svg\"/>").expect("a file");
+    told(&[&check, &build], "");
 }
 
 #[test]

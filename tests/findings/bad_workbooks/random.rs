@@ -1,32 +1,17 @@
 //! Whatever is done to a workbook at random, reading it ends in values or in a refusal.
 
-use std::io::Cursor;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use rodete::finding::Grade;
+use rodete::kinds::KINDS;
 use rodete::kinds::impeller::cases::CASES;
 use rodete::text::Language;
-use rodete::workbook::template;
 
-use super::workbook::{Parts, impeller};
+use super::workbook::{Parts, impeller, written};
 
 static SOUND: LazyLock<Parts> = LazyLock::new(Parts::sound);
-/// What the command for new workbooks writes: validation, groups, a drawing, defined names and all.
-static WRITTEN: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let (case, language) = (&CASES[0], Language::Es);
-    let mut written = Cursor::new(Vec::new());
-    template::write(
-        rodete::kinds::KINDS[0],
-        &case.values(language),
-        &(case.listed)(language),
-        &case.note,
-        language,
-        &mut written,
-    )
-    .unwrap();
-    written.into_inner()
-});
+static WRITTEN: LazyLock<Vec<u8>> = LazyLock::new(|| written(KINDS[0], &CASES[0], Language::Es));
 static PARTS: LazyLock<Parts> = LazyLock::new(|| Parts::of(&WRITTEN));
 
 /// Reads the bytes; a refusal must have a reason.

@@ -1,6 +1,7 @@
 //! What must be read, and how.
 
 use rodete::finding::Grade;
+use rodete::kinds::KINDS;
 use rodete::kinds::impeller::cases::CASES;
 use rodete::kinds::impeller::design::Design;
 use rodete::kinds::impeller::fade::Fade;
@@ -11,7 +12,7 @@ use rodete::text::Language;
 use rodete::workbook::Filled;
 
 use super::common;
-use super::workbook::{CALIBRATION, DATA, Parts, cell, impeller, place, row, sound};
+use super::workbook::{CALIBRATION, DATA, Parts, cell, impeller, place, row, sound, written};
 
 fn line<'a>(filled: &'a Filled, key: &str) -> &'a str {
     if let Some(Value::Line(line)) = filled.values.values.get(key) { line } else { panic!("{key}") }
@@ -40,17 +41,7 @@ fn the_shipped_case_is_read_in_both_languages_value_for_value() {
 fn the_written_template_is_read_back() {
     for case in &CASES {
         for language in Language::ALL {
-            let mut written = std::io::Cursor::new(Vec::new());
-            rodete::workbook::template::write(
-                rodete::kinds::KINDS[0],
-                &case.values(language),
-                &(case.listed)(language),
-                &case.note,
-                language,
-                &mut written,
-            )
-            .unwrap();
-            let filled = impeller(&written.into_inner()).unwrap();
+            let filled = impeller(&written(KINDS[0], case, language)).unwrap();
             assert!(filled.findings.is_empty(), "{:?}", filled.findings);
             assert_eq!(filled.values.language, language);
             assert_eq!(filled.values.values, case.values(language).into_iter().collect());

@@ -222,15 +222,15 @@ fn the_same_program_gives_the_same_files() {
 fn a_stock_that_is_none_is_refused_before_anything_is_read() {
     let folder = bench(TURNS);
     for (stock, why) in [
-        ("50x100", "'50' is no size"),
+        ("50x100", "'50' is not a size"),
         ("D50", "D and L must both be given"),
         ("D50xL0", "L0 is out of range"),
         ("D5000xL100", "D5000 is out of range"),
         ("D50xL100xd50", "the bore d must be less than D"),
         ("D50xL100xL2", "L is given twice"),
         ("D50,5xL100", "'D50,5': write the decimal with a point, D50.5"),
-        ("DnanxL100", "'Dnan' is no size"),
-        ("D-50xL100", "'D-50' is no size"),
+        ("DnanxL100", "'Dnan' is not a size"),
+        ("D-50xL100", "'D-50' is not a size"),
     ] {
         let said = simulate(folder.path(), &["--stock", stock, "-o", "out"]);
         assert_eq!((said.exit, said.out.as_str()), (2, ""), "{stock}");

@@ -165,6 +165,22 @@ fn the_jaws_close_on_what_is_left_of_the_part() {
     assert!(!others.iter().any(|line| line.starts_with("stop")), "what follows is not judged: {others:?}");
 }
 
+/// What a program would cut of a part that nothing holds is no part of what comes out.
+#[test]
+fn nothing_is_derived_from_a_shift_that_is_refused() {
+    let book = || Book::new(&program(FIRST)).sharp().second(&program(SECOND));
+    let (_folder, document, exit) = build(&book().put("Z_s", Value::Real(29.5)).bytes());
+    assert_eq!(exit, 3);
+    near(quantity(&document, "V_r"), ring(50.0, 40.0, 60.0));
+    let alone = build(&Book::new(&program(FIRST)).sharp().bytes()).1;
+    for symbol in ["t", "t_c", "V", "a_p"] {
+        near(quantity(&document, symbol), quantity(&alone, symbol));
+    }
+    let (_folder, held, exit) = build(&book().put("Z_s", Value::Real(5.0)).bytes());
+    assert_eq!(exit, 0);
+    assert!(quantity(&held, "V_r") > quantity(&document, "V_r") + 1000.0);
+}
+
 #[test]
 fn collisions_are_judged_with_the_jaws_where_they_close() {
     // The neck is 40 mm wide and 100 long: the jaws, from X40 to X120 in front of Z-90, are closed farther in than on the bar.

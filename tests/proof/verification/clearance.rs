@@ -142,7 +142,7 @@ fn a_pass_that_poses_told_to_be_clear_is_stopped() {
     let table = wide.tables.iter().find(|table| table.key == "verification").unwrap();
     let shown = format!("{table:?}");
     assert!(shown.contains("bounded between 1.4051 and 1.4052 mm"), "{shown}");
-    assert!(shown.contains("acotada entre 1.4051 y 1.4052 mm"), "{shown}");
+    assert!(shown.contains("comprendida entre 1.4051 y 1.4052 mm"), "{shown}");
 }
 
 #[test]

@@ -93,6 +93,6 @@ rules! {
         es "{blocks} bloques entre G{cycle} y su contorno no se ejecutan"
         en "{blocks} blocks between G{cycle} and its contour are not executed"
         remedy "ponga el contorno justo después del ciclo", "put the contour right after the cycle";
-        why "Después del ciclo el programa sigue detrás del contorno.", "After the cycle the program continues behind the contour.";
+        why "Después del ciclo el programa sigue después del contorno.", "After the cycle the program continues after the contour.";
         example Example::program("fanuc-lathe-a", "S500 M3 F.2|G0 X50. Z5.|G71 U2. R1.|G71 P10 Q20|G0 Z6.|N10 G0 X20.|G1 Z-10.|N20 X50.|M30", "4");
 }

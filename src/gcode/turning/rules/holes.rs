@@ -109,8 +109,8 @@ rules! {
     "G0744" TappingOutsideG17 Caution { cycle: f64 }
         es "G{cycle} fuera de G17: LinuxCNC 2.9 intercambia los ejes y rosca hacia un lado"
         en "G{cycle} outside G17: LinuxCNC 2.9 swaps the axes and taps sideways"
-        remedy "rodete sigue el plano; en ese control, rosque en G17",
-            "rodete follows the plane; on that control tap in G17";
+        remedy "rodete rosca según el eje del plano; en ese control, rosque en G17",
+            "rodete taps along the axis of the plane; on that control, tap in G17";
         why "Ese control mueve el eje equivocado, y el macho entra de lado.",
             "That control moves the wrong axis, and the tap goes in sideways.";
         example Example::program("linuxcnc", "G21 G90 G18 F100 S500 M3|G0 Y5|G99 G84 X0 Z0 R2 Y-5|M2", "3");

@@ -16,7 +16,7 @@ fn xz(point: &Vector3<f64>) -> [f64; 2] {
     [point.x, point.z]
 }
 
-/// The part in section at B = 90°, 45° and 0° with the tool upon it, and the curve of the mean line.
+/// The part in section at B = 90°, 45° and 0° with the tool on it, and the curve of the mean line.
 pub(super) fn positions(design: &Design, blade: &Blade) -> Figure {
     let machine = design.machine;
     let mut strokes = Vec::new();
@@ -25,7 +25,7 @@ pub(super) fn positions(design: &Design, blade: &Blade) -> Figure {
     for B in [FRAC_PI_2, FRAC_PI_4, 0.0] {
         position(&mut strokes, &mut labels, design, B);
     }
-    // The way of the part's origin about the pivot.
+    // The path of the part's origin about the pivot.
     let arc = steps(0.0, FRAC_PI_2, 60).map(|B| xz(&machine.to_machine(&Vector3::zeros(), B, 0.0))).collect();
     strokes.push(line(Ink::Centre, arc));
     let path = sampled(blade.points(), FINE).filter_map(|at| blade.machine.get(at)).map(xz).collect();
@@ -71,7 +71,7 @@ fn position(strokes: &mut Vec<Stroke>, labels: &mut Vec<Label>, design: &Design,
     strokes.push(Stroke { ink: Ink::Outline, points: section.clone(), filled: true, arrow: false });
     strokes.push(line(Ink::Outline, section));
     strokes.push(line(Ink::Thin, vec![[0.0, -machine.L], turned(0.0, 0.0)]));
-    // The tool stands on the point whose normal is vertical: v = 3π/2 − B.
+    // The tool is at the point whose normal is vertical: v = 3π/2 − B.
     let v = PI + FRAC_PI_2 - B;
     let tip = turned(torus.rho(v), torus.r * sin_cos(v).0);
     let (half, top) = (design.d_t / 2.0, tip[1] + 0.45 * design.tool_reach());
@@ -91,7 +91,7 @@ fn position(strokes: &mut Vec<Stroke>, labels: &mut Vec<Label>, design: &Design,
     labels.push(label([tip[0] + side * design.tool_reach(), top], Text::same(angle)));
 }
 
-/// The way of the tool round a blade in machine XY, with the safe points.
+/// The path of the tool round a blade in machine XY, with the safe points.
 pub(super) fn safe_points(passes: &ToolPaths) -> Figure {
     let xy = |point: &Vector3<f64>| [point.x, point.y];
     let path = |points: &[Vector3<f64>]| {
@@ -120,7 +120,7 @@ pub(super) fn safe_points(passes: &ToolPaths) -> Figure {
         height: Figure::HEIGHT,
         caption: t(
             "Recorrido de la herramienta alrededor de un álabe, en el plano XY de la máquina",
-            "Way of the tool round a blade, in the machine's XY plane",
+            "Path of the tool round a blade, in the machine's XY plane",
         ),
         axes: Some(Axes { x: Text::same("x (mm)"), y: Text::same("y (mm)") }),
         strokes,

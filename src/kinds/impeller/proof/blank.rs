@@ -143,8 +143,10 @@ impl<'a> Terms<'a> {
 
     fn terms(&self, program: &Program) -> Check {
         let blank = &self.design.blank;
-        let name =
-            t("Herramienta, giro, velocidad y avance, los de la hoja", "Tool, spindle, speed and feed as in the form");
+        let name = t(
+            "Herramienta, giro, velocidad y avance, los del formulario",
+            "Tool, spindle, speed and feed as in the form",
+        );
         let count = self.feeds;
         let value = Text::new(format!("{count} movimientos con avance"), format!("{count} motions at feed"));
         let limit = Text::same(format!("T{} D{}, M4, S{}, F{}", blank.T_b, blank.D_b, blank.S_b, shown(blank.F_b, 3)));
@@ -312,7 +314,7 @@ fn count(first: &mut Option<(Alarm, usize)>, alarm: Alarm) {
 }
 
 fn depth(deepest: f64, step: f64, program: &Program, motions: usize) -> Check {
-    let name = t("Mayor profundidad de corte", "Greatest depth of cut");
+    let name = t("Profundidad de pasada máxima", "Maximum depth of cut");
     let asked = Question::new("blank-depth", name, program);
     let asked = asked.showing(Text::same(mm(deepest)), Text::same(mm(step + LIMIT))).seen(motions);
     asked.holds(deepest <= step + LIMIT, |place| {
@@ -353,7 +355,7 @@ impl Judge for TooLarge<'_> {
     fn see(&mut self, _: &Step<'_>) {}
 
     fn checks(self: Box<Self>, program: &Program) -> Vec<Check> {
-        let name = t("Seguido sobre el bruto", "Followed over the stock");
+        let name = t("Simulado sobre el bruto", "Simulated on the stock");
         let diameter = Text::same(mm(2.0 * self.0.torus.R));
         let asked = Question::new("blank-followed", name, program).showing(diameter, Text::same(mm(FOLLOWED_BLANK)));
         vec![asked.of_parameters(vec!["R"]).seen(1).holds(false, |place| BlankNotFollowed {}.at(place))]

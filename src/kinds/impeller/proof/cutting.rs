@@ -237,7 +237,7 @@ impl Cutting<'_, '_> {
         let moved = greatest(measured, |along| (along.grid.value, &along.grid));
         let past = greatest(measured, |along| (along.past_grid.value, &along.past_grid));
         let bound = measured.iter().map(|one| one.along.grid_limit).fold(0.0, f64::max);
-        let name = t("Puntos: lo que los mueve el redondeo a 0.001", "Points: moved by rounding to 0.001");
+        let name = t("Puntos: desplazamiento por redondeo a 0.001", "Points: shift by rounding to 0.001");
         let asked = Question::new("grid", name, program).showing(Text::same(mm(moved.value())), Text::same(mm(bound)));
         // Each point is compared with the limit of its own place.
         let kept = past.value() <= 0.0;

@@ -55,8 +55,8 @@ pub struct Geometry<'a> {
 
 /// What stands under the title of the table.
 pub const SOURCE: Text = t(
-    "Leída de los programas, bloque a bloque; las pistas se miden en el primer programa que las recorre",
-    "Read back from the programs, block by block; tracks are measured in the first program that cuts them",
+    "Leída de los programas, bloque a bloque; cada trayectoria se mide en el primer programa que la recorre",
+    "Read back from the programs, block by block; each path is measured in the first program that cuts it",
 );
 
 /// What a program is read with.

@@ -59,9 +59,9 @@ crate::finding::rule::rules! {
         es "no está demostrado que la herramienta libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the tool clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
         remedy "menos álabes, álabes más delgados o una herramienta menor", "use fewer blades, thinner blades, or a smaller tool";
-        why "rodete solo da por libre la distancia que demuestra la cota inferior.",
-            "rodete counts only the clearance that the lower bound proves.";
-        example Example::Never(t("las cotas convergen a la milésima: ningún ejemplo queda entre ellas", "the bounds converge to the thousandth: no example lies between them"));
+        why "rodete solo cuenta con la distancia que queda demostrada.",
+            "rodete counts only on the clearance that is proved.";
+        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0109" PublishedSplitterCutsBlade Caution { point: Size, depth: Size, line: usize, program: Text }
         es "la pasada del álabe intermedio corta el álabe vecino (en su punto {point}) {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the splitter's pass cuts into the neighbouring blade (at its point {point}) by {depth} across the tool, in line {line} of \"{program}\""
@@ -73,9 +73,9 @@ crate::finding::rule::rules! {
         es "no está demostrado que la pasada del álabe intermedio libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the splitter's pass clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
         remedy "ponga splitter_fade = each-side o splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitter_fade = each-side or splitters = no, or use fewer blades, thinner blades, or a smaller tool";
-        why "rodete solo da por libre la distancia que demuestra la cota inferior.",
-            "rodete counts only the clearance that the lower bound proves.";
-        example Example::Never(t("las cotas convergen a la milésima: ningún ejemplo queda entre ellas", "the bounds converge to the thousandth: no example lies between them"));
+        why "rodete solo cuenta con la distancia que queda demostrada.",
+            "rodete counts only on the clearance that is proved.";
+        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0111" SplitterCutsBlade Stop { point: Size, depth: Size, line: usize, program: Text }
         es "la pasada del álabe intermedio corta el álabe vecino (en su punto {point}) {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "the splitter's pass cuts into the neighbouring blade (at its point {point}) by {depth} across the tool, in line {line} of \"{program}\""
@@ -87,9 +87,9 @@ crate::finding::rule::rules! {
         es "no está demostrado que la pasada del álabe intermedio libre el álabe vecino (en su punto {point}): pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that the splitter's pass clears the neighbouring blade (at its point {point}): it comes nearest in line {line} of \"{program}\""
         remedy "ponga splitters = no, o use menos álabes, álabes más delgados o una herramienta menor", "set splitters = no, or use fewer blades, thinner blades, or a smaller tool";
-        why "rodete solo da por libre la distancia que demuestra la cota inferior.",
-            "rodete counts only the clearance that the lower bound proves.";
-        example Example::Never(t("las cotas convergen a la milésima: ningún ejemplo queda entre ellas", "the bounds converge to the thousandth: no example lies between them"));
+        why "rodete solo cuenta con la distancia que queda demostrada.",
+            "rodete counts only on the clearance that is proved.";
+        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0113" SplitterCutsSplitter Stop { depth: Size, line: usize, program: Text }
         es "la pasada de un álabe intermedio corta otro intermedio {depth} a lo ancho de la herramienta, en la línea {line} de «{program}»"
         en "a splitter's pass cuts into another splitter by {depth} across the tool, in line {line} of \"{program}\""
@@ -101,9 +101,9 @@ crate::finding::rule::rules! {
         es "no está demostrado que la pasada de un álabe intermedio libre otro intermedio: pasa lo más cerca en la línea {line} de «{program}»"
         en "it is not proved that a splitter's pass clears another splitter: it comes nearest in line {line} of \"{program}\""
         remedy "ponga splitters = no, o use menos álabes", "set splitters = no, or use fewer blades";
-        why "rodete solo da por libre la distancia que demuestra la cota inferior.",
-            "rodete counts only the clearance that the lower bound proves.";
-        example Example::Never(t("las cotas convergen a la milésima: ningún ejemplo queda entre ellas", "the bounds converge to the thousandth: no example lies between them"));
+        why "rodete solo cuenta con la distancia que queda demostrada.",
+            "rodete counts only on the clearance that is proved.";
+        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0121" ToolInStock Stop { depth: Size, line: usize, program: Text }
         es "la herramienta entra al menos {depth} en el bruto fuera de las pasadas, en la línea {line} de «{program}»"
         en "the tool goes at least {depth} into the stock outside the passes, in line {line} of \"{program}\""
@@ -115,9 +115,9 @@ crate::finding::rule::rules! {
         es "no está demostrado que la herramienta libre el bruto en la línea {line} de «{program}»"
         en "it is not proved that the tool clears the stock in line {line} of \"{program}\""
         remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
-        why "rodete solo da por libre la distancia que demuestra la cota inferior.",
-            "rodete counts only the clearance that the lower bound proves.";
-        example Example::Never(t("las cotas convergen a la milésima: ningún ejemplo queda entre ellas", "the bounds converge to the thousandth: no example lies between them"));
+        why "rodete solo cuenta con la distancia que queda demostrada.",
+            "rodete counts only on the clearance that is proved.";
+        example Example::Never(t("los límites convergen a la milésima: ningún ejemplo queda entre ellos", "the bounds converge to the thousandth: no example lies between them"));
     "V0123" ToolNearStock Caution { distance: Size, line: usize, program: Text }
         es "la herramienta pasa a {distance} del bruto, menos que d_s, en la línea {line} de «{program}»"
         en "the tool passes {distance} from the stock, closer than d_s, in line {line} of \"{program}\""
@@ -129,9 +129,9 @@ crate::finding::rule::rules! {
         es "solo está demostrado que la herramienta pasa a {distance} del bruto o más, menos que d_s, en la línea {line} de «{program}»"
         en "it is only proved that the tool passes {distance} or more from the stock, which is less than d_s, in line {line} of \"{program}\""
         remedy "elija una distancia de seguridad d_s mayor, o un retroceso eps_v menor", "choose a larger safety distance d_s, or a smaller back-off eps_v";
-        why "Si las cotas no llegan a converger, rodete cuenta con la inferior.",
+        why "Si los dos límites no llegan a converger, rodete cuenta con el menor.",
             "If the bounds do not converge, rodete counts the lower one.";
-        example Example::Never(t("las cotas convergen antes de llegar al límite de cálculo", "the bounds converge before the limit of the computation"));
+        example Example::Never(t("los límites convergen antes de agotar el cálculo permitido", "the bounds converge before the limit of the computation"));
     "V0401" TermsDiffer Stop { at: Text, found: Text, wanted: Text }
         es "en la {at} está en vigor {found}, y el formulario pide {wanted}"
         en "at {at} {found} is in force, but the form asks for {wanted}"

@@ -44,11 +44,11 @@ fn on_rotary(design: &Design, stations: &[Station]) -> Figure {
     let (gap, long) = (sketch.paper(3.0), sketch.paper(9.0));
     sketch::pipe(&mut sketch, design.header.D, [-reach, reach]);
     let edge: Vec<[f64; 2]> = stations.iter().map(|one| [one.face.x, one.face.z]).collect();
-    sketch.shape(Ink::Obverse, &edge);
+    sketch.shape(Ink::Obverse, edge);
     // The axis of the branch leans to the right where θ is less than 90°.
     let (sin, cos) = sin_cos(design.theta.to_radians());
     let top = (R + Z_s + sketch.paper(4.0)) / sin;
-    sketch.line(Ink::Centre, vec![[0.0, 0.0], [top * cos, top * sin]]);
+    sketch.line(Ink::Centre, [[0.0, 0.0], [top * cos, top * sin]]);
     let about = 0.5 * R;
     sketch.turn(Ink::Outline, [0.0, 0.0], about, [0.0, design.theta]);
     let (sin, cos) = sin_cos((design.theta / 2.0).to_radians());
@@ -56,7 +56,7 @@ fn on_rotary(design: &Design, stations: &[Station]) -> Figure {
     sketch::torch(&mut sketch, [0.0, R + Z_s]);
     sketch.zero([0.0, 0.0]);
     sketch.label([0.0, -gap / 2.0], Side::Below, Text::same("X0 Z0"));
-    sketch.arrow(Ink::Axis(0), vec![[reach - long, -R - gap], [reach, -R - gap]]);
+    sketch.arrow(Ink::Axis(0), [[reach - long, -R - gap], [reach, -R - gap]]);
     sketch.label([reach, -R - gap], Side::Right, Text::same("+X"));
     let beyond = reach + sketch.paper(7.0);
     sketch.upright([reach, -R], [reach, R], beyond, Side::Right, sized("D", design.header.D));
@@ -64,7 +64,10 @@ fn on_rotary(design: &Design, stations: &[Station]) -> Figure {
     sketch.figure(
         "setup",
         sketch::HEIGHT,
-        t("Tubo en el eje giratorio, A = 0°, B = 0° y C = 0°", "Pipe on the rotary axis, A = 0°, B = 0° and C = 0°"),
+        sketch::held(&t(
+            "Tubo en el eje giratorio, A = 0°, B = 0° y C = 0°",
+            "Pipe on the rotary axis, A = 0°, B = 0° and C = 0°",
+        )),
     )
 }
 

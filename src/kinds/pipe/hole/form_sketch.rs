@@ -1,7 +1,6 @@
 //! The sketch of the form: the two pipes, the groove, and the torch over the header, to no scale.
 
-use crate::figure::diagram::{Diagram, on_circle};
-use crate::figure::{Figure, Ink};
+use crate::figure::{Figure, Ink, Sketch, on_circle};
 use crate::kinds::pipe::form_sketch::pipes;
 use crate::number::trig::sin_cos;
 use crate::text::t;
@@ -24,23 +23,30 @@ const SLOPE: f64 = 20.0;
 
 /// The sketch of the hole's form.
 pub(super) fn sketch() -> Figure {
-    let mut sketch = Diagram::default();
+    let mut sketch = Sketch::on_paper();
     pipes(&mut sketch);
     groove(&mut sketch);
     torch(&mut sketch);
-    sketch.figure(t(
-        "Qué es cada símbolo: tubos, bisel y antorcha, sin escala",
-        "What the symbols are: pipes, groove and torch, not to scale",
-    ))
+    sketch.figure(
+        "sketch",
+        Figure::HEIGHT,
+        t(
+            "Qué es cada símbolo: tubos, bisel y antorcha, sin escala",
+            "What the symbols are: pipes, groove and torch, not to scale",
+        ),
+    )
 }
 
 /// The walls of branch and header where they are to be welded.
-fn groove(sketch: &mut Diagram) {
+fn groove(sketch: &mut Sketch) {
     let edge = FACE + GAP;
     let (sin, cos) = sin_cos(GAMMA.to_radians());
     let lip = edge + (OUTSIDE - BORE - LAND) * sin / cos;
-    sketch.metal([[FACE - 7.0, BORE - 7.0], [FACE, BORE - 7.0], [FACE, OUTSIDE + 14.0], [FACE - 7.0, OUTSIDE + 14.0]]);
-    sketch.metal([[edge, BORE], [edge, BORE + LAND], [lip, OUTSIDE], [26.0, OUTSIDE], [26.0, BORE]]);
+    sketch.shape(
+        Ink::Outline,
+        [[FACE - 7.0, BORE - 7.0], [FACE, BORE - 7.0], [FACE, OUTSIDE + 14.0], [FACE - 7.0, OUTSIDE + 14.0]],
+    );
+    sketch.shape(Ink::Outline, [[edge, BORE], [edge, BORE + LAND], [lip, OUTSIDE], [26.0, OUTSIDE], [26.0, BORE]]);
     sketch.line(Ink::Centre, [[edge, BORE + LAND], [edge, OUTSIDE + 11.0]]);
     sketch.line(Ink::Thin, [[edge, BORE + LAND], on_circle([edge, BORE + LAND], 24.0, 90.0 - GAMMA)]);
     sketch.angle([edge, BORE + LAND], 19.0, [90.0 - GAMMA, 90.0], "gamma");
@@ -53,22 +59,25 @@ fn groove(sketch: &mut Diagram) {
 }
 
 /// The torch over the header.
-fn torch(sketch: &mut Diagram) {
+fn torch(sketch: &mut Sketch) {
     let [x, y] = TIP;
     let (sin, cos) = sin_cos(TAPER.to_radians());
     let shoulder = y + (BODY - TIP_RADIUS) * cos / sin;
     let top = shoulder + 5.0;
-    sketch.other([
-        [x - TIP_RADIUS, y],
-        [x - BODY, shoulder],
-        [x - BODY, top],
-        [x + BODY, top],
-        [x + BODY, shoulder],
-        [x + TIP_RADIUS, y],
-    ]);
+    sketch.shape(
+        Ink::Thin,
+        [
+            [x - TIP_RADIUS, y],
+            [x - BODY, shoulder],
+            [x - BODY, top],
+            [x + BODY, top],
+            [x + BODY, shoulder],
+            [x + TIP_RADIUS, y],
+        ],
+    );
     let on_header = |along: f64| on_circle(BELOW, along, SLOPE);
     let deeper = |along: f64| [on_header(along)[0], on_header(along)[1] - 7.0];
-    sketch.metal([on_header(0.0), on_header(52.0), deeper(52.0), deeper(0.0)]);
+    sketch.shape(Ink::Outline, [on_header(0.0), on_header(52.0), deeper(52.0), deeper(0.0)]);
     let (rise, run) = sin_cos(SLOPE.to_radians());
     let height = |at: f64| BELOW[1] + (at - BELOW[0]) * rise / run;
     for side in [-1.3, 1.3] {

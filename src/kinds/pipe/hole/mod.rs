@@ -78,8 +78,8 @@ impl Method for Hole {
         further: &[("equations.typ", include_str!("../../../../report-templates/pipe-hole/equations.typ"))],
     };
     const PROVED: Text = t(
-        "Leída del programa, postura a postura, contra la raíz exacta, el injerto y el tubo",
-        "Read back from the program, pose by pose, against the exact root, the branch and the pipe",
+        "Leída del programa, posición a posición, y comparada con la raíz exacta, el injerto y el tubo",
+        "Read back from the program, position by position, and compared with the exact root, the branch and the pipe",
     );
 
     fn sketch() -> Option<Figure> {

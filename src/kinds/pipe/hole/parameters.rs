@@ -107,7 +107,7 @@ pub(super) static D_MAX: Field<f64, Required> = Field::real(
 const TORCH: &[&Parameter] = &[&NOZZLE_R_G.row, &TORCH_BODY_RADIUS.row, &PSI.row, &M.row, &D0.row, &G0.row, &D_MAX.row];
 
 pub(super) static KERF: Field<f64, Optional> =
-    Field::real("kerf", "kerf", MM, [0.0, 20.0], t("Ancho del corte", "Kerf"), t("Vacío: 2·m", "Empty: 2·m"));
+    Field::real("kerf", "kerf", MM, [0.0, 20.0], t("Ancho de corte", "Kerf"), t("Vacío: 2·m", "Empty: 2·m"));
 pub(super) static F: Field<f64, Required> = Field::real(
     "F",
     "feed_F",
@@ -171,7 +171,7 @@ pub(super) static HOLD_OFF: Field<Codes, Optional> = Field::other(
     "hold_off",
     "hold_off",
     FieldKind::Codes,
-    t("Códigos que lo sueltan", "Codes that release it"),
+    t("Códigos que lo liberan", "Codes that release it"),
     t("Vacío: M63 P2 en linuxcnc; ninguno en los demás", "Empty: M63 P2 in linuxcnc; none in others"),
 );
 

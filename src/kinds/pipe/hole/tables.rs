@@ -127,7 +127,7 @@ pub fn pose(stations: &[Station], beside: f64) -> Table {
     Table {
         key: "pose",
         name: t("Postura", "Pose"),
-        title: t("Postura de la antorcha y ejes de la máquina", "Pose of the torch, and axes of the machine"),
+        title: t("Posición de la antorcha y ejes de la máquina", "Position of the torch, and axes of the machine"),
         source: t("Deducido aquí; a′ es a girada con −A", "Derived here; a′ is a turned with −A"),
         index: Index::Point,
         print: Print::Short,
@@ -159,8 +159,11 @@ pub fn way(cut: &Cut) -> Table {
     Table {
         key: "way",
         name: t("Corte", "Cut"),
-        title: t("Camino de la antorcha, compensado el corte", "The torch's way, the kerf compensated"),
-        source: t("Redondeado a 0.001; partido según su tolerancia", "Rounded to 0.001; parted by its tolerance"),
+        title: t(
+            "Trayectoria de la antorcha, con el ancho de corte compensado",
+            "Path of the torch, with the kerf compensated",
+        ),
+        source: t("Redondeado a 0.001; dividido según su tolerancia", "Rounded to 0.001; divided by its tolerance"),
         index: Index::Point,
         print: Print::Short,
         columns,

@@ -132,8 +132,8 @@ fn on_rotary(design: &Design, cut: Option<&Cut>) -> Figure {
     let at = |phi: f64| [outline.curve(phi).y, half * sin_cos(phi).1];
     let seen: Vec<[f64; 2]> = turns(FINE).filter(|phi| *phi <= PI).map(at).collect();
     let waste: Vec<[f64; 2]> = seen.iter().copied().chain([[right, -half], [right, half]]).collect();
-    sketch.shape(Ink::Safe, &waste);
-    sketch.line(Ink::Safe, turns(FINE).filter(|phi| *phi >= PI).map(at).collect());
+    sketch.shape(Ink::Safe, waste);
+    sketch.line(Ink::Safe, turns(FINE).filter(|phi| *phi >= PI).map(at).collect::<Vec<_>>());
     sketch.line(Ink::Obverse, seen);
     sketch.label([f64::midpoint(most, right), 0.0], Beside::Above, t("sobrante", "waste"));
     sketch.label([0.5 * left, 0.0], Beside::Above, t("injerto", "branch"));
@@ -141,7 +141,7 @@ fn on_rotary(design: &Design, cut: Option<&Cut>) -> Figure {
     sketch::torch(&mut sketch, [pierce, half + gap / 2.0]);
     sketch.zero([0.0, half]);
     sketch.label([0.0, half + gap], Beside::Above, Text::same("X0 A0"));
-    sketch.arrow(Ink::Axis(0), vec![[right - long, half + gap], [right, half + gap]]);
+    sketch.arrow(Ink::Axis(0), [[right - long, half + gap], [right, half + gap]]);
     sketch.label([right, half + gap], Beside::Right, Text::same("+X"));
     let low = -half - sketch.paper(7.0);
     sketch.level([0.0, -half], [least, -half], low, sized("", least));
@@ -149,10 +149,10 @@ fn on_rotary(design: &Design, cut: Option<&Cut>) -> Figure {
     sketch.figure(
         "setup",
         sketch::HEIGHT,
-        t(
-            "Tubo en el eje giratorio, A = 0°: menor y mayor X de la curva",
-            "Pipe on the rotary axis, A = 0°: least and greatest X of the curve",
-        ),
+        sketch::held(&t(
+            "Tubo en el eje giratorio, A = 0°: X mínima y máxima de la curva",
+            "Pipe on the rotary axis, A = 0°: minimum and maximum X of the curve",
+        )),
     )
 }
 
@@ -171,7 +171,7 @@ fn sheet(design: &Design, cut: Option<&Cut>) -> Figure {
     sketch.rectangle(Ink::Thin, [-edge, -edge], [round + edge, top]);
     let curve: Vec<[f64; 2]> = turns(FINE).map(|phi| outline.curve(phi).into()).collect();
     let kept: Vec<[f64; 2]> = curve.iter().copied().chain([[round, 0.0], [0.0, 0.0]]).collect();
-    sketch.shape(Ink::Outline, &kept);
+    sketch.shape(Ink::Outline, kept);
     sketch.line(Ink::Obverse, curve);
     sketch.label([round / 2.0, 0.3 * least], Beside::Above, t("injerto", "branch"));
     sketch.label([round / 2.0, most - gap], Beside::Above, t("sobrante", "waste"));
@@ -181,9 +181,9 @@ fn sheet(design: &Design, cut: Option<&Cut>) -> Figure {
     }
     sketch.zero([0.0, 0.0]);
     sketch.label([-edge, 0.0], Beside::Left, Text::same("X0 Y0, φ = 0"));
-    sketch.arrow(Ink::Axis(0), vec![[0.0, 0.0], [long, 0.0]]);
+    sketch.arrow(Ink::Axis(0), [[0.0, 0.0], [long, 0.0]]);
     sketch.label([long, gap], Beside::Right, Text::same("+X"));
-    sketch.arrow(Ink::Axis(1), vec![[0.0, 0.0], [0.0, long]]);
+    sketch.arrow(Ink::Axis(1), [[0.0, 0.0], [0.0, long]]);
     sketch.label([0.0, long + gap], Beside::Right, Text::same("+Y"));
     sketch.level([0.0, -edge], [round, -edge], -edge - sketch.paper(9.0), sized("W", round));
     let beyond = round + edge + sketch.paper(6.0);
@@ -193,10 +193,10 @@ fn sheet(design: &Design, cut: Option<&Cut>) -> Figure {
         "setup",
         sketch::HEIGHT,
         match cut {
-            None => t("Chapa plana: menor y mayor Y de la curva", "Flat sheet: least and greatest Y of the curve"),
+            None => t("Chapa plana: Y mínima y máxima de la curva", "Flat sheet: minimum and maximum Y of the curve"),
             Some(_) => t(
-                "Chapa plana: menor y mayor Y de la curva; el círculo es la perforación",
-                "Flat sheet: least and greatest Y of the curve; the circle is where it pierces",
+                "Chapa plana: Y mínima y máxima de la curva; el círculo es la perforación",
+                "Flat sheet: minimum and maximum Y of the curve; the circle is where it pierces",
             ),
         },
     )
@@ -242,8 +242,8 @@ fn development(design: &Design, cut: Option<&Cut>) -> Figure {
         key: "development",
         height: Figure::HEIGHT,
         caption: t(
-            "Desarrollo del injerto con el camino de la antorcha",
-            "Development of the branch with the torch's way",
+            "Desarrollo del injerto con la trayectoria de la antorcha",
+            "Development of the branch with the torch path",
         ),
         axes: None,
         strokes,

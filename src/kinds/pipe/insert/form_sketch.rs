@@ -2,8 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::figure::diagram::Diagram;
-use crate::figure::{Figure, Ink};
+use crate::figure::{Figure, Ink, Sketch};
 use crate::kinds::pipe::form_sketch::{pair, pipes};
 use crate::text::t;
 
@@ -15,27 +14,31 @@ const SHARE: f64 = 0.8;
 
 /// The sketch of the branch's form.
 pub(super) fn sketch() -> Figure {
-    let mut sketch = Diagram::default();
+    let mut sketch = Sketch::on_paper();
     pipes(&mut sketch);
     let zero = pair().point(0.0);
     let [x, y] = [zero.x, zero.z];
     sketch.line(Ink::Outline, [[x - 0.6, y], [x + 0.6, y]]);
     sketch.pointer([x + 16.0, y + 7.0], [x + 0.4, y + 0.2], "φ = 0");
     template(&mut sketch);
-    sketch.figure(t(
-        "Qué es cada símbolo: tubos y plantilla del injerto, sin escala",
-        "What the symbols are: pipes and template of the branch, not to scale",
-    ))
+    sketch.figure(
+        "sketch",
+        Figure::HEIGHT,
+        t(
+            "Qué es cada símbolo: tubos y plantilla del injerto, sin escala",
+            "What the symbols are: pipes and template of the branch, not to scale",
+        ),
+    )
 }
 
 /// The development of the branch with the curve to cut.
-fn template(sketch: &mut Diagram) {
+fn template(sketch: &mut Sketch) {
     const PARTS: u8 = 48;
     let [left, low] = CORNER;
     let at = |part: f64| [left + LENGTH * part, low + Z + SHARE * pair().depth(TAU * part)];
     let curve: Vec<[f64; 2]> = (0..=PARTS).map(|index| at(f64::from(index) / f64::from(PARTS))).collect();
     let end = left + LENGTH;
-    sketch.metal([[end, low], [left, low]].into_iter().chain(curve.iter().copied()).collect::<Vec<_>>());
+    sketch.shape(Ink::Outline, [[end, low], [left, low]].into_iter().chain(curve.iter().copied()).collect::<Vec<_>>());
     for index in 1..12_u8 {
         let point = at(f64::from(index) / 12.0);
         sketch.line(Ink::Thin, [[point[0], low], point]);

@@ -91,8 +91,8 @@ impl Method for Insert {
         further: &[("equations.typ", include_str!("../../../../report-templates/pipe-insert/equations.typ"))],
     };
     const PROVED: Text = t(
-        "Leída del programa, movimiento a movimiento, contra la curva exacta y los dos tubos",
-        "Read back from the program, motion by motion, against the exact curve and both pipes",
+        "Leída del programa, movimiento a movimiento, y comparada con la curva exacta y los dos tubos",
+        "Read back from the program, motion by motion, and compared with the exact curve and both pipes",
     );
 
     fn sketch() -> Option<Figure> {
@@ -231,7 +231,7 @@ fn quantities(design: &Design, account: &Account) -> Vec<Quantity> {
         ),
         quantity(
             "y_max",
-            t("y mayor de la plantilla", "Greatest y of the template"),
+            t("y máxima de la plantilla", "Maximum y of the template"),
             most,
             mm,
             t("ec. (9)", "eq. (9)"),

@@ -127,7 +127,7 @@ pub(super) static KERF: Field<f64, Required> = Field::real(
     "kerf",
     MM,
     [0.0, 20.0],
-    t("Ancho del corte", "Kerf"),
+    t("Ancho de corte", "Kerf"),
     t("0: sin compensación", "0: no compensation"),
 );
 pub(super) static F: Field<f64, Optional> = Field::real(

@@ -22,7 +22,7 @@ rules! {
         es "el corte de {kerf} es más ancho que el hueco de la curva en φ = {phi}°: {gap}"
         en "the kerf of {kerf} is wider than the gap of the curve at φ = {phi}°: {gap}"
         remedy "elija un corte más fino, u otros tubos", "choose a finer kerf, or other pipes";
-        why "El camino paralelo a la curva se cruzaría consigo mismo y cortaría la pieza.",
+        why "La trayectoria paralela a la curva se cruzaría consigo misma y cortaría la pieza.",
             "The path parallel to the curve would cross itself and cut into the part.";
         example book!("pipe-insert", "kerf" = "20", "theta" = "35", "branch_size" = "1/2 in");
     "P2104" AnnexIsFlat Stop {}

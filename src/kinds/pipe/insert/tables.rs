@@ -54,7 +54,7 @@ pub fn arcs(design: &Design) -> Table {
         title: t("Arcos por ternas de puntos de la plantilla", "Arcs through triples of points of the template"),
         source: t(
             "Ecuaciones 10 a 19 y tabla 2. La tabla impresa da la mitad de D y E, y con ella la ecuación 18; el sentido no cambia",
-            "Equations 10 to 19 and table 2. The printed table has half of D and E, and equation 18 with it; the turn stays",
+            "Equations 10 to 19 and table 2. The printed table has half of D and E, and equation 18 with it; the sense stays the same",
         ),
         index: Index::None,
         print: Print::Short,
@@ -117,7 +117,10 @@ pub fn way(design: &Design, cut: &Cut) -> Table {
     Table {
         key: "way",
         name: t("Corte", "Cut"),
-        title: t("Camino de la antorcha, compensado el corte", "The torch's way, the kerf compensated"),
+        title: t(
+            "Trayectoria de la antorcha, con el ancho de corte compensado",
+            "Path of the torch, with the kerf compensated",
+        ),
         source: t(
             "Deducido aquí: la curva a medio corte por el lado del sobrante, redondeada a 0.001",
             "Derived here: the curve half a kerf to the side of the waste, rounded to 0.001",

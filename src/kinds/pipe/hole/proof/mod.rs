@@ -181,10 +181,10 @@ impl Judge for BeamOnRoot<'_> {
         // No farther than the beam from the root.
         let branch = off(
             "branch",
-            t("Borde cortado, sobre el injerto con su holgura", "Edge that is cut, on the branch with its gap"),
+            t("Borde cortado, sobre el injerto con su holgura", "Cut edge, on the branch with its gap"),
             t(
                 "el borde cortado se aparta del injerto con su holgura",
-                "the edge that is cut is off the branch with its gap by",
+                "the cut edge is off the branch with its gap by",
             ),
         );
         let name = t("Bisel: error máximo de ángulo", "Bevel: maximum angle error");

@@ -218,9 +218,9 @@ impl Judge for PathOnCurve<'_> {
         let remedy = if design.mode == Mode::Flat { Remedy::GreaterN } else { Remedy::Fault };
         let words = t("los arcos se apartan de la curva exacta", "the arcs leave the exact curve by");
         let path = self.errors.within(path, 0, tolerance, words, remedy);
-        let name = t("Borde cortado, sobre el tubo base", "Edge that is cut, on the header");
+        let name = t("Borde cortado, sobre el tubo base", "Cut edge, on the header");
         let edge = asked("edge", name, 1, limit);
-        let words = t("el borde cortado queda fuera del tubo base por", "the edge that is cut is off the header by");
+        let words = t("el borde cortado queda fuera del tubo base por", "the cut edge is off the header by");
         // Of a path that leaves the curve the edge does too: that is said once, and its edge is not passed.
         let edge = if path.grade() > Some(Grade::Note) {
             self.errors.put(edge, 1).informs()

@@ -2,7 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::explain::plain;
+use anstyle::Style;
+
+use super::markdown::{headed, plain, write_head};
+use crate::cli::finding::wrapped;
 use crate::gcode::code::{G, M};
 use crate::gcode::control::{ALL, code_name};
 use crate::text::{Language, Text, t};
@@ -78,16 +81,15 @@ fn sources() -> Text {
 pub fn controls(language: Language) -> String {
     let title = t("Los controles", "The controls");
     let about = t(
-        "Lo que cada control lee, rechaza y escribe, tomado de sus datos. Donde no hay nada el control no conoce el código, y un programa con él se rechaza. Esta página es la salida de `rodete explain --controls --markdown --lang es`.",
+        "Lo que cada control lee, rechaza y escribe, tomado de sus datos. Una casilla vacía significa que el control no conoce el código: rodete rechaza el programa que lo lleve. Esta página es la salida de `rodete explain --controls --markdown --lang es`.",
         "What each control reads, rejects and writes, from its data. An empty cell means that the control does not know the code: rodete rejects a program that contains it. This page is the output of `rodete explain --controls --markdown --lang en`.",
     );
-    let mut page = format!("# {}\n\n{}\n", title.get(language), about.get(language));
+    let mut page = headed(&title, &about, language);
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     for Chapter { title, of, rows } in chapters() {
-        let head: Vec<_> =
-            std::iter::once(of.get(language)).chain(ALL.map(|control| control.name)).map(str::to_owned).collect();
-        let under = vec!["---".to_owned(); head.len()];
-        let _ = write!(page, "\n## {}\n\n{}{}", title.get(language), line(&head), line(&under));
+        let head: Vec<_> = std::iter::once(of.get(language)).chain(ALL.map(|control| control.name)).collect();
+        let _ = write!(page, "\n## {}\n", title.get(language));
+        write_head(&mut page, &format!("| {} |", vec!["---"; head.len()].join(" | ")), &head);
         for Row { of, cells } in rows {
             let cells =
                 cells.iter().map(|cell| cell.as_ref().map_or_else(String::new, |text| plain(text.get(language))));
@@ -105,10 +107,11 @@ pub fn controls(language: Language) -> String {
 }
 
 /// The same for a terminal: under each feature the controls that do the same stand together.
-pub(super) fn told(language: Language) -> String {
+pub(super) fn told(language: Language, width: Option<usize>) -> String {
+    let bold = Style::new().bold();
     let mut text = String::new();
     for Chapter { title, rows, .. } in chapters() {
-        let _ = writeln!(text, "{}", title.get(language));
+        let _ = writeln!(text, "{bold}{}{bold:#}", title.get(language));
         for Row { of, cells } in rows {
             let _ = writeln!(text, "  {}", of.get(language));
             let mut alike: Vec<(&Text, Vec<&str>)> = Vec::new();
@@ -120,15 +123,15 @@ pub(super) fn told(language: Language) -> String {
                 }
             }
             for (cell, names) in alike {
-                let _ = writeln!(text, "    {}: {}", names.join(", "), cell.get(language));
+                text.push_str(&wrapped(&format!("    {}: {}", names.join(", "), cell.get(language)), 6, width));
             }
         }
     }
-    let _ = writeln!(text, "{}", sources().get(language));
+    let _ = writeln!(text, "{bold}{}{bold:#}", sources().get(language));
     for control in ALL {
         let _ = writeln!(text, "  {}", control.name);
         for source in control.sources {
-            let _ = writeln!(text, "    {}", source.get(language));
+            text.push_str(&wrapped(&format!("    {}", source.get(language)), 6, width));
         }
     }
     text

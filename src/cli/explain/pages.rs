@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use super::explain::plain;
-use super::verdict::{ENDS, code, meaning, status};
+use super::markdown::{headed, plain, write_head};
+use crate::cli::verdict::{ENDS, code, meaning, status};
 use crate::kind::Kind;
 use crate::parameter::list::{List, Naming};
 use crate::parameter::{Parameter, Value};
-use crate::text::{Language, Text, t};
+use crate::text::{Language, t};
 use crate::workbook::error::WriteError;
 use crate::workbook::form_sheet::label;
 use crate::workbook::template::layouts;
@@ -45,7 +45,7 @@ pub fn exit_codes(language: Language) -> String {
         language,
     );
     let heads = [t("código", "code"), t("nombre", "name"), t("significado", "meaning"), t("escrito", "written")];
-    write_head(&mut page, "|---:|---|---|---|", &heads, language);
+    write_head(&mut page, "|---:|---|---|---|", &heads.each_ref().map(|head| head.get(language)));
     for exit in ENDS {
         let [meaning, written] = meaning(exit).map(|text| text.get(language).to_owned());
         let _ = writeln!(page, "| {} | `{}` | {meaning} | {written} |", code(exit), status(exit));
@@ -56,17 +56,6 @@ pub fn exit_codes(language: Language) -> String {
     );
     let _ = write!(page, "\n{}\n", several.get(language));
     page
-}
-
-/// A page's title and what it is.
-fn headed(title: &Text, about: &Text, language: Language) -> String {
-    format!("# {}\n\n{}\n", title.get(language), about.get(language))
-}
-
-/// The first rows of a table.
-fn write_head(page: &mut String, rule: &str, heads: &[Text], language: Language) {
-    let heads: Vec<&str> = heads.iter().map(|head| head.get(language)).collect();
-    let _ = write!(page, "\n| {} |\n{rule}\n", heads.join(" | "));
 }
 
 fn write_form(page: &mut String, kind: &dyn Kind, language: Language) -> Result<(), WriteError> {
@@ -100,7 +89,7 @@ fn write_form(page: &mut String, kind: &dyn Kind, language: Language) -> Result<
         write_sheet_name(page, sheet.name.get(language), sheet.optional, language);
         for section in sheet.sections {
             let _ = write!(page, "\n**{}**\n", plain(section.title.get(language)));
-            write_head(page, "|---|---|---|---|---|---|---|", &heads, language);
+            write_head(page, "|---|---|---|---|---|---|---|", &heads.each_ref().map(|head| head.get(language)));
             for parameter in section.parameters {
                 let row = layout.names.iter().find(|(name, _)| *name == parameter.name).map_or(0, |(_, row)| row + 1);
                 let value = values.iter().find(|(key, _)| *key == parameter.key).map(|(_, value)| value);
@@ -143,7 +132,7 @@ fn write_list(page: &mut String, list: &'static List, language: Language) {
         t("se admite", "allowed"),
         t("obligatoria", "required"),
     ];
-    write_head(page, "|---|---|---|---|---|", &heads, language);
+    write_head(page, "|---|---|---|---|---|", &heads.each_ref().map(|head| head.get(language)));
     for column in list.columns {
         let _ = writeln!(
             page,

@@ -1,0 +1,54 @@
+//! `explain --all --markdown`: every finding on one page.
+
+use std::fmt::Write;
+
+use super::markdown::{headed, plain};
+use super::row::{graded, shown};
+use crate::finding::Rule;
+use crate::text::{Language, Text, t};
+
+/// The page of these rows, which are sorted by their codes.
+pub(super) fn page(rows: &[&Rule], language: Language) -> String {
+    let title = t("Mensajes de rodete", "Findings of rodete");
+    let about = t(
+        "Cada código con su gravedad, lo que dice, por qué, qué hacer y una entrada que lo provoca. Un código no cambia de significado ni se reutiliza. Esta página es la salida de `rodete explain --all --markdown --lang es`.",
+        "Each code with its grade, what it says, why, what to do, and an input that raises it. A code never changes its meaning and is never reused. This page is the output of `rodete explain --all --markdown --lang en`.",
+    );
+    let mut page = headed(&title, &about, language);
+    let mut room = "";
+    for rule in rows {
+        let letter = rule.code.get(..1).unwrap_or_default();
+        if letter != room {
+            room = letter;
+            let _ = write!(page, "\n## {room}: {}\n", room_of(letter).get(language));
+        }
+        let _ = write!(page, "\n### {} {}\n\n", rule.code, rule.name());
+        let _ = writeln!(page, "**{}**: {}", graded(rule, language), plain(rule.what.get(language)));
+        let _ = write!(page, "\n{}: {}\n", t("Por qué", "Why").get(language), plain(rule.why.get(language)));
+        if !rule.remedy.is_empty() {
+            let _ = write!(page, "\n{}: {}\n", t("Remedio", "Remedy").get(language), plain(rule.remedy.get(language)));
+        }
+        let mut example = String::new();
+        shown(&mut example, rule, language);
+        let lines: String =
+            example.lines().map(|line| format!("{}\n", line.strip_prefix("  ").unwrap_or(line))).collect();
+        let _ = write!(page, "\n```text\n{lines}```\n");
+    }
+    page
+}
+
+/// What the codes of a letter are of.
+fn room_of(letter: &str) -> Text {
+    match letter {
+        "C" => t("el control y lo que se escribe para él", "the control, and what is written for it"),
+        "G" => t("la lectura de programas", "the reading of programs"),
+        "L" => t("el torno", "the lathe"),
+        "P" => t("parámetros que se contradicen", "parameters that contradict each other"),
+        "S" => t("el almacén de salidas", "the store of outputs"),
+        "T" => t("la composición del informe", "the typesetting of the report"),
+        "U" => t("el uso del comando", "the use of the command"),
+        "V" => t("la verificación", "the proof"),
+        "W" => t("el libro", "the workbook"),
+        _ => t("rodete mismo", "rodete itself"),
+    }
+}
