@@ -15,6 +15,7 @@ mod interrupt;
 mod into;
 mod json;
 mod locale;
+mod made_from;
 mod new;
 mod offsets;
 mod offsets_view;

@@ -134,6 +134,30 @@ rules! {
         remedy "", "";
         why "Otro control lee los mismos bloques de otra manera.", "Another control reads the same blocks differently.";
         example line!("verify" "part.ngc"; "part.ngc" = "G0 X1|M30");
+    "U0128" WorkbookUnchanged Note { workbook: String }
+        es "generado con {workbook}, que no ha cambiado"
+        en "made from {workbook}, which has not changed"
+        remedy "", "";
+        why "El programa lleva la suma SHA-256 de su libro, y el libro todavía la tiene.",
+            "The program carries the SHA-256 of its workbook, and the workbook still has it.";
+        example line!("verify" "a.ngc";
+            "a.ngc" = "(WORKBOOK A.XLSX)|(SHA-256 73CB3858A687A8494CA3323053016282)|(        F3DAD39D42CF62CA4E79DDA2AAC7D9AC)|G0 X1|M2", "a.xlsx" = "x");
+    "U0129" WorkbookChanged Caution { workbook: String }
+        es "{workbook} ha cambiado desde que se generó este programa"
+        en "{workbook} has changed since this program was made"
+        remedy "genere los programas de nuevo con rodete build", "build the programs again with rodete build";
+        why "El programa corta la pieza de antes del cambio.", "The program cuts the part as it was before the change.";
+        example line!("verify" "a.ngc";
+            "a.ngc" = "(WORKBOOK A.XLSX)|(SHA-256 0123456789ABCDEF0123456789ABCDEF)|(        0123456789ABCDEF0123456789ABCDEF)|G0 X1|M2",
+            "a.xlsx" = "x");
+    "U0130" WorkbookNotThere Note { workbook: String }
+        es "generado con {workbook}, que no está junto al programa ni en la carpeta de encima: rodete no sabe si ha cambiado"
+        en "made from {workbook}, which is neither beside the program nor in the folder above: rodete does not know whether it has changed"
+        remedy "", "";
+        why "rodete busca el libro con el nombre que lleva el programa, sin distinguir mayúsculas.",
+            "rodete looks for the workbook by the name in the program; capitals do not matter.";
+        example line!("verify" "a.ngc";
+            "a.ngc" = "(WORKBOOK A.XLSX)|(SHA-256 0123456789ABCDEF0123456789ABCDEF)|(        0123456789ABCDEF0123456789ABCDEF)|G0 X1|M2");
     "U0131" NoPreamble Caution { parameters: String }
         es "no se escriben bloques G10: no admiten los valores de {parameters}"
         en "no G10 blocks are written: they cannot hold the values of {parameters}"

@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 
 use super::args::Verify;
 use super::locale::spoken;
+use super::made_from;
 use super::program::{Consulted, Shared, told_from};
 use super::terminal::Terminal;
 use super::verdict::{Ending, code, gravest, status};
@@ -117,7 +118,9 @@ fn follow(
     read.dialect = Some(dialect);
     shared.fits(dialect)?;
     let mut setting = shared.setting(path, dialect);
-    setting.headed = tools_headed(file.fill_buf().unwrap_or_default());
+    let head = file.fill_buf().unwrap_or_default();
+    setting.headed = tools_headed(head);
+    let made_from = made_from::compared(path, head);
     read.rotary = Some(setting.rotary);
     let sum = Sum::default();
     // A program may be far larger than memory, and only the document tells its sum.
@@ -160,6 +163,7 @@ fn follow(
     let mut remarks: Vec<Finding> = drift(&interpreter, &start).into_iter().collect();
     remarks.extend(interpreter.remarks());
     remarks.extend(settled);
+    remarks.extend(made_from);
     if !named {
         remarks.push(told_from(dialect));
     }

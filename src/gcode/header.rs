@@ -69,3 +69,93 @@ impl Header {
         self.parts.push(Part::Comment(clean(text)));
     }
 }
+
+/// The workbook that a header of rodete's names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// The comment with its name, as the program has it.
+    comment: String,
+    /// Its SHA-256 in hexadecimal, lower case.
+    pub sha256: String,
+}
+
+/// The words before a workbook's name.
+const WORKBOOK: [&str; 2] = ["WORKBOOK", "LIBRO"];
+
+impl Named {
+    /// What the head of a program says of its workbook; `None` where it names none with its whole SHA-256.
+    #[must_use]
+    pub fn of(head: &[u8]) -> Option<Self> {
+        let text = String::from_utf8_lossy(head);
+        let comments = text.lines().filter_map(|line| {
+            let line = line.trim();
+            let inside = line.strip_prefix('(').and_then(|line| line.strip_suffix(')'));
+            inside.or_else(|| line.strip_prefix(';')).map(str::trim)
+        });
+        let mut comments =
+            comments.skip_while(|one| !WORKBOOK.iter().any(|word| one.split(' ').next() == Some(word))).fuse();
+        let comment = comments.next()?.to_owned();
+        let first = comments.next()?.strip_prefix("SHA-256")?.trim();
+        let sha256 = format!("{first}{}", comments.next()?).to_ascii_lowercase();
+        let whole = sha256.len() == 64 && sha256.bytes().all(|digit| digit.is_ascii_hexdigit());
+        whole.then_some(Self { comment, sha256 })
+    }
+
+    /// True of a file's name that the header would have as this: in capitals, without accents, cut where it is long.
+    #[must_use]
+    pub fn is(&self, name: &str) -> bool {
+        WORKBOOK.iter().any(|word| clean(&format!("{word} {name}")).trim_end() == self.comment)
+    }
+
+    /// The name as the header has it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.comment.split_once(' ').map_or("", |(_, name)| name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::control::LINUXCNC;
+    use crate::text::t;
+
+    #[test]
+    fn a_header_names_its_workbook_in_both_languages_and_forms_of_comments() {
+        let sha256 = "0123456789abcdef".repeat(4);
+        let work = Work { part: "a", material: "", number: 1 };
+        for language in Language::ALL {
+            for name in ["Álabe nº 1.xlsx", "a.xlsx", &format!("{}.xlsx", "long ".repeat(30))] {
+                let origin = Origin { workbook: name, sha256: &sha256, version: "1", language };
+                let header = Header::new(&LINUXCNC, "a", &t("a", "a"), work, &origin);
+                for [open, close] in [["(", ")"], [";", ""]] {
+                    let line = |part: &Part| match part {
+                        Part::Comment(text) => format!("{open}{text}{close}\r\n"),
+                        _ => String::new(),
+                    };
+                    let text: String = header.parts.iter().map(line).collect();
+                    let named = Named::of(text.as_bytes()).expect("a workbook");
+                    assert_eq!(named.sha256, sha256);
+                    assert!(named.is(name) && named.is(&name.to_uppercase()), "{named:?}");
+                    assert!(!named.is("b.xlsx"));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn half_a_sum_names_no_workbook() {
+        let half = "0123456789ABCDEF".repeat(2);
+        for text in [
+            String::new(),
+            "(WORKBOOK A.XLSX)\nG0 X1\n".to_owned(),
+            format!("(WORKBOOK A.XLSX)\n(SHA-256 {half})\n(RODETE)\n"),
+            format!("(WORKBOOK A.XLSX)\n(PART A)\n(SHA-256 {half})\n(        {half})\n"),
+            format!("(WORKBOOK A.XLSX)\n(SHA-256 {half})\n(        {}G)\n", &half[1..]),
+        ] {
+            assert_eq!(Named::of(text.as_bytes()), None, "{text}");
+        }
+        let whole = format!("(WORKBOOK A.XLSX)\n(SHA-256 {half})\n(        {half})\n");
+        assert_eq!(Named::of(whole.as_bytes()).map(|named| named.name().to_owned()).as_deref(), Some("A.XLSX"));
+    }
+}

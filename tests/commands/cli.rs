@@ -7,6 +7,7 @@ mod common;
 mod delivered;
 mod environment;
 mod faults;
+mod made_from;
 mod offsets;
 mod outputs;
 mod spoken;
