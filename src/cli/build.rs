@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 use super::args::Build;
 use super::delivery::{self, Delivery, REPORT, SETUP, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
+use super::into::{self, Into};
 use super::locale::spoken;
 use super::plan::{self, Item};
 use super::terminal::Terminal;
@@ -37,6 +38,8 @@ struct Settings<'a> {
     typst: Option<Typst>,
     /// The typst files of one's own, or why there is no report with them.
     templates: Result<Vec<Template>, Box<Finding>>,
+    /// The results go into the workbook.
+    into: bool,
     /// The folder of all outputs, if there is one.
     folder: Option<&'a Folder>,
     /// Every workbook named: no output may replace one.
@@ -72,6 +75,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
         tables: if arguments.values { Tables::Values } else { Tables::Live },
         typst: if arguments.no_report { None } else { Some(typst(arguments.typst.clone(), interrupted)) },
         templates: arguments.templates.as_deref().map_or_else(|| Ok(Vec::new()), stationery::templates),
+        into: arguments.into,
         folder: folder.as_ref(),
         inputs: arguments.workbooks.iter().map(PathBuf::as_path).collect(),
         kinds,
@@ -104,7 +108,12 @@ fn typst(named: Option<PathBuf>, interrupted: Arc<AtomicBool>) -> Typst {
 }
 
 fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(), Refusal> {
+    if settings.into {
+        // What a killed run left may be the workbook itself: before it is read.
+        verdict.findings.extend(into::settled(item)?);
+    }
     let (bytes, filled) = reading::read(&item.workbook, settings.kinds, verdict)?;
+    let into = if settings.into { Some(Into::open(item, &bytes, &filled, &settings.inputs)?) } else { None };
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
     verdict.findings.extend(folder.settled().cloned());
@@ -118,6 +127,8 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
     if outcome.stopped() {
         return Ok(());
     }
+    let notes = into.as_ref().map(|into| into.notes().to_vec()).unwrap_or_default();
+    verdict.findings.extend(notes);
     let scene = outcome.scene.take().transpose()?;
     let logo = if settings.typst.is_some() { stationery::logo(&item.workbook, &outcome) } else { Ok(None) };
     let logo = logo.unwrap_or_else(|caution| {
@@ -126,7 +137,8 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
         None
     });
     let (printed, viewer) = (settings.typst.is_some(), scene.is_some());
-    let delivery = Delivery { item, outcome: &outcome, language, tables: settings.tables, printed, viewer };
+    let delivery =
+        Delivery { item, outcome: &outcome, language, tables: settings.tables, printed, viewer, into: into.is_some() };
     delivery.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
@@ -148,6 +160,9 @@ fn build(item: &Item, settings: &Settings<'_>, verdict: &mut Ending) -> Result<(
             delivery.list_again(&[], &mut set)?;
         }
         failed.extend(unset);
+    }
+    if let Some(into) = into {
+        into.put(&outcome, &delivery.listed(&set), settings.tables, language, &mut set)?;
     }
     verdict.files = set.commit()?;
     verdict.folder = Some(item.folder.clone());

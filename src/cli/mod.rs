@@ -12,6 +12,7 @@ mod explain;
 mod fault;
 mod finding;
 mod interrupt;
+mod into;
 mod json;
 mod locale;
 mod made_from;

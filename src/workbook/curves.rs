@@ -9,9 +9,12 @@ use rust_xlsxwriter::{ColNum, RowNum, Workbook, utility::column_number_to_name};
 use super::error::WriteError;
 use super::live::{self, LiveTables};
 use crate::table::{Cells, Entry, Table};
+use crate::text::{Text, t};
 
 /// The name of the sheet.
 pub const NAME: &str = "Curves";
+/// The same, in both languages.
+pub static SHEET: Text = t(NAME, NAME);
 
 /// The row of the names, and the first of the points, from 0.
 const FIRST: RowNum = 1;
