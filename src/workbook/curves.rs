@@ -55,14 +55,11 @@ impl<'a> Curves<'a> {
         Ok(Some((self.sheet.clone(), FIRST, place, FIRST + points, place)))
     }
 
-    /// Writes the hidden sheet, if anything is drawn from it.
+    /// Writes the hidden sheet.
     ///
     /// # Errors
     /// For a value that is not finite.
     pub fn write(&self, workbook: &mut Workbook) -> Result<(), WriteError> {
-        if self.drawn.is_empty() {
-            return Ok(());
-        }
         let sheet = workbook.add_worksheet().set_name(&self.sheet)?;
         sheet.set_hidden(true);
         for (place, (table, column)) in (0..).zip(&self.drawn) {

@@ -11,7 +11,7 @@ use super::error::WriteError;
 use super::form_sheet::Filling;
 use super::guard::{self, Copy, Guard};
 use super::limits;
-use super::live::LiveTables;
+use super::live::{self, LiveTables};
 use super::long_rows::LongRows;
 use super::names::{Made, Present, Role, SheetNames, slug};
 use super::page::{Page, properties};
@@ -237,7 +237,9 @@ impl<'a> Results<'a> {
     fn write_tables(&mut self, placed: &[Placed<'a>], live: LiveTables<'_>) -> Result<(), WriteError> {
         let (outcome, language) = (self.outcome, self.language);
         let before = self.sheets.len() - placed.len();
-        let mut curves = Curves::new(live, self.take("curves", &curves::SHEET));
+        let follows = live.on() && placed.iter().any(|one| live::last(one.table.index).is_some());
+        let picked = follows && !outcome.charts.is_empty();
+        let mut curves = Curves::new(live, if picked { self.take("curves", &curves::SHEET) } else { String::new() });
         if !outcome.charts.is_empty() {
             let mut drawn = Vec::new();
             for chart in &outcome.charts {
@@ -266,7 +268,7 @@ impl<'a> Results<'a> {
             sheet.write(worksheet, &self.styles, &live)?;
             sheet.finish(worksheet, &self.page)?;
         }
-        curves.write(&mut self.workbook)
+        if picked { curves.write(&mut self.workbook) } else { Ok(()) }
     }
 
     /// The programs, where they do not stand on sheets of the form as the user's own.
