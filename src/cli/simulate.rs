@@ -74,7 +74,7 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
         let scene = followed.outcome.scene.take().transpose()?;
         let viewer = scene.is_some();
-        Delivery { item: &item, outcome: &followed.outcome, language, printed: false, viewer }
+        Delivery { item: &item, outcome: &followed.outcome, language, printed: false, viewer, live: false }
             .write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());
