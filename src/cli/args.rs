@@ -90,7 +90,9 @@ fn exits() -> String {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Write a ready-to-edit workbook
-    #[command(after_help = "Example: rodete new impeller my-impeller.xlsx --lang en")]
+    #[command(
+        after_help = "Example: rodete new impeller my-impeller.xlsx --lang en\n         rodete new impeller --into my-book.xlsx"
+    )]
     New(New),
     /// Check workbooks and print derived limits and findings; write nothing
     #[command(after_help = "Example: rodete check impeller.xlsx")]
@@ -101,7 +103,11 @@ pub(super) enum Command {
     /// the workbook kind has them, <stem>-report.pdf and the set-up sheet <stem>-setup.pdf into one folder, all or nothing:
     /// a file appears under its name only when the whole set is complete. Several workbooks are built in parallel, and a rejected one does not
     /// stop the others.
-    #[command(after_help = "Example: rodete build impeller.xlsx --open")]
+    ///
+    /// With --into the results sheets go into the workbook itself, behind its own sheets; its charts, macros, pivots, images, names,
+    /// protection and formats stay as they are. Building again replaces the sheets where they stand, so that formulas over them
+    /// go on working. Close the workbook in Excel and LibreOffice first.
+    #[command(after_help = "Example: rodete build impeller.xlsx --open\n         rodete build my-book.xlsx --into")]
     Build(Build),
     /// Build workbooks again whenever they are saved
     ///
@@ -227,6 +233,9 @@ pub(super) struct New {
     pub(super) kind: String,
     /// File to write; an existing file is never replaced [default: <KIND>.xlsx]
     pub(super) file: Option<PathBuf>,
+    /// Put the form into this workbook, behind its own sheets; it is kept once as <BOOK>.bak
+    #[arg(long, value_name = "BOOK", conflicts_with = "file")]
+    pub(super) into: Option<PathBuf>,
     /// Language of the workbook
     #[arg(long, value_name = "LANGUAGE", value_parser = language(), default_value = "en")]
     pub(super) lang: Language,
@@ -261,6 +270,9 @@ pub(super) struct Build {
     /// Language of sheets, report and messages [default: the workbook's]
     #[arg(long, value_name = "LANGUAGE", value_parser = language())]
     pub(super) lang: Option<Language>,
+    /// Put the results sheets into the workbook itself instead of <stem>-results.xlsx; it is kept once as <WORKBOOK>.bak
+    #[arg(long)]
+    pub(super) into: bool,
     /// Write no report and no printable templates
     #[arg(long)]
     pub(super) no_report: bool,

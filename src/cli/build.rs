@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 use super::args::Build;
 use super::delivery::{self, Delivery, REPORT, SETUP, endings, leftovers, program_name};
 use super::interrupt::{self, AtWork};
+use super::into::{self, Into};
 use super::locale::spoken;
 use super::made::Made;
 use super::plan::{self, Item};
@@ -39,6 +40,8 @@ pub(super) struct Asked<'a> {
     pub(super) templates: Option<&'a Path>,
     /// The typst that sets the report.
     pub(super) typst: Option<&'a Path>,
+    /// The results go into the workbook.
+    pub(super) into: bool,
     /// The viewer's page is written for every kind, and refreshes itself.
     pub(super) view: bool,
 }
@@ -51,6 +54,8 @@ pub(super) struct Settings<'a> {
     typst: Option<Typst>,
     /// The typst files of one's own, or why there is no report with them.
     templates: Result<Vec<Template>, Box<Finding>>,
+    /// The results go into the workbook.
+    into: bool,
     /// The folder of all outputs, if there is one.
     folder: Option<&'a Folder>,
     /// Every workbook named: no output may replace one.
@@ -73,6 +78,7 @@ impl<'a> Settings<'a> {
             language: asked.language,
             typst: (!asked.no_report).then(|| typst(asked.typst.map(Path::to_owned), interrupted)),
             templates: asked.templates.map_or_else(|| Ok(Vec::new()), stationery::templates),
+            into: asked.into,
             folder,
             inputs: asked.workbooks.iter().map(PathBuf::as_path).collect(),
             kinds,
@@ -110,6 +116,7 @@ pub(super) fn run(arguments: &Build, kinds: &[&dyn Kind], terminal: &mut Termina
         templates: arguments.templates.as_deref(),
         typst: arguments.typst.as_deref(),
         view: false,
+        into: arguments.into,
     };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);
     let mut sink = Sink::new(BUILD, arguments.lang, arguments.json);
@@ -153,8 +160,13 @@ fn build(
     made: &mut Made,
     verdict: &mut Ending,
 ) -> Result<(), Refusal> {
+    if settings.into {
+        // What a killed run left may be the workbook itself: before it is read.
+        verdict.findings.extend(into::settled(item)?);
+    }
     let (bytes, filled) = reading::read(&item.workbook, settings.kinds, verdict)?;
     made.read(&filled);
+    let into = if settings.into { Some(Into::open(item, &bytes, &filled, &settings.inputs)?) } else { None };
     let own = if settings.folder.is_none() { Some(Folder::open(&item.folder)?) } else { None };
     let Some(folder) = settings.folder.or(own.as_ref()) else { return Ok(()) };
     verdict.findings.extend(folder.settled().cloned());
@@ -169,6 +181,8 @@ fn build(
     if made.overtaken || outcome.stopped() {
         return Ok(());
     }
+    let notes = into.as_ref().map(|into| into.notes().to_vec()).unwrap_or_default();
+    verdict.findings.extend(notes);
     let scene = outcome.scene.take().transpose()?;
     let logo = if settings.typst.is_some() { stationery::logo(&item.workbook, outcome) } else { Ok(None) };
     let logo = logo.unwrap_or_else(|caution| {
@@ -178,7 +192,7 @@ fn build(
     });
     let (printed, viewer) = (settings.typst.is_some(), scene.is_some());
     let outcome = &*outcome;
-    let delivery = Delivery { item, outcome, language, printed, viewer, live: settings.view };
+    let delivery = Delivery { item, outcome, language, printed, viewer, live: settings.view, into: into.is_some() };
     delivery.write(scene, &mut set)?;
     let mut failed = Vec::new();
     if let Some(typst) = &settings.typst {
@@ -200,6 +214,9 @@ fn build(
             delivery.list_again(&[], &mut set)?;
         }
         failed.extend(unset);
+    }
+    if let Some(into) = into {
+        into.put(outcome, &delivery.listed(&set), language, &mut set)?;
     }
     made.overtaken = overtaken();
     if made.overtaken {

@@ -13,6 +13,7 @@ mod explain;
 mod fault;
 mod finding;
 mod interrupt;
+mod into;
 mod json;
 mod locale;
 mod made;

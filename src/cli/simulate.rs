@@ -74,8 +74,8 @@ fn simulate(arguments: &Simulate, kinds: &[&dyn Kind], verdict: &mut Ending) -> 
         let item = Item { workbook: path.clone(), stem: store::stem(path), folder: output.clone() };
         let scene = followed.outcome.scene.take().transpose()?;
         let viewer = scene.is_some();
-        Delivery { item: &item, outcome: &followed.outcome, language, printed: false, viewer, live: false }
-            .write(scene, &mut set)?;
+        let (outcome, printed, live, into) = (&followed.outcome, false, false, false);
+        Delivery { item: &item, outcome, language, printed, viewer, live, into }.write(scene, &mut set)?;
         verdict.files = set.commit()?;
         verdict.folder = Some(output.clone());
         verdict.findings.extend(delivery::leftovers(&item, kinds, verdict));

@@ -94,6 +94,7 @@ pub(super) fn run(arguments: &Watch, kinds: &[&dyn Kind], terminal: &mut Termina
         no_report: arguments.no_report,
         templates: arguments.templates.as_deref(),
         typst: arguments.typst.as_deref(),
+        into: false,
         view: arguments.view,
     };
     let settings = Settings::of(&asked, folder.as_ref(), kinds, interrupted);

@@ -9,7 +9,7 @@
 //! # Limits
 //! See [`limits`]. Whatever the bytes are, reading ends in bounded time and memory.
 
-mod address;
+pub mod address;
 mod book;
 pub mod cell;
 mod chart_sheet;
@@ -23,13 +23,13 @@ pub mod gate;
 pub mod limits;
 mod list_rows;
 pub mod list_sheet;
-mod listing;
+pub mod listing;
 pub mod long_rows;
 pub mod names;
 pub mod offsets_sheet;
 pub mod offsets_table;
 mod open;
-mod package;
+pub mod package;
 pub mod page;
 pub mod program_sheet;
 mod raw_value;
@@ -50,7 +50,7 @@ mod unit;
 pub mod validation;
 mod value;
 mod words;
-mod xml;
+pub mod xml;
 
 pub use gate::gate;
 pub use open::{Input, open, open_as, open_program};

@@ -10,7 +10,7 @@ use super::error::WriteError;
 use super::form_sheet::Filling;
 use super::limits;
 use super::long_rows::LongRows;
-use super::names::SheetNames;
+use super::names::{Made, Present, Role, SheetNames, slug};
 use super::page::{Page, properties};
 use super::program_sheet::{self, ProgramSheet};
 use super::save::{Additions, save};
@@ -21,6 +21,8 @@ use super::template::{HOW, OPTIONAL, write_lists};
 use super::{chart_sheet, checks_sheet};
 use crate::figure::Figure;
 use crate::kind::{Outcome, checks};
+use crate::parameter::Sheet;
+use crate::parameter::list::Naming;
 use crate::table::Table;
 use crate::text::{Language, Text, t};
 
@@ -38,6 +40,31 @@ pub fn write<W: Write + Seek + Send>(
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
+    write_for(outcome, files, language, None, out).map(|_| ())
+}
+
+/// The same for sheets that are put into the workbook of the form: the form and its lists are written, too, under the names that
+/// they have there. Gives the sheets that were written.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_into<W: Write + Seek + Send>(
+    outcome: &Outcome,
+    files: &[File],
+    language: Language,
+    present: &Present,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
+    write_for(outcome, files, language, Some(present), out)
+}
+
+fn write_for<W: Write + Seek + Send>(
+    outcome: &Outcome,
+    files: &[File],
+    language: Language,
+    present: Option<&Present>,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
     let sketch = outcome.kind.sketch();
     let mut results = Results {
         outcome,
@@ -50,27 +77,39 @@ pub fn write<W: Write + Seek + Send>(
             landscape: false,
             single: false,
         },
-        names: SheetNames::default(),
+        names: present.map_or_else(SheetNames::default, SheetNames::beside),
+        present,
         sheets: Vec::new(),
+        made: Vec::new(),
         workbook: Workbook::new(),
         additions: Additions::default(),
     };
     // It stands first and is filled last, when the others are known.
-    let first = results.names.take(summary_sheet::NAME.get(language));
+    let first = results.take("summary", &summary_sheet::NAME);
     results.workbook.add_worksheet().set_name(first)?;
     results.write_forms(sketch.as_ref())?;
     results.write_tables()?;
     results.write_programs()?;
     results.write_checks()?;
-    let again = if within_limits(outcome) { &AGAIN } else { &TOO_LARGE };
-    let summary = Summary { outcome, files, sheets: &results.sheets, again, language };
+    let again = match present {
+        Some(_) => &AGAIN_INTO,
+        None if within_limits(outcome) => &AGAIN,
+        None => &TOO_LARGE,
+    };
+    let beside = present.map(|present| present.folder.as_str());
+    let summary = Summary { outcome, files, beside, sheets: &results.sheets, again, language };
     summary.write(results.workbook.worksheet_from_index(0)?, &results.styles, &results.page)?;
-    save(&mut results.workbook, results.additions, out)
+    save(&mut results.workbook, results.additions, out)?;
+    Ok(results.made)
 }
 
 static AGAIN: Text = t(
     "Este libro es a su vez una entrada válida: cambie los valores en la hoja siguiente y vuelva a calcular.",
     "This workbook is itself a valid input: change the values on the next sheet and build again.",
+);
+static AGAIN_INTO: Text = t(
+    "Este libro lleva sus entradas: cambie los valores en la hoja del formulario y vuelva a generar con --into.",
+    "This workbook holds its inputs: change the values on the form's sheet and build again with --into.",
 );
 static TOO_LARGE: Text = t(
     "Este libro es demasiado grande para volver a leerlo: cambie los valores en el libro de entrada.",
@@ -83,17 +122,40 @@ struct Results<'a> {
     styles: Styles,
     page: Page<'a>,
     names: SheetNames,
+    /// The workbook that the sheets are put into.
+    present: Option<&'a Present>,
     /// The names of the sheets behind the first, with what they hold.
     sheets: Vec<(String, String)>,
+    /// Every sheet.
+    made: Vec<Made>,
     workbook: Workbook,
     additions: Additions<'a>,
 }
 
 impl<'a> Results<'a> {
-    /// A free name for the next sheet, noted with what it holds.
-    fn name(&mut self, wanted: &Text, holds: &Text) -> String {
-        let name = self.names.take(wanted.get(self.language));
+    /// The name of a sheet of results: the one that it has already, else a free one.
+    fn take(&mut self, key: &str, wanted: &Text) -> String {
+        let there = self.present.and_then(|present| present.ours.get(&slug(key)));
+        let name = there.cloned().unwrap_or_else(|| self.names.take(wanted.get(self.language)));
+        self.made.push(Made { name: name.clone(), role: Role::Result(key.to_owned()) });
+        name
+    }
+
+    /// The same, noted with what the sheet holds.
+    fn name(&mut self, key: &str, wanted: &Text, holds: &Text) -> String {
+        let name = self.take(key, wanted);
         self.sheets.push((name.clone(), holds.get(self.language).to_owned()));
+        name
+    }
+
+    /// The name of a form's sheet, which is noted where there is one.
+    fn form_name(&mut self, index: usize, sheet: &Sheet) -> String {
+        let there = self.present.map(|present| present.forms.get(&index));
+        let name = there.flatten().cloned().unwrap_or_else(|| self.names.take(sheet.name.get(self.language)));
+        if there.is_none_or(|there| there.is_some()) {
+            self.sheets.push((name.clone(), sheet.title.get(self.language).to_owned()));
+        }
+        self.made.push(Made { name: name.clone(), role: Role::Form });
         name
     }
 
@@ -101,7 +163,7 @@ impl<'a> Results<'a> {
         let (outcome, language) = (self.outcome, self.language);
         self.additions.drawn = sketch.map(|figure| Drawn { figure, language });
         for (index, sheet) in outcome.fields.form().sheets.iter().enumerate() {
-            let name = self.name(&sheet.name, &sheet.title);
+            let name = self.form_name(index, sheet);
             if index == 0 {
                 self.workbook.set_properties(&properties(sheet.title.get(language))?);
             }
@@ -110,17 +172,24 @@ impl<'a> Results<'a> {
             let sketch = self.additions.drawn.filter(|_| index == 0);
             let worksheet = self.workbook.add_worksheet();
             let layout = Filling { sheet, values, notes: &notes, sketch, language }.write(worksheet, &self.styles)?;
+            worksheet.set_name(&name)?;
             layout.finish(worksheet, &self.page, language)?;
             for (defined, cell) in layout.defined_names(&name) {
                 self.workbook.define_name(defined, &cell)?;
             }
         }
-        let Self { names, sheets, .. } = self;
+        let Self { names, sheets, made, present, .. } = self;
         let lists = &outcome.fields.values().lists;
         let form = outcome.fields.form();
         write_lists(&mut self.workbook, form, lists, &self.styles, &self.page, language, |wanted, list| {
-            let name = names.take(wanted);
-            sheets.push((name.clone(), list.title.get(language).to_owned()));
+            let one = matches!(list.naming, Naming::One(_));
+            let there =
+                present.map(|_| lists.iter().find(|rows| rows.list == list.key && (one || rows.sheet == wanted)));
+            let name = there.flatten().map_or_else(|| names.take(wanted), |rows| rows.sheet.clone());
+            if there.is_none_or(|there| there.is_some()) {
+                sheets.push((name.clone(), list.title.get(language).to_owned()));
+            }
+            made.push(Made { name: name.clone(), role: Role::Form });
             name
         })
     }
@@ -129,9 +198,12 @@ impl<'a> Results<'a> {
     fn write_tables(&mut self) -> Result<(), WriteError> {
         let (outcome, language) = (self.outcome, self.language);
         static CHARTS: Text = t("Gráficos de las tablas", "Charts of the tables");
-        let charts = (!outcome.charts.is_empty()).then(|| self.name(&chart_sheet::NAME, &CHARTS));
-        let placed: Vec<Placed<'_>> =
-            outcome.tables.iter().map(|table| Placed { sheet: self.name(&table.name, &table.title), table }).collect();
+        let charts = (!outcome.charts.is_empty()).then(|| self.name("charts", &chart_sheet::NAME, &CHARTS));
+        let placed: Vec<Placed<'_>> = outcome
+            .tables
+            .iter()
+            .map(|table| Placed { sheet: self.name(table.key, &table.name, &table.title), table })
+            .collect();
         if let Some(name) = charts {
             let mut drawn = Vec::new();
             for chart in &outcome.charts {
@@ -176,7 +248,7 @@ impl<'a> Results<'a> {
             return Ok(());
         };
         static BLOCKS: Text = t("Los programas, bloque a bloque", "The programs, block by block");
-        let name = self.name(if own { &program_sheet::OWN } else { &program_sheet::NAME }, &BLOCKS);
+        let name = self.name("programs", if own { &program_sheet::OWN } else { &program_sheet::NAME }, &BLOCKS);
         let index = self.workbook.worksheets().len();
         let worksheet = self.workbook.add_worksheet().set_name(&name)?;
         programs.write(worksheet, self.language, &self.styles, &self.page)?;
@@ -192,7 +264,7 @@ impl<'a> Results<'a> {
             "Todo lo que se encontró: paradas, precauciones, notas y comprobaciones, con su lugar y su remedio",
             "All that was found: stops, cautions, notes and checks, with places and remedies",
         );
-        let name = self.name(&table.name, &FOUND);
+        let name = self.name(table.key, &table.name, &FOUND);
         let worksheet = self.workbook.add_worksheet().set_name(name)?;
         checks_sheet::write(worksheet, &table, findings, self.language, &self.styles, &self.page)
     }

@@ -8,6 +8,7 @@ use super::drawn::Drawn;
 use super::error::WriteError;
 use super::form_sheet::{Filling, Layout};
 use super::list_sheet::ListSheet;
+use super::names::{Made, Present, Role, SheetNames};
 use super::page::{Page, properties};
 use super::save::{Additions, save};
 use super::style::Styles;
@@ -41,6 +42,24 @@ pub fn write<W: Write + Seek + Send>(
     language: Language,
     out: W,
 ) -> Result<(), WriteError> {
+    write_into(kind, values, lists, note, language, &Present::default(), out).map(|_| ())
+}
+
+/// The same for sheets that are put into a workbook: a form's sheet whose name is taken there gets another. Gives the sheets that
+/// were written.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_into<W: Write + Seek + Send>(
+    kind: &dyn Kind,
+    values: &[(&'static str, Value)],
+    lists: &[Rows],
+    note: &Text,
+    language: Language,
+    present: &Present,
+    out: W,
+) -> Result<Vec<Made>, WriteError> {
+    let (mut names, mut made) = (SheetNames::beside(present), Vec::new());
     let form = kind.form();
     let find = |key: &str| values.iter().find(|(one, _)| *one == key).map(|(_, value)| value);
     let part = match find(form.part.key()) {
@@ -60,13 +79,20 @@ pub fn write<W: Write + Seek + Send>(
         let (notes, sketch) = (notes(sheet, note, language), drawn.filter(|_| index == 0));
         let worksheet = workbook.add_worksheet();
         let layout = Filling { sheet, values: find, notes: &notes, sketch, language }.write(worksheet, &styles)?;
+        let name = names.take(sheet.name.get(language));
+        worksheet.set_name(&name)?;
         layout.finish(worksheet, &page, language)?;
-        for (name, cell) in layout.defined_names(sheet.name.get(language)) {
-            workbook.define_name(name, &cell)?;
+        for (defined, cell) in layout.defined_names(&name) {
+            workbook.define_name(defined, &cell)?;
         }
+        made.push(Made { name, role: Role::Form });
     }
-    write_lists(&mut workbook, form, lists, &styles, &page, language, |name, _| name.to_owned())?;
-    save(&mut workbook, additions, out)
+    write_lists(&mut workbook, form, lists, &styles, &page, language, |name, _| {
+        made.push(Made { name: name.to_owned(), role: Role::Form });
+        name.to_owned()
+    })?;
+    save(&mut workbook, additions, out)?;
+    Ok(made)
 }
 
 /// What stands under the title of a sheet.
