@@ -239,7 +239,7 @@ impl Watched {
             report([self.read.as_ref(), written], &made, took, language, terminal);
         }
         if made.values.is_some() {
-            if let Some(read) = self.read.take().filter(|read| delivered(read)) {
+            if let Some(read) = self.read.take().filter(delivered) {
                 self.written = Some(read);
             }
             if delivered(&made) {

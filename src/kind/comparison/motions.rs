@@ -1,12 +1,21 @@
 //! Programs side by side, motion by motion.
 
 use crate::gcode::interpreter::Interpreter;
-use crate::gcode::motion::{Motion, MotionKind};
+use crate::gcode::motion::{Feed, Motion, MotionKind};
 use crate::gcode::program::Program;
 use crate::kind::{Outcome, Proved};
 use crate::machine::axis::{Axis, Pose};
 use crate::proof::account::Extents;
 use crate::text::Text;
+
+/// Positions no farther apart than this are the same, mm and degrees: increments add up to sums of floating point, which are off
+/// by far less, and a program's grid is a thousand times coarser.
+const SAME: f64 = 1e-6;
+
+/// True of figures that differ by the rounding of sums at most.
+pub(super) fn same(one: f64, other: f64) -> bool {
+    (one - other).abs() <= SAME
+}
 
 /// The first motion that is another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -123,7 +132,7 @@ fn compared(mut one: Interpreter<'_>, mut other: Interpreter<'_>) -> (Option<Dif
             for axis in Axis::ALL {
                 let by = (one.to.get(axis) - other.to.get(axis)).abs();
                 let worst = &mut greatest[usize::from(axis.rotary())];
-                if by > worst.map_or(0.0, |worst| worst.by) {
+                if by > worst.map_or(SAME, |worst| worst.by) {
                     *worst = Some(Apart { axis, by, motion });
                 }
             }
@@ -137,9 +146,63 @@ fn compared(mut one: Interpreter<'_>, mut other: Interpreter<'_>) -> (Option<Dif
 
 /// True of the same motion: its sort, feed, arc, and where it ends; not of its line and number.
 fn is(one: &Motion, other: &Motion) -> bool {
-    let same = match (one.kind, other.kind) {
-        (MotionKind::Arc(arc, feed), MotionKind::Arc(another, fed)) => arc == another && feed == fed,
-        (kind, another) => kind == another,
+    let fed = |one: Feed, other: Feed| one.mode == other.mode && same(one.value, other.value);
+    let kind = match (one.kind, other.kind) {
+        (MotionKind::Rapid, MotionKind::Rapid) => true,
+        (MotionKind::Feed(one), MotionKind::Feed(other)) => fed(one, other),
+        (MotionKind::Arc(one, feed), MotionKind::Arc(other, another)) => {
+            let turns = one.plane == other.plane && one.turns == other.turns;
+            let centre = same(one.centre[0], other.centre[0]) && same(one.centre[1], other.centre[1]);
+            turns && centre && same(one.rotation, other.rotation) && fed(feed, another)
+        }
+        (MotionKind::Thread(one), MotionKind::Thread(other)) => {
+            same(one.lead, other.lead) && same(one.change, other.change) && same(one.angle, other.angle)
+        }
+        (MotionKind::Dwell(one), MotionKind::Dwell(other)) => same(one, other),
+        _ => false,
     };
-    same && one.to == other.to && one.machine == other.machine
+    let near = |one: &Pose, other: &Pose| Axis::ALL.into_iter().all(|axis| same(one.get(axis), other.get(axis)));
+    kind && near(&one.to, &other.to) && near(&one.machine, &other.machine)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::control::LINUXCNC;
+    use crate::gcode::interpreter::Setting;
+
+    fn difference(one: &str, other: &str) -> (Option<Difference>, Vec<Apart>) {
+        let read = |text: &'static str| Interpreter::over(text.as_bytes(), Setting::new(&LINUXCNC));
+        compared(read(String::leak(one.to_owned())), read(String::leak(other.to_owned())))
+    }
+
+    #[test]
+    fn comments_numbers_and_the_way_to_write_a_motion_make_no_other_program() {
+        let one = "G21 G90 G54\nG0 X0 Y0\nG1 X0.3 F100\nG2 X2.3 I1 J0\nG4 P1\nM2\n";
+        let other = "(a)\nG21 G90 G54\nN10 G0 X0 Y0\nG91 G1 X0.1 F100\nM2\n";
+        assert_eq!(difference(one, &one.replace("G0 ", "(b)\nN5 G0 ")), (None, Vec::new()));
+        let (first, _) = difference(one, other);
+        assert_eq!(first, Some(Difference { motion: 2, lines: [Some(3), Some(4)] }));
+        // Three tenths in increments are not 0.3 to the last bit, and end there all the same.
+        let steps = "G21 G91\nG1 X0.1 F100\nX0.1\nX0.1\nM2\n";
+        let places = "G21 G90\nG1 X0.1 F100\nX0.2\nX0.3\nM2\n";
+        assert_eq!(difference(steps, places).0, None);
+    }
+
+    #[test]
+    fn a_thousandth_another_feed_a_rapid_and_an_end_are_found_with_their_lines() {
+        let one = "G21 G90\nG0 X0\nG1 X10 F100\nG1 X20 B5\nM2\n";
+        for (from, to, motion, lines) in [
+            ("X10", "X10.001", 2, [Some(3), Some(3)]),
+            ("F100", "F101", 2, [Some(3), Some(3)]),
+            ("G1 X20", "G0 X20", 3, [Some(4), Some(4)]),
+            ("G1 X20 B5\n", "", 3, [Some(4), None]),
+        ] {
+            let (first, apart) = difference(one, &one.replace(from, to));
+            assert_eq!(first, Some(Difference { motion, lines }), "{to}");
+            assert_eq!(apart.iter().any(|apart| apart.by > 0.0009), to == "X10.001", "{to}");
+        }
+        let (_, apart) = difference(one, &one.replace("B5", "B7").replace("X20", "X21"));
+        assert_eq!(apart.iter().map(|one| (one.axis, one.by)).collect::<Vec<_>>(), [(Axis::X, 1.0), (Axis::B, 2.0)]);
+    }
 }

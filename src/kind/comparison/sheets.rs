@@ -88,7 +88,7 @@ fn derived(one: &Derived) -> Line {
         text(one.symbol),
         number(one.values[0]),
         number(one.values[1]),
-        number(apart(one.values)),
+        number(apart(one.values).filter(|_| one.differs())),
         text(one.unit.label()),
         Held::Text(one.meaning.clone()),
     ];
@@ -160,14 +160,14 @@ fn program(one: &ProgramPair) -> Vec<Line> {
         line(what, nothing(), Held::Number(apart.by), true);
     }
     for axis in Axis::ALL {
-        let end = one.end.map(|end| end.map(|end| end.get(axis) + 0.0));
+        let end = one.end.map(|end| end.map(|end| settled(end.get(axis))));
         let what = Text::new(format!("final {}", axis.letter()), format!("end {}", axis.letter()));
         if end[0] != end[1] || end[0].is_some_and(|at| at != 0.0) {
             line(what, end.map(number), number(apart(end)), end[0] != end[1]);
         }
     }
     for axis in Axis::ALL {
-        let reach = one.extents.map(|extents| extents.map(|extents| extents.of(axis)));
+        let reach = one.extents.map(|extents| extents.map(|extents| extents.of(axis).map(settled)));
         let said = |reach: Option<[f64; 2]>| {
             reach.map_or(Held::Nothing, |[low, high]| text(format!("{} … {}", shown(low, 3), shown(high, 3))))
         };
@@ -176,9 +176,14 @@ fn program(one: &ProgramPair) -> Vec<Line> {
             line(what, reach.map(said), Held::Nothing, reach[0] != reach[1]);
         }
     }
-    let [a, b] = one.seconds;
-    line(t("tiempo, s", "time, s"), one.seconds.map(number), number(apart(one.seconds)), a != b);
+    let seconds = one.seconds.map(|seconds| seconds.map(settled));
+    line(t("tiempo, s", "time, s"), seconds.map(number), number(apart(seconds)), seconds[0] != seconds[1]);
     lines
+}
+
+/// A figure to six decimals: what is beyond them is the rounding of sums.
+fn settled(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6 + 0.0
 }
 
 /// How far the second is from the first, where they are not the same.
