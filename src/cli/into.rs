@@ -81,7 +81,7 @@ impl<'a> Into<'a> {
     ) -> Result<(), Refusal> {
         let Self { workbook, bytes, host, present, inputs } = self;
         let (donor, sheets) = composed(workbook, |out| results::write_into(outcome, files, language, &present, out))?;
-        let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs })?;
+        let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs, source: &outcome.source.sha256 })?;
         set.replace(workbook, bytes, &grown)
     }
 }

@@ -74,7 +74,7 @@ fn put(book: &Path, kind: &dyn Kind, case: &Case, language: Language) -> Result<
     let (values, lists) = (case.values(language), (case.listed)(language));
     let (donor, sheets) =
         into::composed(book, |out| template::write_into(kind, &values, &lists, &case.note, language, &present, out))?;
-    let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs: Vec::new() })?;
+    let grown = host.put(&Donor { bytes: &donor, sheets: &sheets, inputs: Vec::new(), source: "" })?;
     let mut set = Set::new(&folder, &[], Existing::Replace);
     set.replace(book, &bytes, &grown)?;
     let mut written = set.commit()?;

@@ -21,6 +21,8 @@ pub struct Donor<'a> {
     pub sheets: &'a [Made],
     /// The names of the inputs with the cells that they have in the other workbook, as `'DATA'!$C$7`.
     pub inputs: Vec<(&'static str, String)>,
+    /// The SHA-256 of the other workbook as it was read, of which programs and report tell.
+    pub source: &'a str,
 }
 
 impl Donor<'_> {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::escape::excerpt;
 use crate::finding::{Exit, Finding, Place, Raise, Refusal};
+use crate::store::sha256;
 use crate::workbook::gate;
 use crate::workbook::limits;
 use crate::workbook::listing::SheetKind;
@@ -12,7 +13,7 @@ use crate::workbook::names::Present;
 use super::book::Book;
 use super::donor::one;
 use super::marks::{self, Mark};
-use super::parts::{ContentTypes, Parts, Relation, kind, normal};
+use super::parts::{CONTENT_TYPES, ContentTypes, Parts, Relation, kind, normal, relations_of};
 use super::rules::*;
 use super::sheet::{strings, title};
 
@@ -40,6 +41,22 @@ pub struct Host<'a> {
     /// The sheets that were put in before, by their slugs.
     pub(super) ours: BTreeMap<String, usize>,
     notes: Vec<Finding>,
+}
+
+/// The hidden name that says which workbook the results were made from.
+pub(super) const SOURCE: &str = "rodete_source";
+/// The hidden name that says what the sheets of others were then.
+pub(super) const OTHERS: &str = "rodete_others";
+
+/// The SHA-256 that a workbook had when the results in it were made; `None` where it has none, or where any part has changed since
+/// that rodete did not edit, a sheet with inputs among them.
+#[must_use]
+pub fn made_from(bytes: &[u8]) -> Option<String> {
+    let mut host = Host::open(bytes).ok()?;
+    let said = |host: &Host<'_>, name| Some(host.book.global(name)?.formula.trim_matches(['=', '"']).to_owned());
+    let (source, others) = (said(&host, SOURCE)?, said(&host, OTHERS)?);
+    let ours = host.replaced().ok()?;
+    (host.others(&ours).ok()? == others).then_some(source)
 }
 
 impl<'a> Host<'a> {
@@ -87,6 +104,22 @@ impl<'a> Host<'a> {
             ours: self.ours.iter().map(|(slug, index)| (slug.clone(), name(*index))).collect(),
             ..Present::default()
         }
+    }
+
+    /// The SHA-256 over all parts that a graft leaves as they are, with their names; `ours` are those of our sheets.
+    pub(super) fn others(&mut self, ours: &BTreeSet<String>) -> Result<String, Refusal> {
+        let chains = self.relations.iter().filter(|one| one.kind.ends_with(kind::CALC_CHAIN));
+        let mut edited: BTreeSet<String> = chains.map(|one| one.target.clone()).collect();
+        let lists = [self.root.clone(), relations_of(&self.root), self.styles.clone(), CONTENT_TYPES.to_owned()];
+        edited.extend(lists.iter().map(|part| normal(part)));
+        let parts = self.parts.all().filter(|part| !edited.contains(*part) && !ours.contains(*part));
+        let parts: Vec<String> = parts.map(str::to_owned).collect();
+        let mut told = String::new();
+        for part in parts {
+            let sum = self.parts.bytes(&part)?.map_or_else(String::new, |bytes| sha256(&bytes));
+            told.push_str(&format!("{part} {sum}\n"));
+        }
+        Ok(sha256(told.as_bytes()))
     }
 
     /// The sheets that were put in before, each known by its mark and by what its first cell says.

@@ -28,4 +28,4 @@ mod styles;
 mod tree;
 
 pub use donor::Donor;
-pub use host::Host;
+pub use host::{Host, made_from};

@@ -9,7 +9,7 @@ use crate::workbook::names::{Role, cell, slug};
 
 use super::book::{Book, Name};
 use super::donor::{self, Donor, Opened};
-use super::host::{Host, refused, unfit};
+use super::host::{Host, OTHERS, SOURCE, refused, unfit};
 use super::marks::{self, mentions};
 use super::parts::{CONTENT_TYPES, RELATIONSHIPS, Relation, folder, kind, normal, relations_of};
 use super::rules::*;
@@ -87,7 +87,14 @@ impl Host<'_> {
         }
         left_out(donor, &formulas)?;
         let empty = if results { self.emptied(&going, &mut styles, &mut added) } else { Vec::new() };
-        let names = self.names(donor, &opened.book, &going, &titles, &empty)?;
+        let mut names = self.names(donor, &opened.book, &going, &titles, &empty)?;
+        if results {
+            let said = |name: &str, text: &str| {
+                let (name, formula) = (name.to_owned(), format!("\"{text}\""));
+                Name { name, sheet: None, hidden: true, formula }
+            };
+            names.extend([said(SOURCE, donor.source), said(OTHERS, &self.others(&gone)?)]);
+        }
         let ours = |name: &Name| {
             let sheet = name.sheet.filter(|_| name.name.starts_with(OWN_NAMES));
             sheet.is_some_and(|sheet| {
@@ -118,7 +125,7 @@ impl Host<'_> {
     }
 
     /// The parts of the sheets that are replaced, and those that only they lead to.
-    fn replaced(&mut self) -> Result<BTreeSet<String>, Refusal> {
+    pub(super) fn replaced(&mut self) -> Result<BTreeSet<String>, Refusal> {
         let ours: BTreeSet<String> = self.ours.values().filter_map(|index| self.sheets.get(*index)).cloned().collect();
         let others = self.parts.reached(&ours)?;
         let (mut gone, mut next): (BTreeSet<String>, Vec<String>) = (BTreeSet::new(), ours.into_iter().collect());

@@ -19,6 +19,19 @@ const ORDER: [&str; 8] = ["numFmts", "fonts", "fills", "borders", "cellStyleXfs"
 /// Number formats of one's own begin here.
 const OWN: u32 = 164;
 
+/// The codes of number formats that a spreadsheet knows by their numbers alone. A workbook may say something else under such a number.
+const BUILT_IN: [(u32, &str); 9] = [
+    (0, "General"),
+    (1, "0"),
+    (2, "0.00"),
+    (3, "#,##0"),
+    (4, "#,##0.00"),
+    (9, "0%"),
+    (10, "0.00%"),
+    (11, "0.00E+00"),
+    (49, "@"),
+];
+
 /// What the first records of a list are where a workbook has no such list: a spreadsheet takes them as these.
 const fn neutral(list: &str) -> &[&str] {
     match list.as_bytes() {
@@ -203,7 +216,9 @@ impl<'d> Styles<'d> {
     fn number_format(&mut self, id: u32) -> u32 {
         let donors = self.donor.root.listed("numFmts");
         let own = donors.iter().find(|one| one.attribute("numFmtId") == Some(&*id.to_string()));
-        own.and_then(|one| one.attribute("formatCode")).map_or(id, |code| self.code(code))
+        let taken = self.root.listed("numFmts").iter().any(|one| one.attribute("numFmtId") == Some(&*id.to_string()));
+        let known = BUILT_IN.iter().find(|(known, _)| taken && *known == id).map(|(_, code)| *code);
+        own.and_then(|one| one.attribute("formatCode")).or(known).map_or(id, |code| self.code(code))
     }
 
     fn code(&mut self, code: &str) -> u32 {

@@ -126,6 +126,30 @@ fn the_book_keeps_its_mode() {
 }
 
 #[test]
+fn a_program_knows_the_workbook_that_its_results_went_into_until_an_input_changes() {
+    let folder = folder();
+    let here = folder.path().join("h1.xlsx");
+    fs::copy(path("h1.xlsx"), &here).expect("a copy");
+    rodete(&folder).args(["new", "impeller", "--into", "h1.xlsx"]).assert().code(0);
+    let verify = |told: &str| {
+        let output = rodete(&folder).args(["verify", "h1-out/h1-blade.nc"]).assert().code(0).get_output().clone();
+        let text = [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("UTF-8")).concat();
+        assert!(text.contains(told), "{text}");
+    };
+    for _ in 0..2 {
+        rodete(&folder).args(["build", "h1.xlsx", "--into", "--no-report"]).assert().code(0);
+        verify("note U0128");
+    }
+    let bytes = fs::read(&here).expect("the book");
+    let cell = super::made::read(&bytes).values.cells["N"].cell.clone();
+    let changed = super::common::workbook::Parts::of(&bytes);
+    let part = "xl/worksheets/rodete-form.xml";
+    let changed = changed.cell(part, &cell, &format!("<c r=\"{cell}\"><v>3</v></c>")).zip();
+    fs::write(&here, changed).expect("written");
+    verify("caution U0129");
+}
+
+#[test]
 fn a_file_that_is_no_workbook_is_refused() {
     let folder = folder();
     fs::write(folder.path().join("a.ods"), "x").expect("a file");

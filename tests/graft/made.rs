@@ -62,7 +62,7 @@ pub fn with_form(kind: &'static dyn Kind, bytes: &[u8]) -> Vec<u8> {
     let (values, lists) = (case.values(Language::En), (case.listed)(Language::En));
     let made = template::write_into(kind, &values, &lists, &case.note, Language::En, &host.present(), &mut out);
     let made = made.expect("a form");
-    let donor = Donor { bytes: &out.into_inner(), sheets: &made, inputs: Vec::new() };
+    let donor = Donor { bytes: &out.into_inner(), sheets: &made, inputs: Vec::new(), source: "" };
     host.put(&donor).unwrap_or_else(|refusal| panic!("{}", said(&refusal)))
 }
 
@@ -106,7 +106,7 @@ impl Results {
     }
 
     pub fn donor(&self) -> Donor<'_> {
-        Donor { bytes: &self.bytes, sheets: &self.made, inputs: self.inputs.clone() }
+        Donor { bytes: &self.bytes, sheets: &self.made, inputs: self.inputs.clone(), source: "0" }
     }
 
     pub fn put_into(&self, bytes: &[u8]) -> Vec<u8> {

@@ -7,7 +7,7 @@ openpyxl.xlsx: h3 with the form and the results of `pipe-insert` in it, loaded a
 h1: charts, images, header image, background, comments, data bars, icon sets, validation, table, sparkline, protection, dynamic
 array, chart sheet, hidden and very hidden sheets, names, custom properties. h2: the same with macros and a button. h3: pivot
 table with its cache, external link, custom XML, printer settings, order of calculation, slicer. h4: h1 as LibreOffice saves it. h5:
-prefixes, odd places and names of parts, decoys, no addresses, defaults for content types, stored entries, a list part that is last.
+prefixes, odd places and names of parts, decoys, no addresses, defaults for content types, another number format 0, stored entries, a list part that is last.
 """
 
 import io
@@ -204,7 +204,7 @@ def hostile(path):
         ("Book/s/one.part", one),
         ("Book/s/two.xml", one.replace("own", "two")),
         ("Book/st%20yles.xml",
-         f"<x:styleSheet xmlns:x='{main}'><x:numFmts count='1'><x:numFmt numFmtId='170' formatCode='0.0\" mm\"'/></x:numFmts><x:fonts>{big}</x:fonts><x:fills count='2'><x:fill><x:patternFill patternType='none'/></x:fill>"
+         f"<x:styleSheet xmlns:x='{main}'><x:numFmts count='2'><x:numFmt numFmtId='0' formatCode='dd/mm/yyyy'/><x:numFmt numFmtId='170' formatCode='0.0\" mm\"'/></x:numFmts><x:fonts>{big}</x:fonts><x:fills count='2'><x:fill><x:patternFill patternType='none'/></x:fill>"
          "<x:fill><x:patternFill patternType='gray125'/></x:fill></x:fills><x:borders count='1'><x:border/></x:borders><x:cellStyleXfs count='1'><x:xf/></x:cellStyleXfs>"
          "<x:cellXfs count='2'><x:xf fontId='0' applyFont='1'/><x:xf numFmtId='170' applyNumberFormat='1'/></x:cellXfs><x:dxfs count='0'/></x:styleSheet>"),
         ("[Content_Types].xml",
