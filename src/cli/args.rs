@@ -531,14 +531,15 @@ mod tests {
         assert_eq!(names, COMMANDS);
         for command in whole.get_subcommands() {
             let example = command.get_after_help().map(ToString::to_string).unwrap_or_default();
-            let words = example.strip_prefix("Example: ").expect("an example").split(['|', '>']).next();
-            let words = words.unwrap_or_default().replace('"', "\0");
-            let quoted = words
-                .split('\0')
-                .enumerate()
-                .flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
-            let read = Arguments::read(quoted.map(OsString::from), KINDS);
-            assert!(read.is_ok(), "{example}: {read:?}");
+            for line in example.strip_prefix("Example: ").expect("an example").lines() {
+                let words = line.split(['|', '>']).next().unwrap_or_default().replace('"', "\0");
+                let quoted = words
+                    .split('\0')
+                    .enumerate()
+                    .flat_map(|(at, part)| if at % 2 == 1 { vec![part] } else { part.split_whitespace().collect() });
+                let read = Arguments::read(quoted.map(OsString::from), KINDS);
+                assert!(read.is_ok(), "{line}: {read:?}");
+            }
         }
     }
 
