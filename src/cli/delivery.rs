@@ -65,6 +65,8 @@ pub(super) struct Delivery<'a> {
     pub(super) printed: bool,
     /// The viewer goes with it.
     pub(super) viewer: bool,
+    /// The viewer's page refreshes itself.
+    pub(super) live: bool,
     /// The results go into a workbook, when all else is known: here they are left out.
     pub(super) into: bool,
 }
@@ -156,7 +158,8 @@ impl Delivery<'_> {
         }
         if let Some(scene) = scene {
             let scene = scene.titled(outcome.part().to_owned(), language);
-            set.write(&store::file_name(&item.stem, VIEWER), |out| view::write(&scene, out))?;
+            let write = if self.live { view::write_live } else { view::write };
+            set.write(&store::file_name(&item.stem, VIEWER), |out| write(&scene, out))?;
         }
         Ok(())
     }

@@ -4,6 +4,7 @@
 //! the way from its values to an outcome is [`Of`](method::Of), written once.
 
 pub mod checks;
+pub mod comparison;
 pub mod method;
 pub mod rules;
 mod staging;
@@ -20,6 +21,7 @@ use crate::figure::{Arc, Figure, Paper};
 use crate::finding::rules::ValueNotFinite;
 use crate::finding::{Exit, Finding, Grade, Place, Raise, Refusal, Rule};
 use crate::gcode::control::Control;
+use crate::gcode::interpreter::Setting;
 use crate::gcode::program::{Program, Style};
 use crate::number::grid::OutOfFormat;
 use crate::parameter::field::Fields;
@@ -49,6 +51,11 @@ pub trait Kind: Send + Sync {
     /// The rows of its own findings, one list for each of its `rules.rs`. Kinds may share lists.
     fn rules(&self) -> &'static [&'static [&'static Rule]] {
         &[]
+    }
+
+    /// What a program of a filled-in form is read with; `None` where its control says it all.
+    fn setting(&self, _fields: &Fields, _program: &Program) -> Option<Setting> {
+        None
     }
 
     /// The contradictions between the values of a filled-in form, which are reported before anything is computed.

@@ -15,6 +15,7 @@ pub mod cell;
 mod chart_sheet;
 pub mod charts;
 pub mod checks_sheet;
+pub mod comparison_book;
 mod curves;
 pub mod drawn;
 pub mod error;

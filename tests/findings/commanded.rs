@@ -163,6 +163,11 @@ fn made(key: &str, folder: &Path) -> Option<Line> {
                 _ => "build impeller.xlsx --templates nowhere".to_owned(),
             }
         }
+        "two-kinds" => {
+            run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
+            run(folder, &["new", "impeller"].map(str::to_owned), Language::En);
+            "compare impeller.xlsx lathe.xlsx".to_owned()
+        }
         "workbook-as-program" | "lathe-tools" => {
             run(folder, &["new", "lathe"].map(str::to_owned), Language::En);
             match key {
